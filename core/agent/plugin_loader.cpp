@@ -1,0 +1,1 @@
+#include "core/agent/plugin_loader.h"

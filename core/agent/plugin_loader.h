@@ -1,0 +1,54 @@
+// Finds behavior plugins, judges them before their code runs, and keeps the refused ones with the reason.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+#include "core/agent/robot_plugin.h"
+
+class QPluginLoader;
+
+namespace usar::agent {
+
+enum class PluginState { Found, Rejected, Loaded };
+
+/// What the host knows of one library file.
+struct PluginRecord {
+    QString file;
+    QJsonObject metadata;
+    PluginState state = PluginState::Found;
+    QString reason;                ///< why it was rejected; empty otherwise
+    RobotPlugin* plugin = nullptr; ///< owned by the loader; set when Loaded
+};
+
+/// Reads IID and metadata of every library in the folders before opening it; only what passes is loaded. A folder that
+/// is missing gives no records; a file that is no library at all is skipped. Lives on the GUI thread; loaded plugins
+/// are immutable and may be asked for behaviors from any thread.
+class PluginLoader {
+public:
+    PluginLoader();
+    ~PluginLoader();
+
+    /// Replaces all records.
+    void scan(const QStringList& folders);
+    const std::vector<PluginRecord>& records() const { return records_; }
+
+    /// The plugin that has this behavior. The error names the behavior, what is there instead, and rejected plugins.
+    Result<const RobotPlugin*> pluginFor(const std::string& behavior_id) const;
+    /// Its description; nullptr where no loaded plugin has it.
+    const BehaviorDescription* behavior(const std::string& behavior_id) const;
+    /// Descriptions of all loaded plugins.
+    const std::vector<RobotDescription>& robots() const { return robots_; }
+
+private:
+    std::vector<std::unique_ptr<QPluginLoader>> libraries_;
+    std::vector<PluginRecord> records_;
+    std::vector<RobotDescription> robots_;
+};
+
+} // namespace usar::agent

@@ -1,0 +1,101 @@
+#include "core/base/numbers.h"
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace usar {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
+        text.remove_prefix(1);
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+        text.remove_suffix(1);
+    return text;
+}
+
+/// Windows' run-time writes 1.#IND, -1.#QNAN, 1.#INF; digits may follow.
+std::size_t windowsNotANumber(std::string_view text) {
+    const std::size_t start = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+    if (text.substr(start, 3) != "1.#")
+        return 0;
+    std::size_t end = start + 3;
+    while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])))
+        ++end;
+    return end;
+}
+
+} // namespace
+
+NumberPrefix readNumberPrefix(std::string_view text) {
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    if (const std::size_t used = windowsNotANumber(text))
+        return {not_a_number, used};
+    const bool plus = text.starts_with('+'); // from_chars takes no plus
+    const std::string_view digits = plus ? text.substr(1) : text;
+    if (plus && digits.starts_with('-'))
+        return {};
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const auto used = static_cast<std::size_t>(end - digits.data());
+    if (problem == std::errc::invalid_argument)
+        return {};
+    if (problem == std::errc::result_out_of_range || !std::isfinite(value))
+        value = not_a_number;
+    return {value, used + (plus ? 1 : 0)};
+}
+
+std::optional<double> readNumber(std::string_view text) {
+    text = trimmed(text);
+    const NumberPrefix number = readNumberPrefix(text);
+    if (number.used == 0 || number.used != text.size())
+        return std::nullopt;
+    return number.value;
+}
+
+std::optional<long long> readInteger(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    long long value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+void appendFixed(std::string& out, double value, int decimals) {
+    std::array<char, 400> buffer; // 1.8e308 has 309 digits before the point
+    const auto [end, problem] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    if (problem == std::errc{})
+        out.append(buffer.data(), end);
+}
+
+void appendTruncated(std::string& out, double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    // A value that was read with as many decimals must be written with the same ones, though its product with the
+    // scale may fall short of the whole number by a few units in the last place.
+    const double scaled = value * scale;
+    const double cut = std::trunc(scaled + std::copysign(std::abs(scaled) * 1e-12, scaled));
+    appendFixed(out, std::isfinite(value) ? cut / scale : value, decimals);
+}
+
+void appendShortest(std::string& out, double value) {
+    std::array<char, 32> buffer;
+    const auto [end, problem] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    if (problem == std::errc{})
+        out.append(buffer.data(), end);
+}
+
+std::string fixed(double value, int decimals) {
+    std::string text;
+    appendFixed(text, value, decimals);
+    return text;
+}
+
+} // namespace usar

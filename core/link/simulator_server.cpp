@@ -1,0 +1,1 @@
+#include "core/link/simulator_server.h"

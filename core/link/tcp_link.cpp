@@ -1,0 +1,1 @@
+#include "core/link/tcp_link.h"

@@ -1,0 +1,1 @@
+#include "core/mapping/coverage_path.h"

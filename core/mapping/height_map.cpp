@@ -1,0 +1,1 @@
+#include "core/mapping/height_map.h"

@@ -1,0 +1,21 @@
+// Heights along a line: the terrain under the robot, or under a ruler.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/mapping/height_map.h"
+
+namespace usar::mapping {
+
+struct ProfilePoint {
+    double distance_m = 0.0; ///< from the start of the line
+    std::optional<float> height_m;
+    bool operator==(const ProfilePoint&) const = default;
+};
+
+/// One point per cell size along the straight line, ends included.
+std::vector<ProfilePoint> heightProfile(const HeightMap& map, const Vec2& start_m, const Vec2& end_m);
+
+} // namespace usar::mapping

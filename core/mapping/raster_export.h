@@ -1,0 +1,31 @@
+// The map as a dense raster, and in the raw file formats that need no image library.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mapping/height_map.h"
+
+namespace usar::mapping {
+
+/// Row 0 is the highest y, as pictures and GIS want it; unknown cells are NaN. Heights are the array's, z up.
+struct Raster {
+    std::int64_t columns = 0;
+    std::int64_t rows = 0;
+    double cell_size_m = 0.0;
+    Vec2 upper_left_center_m = Vec2::Zero(); ///< center of the first cell
+    std::vector<float> heights_m;
+    bool empty() const { return heights_m.empty(); }
+};
+
+/// Cropped to the known cells; empty for an empty map.
+Raster rasterOf(const HeightMap& map);
+
+/// NoData value of the raw file, as its header says.
+inline constexpr float no_data_m = -9999.0f;
+/// ESRI .bil (float32, little-endian, band interleaved by line) bytes and the text of its .hdr; GDAL opens the pair.
+std::vector<char> bilBytes(const Raster& raster);
+std::string bilHeader(const Raster& raster);
+
+} // namespace usar::mapping

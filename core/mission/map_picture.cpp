@@ -1,0 +1,1 @@
+#include "core/mission/map_picture.h"

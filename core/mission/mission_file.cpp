@@ -1,0 +1,1 @@
+#include "core/mission/mission_file.h"

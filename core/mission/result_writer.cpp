@@ -1,0 +1,1 @@
+#include "core/mission/result_writer.h"

@@ -1,0 +1,1 @@
+#include "core/mission/robot_session.h"

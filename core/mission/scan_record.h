@@ -1,0 +1,26 @@
+// All that a mission leaves: the height map, the path and the marks, and who made them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/agent/published.h"
+#include "core/mapping/height_map.h"
+#include "core/mapping/raster_export.h"
+
+namespace usar::mission {
+
+/// Path and marks keep the thesis's kinds; `map` belongs to the session, `raster` is what exports are made from.
+struct ScanRecord {
+    std::string robot_name;
+    std::string behavior_id;
+    std::string level;
+    Rectangle area_in_map;
+    std::vector<agent::MapMark> marks;
+    std::vector<Vec3> path_m;
+    agent::BehaviorStatus status;
+    mapping::Raster raster; ///< filled when the record is handed out
+};
+
+} // namespace usar::mission

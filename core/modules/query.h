@@ -1,0 +1,53 @@
+// Questions about geometry and configuration, one outstanding at a time.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/clock.h"
+#include "core/protocol/command.h"
+#include "core/protocol/info_message.h"
+
+namespace usar::modules {
+
+enum class QueryState { Unknown, Pending, Ready, Failed };
+
+/// Geometry and configuration module of the thesis (3.3). The server holds one pending question of each kind and loses
+/// the earlier one, so questions wait in line: the next is sent when the answer came or 1 s has passed; a question is
+/// sent three times before it fails. `Answer` is GeometryInfo or ConfigurationInfo, `Question` GetGeometry or
+/// GetConfiguration.
+template <class Question, class Answer>
+class QueryModule {
+public:
+    /// Asks (again, if it failed). Asking twice for the same thing changes nothing.
+    void query(const std::string& type, const std::string& name = {});
+    QueryState state(const std::string& type, const std::string& name = {}) const;
+    /// The answer once the state is Ready, else nullptr.
+    const Answer* answer(const std::string& type, const std::string& name = {}) const;
+
+    void take(const protocol::InfoLine& line);
+    /// The question to send now, if the line is free; marks it as sent at `now`.
+    std::optional<protocol::Command> next(Seconds now);
+
+private:
+    using Key = std::pair<std::string, std::string>; // lower-case type, name
+    struct Entry {
+        Question question;
+        QueryState state = QueryState::Pending;
+        int times_sent = 0;
+        std::optional<Answer> answer;
+    };
+    std::map<Key, Entry> entries_;
+    std::deque<Key> waiting_;
+    std::optional<std::pair<Key, Seconds>> outstanding_;
+};
+
+using GeometryModule = QueryModule<protocol::GetGeometry, protocol::GeometryInfo>;
+using ConfigurationModule = QueryModule<protocol::GetConfiguration, protocol::ConfigurationInfo>;
+extern template class QueryModule<protocol::GetGeometry, protocol::GeometryInfo>;
+extern template class QueryModule<protocol::GetConfiguration, protocol::ConfigurationInfo>;
+
+} // namespace usar::modules

@@ -1,0 +1,1 @@
+#include "core/modules/sensor.h"

@@ -1,0 +1,1 @@
+#include "core/protocol/command_reader.h"

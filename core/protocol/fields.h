@@ -1,0 +1,33 @@
+// Any info message as a flat list of named values: what sensor panels, plots and exports show, known type or not.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/protocol/info_message.h"
+
+namespace usar::protocol {
+
+/// One value of a message. `source` names the stream ("SEN Sonar", "STA"), `item` the sensor or group ("F1", may be
+/// empty), `field` the value within it ("range", "x"). Numbers carry SI units in our frame; a text has no number.
+struct Field {
+    std::string source;
+    std::string item;
+    std::string field;
+    std::optional<double> number;
+    std::string text;
+    std::string unit; ///< "m", "rad", "s", "" …
+
+    /// "SEN Sonar/F1/range"
+    std::string path() const;
+    bool operator==(const Field&) const = default;
+};
+
+/// All values of `message` in the server's order. Long lists (a scan) give count, minimum, mean and maximum.
+std::vector<Field> fieldsOf(const InfoMessage& message);
+/// The message's own time stamp, if it carries one.
+std::optional<Seconds> timeOf(const InfoMessage& message);
+
+} // namespace usar::protocol

@@ -1,0 +1,68 @@
+// GEO, CONF and RES: what the server answers to GETGEO, GETCONF and SET.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+
+namespace usar::protocol {
+
+/// Where an item sits: on the chassis (mount "HARD") or on a part of the robot.
+struct MountedItem {
+    std::string name;
+    Pose item_in_mount;
+    std::string mount;
+    bool operator==(const MountedItem&) const = default;
+};
+
+/// GEO. `type` is the sensor type, or the vehicle kind's word for a robot (then `robot_class` is set and there are no
+/// items). The bare head that UT2004 sends for "no such thing" has neither.
+struct GeometryInfo {
+    std::string type;
+    std::vector<MountedItem> items;
+    std::string robot_class;
+    std::optional<Vec3> dimensions_m; ///< length, width, height
+    std::optional<Vec3> center_of_gravity_m;
+    std::optional<double> wheel_radius_m;
+    std::optional<double> wheel_separation_m;
+    std::optional<double> wheel_base_m;
+    bool operator==(const GeometryInfo&) const = default;
+};
+
+/// A setting as it was sent; the number where the value is one.
+struct Setting {
+    std::string key;
+    std::string value;
+    std::optional<double> number;
+    bool operator==(const Setting&) const = default;
+};
+
+struct ConfiguredItem {
+    std::string name; ///< for a robot its class
+    std::vector<Setting> settings;
+
+    /// The first number under this key, without regard to case.
+    std::optional<double> number(const std::string& key) const;
+    bool operator==(const ConfiguredItem&) const = default;
+};
+
+/// CONF of a robot, of sensors, of anything: settings keep the server's keys, order and units.
+struct ConfigurationInfo {
+    std::string type;
+    std::vector<ConfiguredItem> items;
+    bool operator==(const ConfigurationInfo&) const = default;
+};
+
+/// RES, one of SET's results (UT2004 only).
+struct Response {
+    std::optional<Seconds> time;
+    std::string type;
+    std::string name;
+    bool ok = false;
+    bool operator==(const Response&) const = default;
+};
+
+} // namespace usar::protocol

@@ -1,0 +1,44 @@
+// SEN of the range family: sonars and the scanner.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+
+namespace usar::protocol {
+
+/// One range; NaN where the server sent no number.
+struct NamedRange {
+    std::string name;
+    double range_m = 0.0;
+    bool operator==(const NamedRange&) const = default;
+};
+
+/// SEN Sonar: all sonars of a tick (UT2004) or one of them (UDK). The reading saturates at the maximum range.
+struct SonarReadings {
+    std::optional<Seconds> time;
+    std::vector<NamedRange> ranges;
+    bool operator==(const SonarReadings&) const = default;
+};
+
+/// SEN RangeScanner. Beams run from right to left: index 0 looks at -fov/2 (right; counter-clockwise positive), the
+/// last one at +fov/2. The count of values rules, not the quotient of field of view and resolution. A miss reads the
+/// maximum range; NaN where the server sent no number.
+struct RangeScan {
+    std::optional<Seconds> time;
+    std::string name;
+    double resolution_rad = 0.0;
+    double fov_rad = 0.0;
+    std::vector<double> ranges_m;
+
+    /// Angle of a beam in the scanner's frame, counter-clockwise positive. `index` < ranges_m.size().
+    double beamAngle_rad(std::size_t index) const {
+        return -fov_rad / 2.0 + static_cast<double>(index) * resolution_rad;
+    }
+    bool operator==(const RangeScan&) const = default;
+};
+
+} // namespace usar::protocol

@@ -1,0 +1,1 @@
+#include "core/protocol/wire_frame.h"

@@ -1,0 +1,1 @@
+#include "core/protocol/writer.h"

@@ -1,0 +1,1 @@
+#include "core/sim/ray_caster.h"

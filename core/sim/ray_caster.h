@@ -1,0 +1,30 @@
+// Rays against a world's still parts: height field by DDA over tile maxima, trunks, crowns and boxes analytically.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/sim/world.h"
+
+namespace usar::sim {
+
+/// Built once from a world that must outlive it; const and free of state afterwards.
+class RayCaster {
+public:
+    explicit RayCaster(const World& world);
+    ~RayCaster();
+
+    /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector. Water is not seen.
+    double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
+    /// What a ray from straight above meets first: the true surface (ground, crown or roof) at a point.
+    double surface_m(const Vec2& point_m) const;
+
+private:
+    struct Index;
+    const World* world_;
+    std::unique_ptr<const Index> index_;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,75 @@
+// The embedded USARSim server without its sockets: bytes in, bytes out, time by steps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/sim/world.h"
+
+namespace usar::sim {
+
+struct SimulationOptions {
+    std::uint64_t seed = 1;
+    Seconds tick{0.2};               ///< UT2004 message tick
+    int physics_steps_per_tick = 50; ///< 250 Hz
+    Seconds battery_life{1200.0};
+    bool noise = true;
+};
+
+/// Identifies one connection.
+struct ClientId {
+    std::uint32_t value = 0;
+    auto operator<=>(const ClientId&) const = default;
+};
+
+/// What a viewer other than the wire may know of a robot (tests, scoring, figures); behaviors never see it.
+struct RobotTruth {
+    ClientId client;
+    std::string name;
+    Pose base_in_map;
+    Vec3 velocity_in_map_m_s = Vec3::Zero();
+    bool broken = false;
+    int collisions = 0;
+    double distance_m = 0.0; ///< true path length
+};
+
+/// One world, its robots and their connections. Single-threaded; the same seed and the same bytes at the same ticks
+/// give the same bytes. Owned by whoever serves it.
+class Simulation {
+public:
+    static Result<std::unique_ptr<Simulation>> make(World world, SimulationOptions options = {});
+    ~Simulation();
+
+    ClientId connect();
+    void disconnect(ClientId client);
+    /// Bytes from the client, in any chunks; obeyed at the next step.
+    void receive(ClientId client, std::string_view bytes);
+    /// Bytes for the client since the last call.
+    std::string takeOutput(ClientId client);
+
+    /// False while a lockstep client has not said STEP since the last tick.
+    bool readyToStep() const;
+    bool hasLockstepClients() const;
+    /// One message tick: physics, sensors, lines for every client.
+    void step();
+
+    Seconds now() const;
+    const World& world() const;
+    std::vector<RobotTruth> robots() const;
+    std::size_t clientCount() const;
+    /// What was ignored, refused or mended since the last call: one sentence each, for the server's log.
+    std::vector<std::string> takeLog();
+
+private:
+    struct State;
+    explicit Simulation(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace usar::sim

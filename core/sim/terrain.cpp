@@ -1,0 +1,1 @@
+#include "core/sim/terrain.h"
