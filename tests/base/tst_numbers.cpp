@@ -69,7 +69,7 @@ void tst_Numbers::writesFixedDecimals_data() {
     QTest::addColumn<QByteArray>("rounded");
     QTest::addColumn<QByteArray>("cut");
     QTest::newRow("pi") << 3.14159265 << 4 << QByteArray("3.1416") << QByteArray("3.1415");
-    QTest::newRow("one degree") << 0.01745 << 4 << QByteArray("0.0174") << QByteArray("0.0174");
+    QTest::newRow("one degree") << 0.01745 << 4 << QByteArray("0.0175") << QByteArray("0.0174");
     QTest::newRow("what was read is written again") << 2.1924 << 4 << QByteArray("2.1924") << QByteArray("2.1924");
     QTest::newRow("negative") << -0.87266 << 4 << QByteArray("-0.8727") << QByteArray("-0.8726");
     QTest::newRow("two decimals") << 4.5 << 2 << QByteArray("4.50") << QByteArray("4.50");
