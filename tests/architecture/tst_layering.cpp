@@ -1,0 +1,127 @@
+// The table "who may include whom" of the house, read from the code at each run.
+#include <QDir>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QTest>
+
+#include "tests/architecture/include_graph.h"
+
+namespace {
+
+const QString root = USAR_SOURCE_DIR;
+const QStringList code_folders{"app", "core", "widgets", "robots"};
+
+struct Rule {
+    QStringList ours; ///< folders that may be included besides the own one
+    QStringList qt;   ///< Qt modules
+};
+
+const QStringList sdk{"core/base", "core/protocol", "core/modules", "core/posh", "core/mapping"};
+
+const std::map<QString, Rule> rules{
+    {"core/base", {{}, {}}},
+    {"core/protocol", {{"core/base"}, {}}},
+    {"core/posh", {{"core/base"}, {}}},
+    {"core/mapping", {{"core/base"}, {}}},
+    {"core/modules", {{"core/base", "core/protocol"}, {}}},
+    {"core/sim", {{"core/base", "core/protocol"}, {}}},
+    {"core/agent", {sdk, {"QtCore"}}},
+    {"core/link", {{"core/base", "core/protocol", "core/sim"}, {"QtCore", "QtNetwork"}}},
+    {"core/mission", {sdk + QStringList{"core/agent", "core/link"}, {"QtCore", "QtGui", "QtNetwork"}}},
+    {"robots", {sdk + QStringList{"core/agent"}, {"QtCore"}}},
+    {"widgets", {sdk + QStringList{"core/agent"}, {"QtCore", "QtGui", "QtWidgets", "QtPrintSupport"}}},
+};
+
+const Rule* ruleFor(const QString& folder) {
+    const auto rule = rules.find(folder.startsWith("robots/") ? QString("robots") : folder);
+    return rule == rules.end() ? nullptr : &rule->second;
+}
+
+/// "QtCore" for <QString>; empty for a header that is not Qt's.
+QString qtModuleOf(const QString& header) {
+    const QString headers = QLibraryInfo::path(QLibraryInfo::HeadersPath);
+    for (const QString& module : QDir(headers).entryList({"Qt*"}, QDir::Dirs))
+        if (header.startsWith(module + '/') || QFile::exists(headers + '/' + module + '/' + header))
+            return module;
+    return {};
+}
+
+/// What is wrong with one #include, or nothing.
+QString complaint(const Include& include) {
+    const QString folder = folderOf(include.file);
+    const Rule* rule = ruleFor(folder);
+    if (!rule)
+        return folder == "app" ? QString() : folder + " has no row in the table";
+    if (include.angled) {
+        const QString module = qtModuleOf(include.target);
+        return module.isEmpty() || rule->qt.contains(module) ? QString() : folder + " may not use " + module;
+    }
+    const QString target = folderOf(include.target);
+    return target == folder || rule->ours.contains(target) ? QString() : folder + " may not include " + target;
+}
+
+} // namespace
+
+class tst_Layering : public QObject {
+    Q_OBJECT
+private slots:
+    void noArrowLeavesTheTable();
+    void includesAreWrittenFromTheRoot();
+    void noIncludeCycles();
+    void targetsLinkOnlyWhatTheTableAllows();
+    void theTestItselfSeesAForbiddenArrow();
+};
+
+void tst_Layering::noArrowLeavesTheTable() {
+    const auto includes = includesBelow(root, code_folders);
+    QVERIFY(includes.size() > 100);
+    QStringList complaints;
+    for (const Include& include : includes) {
+        const QString text = complaint(include);
+        if (!text.isEmpty())
+            complaints << QString("%1:%2: %3").arg(include.file).arg(include.line).arg(text);
+    }
+    QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
+}
+
+void tst_Layering::includesAreWrittenFromTheRoot() {
+    for (const Include& include : includesBelow(root, code_folders)) {
+        if (include.angled || include.target.endsWith(".moc"))
+            continue;
+        QVERIFY2(QFile::exists(root + '/' + include.target),
+                 qPrintable(QString("%1:%2: \"%3\"").arg(include.file).arg(include.line).arg(include.target)));
+    }
+}
+
+void tst_Layering::noIncludeCycles() {
+    const QStringList cycle = includeCycle(includesBelow(root, code_folders));
+    QVERIFY2(cycle.isEmpty(), qPrintable(cycle.join(" -> ")));
+}
+
+void tst_Layering::targetsLinkOnlyWhatTheTableAllows() {
+    const auto modules = moduleDependencies(root, {"core", "widgets"});
+    QVERIFY(modules.size() >= 8);
+    for (const auto& [module, dependencies] : modules) {
+        const Rule* rule = ruleFor(module == "widgets" ? module : "core/" + module);
+        QVERIFY2(rule, qPrintable(module));
+        for (const QString& dependency : dependencies) {
+            if (!dependency.startsWith("usar::"))
+                continue;
+            const QString target = "core/" + dependency.mid(6);
+            QVERIFY2(rule->ours.contains(target), qPrintable(module + " may not link " + target));
+        }
+    }
+}
+
+void tst_Layering::theTestItselfSeesAForbiddenArrow() {
+    QVERIFY(!complaint({"robots/airrobot/a.cpp", 1, "core/sim/world.h", false}).isEmpty());
+    QVERIFY(!complaint({"robots/airrobot/a.cpp", 1, "robots/p2dx/b.h", false}).isEmpty());
+    QVERIFY(!complaint({"core/base/a.h", 1, "QString", true}).isEmpty());
+    QVERIFY(!complaint({"core/agent/a.h", 1, "QWidget", true}).isEmpty());
+    QVERIFY(!complaint({"widgets/a.h", 1, "core/mission/robot_session.h", false}).isEmpty());
+    QVERIFY(complaint({"core/link/a.h", 1, "core/sim/simulation.h", false}).isEmpty());
+    QCOMPARE(includeCycle({{"a.h", 1, "b.h", false}, {"b.h", 1, "a.h", false}}).size(), 2);
+}
+
+QTEST_APPLESS_MAIN(tst_Layering)
+#include "tst_layering.moc"
