@@ -18,10 +18,11 @@ struct CoverageOptions {
 struct Lane {
     Vec2 start_m = Vec2::Zero();
     Vec2 end_m = Vec2::Zero();
-    int quadrant = 0;
+    int quadrant = 0; ///< index into CoveragePlan::quadrants
     bool operator==(const Lane&) const = default;
 };
 
+/// Metres, map frame.
 struct CoveragePlan {
     std::vector<Lane> lanes;          ///< in flying order: boustrophedon along the longer side
     std::vector<Rectangle> quadrants; ///< in flying order
@@ -30,11 +31,15 @@ struct CoveragePlan {
 };
 
 /// Lanes along the longer side of each quadrant, from the corner nearest to where the robot then is (the base for the
-/// first). An empty area or a spacing that is not positive is an error.
+/// first). The outer lanes lie half a spacing inside the border, so every point of the area is within half a spacing
+/// of a lane, and no fewer lanes would do. Quadrants are visited in the order with the least transit of those tried:
+/// to and fro by rows or by columns from each corner, and always the nearest next.
+/// An area without size, one that needs more than 100 000 lanes, a spacing or a limit that is not positive, and
+/// anything that is not finite is an error.
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 
-/// Flying time of a plan at two speeds, without obstacles and charging.
+/// Flying time of a plan at two speeds, without obstacles and charging; infinite for a speed that is not positive.
 Seconds estimatedTime(const CoveragePlan& plan, double scan_speed_m_s, double transit_speed_m_s);
 
 } // namespace usar::mapping

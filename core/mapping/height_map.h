@@ -58,13 +58,15 @@ public:
     explicit HeightMap(double cell_size_m);
 
     double cellSize_m() const { return cell_size_m_; }
+    /// Points further than 2^30 cells away (and NaN) land in the outermost cells.
     GridIndex cellAt(const Vec2& point_in_map_m) const;
     Vec2 center_m(GridIndex cell) const;
 
-    /// A measured height: preview := value; array := value, or the mean of the old and the new (thesis 4.2). Values
-    /// that are not finite are ignored.
+    /// A measured height: preview := value; array := value, or the mean of the old and the new (thesis 4.2). What was
+    /// only filled is no recorded value: the measured one replaces it. Values that are not finite are ignored.
     void write(GridIndex cell, float height_m, LineNumber line);
-    /// A height made up between two measured ones: written only where nothing was measured.
+    /// A height made up between two measured ones: written only where nothing was measured; a second one makes the
+    /// mean too.
     void fill(GridIndex cell, float height_m, LineNumber line);
 
     std::optional<float> height_m(GridIndex cell) const;
@@ -74,8 +76,9 @@ public:
 
     /// Known cells, measured and filled.
     std::size_t knownCellCount() const { return known_cells_; }
-    std::optional<HeightRange> range() const { return range_; } ///< running minimum and maximum, shade follows it
-    std::optional<CellBounds> bounds() const;                   ///< of known cells, to the tile's border
+    /// Running minimum and maximum of all values taken; it only widens, and the shade follows it.
+    std::optional<HeightRange> range() const { return range_; }
+    std::optional<CellBounds> bounds() const; ///< of known cells, to the tile's border
     std::size_t tileCount() const { return tiles_.size(); }
     std::size_t memoryBytes() const;
 
@@ -85,12 +88,19 @@ public:
     std::vector<std::shared_ptr<const HeightTile>> takeChangedTiles();
 
 private:
-    HeightTile& tileFor(GridIndex cell);
+    /// A tile and whether it is listed in `changed_`.
+    struct Slot {
+        HeightTile tile;
+        bool changed = false;
+    };
+    /// Neighbouring cells are written one after the other, so the slot of the last write is tried first.
+    Slot& slotFor(GridIndex cell);
+    void note(Slot& slot, std::size_t offset, float height_m, LineNumber line);
 
     double cell_size_m_;
-    std::map<GridIndex, std::unique_ptr<HeightTile>> tiles_;
+    std::map<GridIndex, std::unique_ptr<Slot>> tiles_;
     std::vector<GridIndex> changed_;
-    HeightTile* last_tile_ = nullptr;
+    Slot* last_slot_ = nullptr;
     std::size_t known_cells_ = 0;
     std::optional<HeightRange> range_;
 };

@@ -1,7 +1,8 @@
 // The map as a dense raster, and in the raw file formats that need no image library.
 #pragma once
 
-#include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -17,7 +18,14 @@ struct Raster {
     Vec2 upper_left_center_m = Vec2::Zero(); ///< center of the first cell
     std::vector<float> heights_m;
     bool empty() const { return heights_m.empty(); }
+    /// Of the known cells; nothing where none is known.
+    std::optional<HeightRange> range() const;
+    std::size_t knownCellCount() const;
 };
+
+/// Longest side of a raster. A stray scan (a garbled position) can put a tile a thousand kilometres away: what lies
+/// further than half of this from the middle tile is left out instead of filling the memory with nothing.
+inline constexpr std::int64_t maximum_raster_side = 16384;
 
 /// Cropped to the known cells; empty for an empty map.
 Raster rasterOf(const HeightMap& map);

@@ -1,1 +1,119 @@
 #include "core/mapping/scan_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace usar::mapping {
+
+namespace {
+
+/// What the filling of one scan has in common.
+class Filler {
+public:
+    Filler(HeightMap& map, LineNumber line, double gap_limit_m)
+        : map_(map)
+        , line_(line)
+        , height_limit_m_(gap_limit_m)
+        , ground_limit_m_(std::max(gap_limit_m, 2.0 * map.cellSize_m())) {}
+
+    /// NaN is far from everything.
+    bool near(const Vec3& a_m, const Vec3& b_m) const {
+        const Vec3 step_m = b_m - a_m;
+        return std::abs(step_m.z()) <= height_limit_m_ &&
+               step_m.head<2>().squaredNorm() <= ground_limit_m_ * ground_limit_m_;
+    }
+
+    /// Half a cell at most, so that no cell of any width worth naming is jumped over.
+    int stepsBetween(const Vec3& a_m, const Vec3& b_m) const {
+        return static_cast<int>(std::ceil((b_m - a_m).head<2>().norm() / (0.5 * map_.cellSize_m())));
+    }
+
+    /// Cells strictly between a and b, each with the height of the line at the point nearest to the cell's center.
+    void join(const Vec3& a_m, const Vec3& b_m) const {
+        const int steps = stepsBetween(a_m, b_m);
+        const Vec2 along_m = (b_m - a_m).head<2>();
+        std::optional<GridIndex> last;
+        for (int i = 1; i < steps; ++i) {
+            const GridIndex cell = map_.cellAt(a_m.head<2>() + along_m * (double(i) / steps));
+            if (cell == last)
+                continue;
+            last = cell;
+            const Vec2 from_a_m = map_.center_m(cell) - a_m.head<2>();
+            const double part = std::clamp(from_a_m.dot(along_m) / along_m.squaredNorm(), 0.0, 1.0);
+            map_.fill(cell, static_cast<float>(a_m.z() + part * (b_m.z() - a_m.z())), line_);
+        }
+    }
+
+    /// Two neighbouring beams of two consecutive scans: the cells inside the four figures.
+    void joinInside(const Vec3& old_a_m, const Vec3& old_b_m, const Vec3& new_a_m, const Vec3& new_b_m) const {
+        const int steps = std::max(stepsBetween(old_a_m, old_b_m), stepsBetween(new_a_m, new_b_m));
+        for (int i = 1; i < steps; ++i) {
+            const double part = double(i) / steps;
+            join(old_a_m + part * (old_b_m - old_a_m), new_a_m + part * (new_b_m - new_a_m));
+        }
+    }
+
+private:
+    HeightMap& map_;
+    LineNumber line_;
+    double height_limit_m_;
+    double ground_limit_m_;
+};
+
+void computeHits(const Beams& beams, const Pose& scanner_in_map, std::vector<Vec3>& hits) {
+    const Eigen::Matrix3d rotation = scanner_in_map.rotation().toRotationMatrix();
+    const bool placed = rotation.allFinite() && scanner_in_map.position_m.allFinite();
+    hits.assign(beams.ranges_m.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    for (std::size_t k = 0; placed && k < hits.size(); ++k) {
+        const double range_m = beams.ranges_m[k];
+        if (!(range_m > 0.0 && range_m < beams.maximum_m))
+            continue;
+        const double angle_rad = -beams.fov_rad / 2.0 + double(k) * beams.resolution_rad;
+        const Vec3 hit_in_scanner_m(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad), 0.0);
+        hits[k] = scanner_in_map.position_m + rotation * hit_in_scanner_m;
+    }
+}
+
+} // namespace
+
+ScanIntegrator::ScanIntegrator(double gap_limit_m) : gap_limit_m_(gap_limit_m) {}
+
+void ScanIntegrator::integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map) {
+    std::swap(hits_, previous_hits_);
+    if (strip_broken_)
+        previous_hits_.clear();
+    strip_broken_ = false;
+    computeHits(beams, scanner_in_map, hits_);
+    for (const Vec3& hit_m : hits_) {
+        if (hit_m.allFinite())
+            map.write(map.cellAt(hit_m.head<2>()), static_cast<float>(hit_m.z()), line);
+    }
+
+    const Filler filler(map, line, gap_limit_m_);
+    const bool continues = previous_hits_.size() == hits_.size();
+    bool joined_scans_at_k = continues && !hits_.empty() && filler.near(previous_hits_[0], hits_[0]);
+    if (joined_scans_at_k)
+        filler.join(previous_hits_[0], hits_[0]);
+    for (std::size_t k = 0; k + 1 < hits_.size(); ++k) {
+        const bool joined_beams = filler.near(hits_[k], hits_[k + 1]);
+        if (joined_beams)
+            filler.join(hits_[k], hits_[k + 1]);
+        if (!continues)
+            continue;
+        const bool joined_scans_at_next = filler.near(previous_hits_[k + 1], hits_[k + 1]);
+        if (joined_scans_at_next)
+            filler.join(previous_hits_[k + 1], hits_[k + 1]);
+        if (joined_beams && joined_scans_at_k && joined_scans_at_next &&
+            filler.near(previous_hits_[k], previous_hits_[k + 1]))
+            filler.joinInside(previous_hits_[k], previous_hits_[k + 1], hits_[k], hits_[k + 1]);
+        joined_scans_at_k = joined_scans_at_next;
+    }
+}
+
+void ScanIntegrator::breakStrip() {
+    strip_broken_ = true;
+}
+
+} // namespace usar::mapping

@@ -1,0 +1,129 @@
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/mapping/profile.h"
+#include "core/mapping/raster_export.h"
+
+using namespace usar;
+using namespace usar::mapping;
+
+class tst_Raster : public QObject {
+    Q_OBJECT
+private slots:
+    void anEmptyMapIsAnEmptyRaster();
+    void isCroppedToTheKnownCellsAndNorthUp();
+    void aStrayTileDoesNotFillTheMemory();
+    void rawBytesAreLittleEndianFloatsWithNoData();
+    void headerSaysWhatGdalAsksFor_data();
+    void headerSaysWhatGdalAsksFor();
+    void profileFollowsTheLine_data();
+    void profileFollowsTheLine();
+    void profileOfNowhereIsEmpty();
+};
+
+void tst_Raster::anEmptyMapIsAnEmptyRaster() {
+    const Raster raster = rasterOf(HeightMap(0.25));
+    QVERIFY(raster.empty());
+    QVERIFY(!raster.range());
+    QCOMPARE(raster.cell_size_m, 0.25);
+    QVERIFY(bilBytes(raster).empty());
+}
+
+void tst_Raster::isCroppedToTheKnownCellsAndNorthUp() {
+    HeightMap map(0.5);
+    map.write({-70, -2}, 1.0f, {1});
+    map.write({3, 66}, 2.0f, {1});
+    map.fill({0, 0}, 3.0f, {1});
+    const Raster raster = rasterOf(map);
+    QCOMPARE(raster.columns, 74);
+    QCOMPARE(raster.rows, 69);
+    QVERIFY(raster.upper_left_center_m == Vec2(-34.75, 33.25));
+    QCOMPARE(raster.heights_m[68 * 74], 1.0f);
+    QCOMPARE(raster.heights_m[73], 2.0f);
+    QCOMPARE(raster.heights_m[66 * 74 + 70], 3.0f);
+    QCOMPARE(raster.knownCellCount(), std::size_t(3));
+    QVERIFY(raster.range() == (HeightRange{1.0f, 3.0f}));
+}
+
+void tst_Raster::aStrayTileDoesNotFillTheMemory() {
+    HeightMap map(0.25);
+    for (std::int32_t i = 0; i < 200; ++i)
+        map.write({i, i}, 1.0f, {1});
+    map.write(map.cellAt({1e9, -1e9}), 5.0f, {2});
+    const Raster raster = rasterOf(map);
+    QCOMPARE(raster.columns, 200);
+    QCOMPARE(raster.rows, 200);
+    QCOMPARE(raster.knownCellCount(), std::size_t(200));
+}
+
+void tst_Raster::rawBytesAreLittleEndianFloatsWithNoData() {
+    HeightMap map(1.0);
+    map.write({0, 0}, 1.0f, {1});
+    map.write({2, 0}, -2.5f, {1});
+    const std::vector<char> bytes = bilBytes(rasterOf(map));
+    const char expected[] = {0, 0, '\x80', 0x3f, 0, '\x3c', '\x1c', '\xc6', 0, 0, 0x20, '\xc0'};
+    QCOMPARE(QByteArray(bytes.data(), qsizetype(bytes.size())), QByteArray(expected, sizeof expected));
+}
+
+void tst_Raster::headerSaysWhatGdalAsksFor_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line : {"BYTEORDER I", "LAYOUT BIL", "NROWS 1", "NCOLS 3", "NBANDS 1", "NBITS 32",
+                             "BANDROWBYTES 12", "TOTALROWBYTES 12", "PIXELTYPE FLOAT", "ULXMAP -0.25", "ULYMAP 10.25",
+                             "XDIM 0.5", "YDIM 0.5", "NODATA -9999"})
+        QTest::newRow(line) << QString(line);
+}
+
+void tst_Raster::headerSaysWhatGdalAsksFor() {
+    QFETCH(QString, line);
+    HeightMap map(0.5);
+    map.write({-1, 20}, 1.0f, {1});
+    map.write({1, 20}, 2.0f, {1});
+    const QStringList lines = QString::fromStdString(bilHeader(rasterOf(map))).split('\n');
+    QVERIFY(std::any_of(lines.begin(), lines.end(), [&](const QString& other) { return other.simplified() == line; }));
+}
+
+void tst_Raster::profileFollowsTheLine_data() {
+    QTest::addColumn<double>("end_x_m");
+    QTest::addColumn<double>("end_y_m");
+    QTest::addColumn<int>("points");
+    QTest::newRow("a point") << 0.25 << 0.25 << 2;
+    QTest::newRow("along x") << 5.25 << 0.25 << 11;
+    QTest::newRow("diagonal") << 3.25 << 4.25 << 11;
+}
+
+void tst_Raster::profileFollowsTheLine() {
+    QFETCH(double, end_x_m);
+    QFETCH(double, end_y_m);
+    QFETCH(int, points);
+    HeightMap map(0.5);
+    for (std::int32_t column = 0; column < 4; ++column) {
+        for (std::int32_t row = 0; row < 20; ++row)
+            map.write({column, row}, float(column), {1});
+    }
+    const Vec2 start_m(0.25, 0.25);
+    const Vec2 end_m(end_x_m, end_y_m);
+    const std::vector<ProfilePoint> profile = heightProfile(map, start_m, end_m);
+    QCOMPARE(static_cast<int>(profile.size()), points);
+    QCOMPARE(profile.front().distance_m, 0.0);
+    QCOMPARE(profile.back().distance_m, (end_m - start_m).norm());
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Vec2 point_m = start_m + (end_m - start_m) * (double(i) / double(profile.size() - 1));
+        QCOMPARE(profile[i].height_m.has_value(), point_m.x() < 2.0);
+        if (profile[i].height_m)
+            QCOMPARE(*profile[i].height_m, float(std::floor(point_m.x() / 0.5)));
+    }
+}
+
+void tst_Raster::profileOfNowhereIsEmpty() {
+    const HeightMap map(0.5);
+    QVERIFY(heightProfile(map, {0, 0}, {qQNaN(), 1}).empty());
+    const std::vector<ProfilePoint> long_one = heightProfile(map, {0, 0}, {1e12, 0});
+    QCOMPARE(long_one.size(), std::size_t(100'001));
+    QVERIFY(!long_one.front().height_m);
+}
+
+QTEST_APPLESS_MAIN(tst_Raster)
+#include "tst_raster.moc"
