@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/agent/behavior.h"
@@ -9,8 +10,9 @@
 namespace usar::agent {
 
 /// Owns the behavior and its modules. Lines and orders go in, caused commands and published values come out. The
-/// behavior ticks on every STA (thesis 3). A behavior that throws is stopped: its safe command is sent and
-/// BehaviorFinished says what was thrown. Used from its owner's thread.
+/// behavior ticks on every STA (thesis 3); questions that the modules have waiting are sent on every line. A behavior
+/// that throws is stopped: its safe command is sent and BehaviorFinished says what was thrown. A finished behavior is
+/// not called again. Used from its owner's thread.
 class BehaviorHost {
 public:
     struct Output {
@@ -18,23 +20,30 @@ public:
         std::vector<Published> published;
     };
 
+    /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning".
     explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id);
     ~BehaviorHost();
 
     Output receive(const protocol::InfoLine& line);
     Output order(Order order);
+    /// What the behavior threw, if it did, comes out of the next call.
     void setParameters(const ParameterSet& parameters);
-    /// The safe command, with `source` as its cause.
+    /// The safe command, with `source` as its cause; a zero aerial DRIVE where the behavior cannot even say that.
     CausedCommand safeCommand(const std::string& source) const;
     bool finished() const { return finished_; }
 
 private:
-    Output answers(LineNumber trigger, auto&& call);
+    template <class Call>
+    void guarded(Call&& call);
+    void stopAfterThrow(const std::string& what);
+    void askQuestions();
+    Output takeOutput();
 
     std::unique_ptr<Behavior> behavior_;
     std::string behavior_id_;
     modules::RobotModules modules_;
     CommandPort port_;
+    LineNumber last_line_;
     bool finished_ = false;
 };
 

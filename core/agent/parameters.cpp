@@ -1,1 +1,143 @@
 #include "core/agent/parameters.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/numbers.h"
+
+namespace usar::agent {
+
+namespace {
+
+std::size_t editDistance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = std::exchange(row[j], std::min({replaced, row[j] + 1, row[j - 1] + 1}));
+        }
+    }
+    return row.back();
+}
+
+std::string nearestId(const std::vector<ParameterSpec>& specs, const std::string& id) {
+    std::string nearest;
+    std::size_t best = std::numeric_limits<std::size_t>::max();
+    for (const ParameterSpec& spec : specs) {
+        const std::size_t distance = editDistance(spec.id, id);
+        if (distance < best) {
+            best = distance;
+            nearest = spec.id;
+        }
+    }
+    return nearest;
+}
+
+std::string typeName(const ParameterValue& value) {
+    static const char* const names[] = {"a yes or no", "a whole number", "a number", "a text"};
+    return names[value.index()];
+}
+
+std::string shown(const ParameterValue& value) {
+    struct Shower {
+        std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+        std::string operator()(long long number) const { return std::to_string(number); }
+        std::string operator()(double number) const {
+            std::string out;
+            appendShortest(out, number);
+            return out;
+        }
+        std::string operator()(const std::string& text) const { return '"' + text + '"'; }
+    };
+    return std::visit(Shower{}, value);
+}
+
+std::string shownRange(const ParameterSpec& spec) {
+    return shown(spec.minimum) + " to " + shown(spec.maximum) + (spec.unit.empty() ? "" : " " + spec.unit);
+}
+
+Result<void> checkNumber(const ParameterSpec& spec, double number) {
+    if (number >= spec.minimum && number <= spec.maximum) // false for NaN as well
+        return {};
+    return failure(shown(number) + " is out of range", "parameter " + spec.id, "Give " + shownRange(spec));
+}
+
+Result<void> checkText(const ParameterSpec& spec, const std::string& text) {
+    if (spec.choices.empty() || std::ranges::find(spec.choices, text) != spec.choices.end())
+        return {};
+    std::string all;
+    for (const std::string& choice : spec.choices)
+        all += (all.empty() ? "" : ", ") + choice;
+    return failure(shown(text) + " is not one of the choices", "parameter " + spec.id, "Choose one of: " + all);
+}
+
+/// The value in the spec's own type, whole numbers taken for reals.
+Result<ParameterValue> checked(const ParameterSpec& spec, ParameterValue value) {
+    if (std::holds_alternative<double>(spec.default_value) && std::holds_alternative<long long>(value))
+        value = static_cast<double>(std::get<long long>(value));
+    if (value.index() != spec.default_value.index())
+        return failure(shown(value) + " is " + typeName(value), "parameter " + spec.id,
+                       "Give " + typeName(spec.default_value));
+    Result<void> judged;
+    if (const double* number = std::get_if<double>(&value))
+        judged = checkNumber(spec, *number);
+    else if (const long long* whole = std::get_if<long long>(&value))
+        judged = checkNumber(spec, static_cast<double>(*whole));
+    else if (const std::string* text = std::get_if<std::string>(&value))
+        judged = checkText(spec, *text);
+    if (!judged)
+        return tl::make_unexpected(judged.error());
+    return value;
+}
+
+template <class T>
+const T& valueOf(const std::map<std::string, ParameterValue>& values, const std::string& id) {
+    const auto found = values.find(id);
+    assert(found != values.end() && "a parameter that has no spec was asked for");
+    const T* value = std::get_if<T>(&found->second);
+    assert(value && "a parameter was asked for as another type than its spec's");
+    return *value;
+}
+
+} // namespace
+
+Result<ParameterSet> ParameterSet::make(const std::vector<ParameterSpec>& specs,
+                                        const std::map<std::string, ParameterValue>& values) {
+    ParameterSet set;
+    for (const ParameterSpec& spec : specs)
+        set.values_.emplace(spec.id, spec.default_value);
+    for (const auto& [id, value] : values) {
+        const auto spec = std::ranges::find(specs, id, &ParameterSpec::id);
+        if (spec == specs.end())
+            return failure("there is no such parameter", "parameter " + id,
+                           specs.empty() ? "This behavior has none" : "Did you mean " + nearestId(specs, id) + "?");
+        Result<ParameterValue> judged = checked(*spec, value);
+        if (!judged)
+            return tl::make_unexpected(judged.error());
+        set.values_[id] = *std::move(judged);
+    }
+    return set;
+}
+
+double ParameterSet::real(const std::string& id) const {
+    return valueOf<double>(values_, id);
+}
+
+long long ParameterSet::integer(const std::string& id) const {
+    return valueOf<long long>(values_, id);
+}
+
+bool ParameterSet::flag(const std::string& id) const {
+    return valueOf<bool>(values_, id);
+}
+
+const std::string& ParameterSet::text(const std::string& id) const {
+    return valueOf<std::string>(values_, id);
+}
+
+} // namespace usar::agent

@@ -1,1 +1,183 @@
 #include "core/agent/plugin_loader.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <set>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QLibrary>
+#include <QPluginLoader>
+
+namespace usar::agent {
+
+namespace {
+
+/// Qt stores its own version in the metadata as 0xMMmmpp.
+bool builtForOurQt(int version) {
+    const int major = (version >> 16) & 0xff;
+    const int minor = (version >> 8) & 0xff;
+    return major == QT_VERSION_MAJOR && minor <= QT_VERSION_MINOR;
+}
+
+QString complaintAboutIid(const QString& iid) {
+    const QString ours = USAR_ROBOT_PLUGIN_IID;
+    const QString family = ours.section('/', 0, 0);
+    if (iid == ours)
+        return {};
+    if (iid.section('/', 0, 0) == family)
+        return QString("It was built for version %1 of the plugin interface; this program has version %2. Rebuild it.")
+            .arg(iid.section('/', 1), ours.section('/', 1));
+    return QString("It is a Qt plugin, but not a robot plugin (its interface is %1).").arg(iid);
+}
+
+bool isTextList(const QJsonValue& value) {
+    const QJsonArray list = value.toArray();
+    return !list.isEmpty() && std::ranges::all_of(list, [](const QJsonValue& item) { return item.isString(); });
+}
+
+QString complaintAboutMetadata(const QJsonObject& metadata) {
+    for (const char* key : {"name", "version"})
+        if (metadata.value(QLatin1String(key)).toString().isEmpty())
+            return QString("Its metadata lack \"%1\" (a text). Add it to the plugin's JSON file.").arg(key);
+    for (const char* key : {"robots", "behaviors"})
+        if (!isTextList(metadata.value(QLatin1String(key))))
+            return QString("Its metadata lack \"%1\" (a list of texts). Add it to the plugin's JSON file.").arg(key);
+    return {};
+}
+
+/// What can be said before any of the library's code runs.
+QString complaintBeforeLoading(const QJsonObject& raw) {
+    if (raw.isEmpty())
+        return "It is no Qt plugin, or the file is damaged.";
+    if (const int version = raw.value("version").toInt(); !builtForOurQt(version))
+        return QString("It was built with Qt %1.%2; this program runs with Qt %3. Rebuild it.")
+            .arg(version >> 16 & 0xff)
+            .arg(version >> 8 & 0xff)
+            .arg(QT_VERSION_STR);
+    if (const QString complaint = complaintAboutIid(raw.value("IID").toString()); !complaint.isEmpty())
+        return complaint;
+    return complaintAboutMetadata(raw.value("MetaData").toObject());
+}
+
+std::optional<QString> complaintAboutParameters(const BehaviorDescription& behavior) {
+    std::map<std::string, ParameterValue> defaults;
+    for (const ParameterSpec& spec : behavior.parameters)
+        if (!defaults.emplace(spec.id, spec.default_value).second)
+            return QString("Its behavior %1 has the parameter %2 twice.")
+                .arg(QString::fromStdString(behavior.id), QString::fromStdString(spec.id));
+    const Result<ParameterSet> set = ParameterSet::make(behavior.parameters, defaults);
+    if (!set)
+        return QString("A default of its behavior %1 is bad: %2")
+            .arg(QString::fromStdString(behavior.id), QString::fromStdString(set.error().text()));
+    return std::nullopt;
+}
+
+QString listed(const std::set<QString>& words) {
+    return QStringList(words.begin(), words.end()).join(", ");
+}
+
+} // namespace
+
+PluginLoader::PluginLoader() = default;
+PluginLoader::~PluginLoader() = default;
+
+void PluginLoader::scan(const QStringList& folders) {
+    records_.clear();
+    robots_.clear();
+    owners_.clear();
+    libraries_.clear(); // QPluginLoader does not unload when it dies
+    for (const QString& folder : folders) {
+        for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files, QDir::Name)) {
+            if (!QLibrary::isLibrary(file.fileName()))
+                continue;
+            PluginRecord& record = records_.emplace_back();
+            record.file = file.absoluteFilePath();
+            record.reason = judge(record);
+            record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
+        }
+    }
+}
+
+QString PluginLoader::judge(PluginRecord& record) {
+    auto library = std::make_unique<QPluginLoader>(record.file);
+    // Otherwise a missing symbol would end the program at its first use instead of failing here.
+    library->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
+    const QJsonObject raw = library->metaData();
+    record.metadata = raw.value("MetaData").toObject();
+    if (const QString complaint = complaintBeforeLoading(raw); !complaint.isEmpty())
+        return complaint;
+    QObject* instance = nullptr;
+    try {
+        instance = library->instance();
+    } catch (...) {
+        return "It failed while it was being made.";
+    }
+    if (!instance)
+        return "It cannot be loaded: " + library->errorString();
+    const auto* plugin = qobject_cast<RobotPlugin*>(instance);
+    if (!plugin)
+        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing).";
+    if (const QString complaint = admit(*plugin, record.metadata); !complaint.isEmpty())
+        return complaint;
+    record.plugin = plugin;
+    libraries_.push_back(std::move(library));
+    return {};
+}
+
+QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metadata) {
+    RobotDescription description;
+    try {
+        description = plugin.description();
+    } catch (const std::exception& thrown) {
+        return QString("It failed while describing itself: %1").arg(thrown.what());
+    } catch (...) {
+        return "It failed while describing itself.";
+    }
+    std::set<QString> promised;
+    for (const QJsonValue& id : metadata.value("behaviors").toArray())
+        promised.insert(id.toString());
+    std::set<QString> described;
+    for (const BehaviorDescription& described_behavior : description.behaviors) {
+        const QString id = QString::fromStdString(described_behavior.id);
+        if (!described.insert(id).second || behavior(described_behavior.id))
+            return QString("The behavior %1 is there already. Give it another id.").arg(id);
+        if (const auto complaint = complaintAboutParameters(described_behavior))
+            return *complaint;
+    }
+    if (promised != described)
+        return QString("Its metadata promise the behaviors %1, but it describes %2.")
+            .arg(listed(promised), described.empty() ? QString("none") : listed(described));
+    robots_.push_back(std::move(description));
+    owners_.push_back(&plugin);
+    return {};
+}
+
+Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_id) const {
+    std::string known;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+        for (const BehaviorDescription& behavior : robots_[i].behaviors) {
+            if (behavior.id == behavior_id)
+                return owners_[i];
+            known += (known.empty() ? "" : ", ") + behavior.id;
+        }
+    }
+    std::string mend = known.empty() ? "No robot plugin is loaded" : "There are: " + known;
+    for (const PluginRecord& record : records_)
+        if (record.state == PluginState::Rejected)
+            mend +=
+                "; " + QFileInfo(record.file).fileName().toStdString() + " was refused: " + record.reason.toStdString();
+    return failure("no loaded plugin has this behavior", "behavior " + behavior_id, mend);
+}
+
+const BehaviorDescription* PluginLoader::behavior(const std::string& behavior_id) const {
+    for (const RobotDescription& robot : robots_)
+        for (const BehaviorDescription& behavior : robot.behaviors)
+            if (behavior.id == behavior_id)
+                return &behavior;
+    return nullptr;
+}
+
+} // namespace usar::agent

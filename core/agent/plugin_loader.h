@@ -20,15 +20,17 @@ enum class PluginState { Found, Rejected, Loaded };
 /// What the host knows of one library file.
 struct PluginRecord {
     QString file;
-    QJsonObject metadata;
+    QJsonObject metadata; ///< the author's own, without Qt's
     PluginState state = PluginState::Found;
-    QString reason;                ///< why it was rejected; empty otherwise
-    RobotPlugin* plugin = nullptr; ///< owned by the loader; set when Loaded
+    QString reason;                      ///< why it was rejected; empty otherwise
+    const RobotPlugin* plugin = nullptr; ///< owned by its library; set when Loaded
 };
 
 /// Reads IID and metadata of every library in the folders before opening it; only what passes is loaded. A folder that
-/// is missing gives no records; a file that is no library at all is skipped. Lives on the GUI thread; loaded plugins
-/// are immutable and may be asked for behaviors from any thread.
+/// is missing gives no records; a file that is not named like a library is skipped. Metadata (JSON): name, version,
+/// robots (classes on the wire), behaviors (ids, the same as in the description). Files are taken in the order of the
+/// folders and of their names; the first to claim a behavior id keeps it. Lives on the GUI thread; loaded plugins are
+/// immutable and may be asked for behaviors from any thread; libraries stay open until the program ends.
 class PluginLoader {
 public:
     PluginLoader();
@@ -46,9 +48,14 @@ public:
     const std::vector<RobotDescription>& robots() const { return robots_; }
 
 private:
+    /// Why this one cannot be used; empty when it is loaded and its description has joined `robots_`.
+    QString judge(PluginRecord& record);
+    QString admit(const RobotPlugin& plugin, const QJsonObject& metadata);
+
     std::vector<std::unique_ptr<QPluginLoader>> libraries_;
     std::vector<PluginRecord> records_;
     std::vector<RobotDescription> robots_;
+    std::vector<const RobotPlugin*> owners_; ///< of `robots_`, index by index
 };
 
 } // namespace usar::agent

@@ -1,0 +1,153 @@
+#include <QtTest>
+
+#include "core/agent/plugin_loader.h"
+
+using namespace usar;
+using namespace usar::agent;
+
+class TestPluginLoader : public QObject {
+    Q_OBJECT
+
+    const QString built = QString(USAR_BINARY_DIR) + "/tests/plugins/";
+
+    /// A folder with these plugins only, copied under new names so that their order is known.
+    static void fill(const QTemporaryDir& folder, const QStringList& sources) {
+        for (int i = 0; i < sources.size(); ++i)
+            QVERIFY(
+                QFile::copy(sources[i], folder.filePath(QString::number(i) + "_" + QFileInfo(sources[i]).fileName())));
+    }
+
+private slots:
+    void loadsAGoodPlugin() {
+        QTemporaryDir folder;
+        fill(folder, {built + "good.so"});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(1));
+        const PluginRecord& record = loader.records().front();
+        QVERIFY2(record.state == PluginState::Loaded, qPrintable(record.reason));
+        QCOMPARE(record.metadata.value("name").toString(), QString("Test robot"));
+        QCOMPARE(loader.robots().front().class_name, std::string("USARBot.Test"));
+        QVERIFY(loader.behavior("test/idle"));
+        const auto plugin = loader.pluginFor("test/idle");
+        QVERIFY(plugin);
+        QVERIFY(*plugin == record.plugin);
+        QVERIFY((*plugin)->createBehavior("test/idle", {}).has_value());
+        QVERIFY(!(*plugin)->createBehavior("test/other", {}).has_value());
+    }
+
+    void refusesABadOneAndSaysWhy_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("another interface") << "wrong_interface.so"
+                                           << "org.example.ImageFilter/1";
+        QTest::newRow("a newer interface") << "wrong_version.so"
+                                           << "version 2 of the plugin interface";
+        QTest::newRow("metadata without behaviors") << "missing_metadata.so"
+                                                    << "lack \"behaviors\"";
+        QTest::newRow("behaviors that are not there") << "promises_more.so"
+                                                      << "test/dance";
+        QTest::newRow("throws in description") << "throws_in_description.so"
+                                               << "no idea who I am";
+        QTest::newRow("throws when made") << "throws_when_made.so"
+                                          << "while it was being made";
+        QTest::newRow("a default out of range") << "bad_default.so"
+                                                << "9 is out of range";
+        QTest::newRow("interface only claimed") << "no_interface.so"
+                                                << "Q_INTERFACES";
+        QTest::newRow("a symbol that is nowhere") << "unresolved.so"
+                                                  << "neverDefined";
+    }
+    void refusesABadOneAndSaysWhy() {
+        QFETCH(QString, file);
+        QFETCH(QString, reason);
+        QTemporaryDir folder;
+        fill(folder, {built + file});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(1));
+        const PluginRecord& record = loader.records().front();
+        QVERIFY(record.state == PluginState::Rejected);
+        QVERIFY2(record.reason.contains(reason), qPrintable(record.reason));
+        QVERIFY(!record.plugin);
+        QVERIFY(loader.robots().empty());
+    }
+
+    void refusesGarbageThatIsNamedLikeALibrary() {
+        QTemporaryDir folder;
+        QFile garbage(folder.filePath("garbage.so"));
+        QVERIFY(garbage.open(QIODevice::WriteOnly));
+        garbage.write(QByteArray(4096, 'x'));
+        garbage.close();
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(1));
+        QVERIFY(loader.records().front().reason.contains("no Qt plugin"));
+    }
+
+    void refusesAPluginThatWasCutShort() {
+        QTemporaryDir folder;
+        QFile whole(built + "good.so");
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        QFile cut(folder.filePath("cut.so"));
+        QVERIFY(cut.open(QIODevice::WriteOnly));
+        cut.write(whole.read(2048));
+        cut.close();
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(1));
+        QVERIFY(loader.records().front().state == PluginState::Rejected);
+    }
+
+    void givesADisputedIdToTheFirst() {
+        QTemporaryDir folder;
+        fill(folder, {built + "twin.so", built + "good.so"});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(2));
+        QVERIFY(loader.records()[0].state == PluginState::Loaded);
+        QVERIFY(loader.records()[1].state == PluginState::Rejected);
+        QVERIFY2(loader.records()[1].reason.contains("test/idle"), qPrintable(loader.records()[1].reason));
+        QVERIFY(*loader.pluginFor("test/idle") == loader.records()[0].plugin);
+    }
+
+    void livesWithAMissingFolderAndSkipsOtherFiles() {
+        QTemporaryDir folder;
+        QFile note(folder.filePath("README.txt"));
+        QVERIFY(note.open(QIODevice::WriteOnly));
+        note.close();
+        PluginLoader loader;
+        loader.scan({"/nowhere/at/all", folder.path()});
+        QVERIFY(loader.records().empty());
+    }
+
+    void namesWhatIsThereWhenABehaviorIsMissing() {
+        QTemporaryDir folder;
+        fill(folder, {built + "good.so", built + "missing_metadata.so"});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        const auto plugin = loader.pluginFor("airrobot/cpp");
+        QVERIFY(!plugin);
+        const QString text = QString::fromStdString(plugin.error().text());
+        QVERIFY2(text.contains("airrobot/cpp"), qPrintable(text));
+        QVERIFY2(text.contains("There are: test/idle"), qPrintable(text));
+        QVERIFY2(text.contains("1_missing_metadata.so was refused"), qPrintable(text));
+        QVERIFY(!loader.behavior("airrobot/cpp"));
+    }
+
+    void forgetsTheOldRecordsWhenItScansAgain() {
+        QTemporaryDir folder;
+        fill(folder, {built + "good.so"});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        loader.scan({folder.path()});
+        QCOMPARE(loader.records().size(), std::size_t(1));
+        QCOMPARE(loader.robots().size(), std::size_t(1));
+        loader.scan({});
+        QVERIFY(loader.records().empty());
+        QVERIFY(!loader.pluginFor("test/idle"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPluginLoader)
+#include "tst_plugin_loader.moc"

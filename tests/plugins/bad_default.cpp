@@ -1,0 +1,15 @@
+#include "tests/plugins/minimal_plugin.h"
+
+class BadDefault : public QObject, public usar::tests::MinimalPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/1" FILE "good.json")
+    Q_INTERFACES(usar::agent::RobotPlugin)
+public:
+    usar::agent::RobotDescription description() const override {
+        usar::agent::RobotDescription description = usar::tests::minimalDescription();
+        description.behaviors[0].parameters[0].default_value = 9.0;
+        return description;
+    }
+};
+
+#include "bad_default.moc"

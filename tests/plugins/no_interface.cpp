@@ -1,0 +1,8 @@
+#include "tests/plugins/minimal_plugin.h"
+
+class NoInterface : public QObject, public usar::tests::MinimalPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/1" FILE "good.json")
+};
+
+#include "no_interface.moc"

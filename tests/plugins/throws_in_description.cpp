@@ -1,0 +1,13 @@
+#include <stdexcept>
+
+#include "tests/plugins/minimal_plugin.h"
+
+class ThrowsInDescription : public QObject, public usar::tests::MinimalPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/1" FILE "good.json")
+    Q_INTERFACES(usar::agent::RobotPlugin)
+public:
+    usar::agent::RobotDescription description() const override { throw std::runtime_error("no idea who I am"); }
+};
+
+#include "throws_in_description.moc"

@@ -1,0 +1,13 @@
+#include "tests/plugins/minimal_plugin.h"
+
+usar::agent::RobotDescription neverDefined();
+
+class Unresolved : public QObject, public usar::tests::MinimalPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/1" FILE "good.json")
+    Q_INTERFACES(usar::agent::RobotPlugin)
+public:
+    usar::agent::RobotDescription description() const override { return neverDefined(); }
+};
+
+#include "unresolved.moc"

@@ -1,0 +1,9 @@
+#include "tests/plugins/minimal_plugin.h"
+
+class WrongVersion : public QObject, public usar::tests::MinimalPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/2" FILE "good.json")
+    Q_INTERFACES(usar::agent::RobotPlugin)
+};
+
+#include "wrong_version.moc"
