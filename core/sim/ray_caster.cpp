@@ -1,1 +1,75 @@
 #include "core/sim/ray_caster.h"
+
+#include <algorithm>
+
+#include "core/sim/plant_index.h"
+#include "core/sim/terrain_rays.h"
+
+namespace usar::sim {
+
+namespace {
+
+struct PlacedBox {
+    Vec3 center_m;
+    Vec3 half_size_m;
+    Eigen::Matrix3d box_in_map;
+    double radius_m;
+};
+
+/// Cheap answer for the many rays that pass a box at a distance.
+bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
+    const Vec3 to_center = box.center_m - ray.origin_m;
+    const double along = to_center.dot(ray.direction);
+    if (along < -box.radius_m || along > maximum_m + box.radius_m)
+        return false;
+    return to_center.squaredNorm() - along * along <= box.radius_m * box.radius_m + 1e-9;
+}
+
+} // namespace
+
+struct RayCaster::Index {
+    explicit Index(const World& world) : plants(world.plants), ground(world.terrain) {
+        top_m = world.terrain.maximum_m();
+        if (!world.plants.empty())
+            top_m = std::max(top_m, plants.maximum_z_m());
+        for (const Box& box : world.boxes) {
+            const Vec3& center_m = box.center_in_map.position_m;
+            const Vec3 half_size_m = box.size_m / 2.0;
+            boxes.push_back(
+                {center_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(), half_size_m.norm()});
+            top_m = std::max(top_m, center_m.z() + half_size_m.norm());
+        }
+        top_m += 1.0;
+    }
+
+    double castAtThings(const Ray& ray, double maximum_m) const {
+        double nearest_m = plants.cast(ray, maximum_m);
+        for (const PlacedBox& box : boxes)
+            if (passesNear(box, ray, nearest_m))
+                nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
+        return nearest_m;
+    }
+
+    PlantIndex plants;
+    TerrainRays ground;
+    std::vector<PlacedBox> boxes;
+    double top_m = 0.0; ///< above everything
+};
+
+RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_unique<const Index>(world)) {}
+
+RayCaster::~RayCaster() = default;
+
+double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    const Ray ray{origin_m, direction};
+    // Things first: their hit bounds the walk over the ground, which is the dearer one.
+    return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
+}
+
+double RayCaster::surface_m(const Vec2& point_m) const {
+    const double ground_m = world_->terrain.height_m(point_m);
+    const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};
+    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m);
+}
+
+} // namespace usar::sim

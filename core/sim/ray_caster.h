@@ -1,22 +1,23 @@
 // Rays against a world's still parts: height field by DDA over tile maxima, trunks, crowns and boxes analytically.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/sim/world.h"
 
 namespace usar::sim {
 
-/// Built once from a world that must outlive it; const and free of state afterwards.
+/// Double precision, map frame. Some 4 million rays a second for the belly scanner on one core; compared ray by ray
+/// with the physics engine in tests (method and pitfalls: robots-and-worlds, section 6). Built once from a world that
+/// must outlive it; const and free of state afterwards, so threads may share it.
 class RayCaster {
 public:
     explicit RayCaster(const World& world);
     ~RayCaster();
 
-    /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector. Water is not seen.
+    /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector. Water is not seen. A ray
+    /// that starts inside something solid or below ground measures 0.
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
     /// What a ray from straight above meets first: the true surface (ground, crown or roof) at a point.
     double surface_m(const Vec2& point_m) const;

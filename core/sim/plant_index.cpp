@@ -1,0 +1,157 @@
+#include "core/sim/plant_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double bucket_m = 4.0;
+
+double reach_m(const Plant& plant) {
+    return std::max(plant.trunk_radius_m, plant.crown_radius_m);
+}
+
+double top_m(const Plant& plant) {
+    const double crown_m = plant.crown == CrownShape::Cone ? plant.crown_height_m : plant.crown_radius_m;
+    return plant.base_in_map_m.z() + plant.trunk_height_m + crown_m;
+}
+
+/// False when the ray's line passes the plant's axis at a distance, or the plant lies wholly behind its start.
+bool passesNear(const Plant& plant, const Ray& ray) {
+    const double x = plant.base_in_map_m.x() - ray.origin_m.x();
+    const double y = plant.base_in_map_m.y() - ray.origin_m.y();
+    const double dx = ray.direction.x();
+    const double dy = ray.direction.y();
+    const double reach2 = reach_m(plant) * reach_m(plant);
+    const double across = x * dy - y * dx;
+    if (across * across > reach2 * (dx * dx + dy * dy))
+        return false;
+    return x * dx + y * dy > 0.0 || x * x + y * y <= reach2;
+}
+
+double hitPlant(const Plant& plant, const Ray& ray) {
+    double nearest_m = no_hit_m;
+    const Vec3 crown_m = plant.base_in_map_m + Vec3{0.0, 0.0, plant.trunk_height_m};
+    if (plant.crown_radius_m > 0.0)
+        nearest_m = plant.crown == CrownShape::Sphere
+                        ? hitSphere(ray, crown_m, plant.crown_radius_m)
+                        : hitCone(ray, crown_m, plant.crown_radius_m, plant.crown_height_m);
+    if (plant.trunk_radius_m > 0.0 && plant.trunk_height_m > 0.0)
+        nearest_m =
+            std::min(nearest_m, hitCylinder(ray, plant.base_in_map_m, plant.trunk_radius_m, plant.trunk_height_m));
+    return nearest_m;
+}
+
+std::ptrdiff_t bucketOf(double offset_m) {
+    return static_cast<std::ptrdiff_t>(std::floor(offset_m / bucket_m));
+}
+
+} // namespace
+
+PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
+    if (plants.empty())
+        return;
+    Vec2 low_m = Vec2::Constant(no_hit_m);
+    Vec2 high_m = Vec2::Constant(-no_hit_m);
+    maximum_z_m_ = -no_hit_m;
+    for (const Plant& plant : plants) {
+        low_m = low_m.cwiseMin(plant.base_in_map_m.head<2>() - Vec2::Constant(reach_m(plant)));
+        high_m = high_m.cwiseMax(plant.base_in_map_m.head<2>() + Vec2::Constant(reach_m(plant)));
+        maximum_z_m_ = std::max(maximum_z_m_, top_m(plant));
+    }
+    origin_m_ = low_m;
+    columns_ = bucketOf(high_m.x() - low_m.x()) + 1;
+    rows_ = bucketOf(high_m.y() - low_m.y()) + 1;
+
+    const auto buckets = static_cast<std::size_t>(columns_ * rows_);
+    std::vector<std::vector<Plant>> sorted(buckets);
+    tops_m_.assign(buckets, -std::numeric_limits<float>::infinity());
+    for (const Plant& plant : plants) {
+        const Range range = footprint(plant);
+        for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
+            for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
+                const std::size_t bucket = bucketAt(column, row);
+                sorted[bucket].push_back(plant);
+                tops_m_[bucket] = std::max(tops_m_[bucket], std::nextafter(static_cast<float>(top_m(plant)), 1e30f));
+            }
+    }
+    starts_.reserve(buckets + 1);
+    for (const std::vector<Plant>& bucket : sorted) {
+        starts_.push_back(static_cast<std::uint32_t>(plants_.size()));
+        plants_.insert(plants_.end(), bucket.begin(), bucket.end());
+    }
+    starts_.push_back(static_cast<std::uint32_t>(plants_.size()));
+}
+
+PlantIndex::Range PlantIndex::footprint(const Plant& plant) const {
+    const Vec2 center_m = plant.base_in_map_m.head<2>() - origin_m_;
+    // A hair more than the radius: a ray that touches the very edge may be counted into the next bucket.
+    const double reach = reach_m(plant) + 1e-6;
+    const auto within = [](double offset_m, std::ptrdiff_t count) {
+        return std::clamp<std::ptrdiff_t>(bucketOf(offset_m), 0, count - 1);
+    };
+    return {within(center_m.x() - reach, columns_), within(center_m.x() + reach, columns_),
+            within(center_m.y() - reach, rows_), within(center_m.y() + reach, rows_)};
+}
+
+std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const {
+    return static_cast<std::size_t>(row * columns_ + column);
+}
+
+double PlantIndex::castInBucket(std::size_t bucket, const Ray& ray, double nearest_m) const {
+    for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
+        if (passesNear(plants_[i], ray))
+            nearest_m = std::min(nearest_m, hitPlant(plants_[i], ray));
+    return nearest_m;
+}
+
+double PlantIndex::cast(const Ray& ray, double maximum_m) const {
+    if (plants_.empty())
+        return maximum_m;
+    const Vec2 start_m = ray.origin_m.head<2>() - origin_m_;
+    const Vec2 size_m = bucket_m * Vec2{static_cast<double>(columns_), static_cast<double>(rows_)};
+    double enter = 0.0;
+    double leave = maximum_m;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double speed = ray.direction[axis];
+        if (speed == 0.0) {
+            if (start_m[axis] < 0.0 || start_m[axis] > size_m[axis])
+                return maximum_m;
+            continue;
+        }
+        const double a = -start_m[axis] / speed;
+        const double b = (size_m[axis] - start_m[axis]) / speed;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+
+    const auto at = [&](Eigen::Index axis, std::ptrdiff_t count) {
+        return std::clamp<std::ptrdiff_t>(bucketOf(start_m[axis] + enter * ray.direction[axis]), 0, count - 1);
+    };
+    const auto leaves = [&](Eigen::Index axis, std::ptrdiff_t bucket) {
+        const double speed = ray.direction[axis];
+        const double edge_m = bucket_m * static_cast<double>(speed > 0.0 ? bucket + 1 : bucket);
+        return speed == 0.0 ? no_hit_m : (edge_m - start_m[axis]) / speed;
+    };
+    std::ptrdiff_t column = at(0, columns_);
+    std::ptrdiff_t row = at(1, rows_);
+    double nearest_m = maximum_m;
+    while (enter <= leave && enter <= nearest_m && column >= 0 && column < columns_ && row >= 0 && row < rows_) {
+        const double next_x = leaves(0, column);
+        const double next_y = leaves(1, row);
+        const double next = std::max(enter, std::min({next_x, next_y, leave}));
+        const std::size_t bucket = bucketAt(column, row);
+        const double lowest_z_m = ray.origin_m.z() + ray.direction.z() * (ray.direction.z() < 0.0 ? next : enter);
+        if (lowest_z_m <= tops_m_[bucket])
+            nearest_m = castInBucket(bucket, ray, nearest_m);
+        if (next >= leave)
+            break;
+        (next_x < next_y ? column : row) += (next_x < next_y ? ray.direction.x() : ray.direction.y()) > 0.0 ? 1 : -1;
+        enter = next;
+    }
+    return nearest_m;
+}
+
+} // namespace usar::sim

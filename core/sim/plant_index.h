@@ -1,0 +1,41 @@
+// Trunks and crowns sorted into square buckets, so that a ray looks only at plants near its path.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/sim/ray_shapes.h"
+#include "core/sim/world.h"
+
+namespace usar::sim {
+
+/// Buckets of 4 m (robots-and-worlds, section 6); a plant is copied into every bucket that its footprint touches, so
+/// that a bucket is one run of memory. Independent of the plants it was built from; const afterwards.
+class PlantIndex {
+public:
+    explicit PlantIndex(const std::vector<Plant>& plants);
+
+    /// Distance to the first trunk or crown, `maximum_m` on a miss.
+    double cast(const Ray& ray, double maximum_m) const;
+    /// No plant is higher.
+    double maximum_z_m() const { return maximum_z_m_; }
+
+private:
+    struct Range {
+        std::ptrdiff_t first_column, last_column, first_row, last_row;
+    };
+    Range footprint(const Plant& plant) const;
+    std::size_t bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const;
+    double castInBucket(std::size_t bucket, const Ray& ray, double nearest_m) const;
+
+    Vec2 origin_m_ = Vec2::Zero();
+    std::ptrdiff_t columns_ = 0;
+    std::ptrdiff_t rows_ = 0;
+    double maximum_z_m_ = 0.0;
+    std::vector<std::uint32_t> starts_; ///< bucket i holds plants_[starts_[i]] to plants_[starts_[i + 1] - 1]
+    std::vector<float> tops_m_;         ///< highest point of a bucket's plants
+    std::vector<Plant> plants_;
+};
+
+} // namespace usar::sim
