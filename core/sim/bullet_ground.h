@@ -1,0 +1,44 @@
+// A world's still parts as Bullet collision objects: height field, one compound of plants, one of boxes. Internal to
+// the physics: the only headers that see Bullet are this one and the sources beside it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <btBulletCollisionCommon.h>
+
+#include "core/sim/physics.h"
+
+namespace usar::sim {
+
+static_assert(sizeof(btScalar) == 8, "link PkgConfig::BULLET64: the single-precision build is not accurate enough");
+
+inline btVector3 toBullet(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Vec3 fromBullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+btTransform toBullet(const Pose& pose);
+
+/// Owns shapes and objects; each object's user index is its Surface. One compound for all plants keeps an empty world's
+/// step six times cheaper than 4000 separate bodies (robots-and-worlds 6).
+class BulletGround {
+public:
+    explicit BulletGround(const World& world);
+
+    const std::vector<std::unique_ptr<btCollisionObject>>& objects() const { return objects_; }
+
+private:
+    void addTerrain(const Terrain& terrain);
+    void addPlants(const std::vector<Plant>& plants);
+    void addBoxes(const std::vector<Box>& boxes);
+    void addObject(btCollisionShape* shape, const btVector3& origin, Surface surface);
+    template <class Shape, class... Arguments>
+    Shape* keep(Arguments&&... arguments);
+
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btCollisionObject>> objects_;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,169 @@
+#include "core/sim/robots/air_robot_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double climb_wish_m_s = 0.05;
+constexpr double sink_wish_m_s = -0.02;
+constexpr double landing_itself_m_s = -0.3;
+constexpr Seconds settling_time{2.0};
+constexpr Seconds spooling_time{0.8};
+constexpr double settling_share = 0.4;
+constexpr double spooling_share = 0.3;
+constexpr Seconds ground_lost{0.3};
+constexpr Seconds between_collisions{0.5};
+constexpr double rest_m_s = 0.01;
+constexpr double rest_rad_s = 0.01;
+
+double limited(double value, double limit, bool normalized) {
+    const double physical = normalized ? value / 100.0 * limit : value;
+    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
+}
+
+} // namespace
+
+AirRobotBody::AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobotParameters parameters)
+    : physics_(physics)
+    , parameters_(std::move(parameters))
+    , water_z_m_(spawn.water_z_m)
+    , id_(physics.add(bodyOf(parameters_), spawn.base_in_map))
+    , rotors_(parameters_)
+    , controller_(parameters_)
+    , landing_itself_(spawn.near_ground)
+    , battery_left_(spawn.battery_life)
+    , last_position_m_(spawn.base_in_map.position_m) {
+    controller_.reset(state());
+    rotors_.start(parameters_.mass_kg * gravity_m_s2);
+}
+
+AirRobotBody::~AirRobotBody() {
+    physics_.remove(id_);
+}
+
+void AirRobotBody::drive(const protocol::AerialDrive& drive) {
+    landing_itself_ = false;
+    const auto take = [&](const std::optional<double>& term, double limit, double& into) {
+        if (term)
+            into = limited(*term, limit, drive.normalized);
+    };
+    take(drive.forward_m_s, parameters_.forward_limit_m_s, command_.forward_m_s);
+    take(drive.left_m_s, parameters_.sideways_limit_m_s, command_.left_m_s);
+    take(drive.climb_m_s, parameters_.climb_limit_m_s, command_.climb_m_s);
+    take(drive.yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, command_.yaw_rate_rad_s);
+}
+
+void AirRobotBody::beforeStep(Seconds dt) {
+    const BodyState now = state();
+    if (motors_ == MotorState::Idle || ended())
+        rotors_.stop();
+    else
+        rotors_.command(wantedWrench(now, dt));
+    rotors_.step(dt);
+    const RotorWrench wrench = rotors_.wrench();
+    const Vec3 drag_n = -parameters_.drag_kg_m * now.velocity_m_s.norm() * now.velocity_m_s;
+    const Vec3 spin_drag_n_m = -parameters_.spin_drag_n_m_s * now.rate_rad_s;
+    physics_.apply(id_, now.rotation * Vec3(0.0, 0.0, wrench.thrust_n) + drag_n,
+                   now.rotation * wrench.torque_n_m + spin_drag_n_m);
+}
+
+RotorWrench AirRobotBody::wantedWrench(const BodyState& now, Seconds dt) {
+    if (motors_ == MotorState::Settling)
+        return controller_.settle(now, settling_share * std::max(0.0, 1.0 - in_state_ / settling_time));
+    VelocityCommand wanted = command_;
+    if (landing_itself_)
+        wanted.climb_m_s = landing_itself_m_s;
+    RotorWrench wrench = controller_.control(now, wanted, dt);
+    if (motors_ == MotorState::SpoolingUp)
+        wrench.thrust_n *= spooling_share + (1.0 - spooling_share) * std::min(1.0, in_state_ / spooling_time);
+    return wrench;
+}
+
+void AirRobotBody::afterStep(Seconds dt) {
+    const BodyState now = state();
+    distance_m_ += (now.position_m - last_position_m_).norm();
+    last_position_m_ = now.position_m;
+    in_state_ += dt;
+    since_gear_ += dt;
+    since_collision_ += dt;
+    battery_left_ = std::max(Seconds{0.0}, battery_left_ - dt);
+    if (water_z_m_ && now.position_m.z() < *water_z_m_)
+        battery_left_ = Seconds{0.0};
+    if (battery_left_ <= Seconds{0.0} && !ended())
+        enter(MotorState::Dead);
+    feelContacts();
+    touchDown();
+    leaveGround();
+}
+
+void AirRobotBody::feelContacts() {
+    double impulse_n_s = 0.0;
+    bool broke = false;
+    bool collided = false;
+    for (const Contact& contact : physics_.contacts(id_)) {
+        if (isTouchdown(contact)) {
+            since_gear_ = Seconds{0.0};
+            broke |= contact.closing_speed_m_s >= parameters_.safe_touchdown_m_s;
+            continue;
+        }
+        collided = true;
+        impulse_n_s += contact.impulse_n_s;
+        broke |= partAt(parameters_, contact.point_in_body_m) == AirRobotPart::RotorDisc;
+    }
+    broke |= impulse_n_s > parameters_.breaking_impulse_n_s;
+    if ((collided || broke) && !broken())
+        countCollision();
+    if (broke && !broken())
+        enter(MotorState::Broken);
+}
+
+bool AirRobotBody::isTouchdown(const Contact& contact) const {
+    const bool on_floor = contact.surface == Surface::Ground || contact.surface == Surface::Building;
+    return on_floor && partAt(parameters_, contact.point_in_body_m) == AirRobotPart::Gear;
+}
+
+void AirRobotBody::countCollision() {
+    if (since_collision_ > between_collisions)
+        ++collisions_;
+    since_collision_ = Seconds{0.0};
+}
+
+void AirRobotBody::touchDown() {
+    const bool on_gear = since_gear_ == Seconds{0.0};
+    const bool sinking = landing_itself_ || command_.climb_m_s < sink_wish_m_s;
+    if (motors_ == MotorState::Flying && on_gear && sinking)
+        enter(MotorState::Settling);
+    if (motors_ != MotorState::Settling)
+        return;
+    if (since_gear_ > ground_lost)
+        enter(MotorState::Flying);
+    else if (in_state_ > settling_time)
+        enter(MotorState::Idle);
+}
+
+void AirRobotBody::leaveGround() {
+    const bool standing = motors_ == MotorState::Idle || motors_ == MotorState::Settling;
+    if (standing && command_.climb_m_s > climb_wish_m_s)
+        enter(MotorState::SpoolingUp);
+    else if (motors_ == MotorState::SpoolingUp && in_state_ > spooling_time)
+        motors_ = MotorState::Flying; // the controller keeps what it has learnt on the way up
+}
+
+void AirRobotBody::enter(MotorState motors) {
+    motors_ = motors;
+    in_state_ = Seconds{0.0};
+    landing_itself_ = landing_itself_ && motors != MotorState::Idle;
+    controller_.reset(state());
+}
+
+bool AirRobotBody::atRest() const {
+    if (motors_ == MotorState::Flying || motors_ == MotorState::SpoolingUp || motors_ == MotorState::Settling)
+        return false;
+    const BodyState now = state();
+    return now.velocity_m_s.norm() < rest_m_s && now.rate_rad_s.norm() < rest_rad_s;
+}
+
+} // namespace usar::sim

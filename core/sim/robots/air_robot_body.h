@@ -1,0 +1,82 @@
+// The flying body of an AirRobot: motors, autopilot, contacts, battery. What its sensors see is not its business.
+#pragma once
+
+#include <optional>
+
+#include "core/protocol/command.h"
+#include "core/sim/physics.h"
+#include "core/sim/robots/air_robot_parameters.h"
+#include "core/sim/robots/flight_controller.h"
+#include "core/sim/robots/rotors.h"
+
+namespace usar::sim {
+
+/// Idle: motors off on the ground. Settling: the legs found the ground, lift is taken away gently. SpoolingUp: lift is
+/// given back on the legs. Broken and Dead (battery) never fly again.
+enum class MotorState { Idle, SpoolingUp, Flying, Settling, Broken, Dead };
+
+struct AirRobotSpawn {
+    Pose base_in_map;
+    bool near_ground = false; ///< then it settles down by itself; otherwise it hovers where it was spawned
+    Seconds battery_life{1200.0};
+    std::optional<double> water_z_m; ///< touching it drowns the battery
+};
+
+/// Breaks on a contact of a rotor disc, on an impulse above 0.5 N s, and on touching down at 1 m/s or faster; then it
+/// falls without control (robots-and-worlds 3.1). Legs on the ground while told to sink mean landed: the motors go idle
+/// until it is told to climb. `physics` must outlive it; belongs to one Simulation.
+class AirRobotBody {
+public:
+    AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobotParameters parameters = {});
+    ~AirRobotBody();
+    AirRobotBody(const AirRobotBody&) = delete;
+    AirRobotBody& operator=(const AirRobotBody&) = delete;
+
+    /// Absent terms keep their value; all are clamped to the robot's limits; per cent when normalized.
+    void drive(const protocol::AerialDrive& drive);
+    /// Forces for the next physics step.
+    void beforeStep(Seconds dt);
+    /// Contacts and counters of the step that was made.
+    void afterStep(Seconds dt);
+
+    BodyId id() const { return id_; }
+    BodyState state() const { return physics_.state(id_); }
+    const AirRobotParameters& parameters() const { return parameters_; }
+    const VelocityCommand& command() const { return command_; }
+    MotorState motors() const { return motors_; }
+    bool broken() const { return motors_ == MotorState::Broken; }
+    /// Standing or lying still, motors off.
+    bool atRest() const;
+    Seconds batteryLeft() const { return battery_left_; }
+    int collisions() const { return collisions_; }
+    double distance_m() const { return distance_m_; }
+
+private:
+    RotorWrench wantedWrench(const BodyState& state, Seconds dt);
+    void feelContacts();
+    bool isTouchdown(const Contact& contact) const;
+    void touchDown();
+    void leaveGround();
+    void countCollision();
+    void enter(MotorState motors);
+    bool ended() const { return motors_ == MotorState::Broken || motors_ == MotorState::Dead; }
+
+    Physics& physics_;
+    AirRobotParameters parameters_;
+    std::optional<double> water_z_m_;
+    BodyId id_;
+    Rotors rotors_;
+    FlightController controller_;
+    VelocityCommand command_;
+    MotorState motors_ = MotorState::Flying;
+    bool landing_itself_ = false;
+    Seconds in_state_{0.0};
+    Seconds since_gear_{1e9};
+    Seconds since_collision_{1e9};
+    Seconds battery_left_;
+    Vec3 last_position_m_;
+    double distance_m_ = 0.0;
+    int collisions_ = 0;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,51 @@
+#include "core/sim/robots/air_robot_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double pod_bottom_m = -0.10;
+constexpr double leg_top_m = -0.03;
+
+BodyPart part(std::variant<CylinderShape, CapsuleShape, BoxShape> shape, const Vec3& center_m) {
+    return {std::move(shape), Pose{center_m, 0.0, 0.0, 0.0}};
+}
+
+} // namespace
+
+std::array<Vec3, 4> rotorCenters(const AirRobotParameters& parameters) {
+    const double l = parameters.rotor_span_m;
+    return {Vec3(l, l, 0.01), Vec3(l, -l, 0.01), Vec3(-l, -l, 0.01), Vec3(-l, l, 0.01)};
+}
+
+BodyDescription bodyOf(const AirRobotParameters& parameters) {
+    BodyDescription body{parameters.mass_kg, parameters.inertia_kg_m2, 0.9, {}};
+    body.parts.push_back(part(CylinderShape{parameters.ring_radius_m, parameters.ring_height_m}, Vec3::Zero()));
+    body.parts.push_back(
+        part(BoxShape{parameters.pod_size_m}, {0.0, 0.0, pod_bottom_m + parameters.pod_size_m.z() / 2.0}));
+    const double low_m = parameters.leg_tip_z_m + parameters.leg_radius_m;
+    for (const Vec3& rotor_m : rotorCenters(parameters)) {
+        const Vec2 foot_m = rotor_m.head<2>() / parameters.rotor_span_m * parameters.leg_span_m;
+        body.parts.push_back(part(CapsuleShape{parameters.leg_radius_m, leg_top_m - low_m},
+                                  {foot_m.x(), foot_m.y(), (leg_top_m + low_m) / 2.0}));
+    }
+    return body;
+}
+
+AirRobotPart partAt(const AirRobotParameters& parameters, const Vec3& point_in_body_m) {
+    const bool in_disc_plane = std::abs(point_in_body_m.z()) < parameters.ring_height_m / 2.0 + 0.01;
+    if (!in_disc_plane) {
+        const double from_axis_m = point_in_body_m.head<2>().cwiseAbs().maxCoeff();
+        return from_axis_m > parameters.pod_size_m.x() / 2.0 + 0.02 ? AirRobotPart::Gear : AirRobotPart::Belly;
+    }
+    const auto rotors = rotorCenters(parameters);
+    const bool in_disc = std::any_of(rotors.begin(), rotors.end(), [&](const Vec3& rotor_m) {
+        return (point_in_body_m - rotor_m).head<2>().norm() < parameters.rotor_radius_m;
+    });
+    return in_disc ? AirRobotPart::RotorDisc : AirRobotPart::Guard;
+}
+
+} // namespace usar::sim

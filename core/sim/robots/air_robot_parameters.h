@@ -1,0 +1,54 @@
+// The AirRobot's figures: robots-and-worlds 3.1; what is assumed there is assumed here. SI units, body frame.
+#pragma once
+
+#include <array>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/sim/physics.h"
+
+namespace usar::sim {
+
+struct AirRobotParameters {
+    double mass_kg = 1.0;
+    Vec3 inertia_kg_m2{0.041, 0.041, 0.080};
+    Vec3 dimensions_m{0.999, 0.999, 0.24};
+
+    // Four rotors in an X; thrust acts along the body's z.
+    double rotor_span_m = 0.19; ///< |x| and |y| of each rotor's center
+    double rotor_radius_m = 0.17;
+    double rotor_limit_n = 6.0;
+    Seconds rotor_lag{0.05};
+    double rotor_drag_m = 0.03; ///< yaw torque per thrust
+
+    double drag_kg_m = 0.2; ///< force = drag * speed^2: a dead robot falls at most 7 m/s
+    double spin_drag_n_m_s = 0.02;
+
+    double forward_limit_m_s = 2.0;
+    double sideways_limit_m_s = 2.0;
+    double climb_limit_m_s = 2.0;
+    double yaw_rate_limit_rad_s = 1.745;
+    double tilt_limit_rad = radians(25.0);
+    double tilt_rate_limit_rad_s = 0.67;
+
+    // Ring guard with the rotor discs inside, a belly pod, four legs that keep the discs 0.2 m above the ground.
+    double ring_radius_m = 0.4995;
+    double ring_height_m = 0.05;
+    Vec3 pod_size_m{0.20, 0.20, 0.09};
+    double leg_span_m = 0.25; ///< |x| and |y| of each leg
+    double leg_radius_m = 0.02;
+    double leg_tip_z_m = -0.21;
+
+    double breaking_impulse_n_s = 0.5;
+    double safe_touchdown_m_s = 1.0;
+};
+
+/// Centers of the rotors: front left, front right, rear right, rear left.
+std::array<Vec3, 4> rotorCenters(const AirRobotParameters& parameters);
+BodyDescription bodyOf(const AirRobotParameters& parameters);
+
+enum class AirRobotPart { Gear, Guard, RotorDisc, Belly };
+/// Which part a point on the hull belongs to.
+AirRobotPart partAt(const AirRobotParameters& parameters, const Vec3& point_in_body_m);
+
+} // namespace usar::sim

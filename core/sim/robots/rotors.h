@@ -1,0 +1,37 @@
+// Four rotors with a thrust limit and a first-order lag, and the mixer that turns a wrench into thrusts.
+#pragma once
+
+#include <array>
+
+#include "core/base/clock.h"
+#include "core/sim/robots/air_robot_parameters.h"
+
+namespace usar::sim {
+
+/// Thrust along the body's z and torque about its center of mass, body frame.
+struct RotorWrench {
+    double thrust_n = 0.0;
+    Vec3 torque_n_m = Vec3::Zero();
+};
+
+class Rotors {
+public:
+    explicit Rotors(const AirRobotParameters& parameters);
+
+    /// Sets the thrusts that come nearest to `wanted` within 0 and the limit of each rotor; they follow with the lag.
+    void command(const RotorWrench& wanted);
+    void stop();
+    /// Already turning, with this thrust in all.
+    void start(double thrust_n);
+    void step(Seconds dt);
+    RotorWrench wrench() const;
+    const std::array<double, 4>& thrusts_n() const { return thrusts_n_; }
+
+private:
+    AirRobotParameters parameters_;
+    std::array<Vec3, 4> centers_m_;
+    std::array<double, 4> commanded_n_{};
+    std::array<double, 4> thrusts_n_{};
+};
+
+} // namespace usar::sim

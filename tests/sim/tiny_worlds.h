@@ -1,0 +1,41 @@
+// Small worlds and a robot in them, for tests of physics, robots and sensors.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/sim/physics.h"
+#include "core/sim/robots/air_robot_body.h"
+#include "core/sim/world.h"
+
+namespace usar::sim {
+
+inline constexpr Seconds physics_dt{0.004};
+
+/// 64 m square around the origin, posts each 0.5 m.
+World groundOf(const std::function<double(const Vec2&)>& height_m);
+World flatWorld();
+/// Rises along x with this angle; height 0 on the y axis.
+World slopeWorld(double slope_rad);
+
+/// A world, its physics and one AirRobot.
+struct Flight {
+    explicit Flight(World world_, const AirRobotSpawn& spawn);
+
+    /// Runs the robot; `each` is called after every physics step with the time since the call.
+    void run(Seconds duration, const std::function<void(Seconds)>& each = {});
+    void drive(double forward_m_s, double left_m_s, double climb_m_s, double yaw_rate_rad_s = 0.0);
+    Pose pose() const { return robot.state().pose(); }
+    Vec3 velocity_m_s() const { return robot.state().velocity_m_s; }
+
+    World world;
+    std::unique_ptr<Physics> physics;
+    AirRobotBody robot;
+};
+
+/// In the air at this point, level.
+AirRobotSpawn inTheAir(const Vec3& position_m);
+/// Just above the ground there, going to settle.
+AirRobotSpawn onTheGround(const Vec3& ground_m);
+
+} // namespace usar::sim
