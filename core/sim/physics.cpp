@@ -14,6 +14,8 @@ constexpr int ground_group = 1;
 constexpr int body_group = 2;
 constexpr double part_margin_m = 0.005;
 constexpr double stuck_depth_m = 0.01;
+constexpr double sleepy_m_s = 0.02;
+constexpr double sleepy_rad_s = 0.02;
 
 std::unique_ptr<btCollisionShape> makeShape(const CylinderShape& shape) {
     return std::make_unique<btCylinderShapeZ>(btVector3(shape.radius_m, shape.radius_m, shape.height_m / 2.0));
@@ -87,6 +89,7 @@ public:
     BodyId add(const BodyDescription& description, const Pose& body_in_map) override;
     void remove(BodyId body) override;
     void place(BodyId body, const Pose& body_in_map) override;
+    void letSleep(BodyId body, bool allowed) override;
     bool isStuck(BodyId body) override;
     BodyState state(BodyId body) const override;
     void apply(BodyId body, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
@@ -147,6 +150,13 @@ void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
     body.rigid->setAngularVelocity({0.0, 0.0, 0.0});
     body.rigid->clearForces();
     dynamics_.updateSingleAabb(body.rigid.get());
+}
+
+void BulletPhysics::letSleep(BodyId id, bool allowed) {
+    btRigidBody& rigid = *bodies_.at(id).rigid;
+    rigid.setSleepingThresholds(sleepy_m_s, sleepy_rad_s);
+    rigid.setDeactivationTime(0.0);
+    rigid.forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
 }
 
 bool BulletPhysics::isStuck(BodyId id) {

@@ -74,6 +74,9 @@ public:
     virtual void remove(BodyId body) = 0;
     /// Puts a body somewhere, at rest.
     virtual void place(BodyId body, const Pose& body_in_map) = 0;
+    /// A body that may sleep is frozen after two seconds of rest, until something moves it: contacts alone let it creep
+    /// by millimeters a minute. Forces on a sleeping body have no effect, so one that pushes must not sleep.
+    virtual void letSleep(BodyId body, bool allowed) = 0;
     /// True while the body sits inside still parts of the world, or under the ground.
     virtual bool isStuck(BodyId body) = 0;
 

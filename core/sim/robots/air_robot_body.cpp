@@ -12,7 +12,7 @@ constexpr double sink_wish_m_s = -0.02;
 constexpr double landing_itself_m_s = -0.3;
 constexpr Seconds settling_time{2.0};
 constexpr Seconds spooling_time{0.8};
-constexpr double settling_share = 0.4;
+constexpr double settling_share = 0.2;
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
 constexpr Seconds between_collisions{0.5};
@@ -155,6 +155,7 @@ void AirRobotBody::leaveGround() {
 void AirRobotBody::enter(MotorState motors) {
     motors_ = motors;
     in_state_ = Seconds{0.0};
+    physics_.letSleep(id_, motors == MotorState::Idle || ended());
     landing_itself_ = landing_itself_ && motors != MotorState::Idle;
     controller_.reset(state());
 }

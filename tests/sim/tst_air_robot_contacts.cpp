@@ -1,0 +1,180 @@
+#include <QtTest>
+
+#include "tests/sim/tiny_worlds.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+World treeWorld() {
+    World world = flatWorld();
+    world.plants.push_back({{5.0, 0.0, 0.0}, 0.3, 5.0, CrownShape::Sphere, 1.5, 0.0});
+    world.plants.push_back({{0.0, 8.0, 0.0}, 0.2, 3.0, CrownShape::Cone, 1.5, 4.0});
+    world.boxes.push_back({Pose{{0.0, -8.0, 1.5}, 0.0, 0.0, 0.0}, {4.0, 4.0, 3.0}});
+    return world;
+}
+
+} // namespace
+
+class TestAirRobotContacts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void landsRestsAndTakesOffAgain_data() {
+        QTest::addColumn<double>("slope_deg");
+        for (const int slope_deg : {0, 5, 10, 15, 20, 25, 30})
+            QTest::addRow("slope of %d degrees", slope_deg) << static_cast<double>(slope_deg);
+    }
+    void landsRestsAndTakesOffAgain() {
+        QFETCH(double, slope_deg);
+        Flight flight(slopeWorld(radians(slope_deg)), onTheGround({0.0, 0.0, 0.0}));
+        flight.run(Seconds{6.0});
+        QVERIFY(flight.robot.atRest());
+        flight.drive(0.0, 0.0, 1.0);
+        flight.run(Seconds{5.0});
+        QCOMPARE(flight.robot.motors(), MotorState::Flying);
+        QVERIFY(flight.pose().position_m.z() > 3.0);
+        flight.drive(0.0, 0.0, -0.4);
+        flight.run(Seconds{30.0});
+        QVERIFY(flight.robot.atRest());
+        QCOMPARE(flight.robot.motors(), MotorState::Idle);
+        QCOMPARE(flight.robot.collisions(), 0);
+        QVERIFY(std::abs(degrees(flight.pose().pitch_rad) + slope_deg) < 1.0);
+    }
+
+    void landsOnRoughGroundInAnyDirection_data() {
+        QTest::addColumn<double>("yaw_deg");
+        for (const int yaw_deg : {0, 40, 110, 200, 300})
+            QTest::addRow("yaw %d", yaw_deg) << static_cast<double>(yaw_deg);
+    }
+    void landsOnRoughGroundInAnyDirection() {
+        QFETCH(double, yaw_deg);
+        const World world =
+            groundOf([](const Vec2& p) { return 0.3 * std::sin(1.3 * p.x()) * std::cos(0.9 * p.y()) + 0.2 * p.y(); });
+        AirRobotSpawn spawn = inTheAir({2.0, 1.0, 3.0});
+        spawn.base_in_map.yaw_rad = radians(yaw_deg);
+        Flight flight(world, spawn);
+        flight.drive(0.0, 0.0, -0.5);
+        flight.run(Seconds{15.0});
+        QVERIFY(flight.robot.atRest());
+        QCOMPARE(flight.robot.collisions(), 0);
+        const Vec3 before_m = flight.pose().position_m;
+        flight.run(Seconds{60.0});
+        QVERIFY((flight.pose().position_m - before_m).norm() < 0.03);
+        QVERIFY(flight.robot.atRest());
+    }
+
+    void touchdownSpeedDecides_data() {
+        QTest::addColumn<double>("sink_m_s");
+        QTest::addColumn<bool>("breaks");
+        QTest::newRow("gently") << 0.3 << false;
+        QTest::newRow("firmly") << 0.8 << false;
+        QTest::newRow("hard") << 1.3 << true;
+        QTest::newRow("as fast as it can") << 2.0 << true;
+    }
+    void touchdownSpeedDecides() {
+        QFETCH(double, sink_m_s);
+        QFETCH(bool, breaks);
+        Flight flight(flatWorld(), inTheAir({0.0, 0.0, 5.0}));
+        flight.drive(0.0, 0.0, -sink_m_s);
+        flight.run(Seconds{20.0});
+        QCOMPARE(flight.robot.broken(), breaks);
+        QCOMPARE(flight.robot.collisions(), breaks ? 1 : 0);
+    }
+
+    void aHitBreaksTheRotorsAndItFalls_data() {
+        QTest::addColumn<Vec3>("from_m");
+        QTest::addColumn<Vec3>("velocity_m_s");
+        QTest::newRow("trunk") << Vec3(0.0, 0.0, 2.0) << Vec3(1.5, 0.0, 0.0);
+        QTest::newRow("round crown from the side") << Vec3(0.0, 0.0, 5.2) << Vec3(1.5, 0.0, 0.0);
+        QTest::newRow("wall") << Vec3(0.0, -2.0, 2.0) << Vec3(0.0, -1.5, 0.0);
+        QTest::newRow("top of a fir with the belly") << Vec3(0.0, 8.0, 9.0) << Vec3(0.0, 0.0, -1.0);
+        QTest::newRow("sideways into the fir, backward") << Vec3(4.0, 8.0, 4.0) << Vec3(-1.5, 0.0, 0.0);
+        QTest::newRow("crown from below") << Vec3(5.9, 0.0, 2.0) << Vec3(0.0, 0.0, 1.0);
+    }
+    void aHitBreaksTheRotorsAndItFalls() {
+        QFETCH(Vec3, from_m);
+        QFETCH(Vec3, velocity_m_s);
+        Flight flight(treeWorld(), inTheAir(from_m));
+        flight.drive(velocity_m_s.x(), velocity_m_s.y(), velocity_m_s.z());
+        flight.run(Seconds{10.0});
+        QVERIFY(flight.robot.broken());
+        QVERIFY(flight.robot.collisions() >= 1);
+        flight.drive(0.0, 0.0, 2.0);
+        flight.run(Seconds{10.0});
+        QVERIFY(flight.velocity_m_s().norm() < 0.5);
+        QVERIFY(flight.pose().position_m.z() < from_m.z());
+        QVERIFY(flight.pose().position_m.z() > -0.1);
+    }
+
+    void theGuardForgivesASlowTouch() {
+        Flight flight(treeWorld(), inTheAir({3.5, 0.0, 2.0}));
+        flight.drive(0.25, 0.0, 0.0);
+        flight.run(Seconds{4.0});
+        QVERIFY(!flight.robot.broken());
+        QVERIFY(flight.robot.collisions() >= 1);
+        flight.drive(-0.5, 0.0, 0.0);
+        flight.run(Seconds{4.0});
+        QVERIFY(!flight.robot.broken());
+        QVERIFY(flight.pose().position_m.x() < 3.5);
+    }
+
+    void landsOnARoof() {
+        Flight flight(treeWorld(), inTheAir({0.0, -8.0, 5.0}));
+        flight.drive(0.0, 0.0, -0.5);
+        flight.run(Seconds{12.0});
+        QVERIFY(flight.robot.atRest());
+        QCOMPARE(flight.robot.collisions(), 0);
+        QVERIFY(std::abs(flight.pose().position_m.z() - 3.21) < 0.01);
+    }
+
+    void namesThePartThatWasTouched_data() {
+        QTest::addColumn<Vec3>("point_m");
+        QTest::addColumn<int>("part");
+        QTest::newRow("foot") << Vec3(0.25, -0.25, -0.21) << static_cast<int>(AirRobotPart::Gear);
+        QTest::newRow("side of a leg") << Vec3(0.27, 0.25, -0.12) << static_cast<int>(AirRobotPart::Gear);
+        QTest::newRow("belly") << Vec3(0.05, 0.0, -0.10) << static_cast<int>(AirRobotPart::Belly);
+        QTest::newRow("rim") << Vec3(0.4995, 0.0, 0.0) << static_cast<int>(AirRobotPart::Guard);
+        QTest::newRow("hub from above") << Vec3(0.0, 0.0, 0.025) << static_cast<int>(AirRobotPart::Guard);
+        QTest::newRow("rotor from above") << Vec3(0.25, 0.15, 0.025) << static_cast<int>(AirRobotPart::RotorDisc);
+        QTest::newRow("rotor from below") << Vec3(-0.2, 0.2, -0.025) << static_cast<int>(AirRobotPart::RotorDisc);
+    }
+    void namesThePartThatWasTouched() {
+        QFETCH(Vec3, point_m);
+        QFETCH(int, part);
+        QCOMPARE(static_cast<int>(partAt(AirRobotParameters{}, point_m)), part);
+    }
+
+    void twoThatMeetBothFall() {
+        World world = flatWorld();
+        const auto physics = makePhysics(world);
+        AirRobotBody left(*physics, inTheAir({-2.0, 0.1, 5.0}));
+        AirRobotBody right(*physics, inTheAir({2.0, 0.0, 5.0}));
+        left.drive({{}, 1.5, {}, {}, false});
+        right.drive({{}, -1.5, {}, {}, false});
+        for (int i = 0; i < 1500; ++i) {
+            for (AirRobotBody* robot : {&left, &right})
+                robot->beforeStep(physics_dt);
+            physics->step(physics_dt);
+            for (AirRobotBody* robot : {&left, &right})
+                robot->afterStep(physics_dt);
+        }
+        QVERIFY(left.broken() && right.broken());
+        QVERIFY(left.state().position_m.z() < 1.0 && right.state().position_m.z() < 1.0);
+    }
+
+    void waterDrownsTheBattery() {
+        AirRobotSpawn spawn = inTheAir({0.0, 0.0, 8.0});
+        spawn.water_z_m = 5.0;
+        Flight flight(flatWorld(), spawn);
+        flight.drive(0.0, 0.0, -1.0);
+        flight.run(Seconds{2.0});
+        QVERIFY(flight.robot.batteryLeft() > Seconds{0.0});
+        flight.run(Seconds{4.0});
+        QCOMPARE(flight.robot.batteryLeft(), Seconds{0.0});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAirRobotContacts)
+#include "tst_air_robot_contacts.moc"

@@ -1,0 +1,199 @@
+#include <QtTest>
+
+#include "tests/sim/tiny_worlds.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+BodyDescription ball(double radius_m = 0.05) {
+    return {1.0, Vec3::Constant(0.001), 0.9, {{CapsuleShape{radius_m, 0.001}, Pose{}}}};
+}
+
+Pose at(double x_m, double y_m, double z_m) {
+    return Pose{{x_m, y_m, z_m}, 0.0, 0.0, 0.0};
+}
+
+void run(Physics& physics, Seconds duration) {
+    for (long i = std::lround(duration / physics_dt); i > 0; --i)
+        physics.step(physics_dt);
+}
+
+World furnishedWorld() {
+    World world = flatWorld();
+    world.plants.push_back({{5.0, 0.0, 0.0}, 0.3, 4.0, CrownShape::Sphere, 1.5, 0.0});
+    world.plants.push_back({{-5.0, 0.0, 0.0}, 0.3, 2.0, CrownShape::Cone, 1.0, 3.0});
+    world.boxes.push_back({at(0.0, 6.0, 1.0), {2.0, 2.0, 2.0}});
+    return world;
+}
+
+} // namespace
+
+class TestPhysics : public QObject {
+    Q_OBJECT
+
+private slots:
+    void fallsAsNewtonSays() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId body = physics->add(ball(), at(0.0, 0.0, 20.0));
+        run(*physics, Seconds{1.0});
+        const BodyState state = physics->state(body);
+        QVERIFY(std::abs(state.velocity_m_s.z() + gravity_m_s2) < 1e-9);
+        // The engine moves by the velocity at the end of each step: half a step more than the parabola.
+        const double fallen_m = gravity_m_s2 / 2.0 * (1.0 + physics_dt.count());
+        QVERIFY(std::abs(20.0 - fallen_m - state.position_m.z()) < 1e-9);
+    }
+
+    void forcesActOnceAndAddUp() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId body = physics->add(ball(), at(0.0, 0.0, 20.0));
+        physics->apply(body, {3.0, 0.0, 0.0}, Vec3::Zero());
+        physics->apply(body, {2.0, 0.0, 0.0}, {0.0, 0.0, 0.001});
+        run(*physics, Seconds{0.4});
+        const BodyState state = physics->state(body);
+        QVERIFY(std::abs(state.velocity_m_s.x() - 5.0 * physics_dt.count()) < 1e-12);
+        QVERIFY(std::abs(state.rate_rad_s.z() - physics_dt.count()) < 1e-9);
+    }
+
+    void standsOnTheTriangleThatTheTerrainNames_data() {
+        QTest::addColumn<double>("x_m");
+        QTest::addColumn<double>("y_m");
+        QTest::newRow("below the diagonal") << 0.3 << 0.1;
+        QTest::newRow("above the diagonal") << 0.1 << 0.3;
+        QTest::newRow("on the diagonal") << 0.25 << 0.25;
+        QTest::newRow("far corner") << -31.7 << 31.6;
+    }
+    void standsOnTheTriangleThatTheTerrainNames() {
+        QFETCH(double, x_m);
+        QFETCH(double, y_m);
+        // A saddle in every cell: the two ways to split it differ by 0.15 m in its middle.
+        const World world = groundOf([](const Vec2& p) {
+            return std::lround(p.x() * 2.0) % 2 != 0 && std::lround(p.y() * 2.0) % 2 == 0 ? 0.3 : 0.0;
+        });
+        const auto physics = makePhysics(world);
+        const double ground_m = world.terrain.height_m({x_m, y_m});
+        const BodyId body = physics->add(ball(), at(x_m, y_m, 2.0));
+        physics->place(body, at(x_m, y_m, ground_m + 0.12));
+        QVERIFY(!physics->isStuck(body));
+        physics->place(body, at(x_m, y_m, ground_m + 0.02));
+        QVERIFY(physics->isStuck(body));
+    }
+
+    void knowsWhatIsInsideSomething_data() {
+        QTest::addColumn<Vec3>("position_m");
+        QTest::addColumn<bool>("stuck");
+        QTest::newRow("in free air") << Vec3(0.0, 0.0, 3.0) << false;
+        QTest::newRow("deep under the ground") << Vec3(0.0, 0.0, -9.0) << true;
+        QTest::newRow("in a trunk") << Vec3(5.0, 0.1, 1.0) << true;
+        QTest::newRow("in a round crown") << Vec3(5.0, 1.0, 4.5) << true;
+        QTest::newRow("beside a trunk, under the crown") << Vec3(5.0, 0.5, 1.0) << false;
+        QTest::newRow("in a cone") << Vec3(-5.0, 0.2, 3.0) << true;
+        QTest::newRow("beside the cone's tip") << Vec3(-5.0, 0.4, 4.5) << false;
+        QTest::newRow("in a house") << Vec3(0.0, 6.0, 1.5) << true;
+        QTest::newRow("beyond the edge, below the ground's level") << Vec3(40.0, 0.0, -3.0) << false;
+    }
+    void knowsWhatIsInsideSomething() {
+        QFETCH(Vec3, position_m);
+        QFETCH(bool, stuck);
+        const World world = furnishedWorld();
+        const auto physics = makePhysics(world);
+        const BodyId body = physics->add(ball(), Pose{position_m, 0.0, 0.0, 0.0});
+        QCOMPARE(physics->isStuck(body), stuck);
+    }
+
+    void contactsSayWhatWasHitAndHowFast_data() {
+        QTest::addColumn<Vec3>("from_m");
+        QTest::addColumn<int>("surface");
+        QTest::newRow("ground") << Vec3(0.0, 0.0, 0.25) << static_cast<int>(Surface::Ground);
+        QTest::newRow("tree top") << Vec3(5.0, 0.0, 5.75) << static_cast<int>(Surface::Plant);
+        QTest::newRow("roof") << Vec3(0.0, 6.0, 2.25) << static_cast<int>(Surface::Building);
+    }
+    void contactsSayWhatWasHitAndHowFast() {
+        QFETCH(Vec3, from_m);
+        QFETCH(int, surface);
+        const World world = furnishedWorld();
+        const auto physics = makePhysics(world);
+        const BodyId body = physics->add(ball(), Pose{from_m, 0.0, 0.0, 0.0});
+        for (int i = 0; i < 100 && physics->contacts(body).empty(); ++i)
+            physics->step(physics_dt);
+        QVERIFY(!physics->contacts(body).empty());
+        const Contact contact = physics->contacts(body).front();
+        QCOMPARE(static_cast<int>(contact.surface), surface);
+        QVERIFY(std::abs(contact.closing_speed_m_s - std::sqrt(2.0 * gravity_m_s2 * 0.2)) < 0.06);
+        QVERIFY(contact.impulse_n_s > 0.5);
+        QVERIFY(contact.point_in_body_m.z() < -0.04);
+    }
+
+    void bothBodiesFeelTheirMeeting() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId low = physics->add(ball(), at(0.0, 0.0, 0.051));
+        const BodyId high = physics->add(ball(), at(0.0, 0.0, 0.4));
+        for (int i = 0; i < 200 && physics->contacts(high).empty(); ++i)
+            physics->step(physics_dt);
+        QCOMPARE(physics->contacts(high).front().surface, Surface::Body);
+        const auto felt = physics->contacts(low);
+        QVERIFY(std::any_of(felt.begin(), felt.end(), [](const Contact& c) { return c.surface == Surface::Body; }));
+    }
+
+    void seesOtherBodiesButNotItself() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId eye = physics->add(ball(), at(0.0, 0.0, 3.0));
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye), 5.0);
+        const BodyId other = physics->add(ball(), at(2.0, 0.0, 3.0));
+        QVERIFY(std::abs(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye) - 1.95) < 0.001);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitY(), 5.0, eye), 5.0);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, -Vec3::UnitZ(), 5.0, eye), 5.0); // the ground is not a body
+        physics->remove(other);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye), 5.0);
+    }
+
+    void sleepsOnlyWhereAllowedAndWakesWhenHit() {
+        const World world = slopeWorld(radians(20.0));
+        const auto physics = makePhysics(world);
+        const BodyId body =
+            physics->add({1.0, Vec3::Constant(0.01), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}}, at(0.0, 0.0, 0.15));
+        run(*physics, Seconds{2.0});
+        physics->letSleep(body, true);
+        run(*physics, Seconds{3.0});
+        const Vec3 asleep_m = physics->state(body).position_m;
+        run(*physics, Seconds{60.0});
+        QCOMPARE(physics->state(body).position_m, asleep_m);
+        physics->add(ball(), Pose{asleep_m + Vec3(0.0, 0.0, 2.0), 0.0, 0.0, 0.0});
+        run(*physics, Seconds{3.0});
+        QVERIFY(physics->state(body).position_m != asleep_m);
+    }
+
+    void groundEndsAtTheEdgeWithoutHarm() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId body = physics->add(ball(), at(500.0, 0.0, 1.0));
+        run(*physics, Seconds{120.0});
+        QVERIFY(physics->state(body).position_m.z() < -10000.0);
+        QCOMPARE(physics->state(body).position_m.x(), 500.0);
+    }
+
+    void repeatsItselfBitByBit() {
+        const auto fall = [] {
+            const World world = furnishedWorld();
+            const auto physics = makePhysics(world);
+            std::vector<BodyId> bodies;
+            for (int i = 0; i < 20; ++i)
+                bodies.push_back(physics->add(ball(), at(4.0 + 0.1 * i, 0.03 * i, 7.0 + 0.3 * i)));
+            run(*physics, Seconds{5.0});
+            std::vector<double> places_m;
+            for (const BodyId body : bodies)
+                for (const double part_m : physics->state(body).position_m)
+                    places_m.push_back(part_m);
+            return places_m;
+        };
+        QCOMPARE(fall(), fall());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPhysics)
+#include "tst_physics.moc"
