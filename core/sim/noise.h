@@ -1,0 +1,21 @@
+// Noise of range sensors.
+#pragma once
+
+#include "core/base/random.h"
+
+namespace usar::sim {
+
+/// Multiplicative: a range r reads r (1 + N(0, sigma)), never outside the sensor's limits; a miss reads the maximum
+/// without noise (robots-and-worlds 4.1). Each sensor owns one, with a random stream of its own.
+class RangeNoise {
+public:
+    RangeNoise(double sigma, Random random) : sigma_(sigma), random_(random) {}
+
+    double operator()(double range_m, double minimum_m, double maximum_m);
+
+private:
+    double sigma_;
+    Random random_;
+};
+
+} // namespace usar::sim

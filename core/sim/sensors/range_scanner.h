@@ -1,0 +1,38 @@
+// A line scanner: a fan of single rays. Model: robots-and-worlds 4.1.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/protocol/info/range_sensors.h"
+#include "core/sim/noise.h"
+#include "core/sim/sensors/rays.h"
+
+namespace usar::sim {
+
+/// The fan lies in the scanner's xy plane, around its x axis.
+struct RangeScannerParameters {
+    std::string name;
+    Pose scanner_in_base;
+    double resolution_rad = pi / 180.0;
+    double fov_rad = pi;
+    double minimum_m = 0.1;
+    double maximum_m = 20.0;
+    double sigma = 0.0007;
+};
+
+/// Beams from right (-fov/2, counter-clockwise positive) to left; floor(fov / resolution) + 1 of them.
+class RangeScanner {
+public:
+    RangeScanner(RangeScannerParameters parameters, Random random);
+
+    protocol::RangeScan measure(const Eigen::Isometry3d& base_in_map, const Rays& rays);
+    const RangeScannerParameters& parameters() const { return parameters_; }
+
+private:
+    RangeScannerParameters parameters_;
+    std::vector<Vec3> directions_in_base_;
+    RangeNoise noise_;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,36 @@
+// What range sensors look through: the still world and the other robots.
+#pragma once
+
+#include "core/base/geometry.h"
+#include "core/sim/physics.h"
+#include "core/sim/ray_caster.h"
+
+namespace usar::sim {
+
+class Rays {
+public:
+    virtual ~Rays() = default;
+    /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector; map frame.
+    virtual double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const = 0;
+};
+
+/// Everything but the robot that looks. What it refers to must outlive it.
+class WorldRays : public Rays {
+public:
+    WorldRays(const RayCaster& still, const Physics& moving, BodyId self)
+        : still_(still)
+        , moving_(moving)
+        , self_(self) {}
+
+    double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
+        const double still_m = still_.cast(origin_m, direction, maximum_m);
+        return moving_.castAtBodies(origin_m, direction, still_m, self_);
+    }
+
+private:
+    const RayCaster& still_;
+    const Physics& moving_;
+    BodyId self_;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,244 @@
+#include <QtTest>
+
+#include "core/sim/sensors/ins.h"
+#include "core/sim/sensors/range_scanner.h"
+#include "core/sim/sensors/sonar.h"
+#include "tests/sim/tiny_worlds.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+/// A plane x = `distance_m`, or z = 0 when looked at from above.
+struct Wall : Rays {
+    double distance_m = 1e9;
+    double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
+        const double hit_m = (distance_m - origin_m.x()) / direction.x();
+        return hit_m > 0.0 ? std::min(hit_m, maximum_m) : maximum_m;
+    }
+};
+
+struct Floor : Rays {
+    double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
+        const double hit_m = -origin_m.z() / direction.z();
+        return hit_m > 0.0 ? std::min(hit_m, maximum_m) : maximum_m;
+    }
+};
+
+Eigen::Isometry3d atHeight(double z_m) {
+    return Pose{{0.0, 0.0, z_m}, 0.0, 0.0, 0.0}.isometry();
+}
+
+SonarParameters quietSonar(double yaw_rad = 0.0) {
+    SonarParameters parameters;
+    parameters.name = "S";
+    parameters.sonar_in_base.yaw_rad = yaw_rad;
+    parameters.sigma = 0.0;
+    return parameters;
+}
+
+/// A belly mount: x down, y left.
+RangeScannerParameters bellyScanner(double sigma = 0.0) {
+    RangeScannerParameters parameters;
+    parameters.name = "Scanner1";
+    parameters.scanner_in_base.pitch_rad = pi / 2.0;
+    parameters.sigma = sigma;
+    return parameters;
+}
+
+double rms(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values)
+        sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+} // namespace
+
+class TestSensors : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sonarReadsTheNearestPointOfItsCone_data() {
+        QTest::addColumn<double>("yaw_deg");
+        QTest::addColumn<double>("wall_m");
+        QTest::addColumn<double>("reading_m");
+        QTest::newRow("square to the wall") << 0.0 << 2.0 << 2.0;
+        QTest::newRow("turned: the cone's edge is nearest") << 30.0 << 2.0 << 2.0 / std::cos(radians(22.5));
+        QTest::newRow("turned within half a beam") << 7.5 << 2.0 << 2.0;
+        QTest::newRow("too far") << 0.0 << 5.5 << 5.0;
+        QTest::newRow("too near") << 0.0 << 0.03 << 0.1;
+        QTest::newRow("looking away") << 180.0 << 2.0 << 5.0;
+    }
+    void sonarReadsTheNearestPointOfItsCone() {
+        QFETCH(double, yaw_deg);
+        QFETCH(double, wall_m);
+        QFETCH(double, reading_m);
+        Sonar sonar(quietSonar(radians(yaw_deg)), seeded(1, 1));
+        Wall wall;
+        wall.distance_m = wall_m;
+        const auto reading = sonar.measure(Eigen::Isometry3d::Identity(), wall);
+        QCOMPARE(reading.name, std::string("S"));
+        QVERIFY(std::abs(reading.range_m - reading_m) < 1e-9);
+    }
+
+    void sonarRaysAreOneAndTheCones() {
+        SonarParameters parameters = quietSonar();
+        QCOMPARE(Sonar(parameters, seeded(1, 1)).rayCount(), 33u);
+        parameters.cones = 10;
+        QCOMPARE(Sonar(parameters, seeded(1, 1)).rayCount(), 161u);
+    }
+
+    void beamsOverAFlatFloorReadHeightOverCosine() {
+        RangeScanner scanner(bellyScanner(), seeded(1, 1));
+        const auto scan = scanner.measure(atHeight(6.0), Floor());
+        QCOMPARE(scan.ranges_m.size(), 181u);
+        for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+            const double expected_m = std::min(20.0, 6.0 / std::cos(scan.beamAngle_rad(i)));
+            QVERIFY2(std::abs(scan.ranges_m[i] - expected_m) < 1e-6, qPrintable(QString::number(i)));
+        }
+    }
+
+    void beamsRunFromRightToLeft() {
+        RangeScanner scanner(bellyScanner(), seeded(1, 1));
+        Eigen::Isometry3d rolled = Pose{{0.0, 0.0, 6.0}, radians(20.0), 0.0, 0.0}.isometry(); // left side up
+        const auto scan = scanner.measure(rolled, Floor());
+        QVERIFY(std::abs(scan.ranges_m[90] - 6.0 / std::cos(radians(20.0))) < 1e-6);
+        QVERIFY(std::abs(scan.ranges_m[70] - 6.0) < 1e-6); // 20 degrees to the right is straight down
+        QVERIFY(scan.ranges_m[60] < scan.ranges_m[120]); // the lowered right side is nearer
+    }
+
+    void scannerNoiseIsSevenHundredthsOfAPercent_data() {
+        QTest::addColumn<double>("height_m");
+        QTest::newRow("near") << 0.5;
+        QTest::newRow("scan altitude") << 6.0;
+        QTest::newRow("far") << 18.0;
+    }
+    void scannerNoiseIsSevenHundredthsOfAPercent() {
+        QFETCH(double, height_m);
+        RangeScanner scanner(bellyScanner(0.0007), seeded(7, 1));
+        std::vector<double> errors;
+        double sum = 0.0;
+        for (int i = 0; i < 4000; ++i) {
+            errors.push_back(scanner.measure(atHeight(height_m), Floor()).ranges_m[90] / height_m - 1.0);
+            sum += errors.back();
+        }
+        QVERIFY(std::abs(rms(errors) - 0.0007) < 0.00004);
+        QVERIFY(std::abs(sum / 4000.0) < 0.00005);
+    }
+
+    void aMissHasNoNoise() {
+        RangeScanner scanner(bellyScanner(0.0007), seeded(7, 1));
+        for (int i = 0; i < 100; ++i)
+            QCOMPARE(scanner.measure(atHeight(30.0), Floor()).ranges_m[90], 20.0);
+    }
+
+    void insDriftsAsThePublishedModel_data() {
+        QTest::addColumn<double>("way_m");
+        QTest::addColumn<double>("horizontal_m");
+        QTest::addColumn<double>("height_m");
+        QTest::newRow("100 m") << 100.0 << 0.32 << 0.22;
+        QTest::newRow("500 m") << 500.0 << 0.73 << 0.53;
+        QTest::newRow("1 km") << 1000.0 << 1.07 << 0.76;
+        QTest::newRow("3 km") << 3000.0 << 2.17 << 1.52;
+    }
+    void insDriftsAsThePublishedModel() {
+        QFETCH(double, way_m);
+        QFETCH(double, horizontal_m);
+        QFETCH(double, height_m);
+        std::vector<double> horizontal;
+        std::vector<double> height;
+        for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+            Ins ins({}, Pose{}, seeded(seed, 3));
+            Pose truth;
+            for (int i = 0; i < 3; ++i)
+                ins.measure(truth);
+            Pose estimate;
+            for (double flown_m = 0.0; flown_m < way_m; flown_m += 0.2) {
+                truth.position_m.x() += 0.2;
+                estimate = ins.measure(truth).base_in_map;
+            }
+            const Vec3 error_m = estimate.position_m - truth.position_m;
+            horizontal.push_back(error_m.head<2>().norm());
+            height.push_back(error_m.z());
+        }
+        QVERIFY2(std::abs(rms(horizontal) / horizontal_m - 1.0) < 0.15, qPrintable(QString::number(rms(horizontal))));
+        QVERIFY2(std::abs(rms(height) / height_m - 1.0) < 0.15, qPrintable(QString::number(rms(height))));
+    }
+
+    void insHeadingDriftsByTurning() {
+        std::vector<double> errors_deg;
+        for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+            Ins ins({}, Pose{}, seeded(seed, 3));
+            Pose truth;
+            for (int i = 0; i < 3; ++i)
+                ins.measure(truth);
+            Pose estimate;
+            for (double turned_rad = 0.0; turned_rad < pi / 2.0; turned_rad += 0.1) {
+                truth.yaw_rad += 0.1;
+                estimate = ins.measure(truth).base_in_map;
+            }
+            errors_deg.push_back(degrees(normalizedAngle(estimate.yaw_rad - truth.yaw_rad)));
+        }
+        QVERIFY2(std::abs(rms(errors_deg) / 1.1 - 1.0) < 0.15, qPrintable(QString::number(rms(errors_deg))));
+    }
+
+    void insStaysAtTheSpawnPoseUntilTwoScansAtRest() {
+        Ins ins({}, Pose{{1.0, 2.0, 3.0}, 0.0, 0.0, 0.0}, seeded(1, 1));
+        Pose truth{{1.0, 2.0, 3.0}, 0.0, 0.0, 0.0};
+        for (int i = 0; i < 20; ++i) { // turning all the time
+            truth.yaw_rad += 0.05;
+            truth.position_m.x() += 0.2;
+            QCOMPARE(ins.measure(truth).base_in_map.position_m, Vec3(1.0, 2.0, 3.0));
+        }
+        ins.measure(truth);
+        ins.measure(truth);
+        truth.position_m.x() += 0.2;
+        QVERIFY(std::abs(ins.measure(truth).base_in_map.position_m.x() - 1.2) < 0.05);
+    }
+
+    void insIsSetOnlyAtRest() {
+        Ins ins({}, Pose{}, seeded(1, 1));
+        const Pose wanted{{4.0, 5.0, 6.0}, 0.0, 0.0, 0.5};
+        QVERIFY(!ins.set(wanted, false));
+        QCOMPARE(ins.measure(Pose{}).base_in_map, Pose{});
+        QVERIFY(ins.set(wanted, true));
+        QCOMPARE(ins.measure(Pose{}).base_in_map, wanted);
+    }
+
+    void aSetInsHasNoBias() {
+        double sum_m = 0.0;
+        for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+            InsParameters parameters;
+            parameters.precision = 50.0; // biases of up to 1 %
+            Ins reset(parameters, Pose{}, seeded(seed, 1));
+            Pose truth;
+            for (int i = 0; i < 3; ++i)
+                reset.measure(truth);
+            QVERIFY(reset.set(Pose{}, true));
+            for (int i = 0; i < 5000; ++i) {
+                truth.position_m.x() += 0.2;
+                reset.measure(truth);
+            }
+            sum_m += std::abs(reset.measure(truth).base_in_map.position_m.x() - truth.position_m.x());
+        }
+        QVERIFY(sum_m / 100.0 < 1.0); // with its bias it would be 5 m
+    }
+
+    void raysMeetOtherRobotsButNotTheirOwn() {
+        const World world = flatWorld();
+        const RayCaster still(world);
+        const auto physics = makePhysics(world);
+        AirRobotBody self(*physics, inTheAir({0.0, 0.0, 5.0}));
+        AirRobotBody other(*physics, inTheAir({3.0, 0.0, 5.0}));
+        Sonar sonar(quietSonar(), seeded(1, 1));
+        const WorldRays rays(still, *physics, self.id());
+        const auto reading = sonar.measure(self.state().pose().isometry(), rays);
+        QVERIFY(std::abs(reading.range_m - 2.5) < 0.02);
+        QVERIFY(std::abs(rays.cast({0.0, 0.0, 5.0}, -Vec3::UnitZ(), 20.0) - 5.0) < 1e-6);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSensors)
+#include "tst_sensors.moc"
