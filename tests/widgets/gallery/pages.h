@@ -1,0 +1,15 @@
+// The gallery's pages: each makes one widget, filled with plausible data.
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+namespace usar::gallery {
+
+std::unique_ptr<QWidget> mapPage();
+std::unique_ptr<QWidget> areaPage();
+std::unique_ptr<QWidget> emptyMapPage();
+std::unique_ptr<QWidget> iconsPage();
+
+} // namespace usar::gallery

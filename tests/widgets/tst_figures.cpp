@@ -1,0 +1,71 @@
+#include <QTest>
+
+#include "widgets/models/figures.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+class tst_Figures : public QObject {
+    Q_OBJECT
+private slots:
+    void writesNumbersForPeople_data();
+    void writesNumbersForPeople();
+    void keepsItsWidth();
+    void writesDurations_data();
+    void writesDurations();
+    void agesStayShort();
+};
+
+void tst_Figures::writesNumbersForPeople_data() {
+    QTest::addColumn<double>("value");
+    QTest::addColumn<int>("decimals");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("plain") << 31.24 << 1 << QStringLiteral("31.2");
+    QTest::newRow("true minus") << -8.0 << 1 << QStringLiteral("−8.0");
+    QTest::newRow("no negative zero") << -0.04 << 1 << QStringLiteral("0.0");
+    QTest::newRow("no decimals") << 1234.0 << 0 << QStringLiteral("1234");
+    QTest::newRow("not a number") << qQNaN() << 2 << QStringLiteral("–");
+    QTest::newRow("endless") << qInf() << 2 << QStringLiteral("–");
+}
+
+void tst_Figures::writesNumbersForPeople() {
+    QFETCH(double, value);
+    QFETCH(int, decimals);
+    QTEST(figure(value, decimals), "text");
+}
+
+void tst_Figures::keepsItsWidth() {
+    for (const double value : {0.0, -3.25, 999.0, qQNaN()})
+        QCOMPARE(figure(value, 2, 7).size(), 7);
+    QCOMPARE(figure(1.0, 0, 3), QStringLiteral("\u2007\u20071"));
+}
+
+void tst_Figures::writesDurations_data() {
+    QTest::addColumn<double>("seconds");
+    QTest::addColumn<QString>("clock");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("zero") << 0.0 << QStringLiteral("00:00:00") << QStringLiteral("0 s");
+    QTest::newRow("minutes") << 751.2 << QStringLiteral("00:12:31") << QStringLiteral("12 min 31 s");
+    QTest::newRow("hours") << 7384.0 << QStringLiteral("02:03:04") << QStringLiteral("2 h 03 min");
+    QTest::newRow("a second short of a minute") << 59.4 << QStringLiteral("00:00:59") << QStringLiteral("59 s");
+    QTest::newRow("negative") << -1.0 << QStringLiteral("–") << QStringLiteral("–");
+    QTest::newRow("not a number") << qQNaN() << QStringLiteral("–") << QStringLiteral("–");
+}
+
+void tst_Figures::writesDurations() {
+    QFETCH(double, seconds);
+    QTEST(clockText(Seconds(seconds)), "clock");
+    QTEST(durationText(Seconds(seconds)), "words");
+}
+
+void tst_Figures::agesStayShort() {
+    QCOMPARE(ageText(Seconds(0.26)), QStringLiteral("0.3 s"));
+    QCOMPARE(ageText(Seconds(-0.1)), QStringLiteral("0.0 s"));
+    QCOMPARE(ageText(Seconds(12.4)), QStringLiteral("12 s"));
+    QCOMPARE(ageText(Seconds(180.0)), QStringLiteral("3 min"));
+    for (double age = 0.0; age < 1e5; age += 7.3)
+        QVERIFY2(ageText(Seconds(age)).size() <= 6, qPrintable(ageText(Seconds(age))));
+}
+
+QTEST_APPLESS_MAIN(tst_Figures)
+#include "tst_figures.moc"

@@ -1,0 +1,181 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/mapping/shading.h"
+#include "widgets/height_layer.h"
+
+using namespace usar;
+using namespace usar::mapping;
+using namespace usar::widgets;
+
+namespace {
+
+/// One known cell in a tile.
+std::shared_ptr<const HeightTile> tileWith(GridIndex index, int column, int row, float height_m) {
+    auto tile = std::make_shared<HeightTile>();
+    tile->index = index;
+    const auto at = static_cast<std::size_t>(row * HeightTile::side + column);
+    tile->height_m[at] = tile->preview_m[at] = height_m;
+    tile->hits[at] = 7;
+    return tile;
+}
+
+void settle(HeightLayer& layer) {
+    QSignalSpy changed(&layer, &HeightLayer::changed);
+    while (layer.busy())
+        QVERIFY(changed.wait());
+}
+
+} // namespace
+
+class tst_HeightLayer : public QObject {
+    Q_OBJECT
+private slots:
+    void pagesHoldFourTilesASide_data();
+    void pagesHoldFourTilesASide();
+    void cellLandsOnItsPixel_data();
+    void cellLandsOnItsPixel();
+    void coarseLevelsAverage();
+    void levelFollowsTheScale();
+    void picturesAppearTogether();
+    void newRangeRecolorsEverything();
+    void waitsForARange();
+    void clearForgetsWhatIsStillRendered();
+    void probeKnowsHeightAndHits();
+    void boundsCoverAllTiles();
+};
+
+void tst_HeightLayer::pagesHoldFourTilesASide_data() {
+    QTest::addColumn<int>("tile");
+    QTest::addColumn<int>("page");
+    QTest::newRow("first") << 0 << 0;
+    QTest::newRow("last of the first page") << 3 << 0;
+    QTest::newRow("second page") << 4 << 1;
+    QTest::newRow("left of zero") << -1 << -1;
+    QTest::newRow("a whole page left") << -4 << -1;
+    QTest::newRow("beyond that") << -5 << -2;
+}
+
+void tst_HeightLayer::pagesHoldFourTilesASide() {
+    QFETCH(int, tile);
+    QFETCH(int, page);
+    QCOMPARE(pageOfTile({tile, -tile - 1}).column, page);
+}
+
+void tst_HeightLayer::cellLandsOnItsPixel_data() {
+    QTest::addColumn<MapOrientation>("orientation");
+    QTest::newRow("x up") << MapOrientation::XUp;
+    QTest::newRow("y up") << MapOrientation::YUp;
+}
+
+/// Where the transform puts a cell's ground, the picture has its pixel.
+void tst_HeightLayer::cellLandsOnItsPixel() {
+    QFETCH(MapOrientation, orientation);
+    PageTiles page;
+    page.tiles[2 + 1 * 4] = tileWith({2, 1}, 5, 9, 3.0f);
+    const QImage image = renderPage(page, {{0.0f, 4.0f}, ColorMap::Gray, orientation}).levels[0];
+    MapTransform t;
+    t.orientation = orientation;
+    t.pixels_per_m = 1.0;
+    const QPointF corner = t.toScreen(pageRectangle({0, 0}, 1.0)).topLeft();
+    const QPointF at = t.toScreen(Vec2(2 * 64 + 5 + 0.5, 64 + 9 + 0.5)) - corner;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            QCOMPARE(qAlpha(image.pixel(x, y)) != 0, x == int(at.x()) && y == int(at.y()));
+}
+
+void tst_HeightLayer::coarseLevelsAverage() {
+    auto tile = std::make_shared<HeightTile>();
+    tile->preview_m.fill(0.0f);
+    tile->height_m.fill(0.0f);
+    for (std::size_t i = 0; i < HeightTile::cell_count; i += 2)
+        tile->preview_m[i] = 1.0f;
+    PageTiles page;
+    page.tiles[0] = tile;
+    const PagePicture picture = renderPage(page, {{0.0f, 1.0f}, ColorMap::Gray, MapOrientation::YUp});
+    QCOMPARE(picture.levels[3].width(), 32);
+    const QRgb low = shade(0.0f, {0.0f, 1.0f}, ColorMap::Gray);
+    const QRgb high = shade(1.0f, {0.0f, 1.0f}, ColorMap::Gray);
+    const int mean = (qRed(low) + qRed(high)) / 2;
+    QVERIFY(qAbs(qRed(picture.levels[1].pixel(0, 127)) - mean) <= 1);
+    QVERIFY(qAbs(qRed(picture.levels[3].pixel(0, 31)) - mean) <= 1);
+    QCOMPARE(qAlpha(picture.levels[3].pixel(31, 0)), 0);
+}
+
+void tst_HeightLayer::levelFollowsTheScale() {
+    const PagePicture picture = renderPage({}, {});
+    QCOMPARE(picture.levelFor(8.0).width(), 256);
+    QCOMPARE(picture.levelFor(0.6).width(), 256);
+    QCOMPARE(picture.levelFor(0.5).width(), 128);
+    QCOMPARE(picture.levelFor(0.001).width(), 32);
+}
+
+void tst_HeightLayer::picturesAppearTogether() {
+    HeightLayer layer;
+    layer.clear(0.25);
+    QSignalSpy changed(&layer, &HeightLayer::changed);
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f), tileWith({40, 0}, 0, 0, 2.0f)}, HeightRange{1.0f, 2.0f});
+    QVERIFY(layer.pages().empty());
+    settle(layer);
+    QCOMPARE(layer.pages().size(), std::size_t(2));
+    QCOMPARE(changed.count(), 1);
+}
+
+void tst_HeightLayer::newRangeRecolorsEverything() {
+    HeightLayer layer;
+    layer.setOrientation(MapOrientation::YUp);
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f)}, HeightRange{0.0f, 1.0f});
+    settle(layer);
+    const QRgb before = layer.pages().begin()->second.levels[0].pixel(0, 255);
+    layer.take({}, HeightRange{0.0f, 10.0f});
+    settle(layer);
+    const QRgb after = layer.pages().begin()->second.levels[0].pixel(0, 255);
+    QCOMPARE(before, shade(1.0f, {0.0f, 1.0f}, ColorMap::Gray));
+    QCOMPARE(after, shade(1.0f, {0.0f, 10.0f}, ColorMap::Gray));
+    QVERIFY(before != after);
+}
+
+void tst_HeightLayer::waitsForARange() {
+    HeightLayer layer;
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f)}, std::nullopt);
+    QVERIFY(layer.pages().empty());
+    layer.take({}, HeightRange{0.0f, 1.0f});
+    settle(layer);
+    QCOMPARE(layer.pages().size(), std::size_t(1));
+}
+
+void tst_HeightLayer::clearForgetsWhatIsStillRendered() {
+    HeightLayer layer;
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f)}, HeightRange{0.0f, 1.0f});
+    layer.clear(0.5);
+    layer.take({tileWith({8, 0}, 0, 0, 1.0f)}, HeightRange{0.0f, 1.0f});
+    settle(layer);
+    QCOMPARE(layer.pages().size(), std::size_t(1));
+    QCOMPARE(layer.pages().begin()->first, (GridIndex{2, 0}));
+    QCOMPARE(layer.cellSize_m(), 0.5);
+}
+
+void tst_HeightLayer::probeKnowsHeightAndHits() {
+    HeightLayer layer;
+    layer.clear(0.25);
+    layer.take({tileWith({-1, 0}, 63, 2, 4.25f)}, HeightRange{0.0f, 5.0f});
+    const auto probe = layer.probe(Vec2(-0.1, 0.6));
+    QVERIFY(probe.has_value());
+    QCOMPARE(probe->height_m, 4.25f);
+    QCOMPARE(probe->hits, 7);
+    QVERIFY(!layer.probe(Vec2(0.1, 0.6)));
+    QVERIFY(!layer.probe(Vec2(-0.4, 0.6)));
+    QVERIFY(!layer.probe(Vec2(qInf(), 0.0)));
+    QVERIFY(!layer.probe(Vec2(qQNaN(), 0.0)));
+}
+
+void tst_HeightLayer::boundsCoverAllTiles() {
+    HeightLayer layer;
+    QVERIFY(layer.bounds_in_map().empty());
+    layer.clear(0.25);
+    layer.take({tileWith({-1, 0}, 0, 0, 1.0f), tileWith({1, 2}, 0, 0, 1.0f)}, std::nullopt);
+    QCOMPARE(layer.bounds_in_map(), (Rectangle{Vec2(-16, 0), Vec2(32, 48)}));
+}
+
+QTEST_GUILESS_MAIN(tst_HeightLayer)
+#include "tst_height_layer.moc"

@@ -1,0 +1,73 @@
+// What the map shows, as plain values: filled by MapView's setters, read by its painters.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+#include <QString>
+
+#include "core/agent/published.h"
+#include "core/protocol/info/game_info.h"
+#include "widgets/models/area_grip.h"
+#include "widgets/models/trail.h"
+
+namespace usar::widgets {
+
+/// Painted in this order, lowest first.
+enum class MapLayer { World, Grid, Heights, Area, Lanes, Trails, Marks, StartPoses, Laser, Goals, Robots };
+inline constexpr std::size_t map_layer_count = 11;
+/// "Height map": what menus and the layers panel call it.
+QString layerName(MapLayer layer);
+
+struct LayerState {
+    bool visible = true;
+    double opacity = 1.0; ///< 0..1
+    bool operator==(const LayerState&) const = default;
+};
+
+/// A robot as the map needs it. `number` 1..9 chooses color and key.
+struct MapRobot {
+    QString name;
+    int number = 1;
+    Pose base_in_map;
+    bool stale = false; ///< nobody vouches for the pose any more
+    bool operator==(const MapRobot&) const = default;
+};
+
+/// A robot with all that belongs to it.
+struct RobotOnMap {
+    MapRobot robot;
+    Trail trail;
+    std::optional<Vec3> goal_in_map_m;
+    std::vector<Vec3> hits_in_map_m; ///< of its newest scan; NaN where a beam hit nothing
+};
+
+/// The mission area while and after it is drawn.
+struct AreaOnMap {
+    std::optional<Rectangle> area_in_map;
+    QString summary;                  ///< "9 lanes · 6 min 12 s", set by who plans
+    std::vector<Vec2> lanes_in_map_m; ///< planned or flown path, in order
+    bool editing = false;             ///< the area tool is in hand: handles are drawn
+    std::optional<AreaGrip> hot_grip; ///< under the cursor
+};
+
+struct MapContent {
+    std::optional<Rectangle> world_in_map;
+    QString world_name;
+    QImage background; ///< drawn over the world, if any; row 0 = highest y
+    Rectangle background_in_map;
+    std::vector<protocol::StartPose> start_poses;
+    std::optional<std::size_t> hot_start_pose; ///< under the cursor or chosen by keys
+    AreaOnMap area;
+    std::map<QString, RobotOnMap> robots;
+    QString selected_robot;
+    std::vector<agent::MapMark> marks;
+    std::array<LayerState, map_layer_count> layers;
+
+    const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,111 @@
+#include <QPainter>
+#include <QPainterPath>
+
+#include "widgets/map_painter.h"
+
+namespace usar::widgets {
+
+QString layerName(MapLayer layer) {
+    switch (layer) {
+    case MapLayer::World:
+        return QStringLiteral("World");
+    case MapLayer::Grid:
+        return QStringLiteral("Grid");
+    case MapLayer::Heights:
+        return QStringLiteral("Height map");
+    case MapLayer::Area:
+        return QStringLiteral("Mission area");
+    case MapLayer::Lanes:
+        return QStringLiteral("Lanes");
+    case MapLayer::Trails:
+        return QStringLiteral("Trails");
+    case MapLayer::Marks:
+        return QStringLiteral("Marks");
+    case MapLayer::StartPoses:
+        return QStringLiteral("Start poses");
+    case MapLayer::Laser:
+        return QStringLiteral("Laser hits");
+    case MapLayer::Goals:
+        return QStringLiteral("Goals");
+    case MapLayer::Robots:
+        break;
+    }
+    return QStringLiteral("Robots");
+}
+
+namespace {
+
+QPainterPath markShape(agent::MarkKind kind, double r) {
+    QPainterPath shape;
+    switch (kind) {
+    case agent::MarkKind::Path:
+        shape.addEllipse(QPointF(), 0.5 * r, 0.5 * r);
+        break;
+    case agent::MarkKind::Diversion:
+        shape.addPolygon(QPolygonF({{0, -r}, {r, 0}, {0, r}, {-r, 0}, {0, -r}}));
+        break;
+    case agent::MarkKind::LowRisk:
+        shape.addEllipse(QPointF(), 0.7 * r, 0.7 * r);
+        break;
+    case agent::MarkKind::HighRisk:
+        shape.addPolygon(QPolygonF({{0, -r}, {r, 0.8 * r}, {-r, 0.8 * r}, {0, -r}}));
+        break;
+    case agent::MarkKind::Recharge:
+        shape.addRect(-r, -r, 2 * r, 2 * r);
+        break;
+    case agent::MarkKind::Landing:
+        shape.addEllipse(QPointF(), r, r);
+        break;
+    case agent::MarkKind::GoalGivenUp:
+        shape.addPolygon(QPolygonF({{-r, -r},
+                                    {0, -0.35 * r},
+                                    {r, -r},
+                                    {0.35 * r, 0},
+                                    {r, r},
+                                    {0, 0.35 * r},
+                                    {-r, r},
+                                    {-0.35 * r, 0},
+                                    {-r, -r}}));
+        break;
+    }
+    return shape;
+}
+
+} // namespace
+
+void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px, double size_px) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(center_px);
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 1.0));
+    painter.setBrush(markColor(kind));
+    painter.drawPath(markShape(kind, size_px / 2.0));
+    painter.restore();
+}
+
+QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {
+    const Tokens& t = tokens();
+    painter.save();
+    painter.setFont(themeFont(FontRole::Small));
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small);
+    QRectF chip(at_px, size);
+    if (alignment & Qt::AlignRight)
+        chip.moveRight(at_px.x());
+    if (alignment & Qt::AlignHCenter)
+        chip.moveLeft(at_px.x() - size.width() / 2.0);
+    if (alignment & Qt::AlignBottom)
+        chip.moveBottom(at_px.y());
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor back = t.raised;
+    back.setAlphaF(0.92f);
+    painter.setBrush(back);
+    painter.setPen(QPen(t.line, 1.0));
+    painter.drawRoundedRect(chip.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    painter.setPen(t.text);
+    painter.drawText(chip, Qt::AlignCenter, text);
+    painter.restore();
+    return chip;
+}
+
+} // namespace usar::widgets

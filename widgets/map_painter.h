@@ -1,0 +1,53 @@
+// Draws the layers of the map. One object a frame; holds references only.
+#pragma once
+
+#include <QPainter>
+
+#include "widgets/height_layer.h"
+#include "widgets/map_content.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+/// Every layer is drawn with one opacity. Dense layers are images or thin separate segments, never one thick polyline
+/// (gui.md section 6). GUI thread.
+class MapPainter {
+public:
+    MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const MapTransform& transform);
+
+    void paintLayers();
+
+private:
+    void paint(MapLayer layer);
+    void paintWorld();
+    void paintBackgroundImage();
+    void paintGrid();
+    void paintHeights();
+    void paintArea();
+    void paintAreaHandles(const Rectangle& area_in_map);
+    void paintLanes();
+    void paintTrails();
+    void paintMarks();
+    void paintStartPoses();
+    void paintLaser();
+    void paintGoals();
+    void paintRobots();
+    void paintRobot(const RobotOnMap& robot);
+    /// Separate segments through the points, without those that are shorter than a pixel or out of sight.
+    void paintSegments(const std::vector<Vec2>& points_m);
+    void paintLabel(const QPointF& at_px, const QString& text, const QColor& ink, bool bold = false);
+
+    QPainter& painter_;
+    const MapContent& content_;
+    const HeightLayer& heights_;
+    const MapTransform& transform_;
+    const Tokens& tokens_;
+};
+
+/// The mark's picture, for the map and its legend: shapes differ, so that color is never alone.
+void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px, double size_px);
+
+/// Text on a raised chip; `at_px` is the chip's corner or middle named by `alignment`. Returns the chip.
+QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment);
+
+} // namespace usar::widgets
