@@ -1,1 +1,229 @@
 #include "core/mission/mission_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStringList>
+
+#include "core/mission/json_positions.h"
+
+namespace usar::mission {
+
+namespace {
+
+const QStringList mission_keys{"name", "world", "robot", "start", "behavior", "area", "parameters", "cell_size_m"};
+const QStringList area_keys{"x", "y", "width", "height"};
+constexpr double farthest_m = 1e6;
+
+/// Letters to change, put in or take out to make one word of the other.
+qsizetype editDistance(const QString& a, const QString& b) {
+    std::vector<qsizetype> row(static_cast<std::size_t>(b.size()) + 1);
+    for (std::size_t j = 0; j < row.size(); ++j)
+        row[j] = static_cast<qsizetype>(j);
+    for (qsizetype i = 0; i < a.size(); ++i) {
+        qsizetype diagonal = row[0]++;
+        for (std::size_t j = 1; j < row.size(); ++j) {
+            const qsizetype changed = diagonal + (a[i] == b[static_cast<qsizetype>(j) - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+QString nearest(const QString& word, const QStringList& known) {
+    return *std::min_element(known.begin(), known.end(), [&word](const QString& a, const QString& b) {
+        return editDistance(word, a) < editDistance(word, b);
+    });
+}
+
+/// Reads one file's keys; the first trouble is kept and the rest then means nothing.
+class Reading {
+public:
+    Reading(const QByteArray& json, const QString& file_name)
+        : json_(json)
+        , file_name_(file_name)
+        , keys_(jsonKeys(json)) {}
+
+    void checkKeys() {
+        for (auto key = keys_.begin(); key != keys_.end(); ++key) {
+            if (key->parent.isEmpty() || key->parent == "area")
+                checkName(*key, key->parent.isEmpty() ? mission_keys : area_keys);
+            if (std::any_of(keys_.begin(), key, [key](const JsonKey& other) { return other.path() == key->path(); }))
+                fail(key->key_offset, QString("\"%1\" is given twice").arg(key->path()), "keep one of the two");
+        }
+    }
+
+    void text(const QJsonObject& object, const QString& key, std::string& target, bool required = false) {
+        const QJsonValue value = object[key];
+        if (value.isUndefined()) {
+            if (required)
+                failMissing(key, {});
+        } else if (!value.isString() || value.toString().trimmed().isEmpty()) {
+            failAt(key, QString("\"%1\" is not a text").arg(key), "write it in quotes, not empty");
+        } else {
+            target = value.toString().toStdString();
+        }
+    }
+
+    void number(const QJsonObject& object, const QString& path, double& target, bool required) {
+        const QString key = path.section('.', -1);
+        const QJsonValue value = object[key];
+        if (value.isUndefined()) {
+            if (required)
+                failMissing(key, path.section('.', 0, -2));
+        } else if (!value.isDouble() || !std::isfinite(value.toDouble())) {
+            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in metres");
+        } else {
+            target = value.toDouble();
+        }
+    }
+
+    /// False, with an error, where the value is there but is no object.
+    bool isObject(const QJsonObject& object, const QString& key, bool required) {
+        if (object[key].isUndefined() && required)
+            failMissing(key, {});
+        else if (!object[key].isUndefined() && !object[key].isObject())
+            failAt(key, QString("\"%1\" is not an object").arg(key), "write it in braces");
+        return object[key].isObject();
+    }
+
+    void failAt(const QString& path, const QString& what, const QString& mend) {
+        const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const JsonKey& k) { return k.path() == path; });
+        fail(key == keys_.end() ? 0 : key->value_offset, what, mend);
+    }
+
+    void fail(qsizetype offset, const QString& what, const QString& mend) {
+        if (!error_)
+            error_ = Error{what.toStdString(), (file_name_ + ':' + lineAndColumn(json_, offset)).toStdString(),
+                           mend.toStdString()};
+    }
+
+    const std::optional<Error>& error() const { return error_; }
+
+private:
+    void checkName(const JsonKey& key, const QStringList& known) {
+        if (!known.contains(key.name))
+            fail(key.key_offset, QString("unknown key \"%1\"").arg(key.name),
+                 QString("did you mean \"%1\"? Known here: %2").arg(nearest(key.name, known), known.join(", ")));
+    }
+
+    void failMissing(const QString& key, const QString& parent) {
+        const QString inside = parent.isEmpty() ? QString("the mission") : QString("\"%1\"").arg(parent);
+        const QString what = QString("the key \"%1\" is missing in %2").arg(key, inside);
+        if (parent.isEmpty())
+            fail(std::max(qsizetype(0), json_.indexOf('{')), what, "add it");
+        else
+            failAt(parent, what, "add it");
+    }
+
+    const QByteArray& json_;
+    QString file_name_;
+    std::vector<JsonKey> keys_;
+    std::optional<Error> error_;
+};
+
+void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map) {
+    if (!reading.isObject(root, "area", true))
+        return;
+    const QJsonObject object = root["area"].toObject();
+    Vec2 size_m = Vec2::Zero();
+    reading.number(object, "area.x", area_in_map.min_m.x(), true);
+    reading.number(object, "area.y", area_in_map.min_m.y(), true);
+    reading.number(object, "area.width", size_m.x(), true);
+    reading.number(object, "area.height", size_m.y(), true);
+    area_in_map.max_m = area_in_map.min_m + size_m;
+    for (const QString& key : {QString("width"), QString("height")}) {
+        if (!(object[key].toDouble() > 0.0))
+            reading.failAt("area." + key, "the area has no size", QString("make \"%1\" larger than zero").arg(key));
+    }
+    if (area_in_map.min_m.cwiseAbs().maxCoeff() > farthest_m || area_in_map.max_m.cwiseAbs().maxCoeff() > farthest_m)
+        reading.failAt("area", "the area is larger or further away than any world",
+                       "stay within a thousand kilometres of the origin");
+}
+
+void readParameters(Reading& reading, const QJsonObject& root, Mission& mission) {
+    if (!reading.isObject(root, "parameters", false))
+        return;
+    const QJsonObject object = root["parameters"].toObject();
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        const std::string id = it.key().toStdString();
+        const double number = it->toDouble();
+        if (it->isBool())
+            mission.parameters[id] = it->toBool();
+        else if (it->isString())
+            mission.parameters[id] = it->toString().toStdString();
+        else if (!it->isDouble())
+            reading.failAt("parameters." + it.key(), QString("the value of \"%1\" is no parameter").arg(it.key()),
+                           "write a number, a text, true or false");
+        else if (number == std::trunc(number) && std::abs(number) < 1e15)
+            mission.parameters[id] = static_cast<long long>(number);
+        else
+            mission.parameters[id] = number;
+    }
+}
+
+} // namespace
+
+Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
+    if (problem.error != QJsonParseError::NoError)
+        return failure("this is not JSON: " + problem.errorString().toStdString(),
+                       (file_name + ':' + lineAndColumn(json, problem.offset)).toStdString(),
+                       "look at this place and just before it for a comma, a quote or a brace");
+    if (!document.isObject())
+        return failure("a mission is an object in braces", (file_name + ":1:1").toStdString(),
+                       "begin with { and end with }");
+
+    Reading reading(json, file_name);
+    reading.checkKeys();
+    const QJsonObject root = document.object();
+    Mission mission;
+    reading.text(root, "name", mission.name, true);
+    reading.text(root, "world", mission.world);
+    reading.text(root, "robot", mission.robot_class);
+    reading.text(root, "start", mission.start);
+    reading.text(root, "behavior", mission.behavior);
+    readArea(reading, root, mission.area_in_map);
+    readParameters(reading, root, mission);
+    reading.number(root, "cell_size_m", mission.cell_size_m, false);
+    if (!(mission.cell_size_m >= 0.02 && mission.cell_size_m <= 10.0))
+        reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
+    if (reading.error())
+        return tl::unexpected(*reading.error());
+    return mission;
+}
+
+Result<Mission> readMissionFile(const QString& path) {
+    constexpr qint64 maximum_bytes = 1 << 20;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure("cannot read the mission: " + file.errorString().toStdString(), path.toStdString(),
+                       "check the path; missions that come with the program are in resources/missions");
+    const QByteArray json = file.read(maximum_bytes + 1);
+    if (json.size() > maximum_bytes)
+        return failure("this is larger than any mission", path.toStdString(), "choose a mission file (JSON)");
+    return readMission(json, path);
+}
+
+std::map<std::string, agent::ParameterValue>
+withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
+                    const std::vector<agent::ParameterSpec>& specs) {
+    for (const agent::ParameterSpec& spec : specs) {
+        const auto found = parameters.find(spec.id);
+        if (spec.unit != "rad" || found == parameters.end())
+            continue;
+        if (const auto* whole = std::get_if<long long>(&found->second))
+            found->second = radians(static_cast<double>(*whole));
+        else if (const auto* real = std::get_if<double>(&found->second))
+            found->second = radians(*real);
+    }
+    return parameters;
+}
+
+} // namespace usar::mission

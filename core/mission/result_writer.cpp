@@ -1,1 +1,201 @@
 #include "core/mission/result_writer.h"
+
+#include <optional>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLockFile>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include "core/mission/map_picture.h"
+#include "core/mission/scan_metadata.h"
+
+namespace usar::mission {
+
+namespace {
+
+const QString folder_mend = "choose another folder, or make this one writable and save again";
+
+QString fileNamePart(const std::string& name, const QString& fallback) {
+    static const QRegularExpression unwanted("[^A-Za-z0-9-]+");
+    const QString part = QString::fromStdString(name).replace(unwanted, "-").left(40);
+    return part.contains(QRegularExpression("[A-Za-z0-9]")) ? part : fallback;
+}
+
+/// The first stem that no file in the folder begins with.
+QString freeStem(const QDir& folder, const ScanRecord& record) {
+    const QString base =
+        QString("USAR_Scan_%1_%2").arg(fileNamePart(record.level, "map"), fileNamePart(record.robot_name, "robot"));
+    for (int number = 1;; ++number) {
+        const QString stem = QString("%1_%2").arg(base).arg(number, 3, 10, QChar('0'));
+        if (folder.entryList({stem + ".*", stem + "_*"}, QDir::Files | QDir::Hidden).isEmpty())
+            return stem;
+    }
+}
+
+/// Writes files of one scan; after the first failure nothing more is tried.
+class Writing {
+public:
+    Writing(QString folder, QString stem) : folder_(std::move(folder)), stem_(std::move(stem)) {}
+
+    void bytes(const QString& ending, const char* data, qsizetype size) {
+        save(ending, [&](QSaveFile& file) { return file.write(data, size) == size; });
+    }
+    void bytes(const QString& ending, const QByteArray& data) { bytes(ending, data.constData(), data.size()); }
+
+    void image(const QString& ending, const QImage& picture) {
+        save(ending, [&](QSaveFile& file) {
+            QImageWriter writer(&file, "png");
+            writer.setQuality(fast_compression);
+            return writer.write(picture);
+        });
+    }
+
+    QString pathOf(const QString& ending) const { return QDir(folder_).filePath(stem_ + ending); }
+    const QStringList& files() const { return files_; }
+    const std::optional<Error>& error() const { return error_; }
+
+private:
+    /// Qt's scale: zlib level 3; the default takes thrice the time for a tenth of the size.
+    static constexpr int fast_compression = 66;
+
+    template <class Write>
+    void save(const QString& ending, const Write& write) {
+        if (error_)
+            return;
+        const QString path = pathOf(ending);
+        QSaveFile file(path);
+        if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
+            files_ << path;
+        else
+            error_ = Error{"cannot write: " + file.errorString().toStdString(), path.toStdString(),
+                           folder_mend.toStdString()};
+    }
+
+    QString folder_;
+    QString stem_;
+    QStringList files_;
+    std::optional<Error> error_;
+};
+
+QString markName(agent::MarkKind kind) {
+    using agent::MarkKind;
+    switch (kind) {
+    case MarkKind::Path:
+        return "path";
+    case MarkKind::Diversion:
+        return "diversion";
+    case MarkKind::LowRisk:
+        return "low_risk";
+    case MarkKind::HighRisk:
+        return "high_risk";
+    case MarkKind::Recharge:
+        return "recharge";
+    case MarkKind::Landing:
+        return "landing";
+    case MarkKind::GoalGivenUp:
+        break;
+    }
+    return "goal_given_up";
+}
+
+/// Marks but the path's, which has thousands.
+QJsonArray marksOf(const ScanRecord& record) {
+    QJsonArray marks;
+    for (const agent::MapMark& mark : record.marks) {
+        if (mark.kind == agent::MarkKind::Path)
+            continue;
+        marks.append(QJsonObject{{"kind", markName(mark.kind)},
+                                 {"x_m", mark.position_in_map_m.x()},
+                                 {"y_m", mark.position_in_map_m.y()},
+                                 {"z_m", mark.position_in_map_m.z()},
+                                 {"time_s", mark.time.count()}});
+    }
+    return marks;
+}
+
+QByteArray summaryBytes(const ScanRecord& record, QJsonObject summary, const QStringList& files) {
+    QJsonObject map;
+    for (const auto& [key, text] : metadataOf(record)) {
+        bool is_number = false;
+        const double value = text.toDouble(&is_number);
+        map[key] = is_number && key.endsWith("_m") ? QJsonValue(value) : QJsonValue(text);
+    }
+    map["columns"] = double(record.raster.columns);
+    map["rows"] = double(record.raster.rows);
+    map["known_cells"] = double(record.raster.knownCellCount());
+    map["no_data_m"] = double(mapping::no_data_m);
+    const Rectangle& area = record.area_in_map;
+    map["area"] = QJsonObject{
+        {"x", area.min_m.x()}, {"y", area.min_m.y()}, {"width", area.width_m()}, {"height", area.height_m()}};
+    QJsonArray names;
+    for (const QString& file : files)
+        names.append(QFileInfo(file).fileName());
+    summary["map"] = map;
+    summary["marks"] = marksOf(record);
+    summary["files"] = names;
+    return QJsonDocument(summary).toJson();
+}
+
+QByteArray worldFile(const mapping::Raster& raster) {
+    const QString cell = numberText(raster.cell_size_m);
+    return QStringList{cell,
+                       "0",
+                       "0",
+                       '-' + cell,
+                       numberText(raster.upper_left_center_m.x()),
+                       numberText(raster.upper_left_center_m.y()),
+                       {}}
+        .join('\n')
+        .toLatin1();
+}
+
+void writeMap(Writing& writing, const ScanRecord& record) {
+    const std::vector<char> heights = mapping::bilBytes(record.raster);
+    writing.bytes(".bil", heights.data(), static_cast<qsizetype>(heights.size()));
+    writing.bytes(".hdr", QByteArray::fromStdString(mapping::bilHeader(record.raster)));
+    QImage height_image = heightImage(record.raster);
+    for (const auto& [key, value] : metadataOf(record))
+        height_image.setText(key, value);
+    writing.image("_height.png", height_image);
+    writing.bytes("_height.pgw", worldFile(record.raster));
+    writing.image("_picture.png", mapPicture(record));
+}
+
+} // namespace
+
+QString defaultResultFolder() {
+    const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
+    return QDir(!desktop.isEmpty() && QDir(desktop).exists() ? desktop : QDir::homePath()).filePath("USAR_Scan");
+}
+
+Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder) {
+    if (folder.isEmpty() || !QDir().mkpath(folder))
+        return failure("cannot make the folder for the results", folder.toStdString(), folder_mend.toStdString());
+    // Held until all is written: two scans that end together must not both see the same number free.
+    QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
+    lock.setStaleLockTime(0);
+    if (!lock.tryLock(60'000))
+        return failure(lock.error() == QLockFile::LockFailedError ? "another program is still saving into the folder"
+                                                                  : "cannot write into the folder",
+                       folder.toStdString(), folder_mend.toStdString());
+
+    Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record));
+    if (!record.raster.empty())
+        writeMap(writing, record);
+    writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));
+    if (writing.error())
+        return tl::unexpected(*writing.error());
+    if (record.raster.empty())
+        return failure("nothing was scanned, so there is no map to save", folder.toStdString(),
+                       "let the robot fly over the area first; the summary is in " +
+                           QFileInfo(writing.pathOf(".json")).fileName().toStdString());
+    return writing.files();
+}
+
+} // namespace usar::mission

@@ -1,17 +1,16 @@
 // All that a mission leaves: the height map, the path and the marks, and who made them.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/agent/published.h"
-#include "core/mapping/height_map.h"
 #include "core/mapping/raster_export.h"
 
 namespace usar::mission {
 
-/// Path and marks keep the thesis's kinds; `map` belongs to the session, `raster` is what exports are made from.
+/// A plain value that crosses threads. Positions in metres, map frame. The height map itself stays with its session;
+/// `raster` is what exports are made from.
 struct ScanRecord {
     std::string robot_name;
     std::string behavior_id;

@@ -1,0 +1,100 @@
+#include "core/mission/json_positions.h"
+
+#include <algorithm>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace usar::mission {
+
+namespace {
+
+class Walker {
+public:
+    explicit Walker(const QByteArray& text) : text_(text) {}
+
+    std::vector<JsonKey> take() {
+        value({});
+        return std::move(keys_);
+    }
+
+private:
+    char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+    void skipSpace() {
+        while (at_ < text_.size() && QByteArrayView(" \t\r\n").contains(text_[at_]))
+            ++at_;
+    }
+
+    QString string() {
+        const qsizetype start = at_++;
+        while (at_ < text_.size() && text_[at_] != '"')
+            at_ += text_[at_] == '\\' ? 2 : 1;
+        ++at_;
+        return QJsonDocument::fromJson('[' + text_.mid(start, at_ - start) + ']').array().at(0).toString();
+    }
+
+    void value(const QString& path) {
+        skipSpace();
+        if (here() == '{')
+            members(path);
+        else if (here() == '[')
+            elements(path);
+        else if (here() == '"')
+            string();
+        else
+            while (at_ < text_.size() && !QByteArrayView(",]} \t\r\n").contains(text_[at_]))
+                ++at_;
+        skipSpace();
+    }
+
+    void members(const QString& path) {
+        do {
+            ++at_; // the brace or the comma
+            skipSpace();
+            if (here() != '"')
+                break;
+            JsonKey key;
+            key.key_offset = at_;
+            key.parent = path;
+            key.name = string();
+            skipSpace();
+            ++at_; // the colon
+            skipSpace();
+            key.value_offset = at_;
+            keys_.push_back(key);
+            value(key.path());
+        } while (here() == ',');
+        ++at_;
+    }
+
+    void elements(const QString& path) {
+        int index = 0;
+        do {
+            ++at_;
+            skipSpace();
+            if (here() == ']')
+                break;
+            value(path + '[' + QString::number(index++) + ']');
+        } while (here() == ',');
+        ++at_;
+    }
+
+    const QByteArray& text_;
+    qsizetype at_ = 0;
+    std::vector<JsonKey> keys_;
+};
+
+} // namespace
+
+std::vector<JsonKey> jsonKeys(const QByteArray& valid_json) {
+    return Walker(valid_json).take();
+}
+
+QString lineAndColumn(const QByteArray& text, qsizetype offset) {
+    const QByteArray before = text.left(std::clamp(offset, qsizetype(0), text.size()));
+    const QByteArray line = before.mid(before.lastIndexOf('\n') + 1);
+    return QString("%1:%2").arg(before.count('\n') + 1).arg(QString::fromUtf8(line).size() + 1);
+}
+
+} // namespace usar::mission

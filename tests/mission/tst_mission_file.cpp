@@ -1,0 +1,260 @@
+#include <QTest>
+
+#include <cmath>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "core/mission/json_positions.h"
+#include "core/mission/mission_file.h"
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+const QByteArray smallest = R"({"name": "Field", "area": {"x": -5, "y": 2.5, "width": 60, "height": 40}})";
+
+} // namespace
+
+class tst_MissionFile : public QObject {
+    Q_OBJECT
+private slots:
+    void takesTheSmallestFileAndFillsInTheRest();
+    void takesEveryKey();
+    void parametersKeepTheirTypes();
+    void anglesAreTurnedIntoRadians();
+    void rejectsTheRestAndSaysWhere_data();
+    void rejectsTheRestAndSaysWhere();
+    void everyCutOffFileIsRefusedWithAPlace();
+    void aFileThatCannotBeReadIsNamed();
+    void aHugeFileIsNotRead();
+    void theMissionsThatComeWithTheProgramAreGood_data();
+    void theMissionsThatComeWithTheProgramAreGood();
+    void columnsCountCharacters();
+    void keysAreFoundInEveryCorner();
+};
+
+void tst_MissionFile::takesTheSmallestFileAndFillsInTheRest() {
+    const auto mission = readMission(smallest, "m.json");
+    QVERIFY2(mission.has_value(), mission ? "" : mission.error().text().c_str());
+    QCOMPARE(mission->name, std::string("Field"));
+    QVERIFY(mission->area_in_map == (Rectangle{{-5, 2.5}, {55, 42.5}}));
+    QCOMPARE(mission->world, std::string("tall_test"));
+    QCOMPARE(mission->start, std::string("PlayerStart"));
+    QCOMPARE(mission->cell_size_m, 0.25);
+    QVERIFY(mission->parameters.empty());
+}
+
+void tst_MissionFile::takesEveryKey() {
+    const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
+        "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1})",
+                                     "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->world, std::string("b"));
+    QCOMPARE(mission->robot_class, std::string("USARBot.C"));
+    QCOMPARE(mission->start, std::string("d"));
+    QCOMPARE(mission->behavior, std::string("e"));
+    QCOMPARE(mission->cell_size_m, 0.1);
+}
+
+void tst_MissionFile::parametersKeepTheirTypes() {
+    QByteArray json = smallest;
+    json.insert(json.size() - 1, R"(, "parameters": {"a_m": 6.5, "count": 3, "on": true, "mode": "slow", "f_m": -2})");
+    const auto mission = readMission(json, "m.json");
+    QVERIFY(mission.has_value());
+    const std::map<std::string, agent::ParameterValue> expected{
+        {"a_m", 6.5}, {"count", 3LL}, {"on", true}, {"mode", std::string("slow")}, {"f_m", -2LL}};
+    QVERIFY(mission->parameters == expected);
+}
+
+void tst_MissionFile::anglesAreTurnedIntoRadians() {
+    agent::ParameterSpec angle;
+    angle.id = "tilt_rad";
+    angle.unit = "rad";
+    agent::ParameterSpec second = angle;
+    second.id = "yaw_rad";
+    agent::ParameterSpec length;
+    length.id = "altitude_m";
+    length.unit = "m";
+    const auto values =
+        withAnglesInRadians({{"tilt_rad", 90LL}, {"yaw_rad", -45.0}, {"altitude_m", 6LL}}, {angle, second, length});
+    QCOMPARE(std::get<double>(values.at("tilt_rad")), pi / 2);
+    QCOMPARE(std::get<double>(values.at("yaw_rad")), -pi / 4);
+    QCOMPARE(std::get<long long>(values.at("altitude_m")), 6LL);
+    QVERIFY(withAnglesInRadians({}, {angle}).empty());
+}
+
+void tst_MissionFile::rejectsTheRestAndSaysWhere_data() {
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QString>("mend");
+    const QByteArray area = R"("area": {"x": 0, "y": 0, "width": 60, "height": 40})";
+    const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
+    QTest::newRow("nothing") << QByteArray() << "m.json:1:1"
+                             << "not JSON"
+                             << "";
+    QTest::newRow("comma missing") << QByteArray("{\n  \"name\": \"a\"\n  \"world\": \"b\"\n}") << "m.json:3:"
+                                   << "not JSON"
+                                   << "comma";
+    QTest::newRow("a list") << QByteArray("[1]") << "m.json:1:1"
+                            << "object in braces"
+                            << "{";
+    QTest::newRow("misspelt key") << good + ",\n  \"behaviour\": \"e\"\n}"
+                                  << "m.json:4:3"
+                                  << "\"behaviour\""
+                                  << "\"behavior\"";
+    QTest::newRow("misspelt key of the area")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0,\n \"widht\": 60, \"height\": 40}}")
+        << "m.json:2:2"
+        << "\"widht\""
+        << "\"width\"";
+    QTest::newRow("key given twice") << good + ",\n  \"name\": \"b\"}"
+                                     << "m.json:4:3"
+                                     << "twice"
+                                     << "one";
+    QTest::newRow("name missing") << "{" + area + "}"
+                                  << "m.json:1:1"
+                                  << "\"name\" is missing"
+                                  << "add";
+    QTest::newRow("area missing") << QByteArray("\n{\"name\": \"a\"}") << "m.json:2:1"
+                                  << "\"area\" is missing"
+                                  << "add";
+    QTest::newRow("height missing") << QByteArray("{\"name\": \"a\",\n\"area\": {\"x\": 0, \"y\": 0, \"width\": 60}}")
+                                    << "m.json:2:9"
+                                    << "\"height\" is missing in \"area\""
+                                    << "add";
+    QTest::newRow("name is a number") << "{\n\"name\": 7, " + area + "}"
+                                      << "m.json:2:9"
+                                      << "not a text"
+                                      << "quotes";
+    QTest::newRow("name is empty") << "{\"name\": \" \", " + area + "}"
+                                   << "m.json:1:10"
+                                   << "not a text"
+                                   << "empty";
+    QTest::newRow("area is a list") << QByteArray("{\"name\": \"a\", \"area\": [0, 0, 60, 40]}") << "m.json:1:23"
+                                    << "not an object"
+                                    << "braces";
+    QTest::newRow("number in quotes")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": \"0\", \"y\": 0, \"width\": 6, \"height\": 4}}")
+        << "m.json:1:29"
+        << "\"x\" is not a number"
+        << "without quotes";
+    QTest::newRow("area without width")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0,\n\"width\": 0, \"height\": 4}}")
+        << "m.json:2:10"
+        << "no size"
+        << "\"width\"";
+    QTest::newRow("area of negative height")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0, \"width\": 4,\n\"height\": -4}}")
+        << "m.json:2:11"
+        << "no size"
+        << "\"height\"";
+    QTest::newRow("width not a number")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0, \"width\": NaN, \"height\": 4}}") << "m.json:1:"
+        << "not JSON"
+        << "";
+    QTest::newRow("area beyond every world")
+        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 1e7, \"y\": 0, \"width\": 4, \"height\": 4}}")
+        << "m.json:1:23"
+        << "further away"
+        << "origin";
+    QTest::newRow("cell size zero") << good + ",\n\"cell_size_m\": 0}"
+                                    << "m.json:4:16"
+                                    << "cell size"
+                                    << "0.25";
+    QTest::newRow("cell size a text") << good + ",\n\"cell_size_m\": \"fine\"}"
+                                      << "m.json:4:16"
+                                      << "not a number"
+                                      << "metres";
+    QTest::newRow("parameter is a list") << good + ",\n\"parameters\": {\"lanes\": [1]}}"
+                                         << "m.json:4:25"
+                                         << "\"lanes\" is no parameter"
+                                         << "number";
+    QTest::newRow("parameters are a text") << good + ",\n\"parameters\": \"fast\"}"
+                                           << "m.json:4:15"
+                                           << "not an object"
+                                           << "braces";
+    QTest::newRow("parameter given twice") << good + ",\n\"parameters\": {\"a\": 1, \"a\": 2}}"
+                                           << "m.json:4:24"
+                                           << "twice"
+                                           << "one";
+}
+
+void tst_MissionFile::rejectsTheRestAndSaysWhere() {
+    QFETCH(QByteArray, json);
+    QFETCH(QString, where);
+    QFETCH(QString, what);
+    QFETCH(QString, mend);
+    const auto mission = readMission(json, "m.json");
+    QVERIFY(!mission.has_value());
+    const QByteArray text = QByteArray::fromStdString(mission.error().text());
+    QVERIFY2(QString::fromStdString(mission.error().where).startsWith(where), text);
+    QVERIFY2(QString::fromStdString(mission.error().what).contains(what), text);
+    QVERIFY2(QString::fromStdString(mission.error().mend).contains(mend), text);
+}
+
+void tst_MissionFile::everyCutOffFileIsRefusedWithAPlace() {
+    for (qsizetype length = 0; length < smallest.size(); ++length) {
+        const auto mission = readMission(smallest.left(length), "m.json");
+        QVERIFY(!mission.has_value());
+        QVERIFY(QString::fromStdString(mission.error().where).startsWith("m.json:1:"));
+    }
+}
+
+void tst_MissionFile::aFileThatCannotBeReadIsNamed() {
+    const auto mission = readMissionFile("/no/such/mission.json");
+    QVERIFY(!mission.has_value());
+    QCOMPARE(mission.error().where, std::string("/no/such/mission.json"));
+    QVERIFY(!mission.error().mend.empty());
+}
+
+void tst_MissionFile::aHugeFileIsNotRead() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("huge.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray(2 << 20, ' '));
+    file.close();
+    const auto mission = readMissionFile(file.fileName());
+    QVERIFY(!mission.has_value());
+    QVERIFY(mission.error().what.find("larger") != std::string::npos);
+}
+
+void tst_MissionFile::theMissionsThatComeWithTheProgramAreGood_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<double>("area_m2");
+    QTest::newRow("quick scan") << "quick_scan.json" << 60.0 * 40.0;
+    QTest::newRow("tall test") << "tall_test.json" << 200.0 * 200.0;
+}
+
+void tst_MissionFile::theMissionsThatComeWithTheProgramAreGood() {
+    QFETCH(QString, file);
+    QFETCH(double, area_m2);
+    const auto mission = readMissionFile(USAR_SOURCE_DIR "/resources/missions/" + file);
+    QVERIFY2(mission.has_value(), mission ? "" : mission.error().text().c_str());
+    QCOMPARE(mission->area_in_map.area_m2(), area_m2);
+    QCOMPARE(mission->world, std::string("tall_test"));
+}
+
+void tst_MissionFile::columnsCountCharacters() {
+    QCOMPARE(lineAndColumn("abc", 0), QString("1:1"));
+    QCOMPARE(lineAndColumn("a\nbc", 3), QString("2:2"));
+    QCOMPARE(lineAndColumn("\xc3\xa4x", 2), QString("1:2")); // one letter of two bytes
+    QCOMPARE(lineAndColumn("ab\n", 99), QString("2:1"));
+}
+
+void tst_MissionFile::keysAreFoundInEveryCorner() {
+    const QByteArray json = R"({ "a" : [ {"b":"}, \" :"}, [], {}, 1 ] , "c\u0041": { "d" : null },"e":true})";
+    QStringList paths;
+    for (const JsonKey& key : jsonKeys(json)) {
+        paths << key.path();
+        QCOMPARE(json[key.key_offset], '"');
+    }
+    QCOMPARE(paths, QStringList({"a", "a[0].b", "cA", "cA.d", "e"}));
+    QVERIFY(jsonKeys("{}").empty());
+    QVERIFY(jsonKeys("[]").empty());
+}
+
+QTEST_APPLESS_MAIN(tst_MissionFile)
+#include "tst_mission_file.moc"
