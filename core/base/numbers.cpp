@@ -6,17 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/plain_decimal.h"
+#include "core/base/text.h"
+
 namespace usar {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
-        text.remove_prefix(1);
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-        text.remove_suffix(1);
-    return text;
-}
 
 /// Windows' run-time writes 1.#IND, -1.#QNAN, 1.#INF; digits may follow.
 std::size_t windowsNotANumber(std::string_view text) {
@@ -32,6 +27,9 @@ std::size_t windowsNotANumber(std::string_view text) {
 } // namespace
 
 NumberPrefix readNumberPrefix(std::string_view text) {
+    const char* at = text.data();
+    if (double plain = 0.0; readPlainDecimal(at, text.data() + text.size(), plain))
+        return {plain, static_cast<std::size_t>(at - text.data())};
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     if (const std::size_t used = windowsNotANumber(text))
         return {not_a_number, used};

@@ -13,12 +13,12 @@ namespace usar::protocol {
 /// One value of a message. `source` names the stream ("SEN Sonar", "STA"), `item` the sensor or group ("F1", may be
 /// empty), `field` the value within it ("range", "x"). Numbers carry SI units in our frame; a text has no number.
 struct Field {
-    std::string source;
-    std::string item;
-    std::string field;
-    std::optional<double> number;
-    std::string text;
-    std::string unit; ///< "m", "rad", "s", "" …
+    std::string source{};
+    std::string item{};
+    std::string field{};
+    std::optional<double> number{};
+    std::string text{};
+    std::string unit{}; ///< "m", "rad", "s", "" …
 
     /// "SEN Sonar/F1/range"
     std::string path() const;

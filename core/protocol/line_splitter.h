@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace usar::protocol {
 
@@ -26,11 +25,13 @@ public:
     std::size_t overlongCount() const { return overlong_count_; }
     /// Bytes of the line that has not ended.
     std::size_t pendingBytes() const { return pending_.size(); }
+    /// Forgets the unfinished line, as after a reconnect; the count stays. Not to be called from `take`.
     void reset();
 
 private:
-    /// The part of `bytes` up to its first terminator joins the pending text; true when a terminator was met.
-    bool takePiece(std::string_view& bytes);
+    /// Cuts the part up to the first terminator off `bytes`. True when there was one; `line` is then what it ended: a
+    /// view into `bytes` when the line came in one piece, else into the pending text; empty when it was dropped.
+    bool takePiece(std::string_view& bytes, std::string_view& line);
 
     std::size_t cap_bytes_;
     std::string pending_;
@@ -40,11 +41,10 @@ private:
 
 template <class Take>
 void LineSplitter::feed(std::string_view bytes, Take&& take) {
-    while (!bytes.empty()) {
-        if (!takePiece(bytes))
-            return;
-        if (!pending_.empty())
-            take(std::string_view(pending_));
+    std::string_view line;
+    while (takePiece(bytes, line)) {
+        if (!line.empty())
+            take(line);
         pending_.clear();
     }
 }

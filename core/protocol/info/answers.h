@@ -12,37 +12,38 @@ namespace usar::protocol {
 
 /// Where an item sits: on the chassis (mount "HARD") or on a part of the robot.
 struct MountedItem {
-    std::string name;
-    Pose item_in_mount;
-    std::string mount;
+    std::string name{};
+    Pose item_in_mount{};
+    std::string mount{};
     bool operator==(const MountedItem&) const = default;
 };
 
 /// GEO. `type` is the sensor type, or the vehicle kind's word for a robot (then `robot_class` is set and there are no
-/// items). The bare head that UT2004 sends for "no such thing" has neither.
+/// items). The bare head that UT2004 sends for "no such thing" has neither. A mission package's items are its links,
+/// "CameraPanTilt_Link1", mounted on the chassis or on each other: the names that other items' mounts use.
 struct GeometryInfo {
-    std::string type;
-    std::vector<MountedItem> items;
-    std::string robot_class;
-    std::optional<Vec3> dimensions_m; ///< length, width, height
-    std::optional<Vec3> center_of_gravity_m;
-    std::optional<double> wheel_radius_m;
-    std::optional<double> wheel_separation_m;
-    std::optional<double> wheel_base_m;
+    std::string type{};
+    std::vector<MountedItem> items{};
+    std::string robot_class{};
+    std::optional<Vec3> dimensions_m{}; ///< length, width, height
+    std::optional<Vec3> center_of_gravity_m{};
+    std::optional<double> wheel_radius_m{};
+    std::optional<double> wheel_separation_m{};
+    std::optional<double> wheel_base_m{};
     bool operator==(const GeometryInfo&) const = default;
 };
 
 /// A setting as it was sent; the number where the value is one.
 struct Setting {
-    std::string key;
-    std::string value;
-    std::optional<double> number;
+    std::string key{};
+    std::string value{};
+    std::optional<double> number{};
     bool operator==(const Setting&) const = default;
 };
 
 struct ConfiguredItem {
-    std::string name; ///< for a robot its class
-    std::vector<Setting> settings;
+    std::string name{}; ///< for a robot its class
+    std::vector<Setting> settings{};
 
     /// The first number under this key, without regard to case.
     std::optional<double> number(const std::string& key) const;
@@ -51,16 +52,17 @@ struct ConfiguredItem {
 
 /// CONF of a robot, of sensors, of anything: settings keep the server's keys, order and units.
 struct ConfigurationInfo {
-    std::string type;
-    std::vector<ConfiguredItem> items;
+    std::string type{};
+    std::vector<ConfiguredItem> items{};
     bool operator==(const ConfigurationInfo&) const = default;
 };
 
-/// RES, one of SET's results (UT2004 only).
+/// RES, the result of SET (UT2004 only). Where one line tells of several things (all cameras, viewports), `name` is the
+/// first and `ok` means that every one of them is.
 struct Response {
-    std::optional<Seconds> time;
-    std::string type;
-    std::string name;
+    std::optional<Seconds> time{};
+    std::string type{};
+    std::string name{};
     bool ok = false;
     bool operator==(const Response&) const = default;
 };

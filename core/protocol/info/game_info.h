@@ -11,22 +11,22 @@ namespace usar::protocol {
 
 /// NFO on connect. `level` is the map name; a time limit of 0 minutes means none.
 struct GameInfo {
-    std::string game_type;
-    std::string level;
-    std::optional<int> time_limit_min;
+    std::string game_type{};
+    std::string level{};
+    std::optional<int> time_limit_min{};
     bool operator==(const GameInfo&) const = default;
 };
 
 /// A named place to spawn at. Names need not be unique.
 struct StartPose {
-    std::string name;
-    Pose pose_in_map;
+    std::string name{};
+    Pose pose_in_map{};
     bool operator==(const StartPose&) const = default;
 };
 
 /// NFO after GETSTARTPOSES.
 struct StartPoses {
-    std::vector<StartPose> poses;
+    std::vector<StartPose> poses{};
     bool operator==(const StartPoses&) const = default;
 };
 

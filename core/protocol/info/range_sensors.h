@@ -12,15 +12,15 @@ namespace usar::protocol {
 
 /// One range; NaN where the server sent no number.
 struct NamedRange {
-    std::string name;
+    std::string name{};
     double range_m = 0.0;
     bool operator==(const NamedRange&) const = default;
 };
 
 /// SEN Sonar: all sonars of a tick (UT2004) or one of them (UDK). The reading saturates at the maximum range.
 struct SonarReadings {
-    std::optional<Seconds> time;
-    std::vector<NamedRange> ranges;
+    std::optional<Seconds> time{};
+    std::vector<NamedRange> ranges{};
     bool operator==(const SonarReadings&) const = default;
 };
 
@@ -28,11 +28,11 @@ struct SonarReadings {
 /// last one at +fov/2. The count of values rules, not the quotient of field of view and resolution. A miss reads the
 /// maximum range; NaN where the server sent no number.
 struct RangeScan {
-    std::optional<Seconds> time;
-    std::string name;
+    std::optional<Seconds> time{};
+    std::string name{};
     double resolution_rad = 0.0;
     double fov_rad = 0.0;
-    std::vector<double> ranges_m;
+    std::vector<double> ranges_m{};
 
     /// Angle of a beam in the scanner's frame, counter-clockwise positive. `index` < ranges_m.size().
     double beamAngle_rad(std::size_t index) const {

@@ -12,7 +12,7 @@ namespace usar::protocol {
 enum class VehicleKind { Unknown, Ground, Aerial, Nautic, Legged, StaticPlatform };
 
 struct JointAngle {
-    std::string name;
+    std::string name{};
     double angle_rad = 0.0;
     bool operator==(const JointAngle&) const = default;
 };
@@ -20,14 +20,14 @@ struct JointAngle {
 /// Both dialects and all kinds; what a kind does not have is absent. Steering angles are counter-clockwise positive.
 struct RobotState {
     VehicleKind kind = VehicleKind::Unknown; ///< Unknown also for UDK's aerial vehicle, which sends no Type
-    std::optional<Seconds> time;
-    std::optional<Seconds> battery_left; ///< a countdown; 99999 s from a UDK robot without a battery
-    std::optional<double> front_steer_rad;
-    std::optional<double> rear_steer_rad;
-    std::optional<bool> light_on;
-    std::optional<int> light_intensity_pct;
-    std::optional<int> view;
-    std::vector<JointAngle> joints; ///< flippers and legs, in the server's order and sign
+    std::optional<Seconds> time{};
+    std::optional<Seconds> battery_left{}; ///< a countdown; 99999 s from a UDK robot without a battery
+    std::optional<double> front_steer_rad{};
+    std::optional<double> rear_steer_rad{};
+    std::optional<bool> light_on{};
+    std::optional<int> light_intensity_pct{};
+    std::optional<int> view{};
+    std::vector<JointAngle> joints{}; ///< flippers and legs, in the server's order and sign
     bool operator==(const RobotState&) const = default;
 };
 

@@ -1,0 +1,49 @@
+// Small helpers for ASCII text whatever the locale; all work on views and allocate nothing.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace usar {
+
+/// Blank, tab, line ends: what separates words on a line.
+constexpr bool isSpace(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+constexpr bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+constexpr char lowerCase(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// `text` without the spaces around it.
+constexpr std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isSpace(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && isSpace(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+/// Cuts the first word off `text` (which keeps the rest) and gives it; empty when there is none.
+constexpr std::string_view takeWord(std::string_view& text) {
+    while (!text.empty() && isSpace(text.front()))
+        text.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < text.size() && !isSpace(text[length]))
+        ++length;
+    const std::string_view word = text.substr(0, length);
+    text.remove_prefix(length);
+    return word;
+}
+
+inline std::string lowerCase(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        c = lowerCase(c);
+    return result;
+}
+
+} // namespace usar
