@@ -1,1 +1,188 @@
 #include "core/link/tcp_link.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <QNetworkProxy>
+
+#include "core/base/numbers.h"
+
+namespace usar::link {
+
+namespace {
+
+std::chrono::milliseconds toMilliseconds(Seconds seconds) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(seconds);
+}
+
+QString inWords(Seconds seconds) {
+    const double value = seconds.count();
+    return QString::fromStdString(fixed(value, value == std::floor(value) ? 0 : 1)) + QStringLiteral(" s");
+}
+
+} // namespace
+
+TcpLink::TcpLink(QObject* parent) : QObject(parent), socket_(this), retry_timer_(this), connect_timer_(this) {
+    socket_.setProxy(QNetworkProxy::NoProxy);
+    retry_timer_.setSingleShot(true);
+    connect_timer_.setSingleShot(true);
+    connect(&retry_timer_, &QTimer::timeout, this, &TcpLink::connectNow);
+    connect(&connect_timer_, &QTimer::timeout, this, [this] {
+        failed(QStringLiteral("No answer from %1 after %2. Is USARSim running there?")
+                   .arg(place(), inWords(limits_.connect_timeout)));
+    });
+    connect(&socket_, &QTcpSocket::connected, this, &TcpLink::takeConnection);
+    connect(&socket_, &QTcpSocket::readyRead, this, &TcpLink::takeBytes);
+    connect(&socket_, &QTcpSocket::errorOccurred, this, &TcpLink::takeError);
+}
+
+TcpLink::~TcpLink() {
+    socket_.disconnect(this);
+}
+
+void TcpLink::open(const QString& host, quint16 port) {
+    close();
+    status_.host = host.trimmed();
+    status_.port = port;
+    wanted_ = true;
+    failed_tries_ = 0;
+    connectNow();
+}
+
+void TcpLink::close() {
+    wanted_ = false;
+    retry_timer_.stop();
+    const bool was_connected = status_.state == LinkState::Connected;
+    if (was_connected)
+        socket_.flush();
+    dropConnection();
+    setStatus(LinkState::Disconnected);
+    if (was_connected)
+        emit closed();
+}
+
+void TcpLink::send(std::string_view line) {
+    if (status_.state != LinkState::Connected)
+        return;
+    socket_.write(line.data(), static_cast<qint64>(line.size()));
+    socket_.write("\r\n", 2);
+}
+
+void TcpLink::connectNow() {
+    if (socket_.state() != QAbstractSocket::UnconnectedState) { // still handing over the last bytes of a closed one
+        const QSignalBlocker quiet(socket_);
+        socket_.abort();
+    }
+    setStatus(LinkState::Connecting);
+    connect_timer_.start(toMilliseconds(limits_.connect_timeout));
+    socket_.connectToHost(status_.host, status_.port);
+}
+
+void TcpLink::takeConnection() {
+    connect_timer_.stop();
+    splitter_.reset(); // here and not when connecting: a taker may reconnect in the middle of a chunk
+    greeting_.reset();
+    socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+    setStatus(LinkState::Connected);
+    emit opened();
+}
+
+void TcpLink::takeBytes() {
+    std::array<char, 65536> buffer;
+    while (status_.state == LinkState::Connected) {
+        const qint64 count = socket_.read(buffer.data(), buffer.size());
+        if (count <= 0)
+            return;
+        const std::string_view bytes(buffer.data(), static_cast<std::size_t>(count));
+        greeting_.takeBytes(bytes);
+        splitter_.feed(bytes, [this](std::string_view line) { giveLine(line); });
+        if (status_.state == LinkState::Connected && greeting_.verdict() == GreetingCheck::Verdict::Foreign)
+            failed(foreignReason());
+    }
+}
+
+void TcpLink::giveLine(std::string_view line) {
+    if (greeting_.verdict() == GreetingCheck::Verdict::Unknown) {
+        greeting_.takeLine(line);
+        if (greeting_.verdict() == GreetingCheck::Verdict::Usarsim)
+            failed_tries_ = 0;
+    }
+    // The taker may have closed the link on an earlier line of the same chunk.
+    if (status_.state == LinkState::Connected && greeting_.verdict() != GreetingCheck::Verdict::Foreign && take_line_)
+        take_line_(line);
+}
+
+void TcpLink::takeError(QAbstractSocket::SocketError error) {
+    if (error == QAbstractSocket::RemoteHostClosedError)
+        takeBytes();
+    // Reading the last bytes may already have judged the connection.
+    if (wanted_ && (status_.state == LinkState::Connected || status_.state == LinkState::Connecting))
+        failed(greeting_.suspicious() ? foreignReason() : reasonOf(error));
+}
+
+QString TcpLink::place() const {
+    return QStringLiteral("%1:%2").arg(status_.host).arg(status_.port);
+}
+
+QString TcpLink::foreignReason() const {
+    return QStringLiteral("%1 does not speak USARSim. Check the port (usually 3000).").arg(place());
+}
+
+QString TcpLink::reasonOf(QAbstractSocket::SocketError error) const {
+    switch (error) {
+    case QAbstractSocket::ConnectionRefusedError:
+        return QStringLiteral("Nothing listens at %1. Start USARSim there, or check the port (usually 3000).")
+            .arg(place());
+    case QAbstractSocket::HostNotFoundError:
+        return QStringLiteral("There is no host named \"%1\". Check the spelling, or type its address.")
+            .arg(status_.host);
+    case QAbstractSocket::RemoteHostClosedError:
+        return QStringLiteral("The server at %1 closed the connection. Did it end, change its map, or is it full?")
+            .arg(place());
+    default:
+        return QStringLiteral("Trouble with %1: %2. Check the network and the address.")
+            .arg(place(), socket_.errorString());
+    }
+}
+
+void TcpLink::failed(const QString& trouble) {
+    const bool was_connected = status_.state == LinkState::Connected;
+    dropConnection();
+    const Seconds wait = std::min(limits_.longest_retry, limits_.first_retry * std::exp2(std::min(failed_tries_, 20)));
+    ++failed_tries_;
+    retry_timer_.start(toMilliseconds(wait));
+    setStatus(LinkState::Waiting, trouble, wait);
+    if (was_connected)
+        emit closed();
+}
+
+void TcpLink::dropConnection() {
+    connect_timer_.stop();
+    const QSignalBlocker quiet(socket_);
+    // A graceful end first, so that queued bytes still go out; abort only what never connected.
+    if (socket_.state() == QAbstractSocket::ConnectedState)
+        socket_.disconnectFromHost();
+    if (socket_.state() != QAbstractSocket::UnconnectedState && socket_.bytesToWrite() == 0)
+        socket_.abort();
+}
+
+void TcpLink::setStatus(LinkState state, const QString& trouble, Seconds retry_in) {
+    LinkStatus next = status_;
+    next.state = state;
+    next.trouble = trouble;
+    next.reason = trouble;
+    if (state == LinkState::Waiting)
+        next.reason += QStringLiteral(" Retrying in %1.").arg(inWords(retry_in));
+    next.retry_in = retry_in;
+    if (next == status_)
+        return;
+    status_ = next;
+    emit statusChanged(status_);
+}
+
+} // namespace usar::link
+
+#include "moc_tcp_link.cpp" // apart from the other half of this folder: who links a client needs no simulator

@@ -1,58 +1,96 @@
 // The client's end of one connection to a USARSim server.
 #pragma once
 
+#include <functional>
+#include <string_view>
+#include <utility>
+
 #include <QObject>
 #include <QString>
 #include <QTcpSocket>
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/link/greeting_check.h"
 #include "core/protocol/line_splitter.h"
 
 namespace usar::link {
 
 enum class LinkState { Disconnected, Connecting, Connected, Waiting }; ///< Waiting: for the next try
 
-/// What the connection bar shows. `reason` is a sentence with the mend, empty while all is well.
+/// What the connection bar shows. `reason` is one or two sentences with the mend, empty while all is well.
 struct LinkStatus {
     LinkState state = LinkState::Disconnected;
     QString host;
     quint16 port = 0;
     QString reason;
+    QString trouble;       ///< `reason` without "Retrying in 4 s."
     Seconds retry_in{0.0}; ///< while Waiting
     bool operator==(const LinkStatus&) const = default;
 };
 
-/// Connects, reconnects with back-off (0.5 s doubling to 10 s) until told to close, gives whole lines, and sends lines
-/// with CR LF. Never blocks. Lives in its owner's thread, which has an event loop.
+/// Wall-clock limits. Tests shorten them.
+struct LinkLimits {
+    Seconds connect_timeout{5.0};
+    Seconds first_retry{0.5};
+    Seconds longest_retry{10.0};
+};
+
+/// Connects, reconnects with back-off until told to close, gives whole lines, and sends lines with CR LF. The back-off
+/// starts anew only when the server has said something that looks like USARSim, so a port that accepts and hangs up is
+/// not hammered. Never blocks; always reads. Lives in its owner's thread, which has an event loop.
 class TcpLink : public QObject {
     Q_OBJECT
 public:
-    explicit TcpLink(QObject* parent = nullptr);
+    /// The view lives during the call and has no terminator.
+    using LineTaker = std::function<void(std::string_view line)>;
 
+    explicit TcpLink(QObject* parent = nullptr);
+    ~TcpLink() override;
+
+    void setLimits(const LinkLimits& limits) { limits_ = limits; }
+    /// Who gets the lines: a plain call, for a signal with a copy is too dear at hundreds of times real time. The taker
+    /// may call any function of the link.
+    void setLineTaker(LineTaker taker) { take_line_ = std::move(taker); }
+
+    /// Closes what is open, then connects there.
     void open(const QString& host, quint16 port);
     /// Sends what is queued, closes, and does not reconnect.
     void close();
-    void send(const std::string& line);
+    /// Queues the line; dropped while there is no connection.
+    void send(std::string_view line);
+    /// Hands what is queued to the network now instead of when the event loop gets to it.
+    void flush() { socket_.flush(); }
     const LinkStatus& status() const { return status_; }
-    /// Lines longer than the splitter's cap that were dropped.
+    /// Lines longer than the splitter's cap that were dropped, over all connections.
     std::size_t overlongCount() const { return splitter_.overlongCount(); }
 
 signals:
     void statusChanged(const usar::link::LinkStatus& status);
-    /// Emitted for each line; the text is without its terminator.
-    void lineReceived(const std::string& line);
     void opened();
+    /// After `opened`, when the connection is gone for any reason; not for tries that never connected.
     void closed();
 
 private:
     void connectNow();
-    void failed(const QString& reason);
-    void setStatus(LinkState state, const QString& reason = {}, Seconds retry_in = Seconds{0.0});
+    void takeConnection();
+    void takeBytes();
+    void giveLine(std::string_view line);
+    void takeError(QAbstractSocket::SocketError error);
+    QString place() const;
+    QString foreignReason() const;
+    QString reasonOf(QAbstractSocket::SocketError error) const;
+    void failed(const QString& trouble);
+    void dropConnection();
+    void setStatus(LinkState state, const QString& trouble = {}, Seconds retry_in = Seconds{0.0});
 
     QTcpSocket socket_;
     QTimer retry_timer_;
+    QTimer connect_timer_;
+    LineTaker take_line_;
+    LinkLimits limits_;
     protocol::LineSplitter splitter_;
+    GreetingCheck greeting_;
     LinkStatus status_;
     int failed_tries_ = 0;
     bool wanted_ = false;

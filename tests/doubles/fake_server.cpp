@@ -1,0 +1,62 @@
+#include "tests/doubles/fake_server.h"
+
+#include <QHostAddress>
+
+namespace usar::test {
+
+FakeServer::FakeServer(QObject* parent) : QObject(parent) {
+    connect(&server_, &QTcpServer::newConnection, this, &FakeServer::accept);
+}
+
+bool FakeServer::listen(quint16 port) {
+    return server_.listen(QHostAddress::LocalHost, port);
+}
+
+void FakeServer::accept() {
+    while (QTcpSocket* socket = server_.nextPendingConnection()) {
+        client_ = socket;
+        ++connection_count_;
+        connect(socket, &QTcpSocket::readyRead, this, [this, socket] { read(socket); });
+        connect(socket, &QTcpSocket::disconnected, socket, &QObject::deleteLater);
+        if (on_connect)
+            on_connect();
+    }
+}
+
+void FakeServer::read(QTcpSocket* socket) {
+    while (socket->canReadLine()) {
+        QByteArray line = socket->readLine();
+        while (line.endsWith('\n') || line.endsWith('\r'))
+            line.chop(1);
+        heard_.append(line);
+        if (on_line)
+            on_line(line);
+    }
+}
+
+void FakeServer::say(const QByteArray& bytes) {
+    if (client_) {
+        client_->write(bytes);
+        client_->flush();
+    }
+}
+
+void FakeServer::sayInChunks(const QByteArray& bytes, qsizetype chunk_size) {
+    for (qsizetype at = 0; at < bytes.size(); at += chunk_size)
+        say(bytes.mid(at, chunk_size));
+}
+
+void FakeServer::hangUp() {
+    if (client_)
+        client_->disconnectFromHost();
+}
+
+QList<QByteArray> FakeServer::heardOf(const QByteArray& word) const {
+    QList<QByteArray> lines;
+    for (const QByteArray& line : heard_)
+        if (line.startsWith(word))
+            lines.append(line);
+    return lines;
+}
+
+} // namespace usar::test

@@ -1,0 +1,52 @@
+// A server that says what a test tells it to: scripted lines in any chunks, garbage, half lines, silence.
+#pragma once
+
+#include <functional>
+
+#include <QByteArray>
+#include <QList>
+#include <QObject>
+#include <QPointer>
+#include <QTcpServer>
+#include <QTcpSocket>
+
+namespace usar::test {
+
+/// Loopback only. Talks to the newest client. Lives in the test's thread.
+class FakeServer : public QObject {
+    Q_OBJECT
+public:
+    explicit FakeServer(QObject* parent = nullptr);
+
+    /// A free port when `port` is 0.
+    bool listen(quint16 port = 0);
+    quint16 port() const { return server_.serverPort(); }
+    void stopListening() { server_.close(); }
+
+    /// Called for each new client, and for each line that a client sent (without its terminator).
+    std::function<void()> on_connect;
+    std::function<void(const QByteArray& line)> on_line;
+
+    void say(const QByteArray& bytes);
+    /// One write per `chunk_size` bytes, each pushed out at once.
+    void sayInChunks(const QByteArray& bytes, qsizetype chunk_size);
+    void hangUp();
+
+    bool hasClient() const { return client_ && client_->state() == QAbstractSocket::ConnectedState; }
+    int connectionCount() const { return connection_count_; }
+    const QList<QByteArray>& heard() const { return heard_; }
+    /// The lines heard that begin so.
+    QList<QByteArray> heardOf(const QByteArray& word) const;
+    void forget() { heard_.clear(); }
+
+private:
+    void accept();
+    void read(QTcpSocket* socket);
+
+    QTcpServer server_;
+    QPointer<QTcpSocket> client_;
+    QList<QByteArray> heard_;
+    int connection_count_ = 0;
+};
+
+} // namespace usar::test
