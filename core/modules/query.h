@@ -17,7 +17,10 @@ enum class QueryState { Unknown, Pending, Ready, Failed };
 
 /// Geometry and configuration module of the thesis (3.3). The server holds one pending question of each kind and loses
 /// the earlier one, so questions wait in line: the next is sent when the answer came or 1 s has passed; a question is
-/// sent three times before it fails. `Answer` is GeometryInfo or ConfigurationInfo, `Question` GetGeometry or
+/// sent three times before it fails. An answer is known by its type and, where one was asked for, its name, both in any
+/// case; the answer about the type Robot has the word of a vehicle kind instead, and its name is not looked at. An
+/// answer that tells nothing (UT2004's bare head) means that there is no such thing: Failed at once. UDK answers
+/// nothing then, so three seconds pass. `Answer` is GeometryInfo or ConfigurationInfo, `Question` GetGeometry or
 /// GetConfiguration.
 template <class Question, class Answer>
 class QueryModule {
@@ -29,17 +32,22 @@ public:
     const Answer* answer(const std::string& type, const std::string& name = {}) const;
 
     void take(const protocol::InfoLine& line);
-    /// The question to send now, if the line is free; marks it as sent at `now`.
+    /// The question to send now, if the line is free; marks it as sent at `now` (the protocol's clock).
     std::optional<protocol::Command> next(Seconds now);
 
 private:
-    using Key = std::pair<std::string, std::string>; // lower-case type, name
+    using Key = std::pair<std::string, std::string>; // type and name in lower case
     struct Entry {
         Question question;
         QueryState state = QueryState::Pending;
         int times_sent = 0;
-        std::optional<Answer> answer;
+        std::optional<Answer> answer{};
     };
+
+    static Key keyOf(const std::string& type, const std::string& name);
+    bool answers(const Key& key, const Answer& answer, bool asked_now) const;
+    void giveUpOrWait(const Key& key);
+
     std::map<Key, Entry> entries_;
     std::deque<Key> waiting_;
     std::optional<std::pair<Key, Seconds>> outstanding_;

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "core/protocol/info_message.h"
 
@@ -18,7 +18,9 @@ struct Stamped {
     LineNumber line;
 };
 
-/// Non-queued sensor module of the thesis (3.3): a new reading replaces the old one of the same type and name.
+/// Non-queued sensor module of the thesis (3.3): a new reading replaces the old one of the same type and name; a bare
+/// head
+/// ("no news") replaces nothing. Pointers live until the next `take`.
 class SensorModule {
 public:
     /// `now` is the protocol clock, used for readings without a time of their own.
@@ -35,10 +37,32 @@ public:
     }
     const Stamped<protocol::OdometryReading>* odometry() const { return odometry_ ? &*odometry_ : nullptr; }
     const Stamped<protocol::EncoderTicks>* encoder(const std::string& name) const;
-    /// Sensors of types that no table knows: newest line by (type, name).
+    /// Sensors of types that no table knows, and damaged lines of known ones: newest line by (type, name), the type in
+    /// any case.
     const Stamped<protocol::GenericMessage>* generic(const std::string& type, const std::string& name) const;
 
 private:
+    struct Arrival {
+        Seconds time{0.0};
+        LineNumber line;
+    };
+
+    void file(const protocol::SonarReadings& message);
+    void file(const protocol::RangeScan& message);
+    void file(const protocol::InsReading& message);
+    void file(const protocol::GroundTruthReading& message);
+    void file(const protocol::OdometryReading& message);
+    void file(const protocol::EncoderReadings& message);
+    void file(const protocol::GenericMessage& message);
+    /// Everything that is no sensor's.
+    template <class Other>
+    void file(const Other&) {}
+    template <class Value>
+    Stamped<Value> stamped(const Value& value) const {
+        return {value, arrival_.time, arrival_.line};
+    }
+
+    Arrival arrival_; ///< of the line that is being filed
     std::map<std::string, Stamped<protocol::NamedRange>> sonars_;
     std::map<std::string, Stamped<protocol::RangeScan>> scans_;
     std::string first_scanner_;

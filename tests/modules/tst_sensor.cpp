@@ -1,0 +1,134 @@
+#include <QTest>
+
+#include "core/modules/sensor.h"
+#include "core/protocol/reader.h"
+
+using namespace usar;
+
+namespace {
+
+/// A module fed line by line at growing clock times 1, 2, 3 … s.
+struct Fed {
+    protocol::Reader reader;
+    modules::SensorModule sensors;
+    double now_s = 0.0;
+
+    explicit Fed(std::initializer_list<const char*> lines) {
+        for (const char* line : lines)
+            sensors.take(reader.read(line), Seconds(++now_s));
+    }
+};
+
+} // namespace
+
+class tst_Sensor : public QObject {
+    Q_OBJECT
+private slots:
+    void knowsNothingAtFirst();
+    void filesSonarsByName();
+    void aNewReadingReplacesTheOldOfItsName();
+    void theFirstScannerAnswersToNoName();
+    void stampsWithOwnTimeElseWithTheClock();
+    void keepsPoseSensorsApart();
+    void noNewsReplacesNothing_data();
+    void noNewsReplacesNothing();
+    void keepsUnknownSensorsByTypeAndName();
+    void aDamagedReadingReplacesNoGoodOne();
+    void groupedUnknownSensorsDoNotPileUp();
+};
+
+void tst_Sensor::knowsNothingAtFirst() {
+    const modules::SensorModule sensors;
+    QVERIFY(!sensors.sonar("F1") && !sensors.scan() && !sensors.ins() && !sensors.groundTruth());
+    QVERIFY(!sensors.odometry() && !sensors.encoder("L") && !sensors.generic("GPS", "GPS"));
+    QVERIFY(sensors.sonars().empty());
+}
+
+void tst_Sensor::filesSonarsByName() {
+    const Fed fed({"SEN {Time 5} {Type Sonar} {Name F1 Range 4.5} {Name F2 Range 2.5}",
+                   "SEN {Time 6} {Type Sonar} {Name Rear} {Range 1.5}"});
+    QCOMPARE(fed.sensors.sonars().size(), std::size_t(3));
+    QCOMPARE(fed.sensors.sonar("F2")->value.range_m, 2.5);
+    QCOMPARE(fed.sensors.sonar("Rear")->time.count(), 6.0);
+    QVERIFY(!fed.sensors.sonar("F3"));
+}
+
+void tst_Sensor::aNewReadingReplacesTheOldOfItsName() {
+    const Fed fed({"SEN {Time 5} {Type Sonar} {Name F1 Range 4.5} {Name F2 Range 2.5}",
+                   "SEN {Time 6} {Type Sonar} {Name F1 Range 4.0}"});
+    QCOMPARE(fed.sensors.sonar("F1")->value.range_m, 4.0);
+    QCOMPARE(fed.sensors.sonar("F1")->line.value, 2u);
+    QCOMPARE(fed.sensors.sonar("F2")->value.range_m, 2.5);
+    QCOMPARE(fed.sensors.sonar("F2")->line.value, 1u);
+}
+
+void tst_Sensor::theFirstScannerAnswersToNoName() {
+    const Fed fed({"SEN {Type RangeScanner} {Name Belly} {Resolution 1} {FOV 2} {Range 1,2,3}",
+                   "SEN {Type RangeScanner} {Name Anterior} {Resolution 1} {FOV 2} {Range 4,5,6}"});
+    QCOMPARE(fed.sensors.scan()->value.name, std::string("Belly"));
+    QCOMPARE(fed.sensors.scan("Anterior")->value.ranges_m[0], 4.0);
+    QVERIFY(!fed.sensors.scan("Posterior"));
+}
+
+void tst_Sensor::stampsWithOwnTimeElseWithTheClock() {
+    const Fed fed({"SEN {Type INS} {Name INS} {Location 1,2,3} {Orientation 0,0,0}",
+                   "SEN {Time 77.5} {Type GroundTruth} {Name GT} {Location 1,2,3} {Orientation 0,0,0}"});
+    QCOMPARE(fed.sensors.ins()->time.count(), 1.0);
+    QCOMPARE(fed.sensors.groundTruth()->time.count(), 77.5);
+}
+
+void tst_Sensor::keepsPoseSensorsApart() {
+    const Fed fed({"SEN {Type INS} {Name INS} {Location 1,0,0} {Orientation 0,0,0}",
+                   "SEN {Time 2} {Type GroundTruth} {Name GT} {Location 2,0,0} {Orientation 0,0,0}",
+                   "SEN {Type Odometry} {Name O} {Pose 3,0,0}", "SEN {Type Encoder} {Name L Tick 4} {Name R Tick 5}"});
+    QCOMPARE(fed.sensors.ins()->value.base_in_map.position_m.x(), 1.0);
+    QCOMPARE(fed.sensors.groundTruth()->value.base_in_map.position_m.x(), 2.0);
+    QCOMPARE(fed.sensors.odometry()->value.base_in_start->position_m.x(), 3.0);
+    QCOMPARE(fed.sensors.encoder("L")->value.ticks, 4);
+    QCOMPARE(fed.sensors.encoder("R")->value.ticks, 5);
+}
+
+void tst_Sensor::noNewsReplacesNothing_data() {
+    QTest::addColumn<QByteArray>("head");
+    QTest::newRow("odometry") << QByteArray("SEN {Time 9} {Type Odometry} ");
+    QTest::newRow("tachometer") << QByteArray("SEN {Time 9} {Type Tachometer} {Name T}");
+    QTest::newRow("sonar") << QByteArray("SEN {Time 9} {Type Sonar} ");
+    QTest::newRow("ground truth") << QByteArray("SEN {Time 9} {Type GroundTruth} ");
+}
+
+void tst_Sensor::noNewsReplacesNothing() {
+    QFETCH(QByteArray, head);
+    Fed fed({"SEN {Type Odometry} {Name O} {Pose 3,0,0}", "SEN {Type Tachometer} {Name T} {Vel 1,2}",
+             "SEN {Type Sonar} {Name F1 Range 1}",
+             "SEN {Time 2} {Type GroundTruth} {Name GT} {Location 2,0,0} {Orientation 0,0,0}"});
+    fed.sensors.take(fed.reader.read(head.toStdString()), Seconds(9));
+    QCOMPARE(fed.sensors.odometry()->line.value, 1u);
+    QCOMPARE(fed.sensors.generic("Tachometer", "T")->line.value, 2u);
+    QCOMPARE(fed.sensors.sonar("F1")->line.value, 3u);
+    QCOMPARE(fed.sensors.groundTruth()->line.value, 4u);
+}
+
+void tst_Sensor::keepsUnknownSensorsByTypeAndName() {
+    const Fed fed({"SEN {Type GPS} {Name A} {Fix 0} {Satellites 0}", "SEN {Type gps} {Name A} {Fix 1} {Satellites 7}",
+                   "SEN {Type GPS} {Name B} {Fix 0} {Satellites 1}", "EFF {Type GPS} {Name A} {On}"});
+    QCOMPARE(fed.sensors.generic("GPS", "A")->line.value, 2u);
+    QCOMPARE(fed.sensors.generic("Gps", "B")->line.value, 3u);
+    QVERIFY(!fed.sensors.generic("GPS", "C"));
+}
+
+void tst_Sensor::aDamagedReadingReplacesNoGoodOne() {
+    const Fed fed({"SEN {Type INS} {Name INS} {Location 1,2,3} {Orientation 0,0,0}",
+                   "SEN {Type INS} {Name INS} {Location 1,nan,3} {Orientation 0,0,0}"});
+    QCOMPARE(fed.sensors.ins()->line.value, 1u);
+    QCOMPARE(fed.sensors.generic("INS", "INS")->line.value, 2u);
+}
+
+void tst_Sensor::groupedUnknownSensorsDoNotPileUp() {
+    const Fed fed({"SEN {Type Touch} {Name Left Touch False} {Name Right Touch False}",
+                   "SEN {Type Touch} {Name Left Touch True} {Name Right Touch False}"});
+    QCOMPARE(fed.sensors.generic("Touch", "Left")->line.value, 2u);
+    QVERIFY(!fed.sensors.generic("Touch", "Left Touch False"));
+}
+
+QTEST_APPLESS_MAIN(tst_Sensor)
+#include "tst_sensor.moc"

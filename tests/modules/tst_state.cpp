@@ -1,0 +1,66 @@
+#include <QTest>
+
+#include "core/modules/state.h"
+#include "core/protocol/reader.h"
+
+using namespace usar;
+
+class tst_State : public QObject {
+    Q_OBJECT
+private slots:
+    void knowsNothingBeforeTheFirstState();
+    void theNewestStateReplacesTheOld();
+    void theClockNeverRunsBackward();
+    void otherLinesChangeNothing_data();
+    void otherLinesChangeNothing();
+};
+
+void tst_State::knowsNothingBeforeTheFirstState() {
+    const modules::StateModule state;
+    QVERIFY(!state.latest());
+    QCOMPARE(state.now().count(), 0.0);
+    QCOMPARE(state.line().value, 0u);
+}
+
+void tst_State::theNewestStateReplacesTheOld() {
+    protocol::Reader reader;
+    modules::StateModule state;
+    state.take(reader.read("STA {Type AerialVehicle} {Time 10.00} {Battery 1200} {View -1}"));
+    state.take(reader.read("STA {Type AerialVehicle} {Time 10.20} {Battery 1199}"));
+    QCOMPARE(state.latest()->battery_left->count(), 1199.0);
+    QVERIFY(!state.latest()->view);
+    QCOMPARE(state.now().count(), 10.2);
+    QCOMPARE(state.line().value, 2u);
+}
+
+void tst_State::theClockNeverRunsBackward() {
+    protocol::Reader reader;
+    modules::StateModule state;
+    state.take(reader.read("STA {Time 10.00} {Battery 5}"));
+    state.take(reader.read("STA {Time 9.00} {Battery 4}"));
+    state.take(reader.read("STA {Battery 3}"));
+    QCOMPARE(state.now().count(), 10.0);
+    QCOMPARE(state.latest()->battery_left->count(), 3.0);
+}
+
+void tst_State::otherLinesChangeNothing_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::newRow("a sensor with a later time") << QByteArray("SEN {Time 99} {Type Sonar} {Name F1 Range 1}");
+    QTest::newRow("a mission package") << QByteArray("MISSTA {Time 99} {Name Cam} {Link 1} {Value 0}");
+    QTest::newRow("the state of a box") << QByteArray("STA {Name Box1} {Size 1,1,1} {Time 99}");
+    QTest::newRow("a state without words") << QByteArray("STA");
+}
+
+void tst_State::otherLinesChangeNothing() {
+    QFETCH(QByteArray, line);
+    protocol::Reader reader;
+    modules::StateModule state;
+    state.take(reader.read("STA {Time 10.00} {Battery 5}"));
+    state.take(reader.read(line.toStdString()));
+    QCOMPARE(state.now().count(), 10.0);
+    QCOMPARE(state.line().value, 1u);
+    QCOMPARE(state.latest()->battery_left->count(), 5.0);
+}
+
+QTEST_APPLESS_MAIN(tst_State)
+#include "tst_state.moc"
