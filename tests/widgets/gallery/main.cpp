@@ -24,6 +24,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("map"), gallery::mapPage},
     {QStringLiteral("area"), gallery::areaPage},
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
+    {QStringLiteral("parameters"), gallery::parametersPage},
     {QStringLiteral("icons"), gallery::iconsPage},
 };
 

@@ -10,6 +10,7 @@ namespace usar::gallery {
 std::unique_ptr<QWidget> mapPage();
 std::unique_ptr<QWidget> areaPage();
 std::unique_ptr<QWidget> emptyMapPage();
+std::unique_ptr<QWidget> parametersPage();
 std::unique_ptr<QWidget> iconsPage();
 
 } // namespace usar::gallery

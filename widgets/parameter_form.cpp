@@ -1,0 +1,173 @@
+#include "widgets/parameter_form.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "widgets/empty_state.h"
+#include "widgets/icons.h"
+#include "widgets/parameter_row.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+ParameterForm::ParameterForm(QWidget* parent)
+    : QWidget(parent)
+    , search_(new QLineEdit(this))
+    , scroll_(new QScrollArea(this))
+    , nothing_(new QLabel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, 0, 0);
+    column->setSpacing(gap::small);
+    column->addWidget(makeTools());
+    column->addWidget(nothing_);
+    column->addWidget(scroll_, 1);
+    nothing_->setProperty("role", "muted");
+    nothing_->setWordWrap(true);
+    nothing_->hide();
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    empty_state_ = new EmptyState(this);
+    empty_state_->setText(tr("No parameters yet"), tr("Choose a robot and a behavior; its settings appear here."));
+    setSpecs({});
+}
+
+QWidget* ParameterForm::makeTools() {
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, gap::small, 0);
+    row->setSpacing(gap::tiny);
+    search_->setPlaceholderText(tr("Search parameters"));
+    search_->setAccessibleName(tr("Search parameters"));
+    search_->setClearButtonEnabled(true);
+    search_->setMinimumHeight(minimum_target);
+    search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    modified_only_ = makeButton(tr("Show only what differs from its default"));
+    modified_only_->setText(tr("Modified"));
+    modified_only_->setCheckable(true);
+    reset_all_ = makeButton(tr("All parameters back to their defaults"));
+    reset_all_->setIcon(icon(QStringLiteral("reset")));
+    row->addWidget(search_, 1);
+    row->addWidget(modified_only_);
+    row->addWidget(reset_all_);
+    connect(search_, &QLineEdit::textChanged, this, &ParameterForm::applyFilter);
+    connect(modified_only_, &QToolButton::toggled, this, &ParameterForm::applyFilter);
+    connect(reset_all_, &QToolButton::clicked, this, &ParameterForm::resetAll);
+    return tools;
+}
+
+QToolButton* ParameterForm::makeButton(const QString& text) {
+    auto* button = new QToolButton(this);
+    button->setToolTip(text);
+    button->setAccessibleName(text);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setMinimumSize(minimum_target, minimum_target);
+    return button;
+}
+
+void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {
+    groups_.clear();
+    auto* page = new QWidget;
+    for (const agent::ParameterSpec& spec : specs) {
+        auto* row = new ParameterRow(spec, page);
+        connect(row, &ParameterRow::edited, this, &ParameterForm::rowEdited);
+        groupOf(spec.group).rows.push_back(row);
+    }
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, gap::small, gap::small);
+    column->setSpacing(gap::tiny);
+    for (auto& [name, group] : groups_) {
+        group.header = new QLabel(QString::fromStdString(name), page);
+        group.header->setProperty("role", "muted");
+        group.header->setContentsMargins(0, column->isEmpty() ? 0 : gap::small, 0, 0);
+        column->addWidget(group.header);
+        for (ParameterRow* row : group.rows)
+            column->addWidget(row);
+    }
+    column->addStretch();
+    scroll_->setWidget(page);
+    empty_state_->setVisible(specs.empty());
+    empty_state_->raise();
+    for (QWidget* tool : {static_cast<QWidget*>(search_), static_cast<QWidget*>(modified_only_)})
+        tool->setVisible(!specs.empty());
+    applyFilter();
+}
+
+ParameterForm::Group& ParameterForm::groupOf(const std::string& name) {
+    const auto found = std::ranges::find(groups_, name, &std::pair<std::string, Group>::first);
+    return found != groups_.end() ? found->second : groups_.emplace_back(name, Group{}).second;
+}
+
+void ParameterForm::setValues(const std::map<std::string, agent::ParameterValue>& values) {
+    for (auto& [name, group] : groups_)
+        for (ParameterRow* row : group.rows)
+            if (const auto found = values.find(row->spec().id); found != values.end())
+                row->setValue(found->second);
+    applyFilter();
+}
+
+std::map<std::string, agent::ParameterValue> ParameterForm::values() const {
+    std::map<std::string, agent::ParameterValue> all;
+    for (const auto& [name, group] : groups_)
+        for (const ParameterRow* row : group.rows)
+            all[row->spec().id] = row->value();
+    return all;
+}
+
+std::map<std::string, agent::ParameterValue> ParameterForm::modified() const {
+    std::map<std::string, agent::ParameterValue> changes;
+    for (const auto& [name, group] : groups_)
+        for (const ParameterRow* row : group.rows)
+            if (row->modified())
+                changes[row->spec().id] = row->value();
+    return changes;
+}
+
+void ParameterForm::setFilter(const QString& words) {
+    search_->setText(words);
+}
+
+void ParameterForm::setModifiedOnly(bool on) {
+    modified_only_->setChecked(on);
+}
+
+void ParameterForm::resetAll() {
+    if (modified().empty())
+        return;
+    for (auto& [name, group] : groups_)
+        for (ParameterRow* row : group.rows)
+            row->setValue(row->spec().default_value);
+    applyFilter();
+    emit changed(values());
+}
+
+void ParameterForm::applyFilter() {
+    const QString words = search_->text().trimmed();
+    bool any = false;
+    for (auto& [name, group] : groups_) {
+        bool any_in_group = false;
+        for (ParameterRow* row : group.rows) {
+            const bool fits = row->matches(words) && (!modified_only_->isChecked() || row->modified());
+            row->setVisible(fits);
+            any_in_group = any_in_group || fits;
+        }
+        group.header->setVisible(any_in_group && !name.empty());
+        any = any || any_in_group;
+    }
+    nothing_->setText(words.isEmpty() ? tr("Every parameter is at its default.")
+                                      : tr("No parameter matches “%1”.").arg(words));
+    nothing_->setVisible(!any && !groups_.empty());
+    reset_all_->setVisible(!modified().empty());
+}
+
+// A row that an edit makes unmodified stays in view until the filter is touched: it must not vanish under the hand.
+void ParameterForm::rowEdited() {
+    reset_all_->setVisible(!modified().empty());
+    emit changed(values());
+}
+
+} // namespace usar::widgets

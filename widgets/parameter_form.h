@@ -1,0 +1,69 @@
+// A form for the parameters of a behavior, made from their specs: grouped, searchable, fine at 280 px.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QToolButton>
+
+#include "core/agent/parameters.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+class ParameterRow;
+
+/// Values in by setters, edits out by `changed`. Values are SI and radians; angles are shown and edited in degrees.
+/// GUI thread; rows belong to the form.
+class ParameterForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit ParameterForm(QWidget* parent = nullptr);
+
+    /// Rebuilds the rows, all at their defaults; groups in the order in which they first appear.
+    void setSpecs(const std::vector<agent::ParameterSpec>& specs);
+    /// Ids without a row are ignored; values that do not fit their spec show its default. Does not emit `changed`.
+    void setValues(const std::map<std::string, agent::ParameterValue>& values);
+    std::map<std::string, agent::ParameterValue> values() const;
+    /// Those that differ from their defaults: what a mission file needs to keep.
+    std::map<std::string, agent::ParameterValue> modified() const;
+
+    void setFilter(const QString& words);
+    void setModifiedOnly(bool on);
+    /// Shown while there are no specs.
+    EmptyState* emptyState() const { return empty_state_; }
+    QSize sizeHint() const override { return {320, 400}; }
+
+public slots:
+    void resetAll();
+
+signals:
+    /// After every edit by the person, with all values.
+    void changed(const std::map<std::string, usar::agent::ParameterValue>& values);
+
+private:
+    struct Group {
+        QLabel* header = nullptr;
+        std::vector<ParameterRow*> rows;
+    };
+
+    QWidget* makeTools();
+    QToolButton* makeButton(const QString& text);
+    Group& groupOf(const std::string& name);
+    void applyFilter();
+    void rowEdited();
+
+    QLineEdit* search_;
+    QToolButton* modified_only_;
+    QToolButton* reset_all_;
+    QScrollArea* scroll_;
+    QLabel* nothing_;
+    EmptyState* empty_state_;
+    std::vector<std::pair<std::string, Group>> groups_;
+};
+
+} // namespace usar::widgets
