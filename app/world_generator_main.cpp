@@ -1,0 +1,25 @@
+// usar-make-world NAME SEED FOLDER: writes one of the worlds that come with the program. Runs during the build.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/base/numbers.h"
+#include "core/sim/world_generator.h"
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto seed = arguments.size() == 3 ? usar::readInteger(arguments[1]) : std::nullopt;
+    if (!seed || *seed < 0) {
+        std::fprintf(stderr, "usage: usar-make-world NAME SEED FOLDER\nworlds:");
+        for (const std::string& name : usar::sim::generatedWorldNames())
+            std::fprintf(stderr, " %s", name.c_str());
+        std::fprintf(stderr, "\n");
+        return 2;
+    }
+    const auto done = usar::sim::generateWorld(arguments[0], static_cast<std::uint64_t>(*seed), arguments[2]);
+    if (!done) {
+        std::fprintf(stderr, "%s\n", done.error().text().c_str());
+        return 1;
+    }
+    return 0;
+}

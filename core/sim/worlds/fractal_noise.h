@@ -1,0 +1,25 @@
+// Smooth noise over the plane whose detail repeats at ever smaller scales: hills, and where woods grow.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/geometry.h"
+
+namespace usar::sim {
+
+/// Fractional Brownian motion of value noise: each octave has half the wavelength and half the amplitude of the one
+/// before (robots-and-worlds, section 5). Random lattice values come from a hash of the seed, so any point can be asked
+/// in any order. Below 2 * amplitude_m in size.
+struct FractalNoise {
+    std::uint64_t seed = 0;
+    int octaves = 6;
+    double wavelength_m = 80.0;
+    double amplitude_m = 8.0;
+
+    double at(const Vec2& point_m) const;
+};
+
+/// 0 below `low`, 1 above `high`, smooth in between.
+double smoothStep(double low, double high, double value);
+
+} // namespace usar::sim

@@ -1,0 +1,52 @@
+// The lie of the land of `tall_test`: hills, a ravine, a pond, level places to start from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/sim/worlds/fractal_noise.h"
+
+namespace usar::sim {
+
+/// A place where robots appear; the ground around it is level and open.
+struct StartPlace {
+    std::string name;
+    Vec2 at_m = Vec2::Zero();
+    double yaw_rad = 0.0;
+};
+
+/// Shape after the thesis's DM-TallTestWorld as robots-and-worlds, section 5, reconstructs it; all sizes are ours.
+/// A pure function of seed and point; map frame, metres.
+class TallTestGround {
+public:
+    explicit TallTestGround(std::uint64_t seed);
+
+    double height_m(const Vec2& point_m) const;
+    double water_z_m() const { return water_z_m_; }
+    const std::vector<StartPlace>& starts() const { return starts_; }
+    /// Distance to the middle line of the ravine, good near it.
+    double ravineDistance_m(const Vec2& point_m) const;
+
+    static constexpr double side_m = 256.0;
+    static constexpr double open_radius_m = 10.0; ///< around a start place
+
+private:
+    double hills_m(const Vec2& point_m) const;
+    double ravineLine_m(double x_m) const;
+    double hillsAndRavine_m(const Vec2& point_m) const;
+    double unlevelled_m(const Vec2& point_m) const;
+    void chooseStarts();
+    void choosePond();
+
+    FractalNoise hills_;
+    Vec2 shift_m_ = Vec2::Zero();
+    double bend_rad_ = 0.0;
+    double wiggle_rad_ = 0.0;
+    Vec2 pond_m_ = Vec2::Zero();
+    double water_z_m_ = 0.0;
+    std::vector<StartPlace> starts_;
+    std::vector<double> start_heights_m_;
+};
+
+} // namespace usar::sim
