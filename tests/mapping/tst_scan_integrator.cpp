@@ -60,6 +60,8 @@ private slots:
     void joinsBeamsOnlyWithinTheGapLimit();
     void joinsConsecutiveScansWithoutHoles_data();
     void joinsConsecutiveScansWithoutHoles();
+    void aSlopeComesOutTrueToAFractionOfACell_data();
+    void aSlopeComesOutTrueToAFractionOfACell();
     void breakingTheStripLeavesTheGapOpen();
     void aPoseThatIsNotFiniteWritesNothing();
     void aScanOfAnotherSizeIsNotJoined();
@@ -200,6 +202,47 @@ void tst_ScanIntegrator::joinsConsecutiveScansWithoutHoles() {
         }
     }
     QCOMPARE(holes, 0);
+}
+
+void tst_ScanIntegrator::aSlopeComesOutTrueToAFractionOfACell_data() {
+    QTest::addColumn<double>("cell_size_m");
+    QTest::addColumn<double>("step_m");
+    QTest::newRow("quarter metre cells") << 0.25 << 0.15;
+    QTest::newRow("decimetre cells") << 0.1 << 0.15;
+    QTest::newRow("decimetre cells, in transit") << 0.1 << 0.4;
+}
+
+void tst_ScanIntegrator::aSlopeComesOutTrueToAFractionOfACell() {
+    QFETCH(double, cell_size_m);
+    QFETCH(double, step_m);
+    constexpr double slope_x = 0.3, slope_y = 0.2; // ground z = 0.3 x + 0.2 y
+    HeightMap map(cell_size_m);
+    ScanIntegrator integrator;
+    for (double x_m = 0.0; x_m < 10.0; x_m += step_m) {
+        std::vector<double> ranges_m;
+        for (int k = 0; k <= 180; ++k) {
+            const double angle_rad = radians(k - 90); // the beam goes to y = range sin, z = -range cos
+            const double closing = std::cos(angle_rad) + slope_y * std::sin(angle_rad);
+            ranges_m.push_back(closing > 0.0 ? std::min(20.0, 6.0 / closing) : 20.0);
+        }
+        integrator.integrate(beamsOf(ranges_m), bellyScanner({x_m, 0, 6.0 + slope_x * x_m}), {1}, map);
+    }
+    double sum_m2 = 0.0;
+    int cells = 0;
+    for (double x_m = 0.5; x_m < 9.0; x_m += cell_size_m) {
+        for (double y_m = -12.0; y_m < 12.0; y_m += cell_size_m) {
+            const GridIndex cell = map.cellAt({x_m, y_m});
+            const Vec2 center_m = map.center_m(cell);
+            const double error_m =
+                double(map.height_m(cell).value_or(99.0f)) - slope_x * center_m.x() - slope_y * center_m.y();
+            sum_m2 += error_m * error_m;
+            ++cells;
+        }
+    }
+    // A point anywhere in a cell is off its center by cell / sqrt(12) on each axis.
+    const double scatter_m = cell_size_m / std::sqrt(12.0) * std::hypot(slope_x, slope_y);
+    const double rmse_m = std::sqrt(sum_m2 / cells);
+    QVERIFY2(rmse_m < 1.1 * scatter_m, qPrintable(QString("%1 m, scatter %2 m").arg(rmse_m).arg(scatter_m)));
 }
 
 void tst_ScanIntegrator::breakingTheStripLeavesTheGapOpen() {

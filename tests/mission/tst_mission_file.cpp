@@ -14,6 +14,31 @@ using namespace usar::mission;
 namespace {
 
 const QByteArray smallest = R"({"name": "Field", "area": {"x": -5, "y": 2.5, "width": 60, "height": 40}})";
+const QByteArray area = R"("area": {"x": 0, "y": 0, "width": 60, "height": 40})";
+
+void addRefusalColumns() {
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QString>("mend");
+}
+
+void refused(const char* row, const QByteArray& json, const QString& where, const QString& what, const QString& mend) {
+    QTest::newRow(row) << json << where << what << mend;
+}
+
+void checkRefusal() {
+    QFETCH(QByteArray, json);
+    QFETCH(QString, where);
+    QFETCH(QString, what);
+    QFETCH(QString, mend);
+    const auto mission = readMission(json, "m.json");
+    QVERIFY(!mission.has_value());
+    const QByteArray text = QByteArray::fromStdString(mission.error().text());
+    QVERIFY2(QString::fromStdString(mission.error().where).startsWith(where), text);
+    QVERIFY2(QString::fromStdString(mission.error().what).contains(what), text);
+    QVERIFY2(QString::fromStdString(mission.error().mend).contains(mend), text);
+}
 
 } // namespace
 
@@ -24,8 +49,10 @@ private slots:
     void takesEveryKey();
     void parametersKeepTheirTypes();
     void anglesAreTurnedIntoRadians();
-    void rejectsTheRestAndSaysWhere_data();
-    void rejectsTheRestAndSaysWhere();
+    void rejectsUnfitKeysAndSaysWhere_data();
+    void rejectsUnfitKeysAndSaysWhere();
+    void rejectsUnfitValuesAndSaysWhere_data();
+    void rejectsUnfitValuesAndSaysWhere();
     void everyCutOffFileIsRefusedWithAPlace();
     void aFileThatCannotBeReadIsNamed();
     void aHugeFileIsNotRead();
@@ -85,114 +112,53 @@ void tst_MissionFile::anglesAreTurnedIntoRadians() {
     QVERIFY(withAnglesInRadians({}, {angle}).empty());
 }
 
-void tst_MissionFile::rejectsTheRestAndSaysWhere_data() {
-    QTest::addColumn<QByteArray>("json");
-    QTest::addColumn<QString>("where");
-    QTest::addColumn<QString>("what");
-    QTest::addColumn<QString>("mend");
-    const QByteArray area = R"("area": {"x": 0, "y": 0, "width": 60, "height": 40})";
+void tst_MissionFile::rejectsUnfitKeysAndSaysWhere_data() {
+    addRefusalColumns();
     const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
-    QTest::newRow("nothing") << QByteArray() << "m.json:1:1"
-                             << "not JSON"
-                             << "";
-    QTest::newRow("comma missing") << QByteArray("{\n  \"name\": \"a\"\n  \"world\": \"b\"\n}") << "m.json:3:"
-                                   << "not JSON"
-                                   << "comma";
-    QTest::newRow("a list") << QByteArray("[1]") << "m.json:1:1"
-                            << "object in braces"
-                            << "{";
-    QTest::newRow("misspelt key") << good + ",\n  \"behaviour\": \"e\"\n}"
-                                  << "m.json:4:3"
-                                  << "\"behaviour\""
-                                  << "\"behavior\"";
-    QTest::newRow("misspelt key of the area")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0,\n \"widht\": 60, \"height\": 40}}")
-        << "m.json:2:2"
-        << "\"widht\""
-        << "\"width\"";
-    QTest::newRow("key given twice") << good + ",\n  \"name\": \"b\"}"
-                                     << "m.json:4:3"
-                                     << "twice"
-                                     << "one";
-    QTest::newRow("name missing") << "{" + area + "}"
-                                  << "m.json:1:1"
-                                  << "\"name\" is missing"
-                                  << "add";
-    QTest::newRow("area missing") << QByteArray("\n{\"name\": \"a\"}") << "m.json:2:1"
-                                  << "\"area\" is missing"
-                                  << "add";
-    QTest::newRow("height missing") << QByteArray("{\"name\": \"a\",\n\"area\": {\"x\": 0, \"y\": 0, \"width\": 60}}")
-                                    << "m.json:2:9"
-                                    << "\"height\" is missing in \"area\""
-                                    << "add";
-    QTest::newRow("name is a number") << "{\n\"name\": 7, " + area + "}"
-                                      << "m.json:2:9"
-                                      << "not a text"
-                                      << "quotes";
-    QTest::newRow("name is empty") << "{\"name\": \" \", " + area + "}"
-                                   << "m.json:1:10"
-                                   << "not a text"
-                                   << "empty";
-    QTest::newRow("area is a list") << QByteArray("{\"name\": \"a\", \"area\": [0, 0, 60, 40]}") << "m.json:1:23"
-                                    << "not an object"
-                                    << "braces";
-    QTest::newRow("number in quotes")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": \"0\", \"y\": 0, \"width\": 6, \"height\": 4}}")
-        << "m.json:1:29"
-        << "\"x\" is not a number"
-        << "without quotes";
-    QTest::newRow("area without width")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0,\n\"width\": 0, \"height\": 4}}")
-        << "m.json:2:10"
-        << "no size"
-        << "\"width\"";
-    QTest::newRow("area of negative height")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0, \"width\": 4,\n\"height\": -4}}")
-        << "m.json:2:11"
-        << "no size"
-        << "\"height\"";
-    QTest::newRow("width not a number")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 0, \"y\": 0, \"width\": NaN, \"height\": 4}}") << "m.json:1:"
-        << "not JSON"
-        << "";
-    QTest::newRow("area beyond every world")
-        << QByteArray("{\"name\": \"a\", \"area\": {\"x\": 1e7, \"y\": 0, \"width\": 4, \"height\": 4}}")
-        << "m.json:1:23"
-        << "further away"
-        << "origin";
-    QTest::newRow("cell size zero") << good + ",\n\"cell_size_m\": 0}"
-                                    << "m.json:4:16"
-                                    << "cell size"
-                                    << "0.25";
-    QTest::newRow("cell size a text") << good + ",\n\"cell_size_m\": \"fine\"}"
-                                      << "m.json:4:16"
-                                      << "not a number"
-                                      << "metres";
-    QTest::newRow("parameter is a list") << good + ",\n\"parameters\": {\"lanes\": [1]}}"
-                                         << "m.json:4:25"
-                                         << "\"lanes\" is no parameter"
-                                         << "number";
-    QTest::newRow("parameters are a text") << good + ",\n\"parameters\": \"fast\"}"
-                                           << "m.json:4:15"
-                                           << "not an object"
-                                           << "braces";
-    QTest::newRow("parameter given twice") << good + ",\n\"parameters\": {\"a\": 1, \"a\": 2}}"
-                                           << "m.json:4:24"
-                                           << "twice"
-                                           << "one";
+    refused("nothing", "", "m.json:1:1", "not JSON", "");
+    refused("comma missing", "{\n  \"name\": \"a\"\n  \"world\": \"b\"\n}", "m.json:3:", "not JSON", "comma");
+    refused("a list", "[1]", "m.json:1:1", "object in braces", "{");
+    refused("misspelt key", good + ",\n  \"behaviour\": \"e\"\n}", "m.json:4:3", "\"behaviour\"", "\"behavior\"");
+    refused("misspelt key of the area", R"({"name": "a", "area": {"x": 0, "widht": 60}})", "m.json:1:32", "\"widht\"",
+            "\"width\"");
+    refused("key given twice", good + ",\n  \"name\": \"b\"}", "m.json:4:3", "twice", "one");
+    refused("parameter given twice", good + ",\n\"parameters\": {\"a\": 1, \"a\": 2}}", "m.json:4:24", "twice", "one");
+    refused("name missing", "{" + area + "}", "m.json:1:1", "\"name\" is missing", "add");
+    refused("area missing", "\n{\"name\": \"a\"}", "m.json:2:1", "\"area\" is missing", "add");
+    refused("height missing", R"({"name": "a", "area": {"x": 0, "y": 0, "width": 60}})", "m.json:1:23",
+            "\"height\" is missing in \"area\"", "add");
 }
 
-void tst_MissionFile::rejectsTheRestAndSaysWhere() {
-    QFETCH(QByteArray, json);
-    QFETCH(QString, where);
-    QFETCH(QString, what);
-    QFETCH(QString, mend);
-    const auto mission = readMission(json, "m.json");
-    QVERIFY(!mission.has_value());
-    const QByteArray text = QByteArray::fromStdString(mission.error().text());
-    QVERIFY2(QString::fromStdString(mission.error().where).startsWith(where), text);
-    QVERIFY2(QString::fromStdString(mission.error().what).contains(what), text);
-    QVERIFY2(QString::fromStdString(mission.error().mend).contains(mend), text);
+void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
+    addRefusalColumns();
+    const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
+    const auto withArea = [](const QByteArray& members) { return R"({"name": "a", "area": {)" + members + "}}"; };
+    refused("name is a number", "{\n\"name\": 7, " + area + "}", "m.json:2:9", "not a text", "quotes");
+    refused("name is empty", R"({"name": " ", )" + area + "}", "m.json:1:10", "not a text", "empty");
+    refused("area is a list", R"({"name": "a", "area": [0, 0, 60, 40]})", "m.json:1:23", "not an object", "braces");
+    refused("number in quotes", withArea(R"("x": "0", "y": 0, "width": 6, "height": 4)"), "m.json:1:29",
+            "\"x\" is not a number", "without quotes");
+    refused("area without width", withArea("\"x\": 0, \"y\": 0,\n\"width\": 0, \"height\": 4"), "m.json:2:10",
+            "no size", "\"width\"");
+    refused("negative height", withArea("\"x\": 0, \"y\": 0, \"width\": 4,\n\"height\": -4"), "m.json:2:11", "no size",
+            "\"height\"");
+    refused("width not a number", withArea(R"("x": 0, "y": 0, "width": NaN, "height": 4)"), "m.json:1:", "not JSON",
+            "");
+    refused("area beyond every world", withArea(R"("x": 1e7, "y": 0, "width": 4, "height": 4)"), "m.json:1:23",
+            "further away", "origin");
+    refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
+    refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "metres");
+    refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
+            "\"lanes\" is no parameter", "number");
+    refused("parameters are a text", good + ",\n\"parameters\": \"fast\"}", "m.json:4:15", "not an object", "braces");
+}
+
+void tst_MissionFile::rejectsUnfitKeysAndSaysWhere() {
+    checkRefusal();
+}
+
+void tst_MissionFile::rejectsUnfitValuesAndSaysWhere() {
+    checkRefusal();
 }
 
 void tst_MissionFile::everyCutOffFileIsRefusedWithAPlace() {
