@@ -1,1 +1,158 @@
-// to come
+#include "core/sim/client_session.h"
+
+#include <utility>
+
+#include "core/protocol/command_reader.h"
+#include "core/protocol/segments.h"
+#include "core/protocol/writer.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr std::size_t most_waiting = 65536;
+constexpr std::size_t shown_bytes = 120;
+
+std::string quoted(std::string_view line) {
+    return "'" + std::string(line.substr(0, shown_bytes)) + (line.size() > shown_bytes ? "...'" : "'");
+}
+
+std::string quoted(const protocol::Command& command) {
+    const auto* const raw = std::get_if<protocol::RawCommand>(&command);
+    return raw ? quoted(raw->line) : std::string("a command");
+}
+
+} // namespace
+
+ClientSession::ClientSession(const World& world) : world_(world) {
+    send(protocol::GameInfo{"BotDeathMatch", world.name, 0});
+}
+
+void ClientSession::receive(std::string_view bytes, const Log& log) {
+    const std::size_t overlong = splitter_.overlongCount();
+    splitter_.feed(bytes, [&](std::string_view line) { take(line, log); });
+    if (splitter_.overlongCount() > overlong)
+        log("dropped a line without end");
+}
+
+void ClientSession::take(std::string_view line, const Log& log) {
+    Diagnostics diagnostics;
+    protocol::Command command = protocol::readCommand(line, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics)
+        log(quoted(line) + ": " + diagnostic.message);
+    if (std::holds_alternative<protocol::GetStartPoses>(command)) {
+        startPoses();
+    } else if (const auto* const wanted = std::get_if<protocol::Lockstep>(&command)) {
+        lockstep_ = wanted->on;
+        send(protocol::LockstepInfo{lockstep_});
+    } else if (waiting_.size() >= most_waiting) {
+        log("ignored " + quoted(line) + ": too many commands wait for the next tick");
+    } else {
+        steps_waiting_ += std::holds_alternative<protocol::Step>(command) ? 1 : 0;
+        waiting_.push_back(std::move(command));
+    }
+}
+
+std::string ClientSession::takeOutput() {
+    return std::exchange(output_, {});
+}
+
+void ClientSession::obeyWaiting(const Spawn& spawn, const Log& log) {
+    while (!waiting_.empty()) {
+        const protocol::Command command = std::move(waiting_.front());
+        waiting_.pop_front();
+        if (std::holds_alternative<protocol::Step>(command)) {
+            --steps_waiting_;
+            if (lockstep_)
+                return;
+            continue;
+        }
+        obey(command, spawn, log);
+    }
+}
+
+void ClientSession::obey(const protocol::Command& command, const Spawn& spawn, const Log& log) {
+    if (const auto* const wanted = std::get_if<protocol::Init>(&command))
+        init(*wanted, spawn, log);
+    else if (!robot_)
+        log("ignored " + quoted(command) + ": there is no robot on this connection");
+    else if (const auto* const raw = std::get_if<protocol::RawCommand>(&command))
+        obeyUnknown(*raw, log);
+    else if (robot_->alive())
+        obeyForRobot(command);
+}
+
+void ClientSession::obeyUnknown(const protocol::RawCommand& command, const Log& log) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(command.line, diagnostics);
+    // UT2004 answers every SET but that of a joint.
+    if (protocol::sameWord(segments.typeWord(), "SET") && !protocol::sameWord(segments.value("Type"), "Joint"))
+        set_asked_ =
+            protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
+    else
+        log("ignored " + quoted(command.line) + ": not a command of this server");
+}
+
+void ClientSession::obeyForRobot(const protocol::Command& command) {
+    if (const auto* const asked = std::get_if<protocol::GetGeometry>(&command))
+        geometry_asked_ = *asked;
+    else if (const auto* const configuration = std::get_if<protocol::GetConfiguration>(&command))
+        configuration_asked_ = *configuration;
+    else if (const auto* const set = std::get_if<protocol::SetInsPose>(&command))
+        set_asked_ = *set;
+    else
+        robot_->obey(command);
+}
+
+void ClientSession::init(const protocol::Init& wanted, const Spawn& spawn, const Log& log) {
+    if (initialized_) {
+        log("ignored a second INIT: one connection is one robot");
+        return;
+    }
+    robot_ = spawn(wanted);
+    robot_name_ = wanted.robot_name;
+    initialized_ = robot_ != nullptr; // after a refused INIT the client may try again
+}
+
+void ClientSession::startPoses() {
+    protocol::StartPoses poses;
+    for (const NamedPose& start : world_.start_poses)
+        poses.poses.push_back({start.name, start.pose_in_map});
+    send(poses);
+}
+
+void ClientSession::report(Seconds now) {
+    if (!robot_)
+        return;
+    answer(now);
+    lines_.clear();
+    robot_->measure(now, std::exchange(first_tick_, false), lines_);
+    for (const protocol::InfoMessage& line : lines_)
+        send(line);
+}
+
+void ClientSession::answer(Seconds now) {
+    if (const auto asked = std::exchange(geometry_asked_, {}); asked && robot_->alive())
+        send(robot_->geometry(asked->type, asked->name));
+    if (const auto asked = std::exchange(configuration_asked_, {}); asked && robot_->alive())
+        send(robot_->configuration(asked->type, asked->name));
+    if (const auto asked = std::exchange(set_asked_, {}); asked && robot_->alive())
+        send(std::visit([&](const auto& one) { return resultOf(one, now); }, *asked));
+}
+
+protocol::Response ClientSession::resultOf(const protocol::SetInsPose& asked, Seconds now) {
+    return {now, "INS", asked.sensor_name.empty() ? "INS" : asked.sensor_name, robot_->set(asked)};
+}
+
+protocol::Response ClientSession::resultOf(protocol::Response failed, Seconds now) {
+    failed.time = now;
+    return failed;
+}
+
+void ClientSession::send(const protocol::InfoMessage& message) {
+    protocol::write(message, output_);
+    output_ += "\r\n";
+}
+
+} // namespace usar::sim

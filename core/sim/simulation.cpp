@@ -1,1 +1,205 @@
 #include "core/sim/simulation.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/protocol/segments.h"
+#include "core/sim/client_session.h"
+#include "core/sim/physics.h"
+#include "core/sim/ray_caster.h"
+#include "core/sim/robots/robot.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr std::size_t most_log_sentences = 1000;
+
+Result<void> checked(const World& world, const SimulationOptions& options) {
+    if (world.terrain.empty() && world.boxes.empty())
+        return failure("nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
+    if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
+        return failure("a tick needs a length and at least one physics step", "simulation options");
+    if (!(options.battery_life > Seconds{0.0}))
+        return failure("a battery must last longer than 0 s", "simulation options");
+    return {};
+}
+
+} // namespace
+
+struct Simulation::State {
+    State(World world_, const SimulationOptions& options_)
+        : world(std::move(world_))
+        , options(options_)
+        , physics(makePhysics(world))
+        , caster(world) {}
+
+    void log(ClientId client, const std::string& sentence);
+    std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
+    Pose startOf(ClientId client, const protocol::Init& init);
+    void obeyAll();
+    void move();
+    void reportAll();
+
+    // In this order: physics and rays look into the world, sessions hold robots that live in the physics.
+    World world;
+    SimulationOptions options;
+    std::unique_ptr<Physics> physics;
+    RayCaster caster;
+    std::map<ClientId, ClientSession> sessions;
+    ClientId last_client;
+    std::uint64_t spawned = 0;
+    std::uint64_t ticks = 0;
+    std::vector<std::string> sentences;
+
+    Seconds now() const { return static_cast<double>(ticks) * options.tick; }
+};
+
+void Simulation::State::log(ClientId client, const std::string& sentence) {
+    if (sentences.size() < most_log_sentences)
+        sentences.push_back("client " + std::to_string(client.value) + ": " + sentence);
+}
+
+std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol::Init& init) {
+    RobotOptions robot;
+    robot.base_in_map = startOf(client, init);
+    robot.seed = options.seed;
+    robot.number = spawned;
+    robot.battery_life = options.battery_life;
+    robot.scan_interval = options.tick;
+    robot.noise = options.noise;
+    auto spawned_robot = spawnRobot(init.class_name, {world, caster, *physics}, robot);
+    if (!spawned_robot) {
+        log(client, spawned_robot.error().text());
+        return nullptr;
+    }
+    ++spawned;
+    log(client, "spawned " + init.class_name + " '" + init.robot_name + "'");
+    return std::move(*spawned_robot);
+}
+
+Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
+    const auto* const name = std::get_if<std::string>(&init.start);
+    if (!name)
+        return std::get<Pose>(init.start);
+    const auto found = std::find_if(world.start_poses.begin(), world.start_poses.end(),
+                                    [&](const NamedPose& start) { return protocol::sameWord(start.name, *name); });
+    if (found != world.start_poses.end())
+        return found->pose_in_map;
+    log(client, "there is no start pose '" + *name + "'");
+    return init.fallback_in_map.value_or(Pose{});
+}
+
+void Simulation::State::obeyAll() {
+    for (auto& [id, session] : sessions) {
+        const ClientId client = id;
+        session.obeyWaiting([&](const protocol::Init& init) { return spawn(client, init); },
+                            [&](const std::string& sentence) { log(client, sentence); });
+    }
+}
+
+void Simulation::State::move() {
+    std::vector<Robot*> robots;
+    for (auto& [id, session] : sessions)
+        if (session.robot())
+            robots.push_back(session.robot());
+    if (robots.empty())
+        return;
+    const Seconds dt = options.tick / options.physics_steps_per_tick;
+    for (int i = 0; i < options.physics_steps_per_tick; ++i) {
+        for (Robot* const robot : robots)
+            robot->beforeStep(dt);
+        physics->step(dt);
+        for (Robot* const robot : robots)
+            robot->afterStep(dt);
+    }
+}
+
+void Simulation::State::reportAll() {
+    for (auto& [id, session] : sessions)
+        session.report(now());
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::make(World world, SimulationOptions options) {
+    if (const auto fine = checked(world, options); !fine)
+        return tl::unexpected(fine.error());
+    return std::unique_ptr<Simulation>(new Simulation(std::make_unique<State>(std::move(world), options)));
+}
+
+Simulation::Simulation(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Simulation::~Simulation() = default;
+
+ClientId Simulation::connect() {
+    const ClientId client{++state_->last_client.value};
+    state_->sessions.try_emplace(client, state_->world);
+    return client;
+}
+
+void Simulation::disconnect(ClientId client) {
+    state_->sessions.erase(client);
+}
+
+void Simulation::receive(ClientId client, std::string_view bytes) {
+    const auto found = state_->sessions.find(client);
+    if (found != state_->sessions.end())
+        found->second.receive(bytes, [&](const std::string& sentence) { state_->log(client, sentence); });
+}
+
+std::string Simulation::takeOutput(ClientId client) {
+    const auto found = state_->sessions.find(client);
+    return found == state_->sessions.end() ? std::string() : found->second.takeOutput();
+}
+
+bool Simulation::readyToStep() const {
+    return std::all_of(state_->sessions.begin(), state_->sessions.end(),
+                       [](const auto& one) { return one.second.ready(); });
+}
+
+bool Simulation::hasLockstepClients() const {
+    return std::any_of(state_->sessions.begin(), state_->sessions.end(),
+                       [](const auto& one) { return one.second.lockstep(); });
+}
+
+bool Simulation::idle() const {
+    return std::all_of(state_->sessions.begin(), state_->sessions.end(),
+                       [](const auto& one) { return one.second.idle(); });
+}
+
+void Simulation::step() {
+    state_->obeyAll();
+    state_->move();
+    ++state_->ticks;
+    state_->reportAll();
+}
+
+Seconds Simulation::now() const {
+    return state_->now();
+}
+
+const World& Simulation::world() const {
+    return state_->world;
+}
+
+std::vector<RobotTruth> Simulation::robots() const {
+    std::vector<RobotTruth> truths;
+    for (const auto& [client, session] : state_->sessions) {
+        if (!session.robot())
+            continue;
+        const RobotFigures figures = session.robot()->figures();
+        truths.push_back({client, session.robotName(), figures.base_in_map, figures.velocity_in_map_m_s, figures.broken,
+                          figures.collisions, figures.distance_m});
+    }
+    return truths;
+}
+
+std::size_t Simulation::clientCount() const {
+    return state_->sessions.size();
+}
+
+std::vector<std::string> Simulation::takeLog() {
+    return std::exchange(state_->sentences, {});
+}
+
+} // namespace usar::sim

@@ -48,7 +48,7 @@ public:
 
     ClientId connect();
     void disconnect(ClientId client);
-    /// Bytes from the client, in any chunks; obeyed at the next step.
+    /// Bytes from the client, in any chunks; obeyed at the next step, but GETSTARTPOSES and LOCKSTEP at once.
     void receive(ClientId client, std::string_view bytes);
     /// Bytes for the client since the last call.
     std::string takeOutput(ClientId client);
@@ -56,6 +56,8 @@ public:
     /// False while a lockstep client has not said STEP since the last tick.
     bool readyToStep() const;
     bool hasLockstepClients() const;
+    /// True while nothing would happen but the passing of time: no robot and no command that waits.
+    bool idle() const;
     /// One message tick: physics, sensors, lines for every client.
     void step();
 

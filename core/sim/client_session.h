@@ -1,0 +1,76 @@
+// One connection of the simulator: what it has said and not yet seen done, and what waits to be sent to it.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/protocol/command.h"
+#include "core/protocol/info_message.h"
+#include "core/protocol/line_splitter.h"
+#include "core/sim/robots/robot.h"
+
+namespace usar::sim {
+
+/// Commands wait in order for the next tick. With lockstep those behind a STEP wait for the tick after it: when they
+/// arrived cannot change what happens. GETSTARTPOSES and LOCKSTEP are obeyed at once, so that a paused server
+/// answers. One question of each kind is pending and the newest wins (usarsim-protocol 5.4). Owned by a Simulation.
+class ClientSession {
+public:
+    using Log = std::function<void(std::string)>;
+
+    explicit ClientSession(const World& world);
+
+    void receive(std::string_view bytes, const Log& log);
+    std::string takeOutput();
+
+    bool lockstep() const { return lockstep_; }
+    /// A lockstep client that has said STEP, or one without lockstep.
+    bool ready() const { return !lockstep_ || steps_waiting_ > 0; }
+    bool idle() const { return !robot_ && waiting_.empty(); }
+    const Robot* robot() const { return robot_.get(); }
+    Robot* robot() { return robot_.get(); }
+    const std::string& robotName() const { return robot_name_; }
+
+    /// Spawns for an INIT.
+    using Spawn = std::function<std::unique_ptr<Robot>(const protocol::Init&)>;
+    void obeyWaiting(const Spawn& spawn, const Log& log);
+    /// Answers, then the robot's lines.
+    void report(Seconds now);
+
+private:
+    void take(std::string_view line, const Log& log);
+    void obey(const protocol::Command& command, const Spawn& spawn, const Log& log);
+    void obeyForRobot(const protocol::Command& command);
+    void obeyUnknown(const protocol::RawCommand& command, const Log& log);
+    void init(const protocol::Init& init, const Spawn& spawn, const Log& log);
+    void startPoses();
+    void answer(Seconds now);
+    protocol::Response resultOf(const protocol::SetInsPose& asked, Seconds now);
+    static protocol::Response resultOf(protocol::Response failed, Seconds now);
+    void send(const protocol::InfoMessage& message);
+
+    const World& world_;
+    protocol::LineSplitter splitter_;
+    std::deque<protocol::Command> waiting_;
+    std::size_t steps_waiting_ = 0;
+    bool lockstep_ = false;
+    std::string output_;
+
+    std::unique_ptr<Robot> robot_;
+    std::string robot_name_;
+    bool initialized_ = false;
+    bool first_tick_ = true;
+    std::optional<protocol::GetGeometry> geometry_asked_;
+    std::optional<protocol::GetConfiguration> configuration_asked_;
+    /// A SET to try, or the answer to one that no sensor knows.
+    std::optional<std::variant<protocol::SetInsPose, protocol::Response>> set_asked_;
+    std::vector<protocol::InfoMessage> lines_;
+};
+
+} // namespace usar::sim

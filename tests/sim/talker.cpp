@@ -1,0 +1,45 @@
+#include "tests/sim/talker.h"
+
+#include <stdexcept>
+
+#include "core/base/diagnostics.h"
+#include "core/protocol/segments.h"
+
+namespace usar::sim {
+
+std::unique_ptr<Simulation> simulationOf(World world, SimulationOptions options) {
+    auto made = Simulation::make(std::move(world), options);
+    if (!made)
+        throw std::runtime_error(made.error().text());
+    return std::move(*made);
+}
+
+std::vector<std::string> Talker::hearText() {
+    std::vector<std::string> lines;
+    splitter_.feed(simulation_.takeOutput(id_), [&](std::string_view line) { lines.emplace_back(line); });
+    return lines;
+}
+
+std::vector<protocol::InfoLine> Talker::hear() {
+    std::vector<protocol::InfoLine> lines;
+    for (const std::string& line : hearText())
+        lines.push_back(reader_.read(line));
+    return lines;
+}
+
+std::string kindOf(const std::string& line) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(line, diagnostics);
+    const std::string word(segments.typeWord());
+    return word == "SEN" ? word + " " + std::string(segments.value("Type")) : word;
+}
+
+std::vector<std::string> kindsOf(const std::vector<std::string>& lines) {
+    std::vector<std::string> kinds;
+    for (const std::string& line : lines)
+        kinds.push_back(kindOf(line));
+    return kinds;
+}
+
+} // namespace usar::sim
