@@ -26,6 +26,9 @@ const std::vector<Page> pages = {
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
     {QStringLiteral("parameters"), gallery::parametersPage},
     {QStringLiteral("icons"), gallery::iconsPage},
+    {QStringLiteral("bars"), gallery::barsPage},
+    {QStringLiteral("palette"), gallery::palettePage},
+    {QStringLiteral("sheet"), gallery::sheetPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

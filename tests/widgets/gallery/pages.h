@@ -12,5 +12,8 @@ std::unique_ptr<QWidget> areaPage();
 std::unique_ptr<QWidget> emptyMapPage();
 std::unique_ptr<QWidget> parametersPage();
 std::unique_ptr<QWidget> iconsPage();
+std::unique_ptr<QWidget> barsPage();
+std::unique_ptr<QWidget> palettePage();
+std::unique_ptr<QWidget> sheetPage();
 
 } // namespace usar::gallery

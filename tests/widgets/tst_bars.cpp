@@ -1,0 +1,262 @@
+#include <cmath>
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/area_form.h"
+#include "widgets/connection_bar.h"
+#include "widgets/layers_panel.h"
+#include "widgets/stop_button.h"
+#include "widgets/time_bar.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+class tst_Bars : public QObject {
+    Q_OBJECT
+private slots:
+    void saysTheStateInWords_data();
+    void saysTheStateInWords();
+    void connectsToWhatIsTyped();
+    void embeddedSimulatorNeedsNoAddress();
+    void disconnectsAndGivesUpWaiting();
+    void addressIsLockedWhileConnected();
+    void rateKeepsItsWidth();
+    void pauseAsksAndEnablesTheStep();
+    void speedsAreOffered();
+    void settersAreSilent();
+    void realServerHasOnlyAClock();
+    void clockIsUnknownAtFirst();
+    void stopButtonIsReachedByKeys();
+    void layerRowsTellEyeAndOpacity();
+    void typedAreaIsTold();
+    void crossedCornersAreOrdered();
+    void areaOfNoSizeIsNotTold();
+    void areaStaysInTheWorld();
+    void everythingHasNameAndTooltip();
+};
+
+void tst_Bars::saysTheStateInWords_data() {
+    QTest::addColumn<ConnectionStatus>("status");
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<StateShape>("shape");
+    using enum ConnectionState;
+    const QString refused = QStringLiteral("No answer from 10.0.0.5:3000. Is USARSim running there?");
+    QTest::newRow("off") << ConnectionStatus{} << QStringLiteral("Not connected") << StateShape::Off;
+    QTest::newRow("failed") << ConnectionStatus{Disconnected, {}, refused, {}} << refused << StateShape::Bad;
+    QTest::newRow("connecting") << ConnectionStatus{Connecting, {}, {}, {}} << QStringLiteral("Connecting…")
+                                << StateShape::Busy;
+    QTest::newRow("connected") << ConnectionStatus{Connected, QStringLiteral("tall_test"), {}, {}}
+                               << QStringLiteral("Connected · tall_test") << StateShape::Good;
+    QTest::newRow("waiting") << ConnectionStatus{Waiting, {}, refused, Seconds(4.0)}
+                             << refused + QStringLiteral(" Retrying in 4 s.") << StateShape::Waiting;
+}
+
+void tst_Bars::saysTheStateInWords() {
+    QFETCH(ConnectionStatus, status);
+    ConnectionBar bar;
+    bar.setStatus(status);
+    QTEST(bar.statusText(), "words");
+    QTEST(bar.findChild<StateDot*>()->state(), "shape");
+}
+
+void tst_Bars::connectsToWhatIsTyped() {
+    ConnectionBar bar;
+    QSignalSpy wanted(&bar, &ConnectionBar::connectRequested);
+    bar.show();
+    bar.setServer(ServerChoice::Real);
+    bar.setAddress({}, 3001);
+    auto* host = bar.findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
+    QTest::keyClick(host, Qt::Key_Return);
+    QCOMPARE(wanted.count(), 0);
+    QTest::keyClicks(host, QStringLiteral(" 10.0.0.5 "));
+    QTest::keyClick(host, Qt::Key_Return);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<ServerChoice>(), ServerChoice::Real);
+    QCOMPARE(wanted[0][1].toString(), QStringLiteral("10.0.0.5"));
+    QCOMPARE(wanted[0][2].value<quint16>(), quint16(3001));
+}
+
+void tst_Bars::embeddedSimulatorNeedsNoAddress() {
+    ConnectionBar bar;
+    QSignalSpy wanted(&bar, &ConnectionBar::connectRequested);
+    bar.show();
+    bar.setAddress({}, 3000);
+    QVERIFY(!bar.findChild<QSpinBox*>()->isVisible());
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<ServerChoice>(), ServerChoice::Embedded);
+}
+
+void tst_Bars::disconnectsAndGivesUpWaiting() {
+    ConnectionBar bar;
+    QSignalSpy unwanted(&bar, &ConnectionBar::disconnectRequested);
+    auto* button = bar.findChild<QPushButton*>();
+    bar.setStatus({ConnectionState::Connected, {}, {}, {}});
+    QCOMPARE(button->text(), QStringLiteral("Disconnect"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    bar.setStatus({ConnectionState::Waiting, {}, QStringLiteral("Refused."), Seconds(2.0)});
+    QCOMPARE(button->text(), QStringLiteral("Cancel"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(unwanted.count(), 2);
+}
+
+void tst_Bars::addressIsLockedWhileConnected() {
+    ConnectionBar bar;
+    bar.setServer(ServerChoice::Real);
+    bar.setStatus({ConnectionState::Connected, {}, {}, {}});
+    QVERIFY(!bar.findChild<QSpinBox*>()->isEnabled());
+    QVERIFY(!bar.findChild<QComboBox*>()->isEnabled());
+    bar.setStatus({});
+    QVERIFY(bar.findChild<QSpinBox*>()->isEnabled());
+}
+
+void tst_Bars::rateKeepsItsWidth() {
+    ConnectionBar bar;
+    bar.resize(900, 40);
+    bar.show();
+    auto* dot = bar.findChild<StateDot*>();
+    bar.setRate(3.0);
+    const int before = dot->x();
+    bar.setRate(4800.0);
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(dot->x(), before);
+}
+
+void tst_Bars::pauseAsksAndEnablesTheStep() {
+    TimeBar bar;
+    QSignalSpy paused(&bar, &TimeBar::pauseRequested);
+    QSignalSpy stepped(&bar, &TimeBar::stepRequested);
+    const auto buttons = bar.findChildren<QToolButton*>();
+    QTest::mouseClick(buttons[1], Qt::LeftButton);
+    QCOMPARE(stepped.count(), 0);
+    QTest::mouseClick(buttons[0], Qt::LeftButton);
+    QCOMPARE(paused.takeFirst()[0].toBool(), true);
+    QTest::mouseClick(buttons[1], Qt::LeftButton);
+    QCOMPARE(stepped.count(), 1);
+    QTest::mouseClick(buttons[0], Qt::LeftButton);
+    QCOMPARE(paused.takeFirst()[0].toBool(), false);
+}
+
+void tst_Bars::speedsAreOffered() {
+    TimeBar bar;
+    QCOMPARE(bar.speed(), 1.0);
+    QSignalSpy asked(&bar, &TimeBar::speedRequested);
+    bar.show();
+    auto* combo = bar.findChild<QComboBox*>();
+    QTest::keyClick(combo, Qt::Key_End);
+    QVERIFY(std::isinf(asked.last()[0].toDouble()));
+    QTest::keyClick(combo, Qt::Key_Home);
+    QCOMPARE(asked.last()[0].toDouble(), 0.1);
+}
+
+void tst_Bars::settersAreSilent() {
+    TimeBar bar;
+    QSignalSpy asked(&bar, &TimeBar::speedRequested);
+    QSignalSpy paused(&bar, &TimeBar::pauseRequested);
+    bar.setSpeed(7.0);
+    QCOMPARE(bar.speed(), 5.0);
+    bar.setSpeed(INFINITY);
+    QVERIFY(std::isinf(bar.speed()));
+    bar.setSpeed(1.0);
+    QCOMPARE(bar.speed(), 1.0);
+    bar.setPaused(true);
+    QVERIFY(bar.paused());
+    QCOMPARE(asked.count() + paused.count(), 0);
+}
+
+void tst_Bars::realServerHasOnlyAClock() {
+    TimeBar bar;
+    bar.show();
+    bar.setSteerable(false);
+    int visible = 0;
+    for (const QWidget* child : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        visible += child->isVisible() ? 1 : 0;
+    QCOMPARE(visible, 1);
+}
+
+void tst_Bars::clockIsUnknownAtFirst() {
+    TimeBar bar;
+    auto* clock = bar.findChildren<QLabel*>()[0];
+    QCOMPARE(clock->text(), QStringLiteral("--:--:--"));
+    bar.setClock(Seconds(751.0));
+    QCOMPARE(clock->text(), QStringLiteral("00:12:31"));
+}
+
+void tst_Bars::stopButtonIsReachedByKeys() {
+    StopButton button;
+    QSignalSpy clicked(&button, &QPushButton::clicked);
+    QTest::keyClick(&button, Qt::Key_Space);
+    QCOMPARE(clicked.count(), 1);
+    QVERIFY(button.toolTip().contains(QStringLiteral("Esc")));
+}
+
+void tst_Bars::layerRowsTellEyeAndOpacity() {
+    LayersPanel panel;
+    QSignalSpy changed(&panel, &LayersPanel::layerChanged);
+    panel.setLayer(MapLayer::Heights, {true, 0.6});
+    QCOMPARE(changed.count(), 0);
+    const auto eyes = panel.findChildren<QToolButton*>();
+    const auto height = static_cast<qsizetype>(MapLayer::Heights);
+    QTest::mouseClick(eyes[height], Qt::LeftButton);
+    QCOMPARE(changed.last()[0].value<MapLayer>(), MapLayer::Heights);
+    QCOMPARE(changed.last()[1].value<LayerState>(), (LayerState{false, 0.6}));
+    QTest::mouseClick(eyes[height], Qt::LeftButton);
+    QTest::keyClick(panel.findChildren<QSlider*>()[height], Qt::Key_Right);
+    QCOMPARE(changed.last()[1].value<LayerState>(), (LayerState{true, 0.61}));
+}
+
+void tst_Bars::typedAreaIsTold() {
+    AreaForm form;
+    QSignalSpy changed(&form, &AreaForm::areaChanged);
+    form.setArea(Rectangle{Vec2(0, 0), Vec2(60, 40)});
+    QCOMPARE(changed.count(), 0);
+    auto* box = form.findChildren<QDoubleSpinBox*>()[1];
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("75.5"));
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed[0][0].value<Rectangle>(), (Rectangle{Vec2(0, 0), Vec2(75.5, 40)}));
+}
+
+void tst_Bars::crossedCornersAreOrdered() {
+    AreaForm form;
+    form.setArea(Rectangle{Vec2(0, 0), Vec2(60, 40)});
+    form.findChildren<QDoubleSpinBox*>()[0]->setValue(80.0);
+    QCOMPARE(form.area(), (Rectangle{Vec2(60, 0), Vec2(80, 40)}));
+}
+
+void tst_Bars::areaOfNoSizeIsNotTold() {
+    AreaForm form;
+    QSignalSpy changed(&form, &AreaForm::areaChanged);
+    form.findChildren<QDoubleSpinBox*>()[1]->setValue(20.0);
+    QCOMPARE(changed.count(), 0);
+    QVERIFY(form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("No area")));
+}
+
+void tst_Bars::areaStaysInTheWorld() {
+    AreaForm form;
+    form.setLimits({Vec2(-50, -50), Vec2(50, 50)});
+    form.setArea(Rectangle{Vec2(-200, -10), Vec2(20, 200)});
+    QCOMPARE(form.area(), (Rectangle{Vec2(-50, -10), Vec2(20, 50)}));
+}
+
+void tst_Bars::everythingHasNameAndTooltip() {
+    ConnectionBar connection;
+    TimeBar time;
+    LayersPanel layers;
+    AreaForm area;
+    for (QWidget* panel : std::initializer_list<QWidget*>{&connection, &time, &layers, &area})
+        for (const QWidget* child : panel->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            if (child->focusPolicy() == Qt::NoFocus || qobject_cast<const QLabel*>(child))
+                continue;
+            const auto* button = qobject_cast<const QPushButton*>(child);
+            QVERIFY2(!child->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+                     child->metaObject()->className());
+            QVERIFY2(!child->toolTip().isEmpty(), qPrintable(child->accessibleName()));
+        }
+}
+
+QTEST_MAIN(tst_Bars)
+#include "tst_bars.moc"

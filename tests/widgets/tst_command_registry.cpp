@@ -1,0 +1,202 @@
+#include <QAbstractItemModelTester>
+#include <QLabel>
+#include <QListView>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/command_palette.h"
+#include "widgets/command_registry.h"
+#include "widgets/escape_twice.h"
+#include "widgets/shortcut_sheet.h"
+
+using namespace usar::widgets;
+
+class tst_CommandRegistry : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void shortcutRunsTheCommand();
+    void tooltipSaysWhatAndShortcut();
+    void enabledRulesAreAskedOnRefresh();
+    void menusAndBarsAreMadeFromIds();
+    void scoresMatches_data();
+    void scoresMatches();
+    void paletteModelIsSound();
+    void paletteFindsAndRuns();
+    void paletteHidesWhatIsImpossible();
+    void paletteIsLedByArrowKeys();
+    void sheetListsEveryShortcut();
+    void escapeTwiceCounts_data();
+    void escapeTwiceCounts();
+
+private:
+    std::unique_ptr<QMainWindow> window_;
+    std::unique_ptr<CommandRegistry> registry_;
+    QStringList ran_;
+    bool flying_ = false;
+};
+
+void tst_CommandRegistry::init() {
+    ran_.clear();
+    flying_ = false;
+    window_ = std::make_unique<QMainWindow>();
+    window_->resize(800, 600);
+    registry_ = std::make_unique<CommandRegistry>(window_.get());
+    const auto add = [this](const QString& id, const QString& text, const QString& group, const QString& keys,
+                            std::function<bool()> rule = {}) {
+        const QList<QKeySequence> shortcuts =
+            keys.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(keys)};
+        registry_->add(
+            {id, text, group, text + QStringLiteral(" at once."), QStringLiteral("fit"), shortcuts},
+            [this, id](bool) { ran_ << id; }, std::move(rule));
+    };
+    add(QStringLiteral("map.fit"), QStringLiteral("Fit mission in view"), QStringLiteral("Map"), QStringLiteral("F"));
+    add(QStringLiteral("map.follow"), QStringLiteral("Follow robot"), QStringLiteral("Map"), QStringLiteral("Ctrl+F"));
+    add(QStringLiteral("robot.land"), QStringLiteral("Land now"), QStringLiteral("Robot"), QStringLiteral("L"),
+        [this] { return flying_; });
+    add(QStringLiteral("file.export"), QStringLiteral("Export results"), QStringLiteral("Mission"), {});
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+}
+
+void tst_CommandRegistry::cleanup() {
+    registry_.reset();
+    window_.reset();
+}
+
+void tst_CommandRegistry::shortcutRunsTheCommand() {
+    QTest::keyClick(window_.get(), Qt::Key_F);
+    QTest::keyClick(window_.get(), Qt::Key_F, Qt::ControlModifier);
+    QCOMPARE(ran_, QStringList({QStringLiteral("map.fit"), QStringLiteral("map.follow")}));
+}
+
+void tst_CommandRegistry::tooltipSaysWhatAndShortcut() {
+    QCOMPARE(registry_->action(QStringLiteral("map.fit"))->toolTip(),
+             QStringLiteral("Fit mission in view at once. (F)"));
+    QCOMPARE(registry_->action(QStringLiteral("file.export"))->toolTip(), QStringLiteral("Export results at once."));
+    for (const auto& command : registry_->commands())
+        QVERIFY(!command->action->icon().isNull());
+}
+
+void tst_CommandRegistry::enabledRulesAreAskedOnRefresh() {
+    QAction* land = registry_->action(QStringLiteral("robot.land"));
+    QVERIFY(!land->isEnabled());
+    QTest::keyClick(window_.get(), Qt::Key_L);
+    flying_ = true;
+    registry_->refresh();
+    QVERIFY(land->isEnabled());
+    QTest::keyClick(window_.get(), Qt::Key_L);
+    QCOMPARE(ran_, QStringList{QStringLiteral("robot.land")});
+}
+
+void tst_CommandRegistry::menusAndBarsAreMadeFromIds() {
+    QMenu menu;
+    QToolBar bar;
+    const QStringList ids{QStringLiteral("map.fit"), QStringLiteral("-"), QStringLiteral("file.export")};
+    registry_->fill(&menu, ids);
+    registry_->fill(&bar, ids);
+    for (const QList<QAction*>& actions : {menu.actions(), bar.actions()}) {
+        QCOMPARE(actions.size(), 3);
+        QCOMPARE(actions[0], registry_->action(ids[0]));
+        QVERIFY(actions[1]->isSeparator());
+    }
+    QVERIFY(!registry_->contains(QStringLiteral("map.fly")));
+}
+
+void tst_CommandRegistry::scoresMatches_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("score"); // -1: no match
+    QTest::newRow("nothing typed") << QString() << 0;
+    QTest::newRow("start of the text") << QStringLiteral("fit") << 3;
+    QTest::newRow("start of a word, any case") << QStringLiteral("VIEW") << 2;
+    QTest::newRow("within a word") << QStringLiteral("iss") << 1;
+    QTest::newRow("two words in any order") << QStringLiteral("map fit") << 5;
+    QTest::newRow("one of them missing") << QStringLiteral("fit land") << -1;
+}
+
+void tst_CommandRegistry::scoresMatches() {
+    QFETCH(QString, typed);
+    QFETCH(int, score);
+    QCOMPARE(matchScore(typed, QStringLiteral("Fit mission in view Map")).value_or(-1), score);
+}
+
+void tst_CommandRegistry::paletteModelIsSound() {
+    CommandListModel model(*registry_);
+    QAbstractItemModelTester tester(&model);
+    model.setFilter(QStringLiteral("map"));
+    QCOMPARE(model.rowCount(), 2);
+    model.setFilter(QStringLiteral("no such command"));
+    QCOMPARE(model.rowCount(), 0);
+    QCOMPARE(model.actionAt({}), nullptr);
+}
+
+void tst_CommandRegistry::paletteFindsAndRuns() {
+    CommandPalette palette(*registry_, window_.get());
+    palette.open();
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClicks(line, QStringLiteral("expo"));
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(ran_, QStringList{QStringLiteral("file.export")});
+    QVERIFY(palette.isHidden());
+}
+
+void tst_CommandRegistry::paletteHidesWhatIsImpossible() {
+    CommandPalette palette(*registry_, window_.get());
+    palette.open();
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClicks(line, QStringLiteral("land"));
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(ran_.isEmpty());
+    QVERIFY(palette.isVisible());
+}
+
+void tst_CommandRegistry::paletteIsLedByArrowKeys() {
+    CommandPalette palette(*registry_, window_.get());
+    palette.open();
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClick(line, Qt::Key_Up);
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(ran_, QStringList{QStringLiteral("map.follow")});
+}
+
+void tst_CommandRegistry::sheetListsEveryShortcut() {
+    ShortcutSheet sheet(*registry_, {{QStringLiteral("Wheel"), QStringLiteral("zoom")}}, window_.get());
+    QStringList texts;
+    for (const QLabel* label : sheet.findChildren<QLabel*>())
+        texts << label->text();
+    for (const auto& command : registry_->commands())
+        QCOMPARE(texts.contains(command->spec.text), !command->spec.shortcuts.isEmpty());
+    QVERIFY(texts.contains(QStringLiteral("Wheel")) && texts.contains(QStringLiteral("Ctrl+F")));
+}
+
+void tst_CommandRegistry::escapeTwiceCounts_data() {
+    QTest::addColumn<QList<int>>("keys");
+    QTest::addColumn<QList<int>>("at_ms");
+    QTest::addColumn<int>("stops");
+    const int esc = Qt::Key_Escape;
+    QTest::newRow("once") << QList<int>{esc} << QList<int>{1000} << 0;
+    QTest::newRow("twice") << QList<int>{esc, esc} << QList<int>{1000, 1300} << 1;
+    QTest::newRow("too slow") << QList<int>{esc, esc} << QList<int>{1000, 1900} << 0;
+    QTest::newRow("slow, then quick") << QList<int>{esc, esc, esc} << QList<int>{1000, 1900, 2100} << 1;
+    QTest::newRow("another key between") << QList<int>{esc, Qt::Key_A, esc} << QList<int>{1000, 1100, 1200} << 0;
+    QTest::newRow("four times are two stops") << QList<int>{esc, esc, esc, esc} << QList<int>{1, 2, 3, 4} << 2;
+}
+
+void tst_CommandRegistry::escapeTwiceCounts() {
+    QFETCH(QList<int>, keys);
+    QFETCH(QList<int>, at_ms);
+    EscapeTwice watch;
+    QSignalSpy stops(&watch, &EscapeTwice::pressedTwice);
+    for (qsizetype i = 0; i < keys.size(); ++i) {
+        QKeyEvent press(QEvent::KeyPress, keys[i], Qt::NoModifier);
+        press.setTimestamp(static_cast<quint64>(at_ms[i]));
+        QCoreApplication::sendEvent(window_->windowHandle(), &press);
+    }
+    QTEST(int(stops.count()), "stops");
+}
+
+QTEST_MAIN(tst_CommandRegistry)
+#include "tst_command_registry.moc"

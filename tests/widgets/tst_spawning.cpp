@@ -1,0 +1,132 @@
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "widgets/hint_strip.h"
+#include "widgets/spawn_card.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+std::vector<agent::RobotDescription> robots() {
+    agent::RobotDescription air{"USARBot.AirRobot", "AirRobot", {}, {}};
+    air.behaviors.push_back({"airrobot/cpp", "Terrain survey (C++)", "Scans.", true, {}});
+    air.behaviors.push_back({"airrobot/posh", "Terrain survey (POSH)", "Scans.", true, {}});
+    agent::RobotDescription ground{"USARBot.P2DX", "P2DX", {}, {}};
+    return {air, ground};
+}
+
+} // namespace
+
+class tst_Spawning : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void returnSpawnsWhatIsChosen();
+    void behaviorsFollowTheRobot();
+    void refusesNamesThatTheWireCannotCarry();
+    void escapeCloses();
+    void pressOnTheMapClosesAndReachesIt();
+    void staysWithinTheMap();
+    void remembersTheLastChoice();
+    void stripNamesTheNextStep();
+    void stripIsDismissed();
+
+private:
+    std::unique_ptr<QWidget> map_;
+    SpawnCard* card_ = nullptr;
+};
+
+void tst_Spawning::init() {
+    map_ = std::make_unique<QWidget>();
+    map_->resize(600, 400);
+    card_ = new SpawnCard(map_.get());
+    card_->setRobots(robots());
+    map_->show();
+    QVERIFY(QTest::qWaitForWindowActive(map_.get()));
+    card_->openFor(1, QStringLiteral("HillTop"), QStringLiteral("R3"), map_->mapToGlobal(QPoint(100, 100)));
+}
+
+void tst_Spawning::cleanup() {
+    map_.reset();
+}
+
+void tst_Spawning::returnSpawnsWhatIsChosen() {
+    QSignalSpy spawned(card_, &SpawnCard::spawnRequested);
+    QTest::keyClick(card_, Qt::Key_Return);
+    QCOMPARE(spawned.count(), 1);
+    QCOMPARE(spawned[0][0].value<SpawnChoice>(), (SpawnChoice{1, QStringLiteral("USARBot.AirRobot"),
+                                                              QStringLiteral("R3"), QStringLiteral("airrobot/cpp")}));
+    QVERIFY(card_->isHidden());
+}
+
+void tst_Spawning::behaviorsFollowTheRobot() {
+    const auto combos = card_->findChildren<QComboBox*>();
+    QCOMPARE(combos[1]->count(), 3);
+    QTest::keyClick(combos[0], Qt::Key_Down);
+    QCOMPARE(card_->choice().class_name, QStringLiteral("USARBot.P2DX"));
+    QCOMPARE(combos[1]->count(), 1);
+    QCOMPARE(card_->choice().behavior_id, QString());
+}
+
+void tst_Spawning::refusesNamesThatTheWireCannotCarry() {
+    QSignalSpy spawned(card_, &SpawnCard::spawnRequested);
+    auto* name = card_->findChild<QLineEdit*>();
+    name->clear();
+    QVERIFY(!card_->findChild<QPushButton*>()->isEnabled());
+    QTest::keyClick(card_, Qt::Key_Return);
+    QCOMPARE(spawned.count(), 0);
+    QTest::keyClicks(name, QStringLiteral("my {robot}"));
+    QCOMPARE(name->text(), QStringLiteral("myrobot"));
+}
+
+void tst_Spawning::escapeCloses() {
+    QTest::keyClick(card_, Qt::Key_Escape);
+    QVERIFY(card_->isHidden());
+}
+
+void tst_Spawning::pressOnTheMapClosesAndReachesIt() {
+    QVERIFY(card_->isVisible());
+    QTest::mousePress(map_.get(), Qt::LeftButton, {}, QPoint(20, 20));
+    QVERIFY(card_->isHidden());
+}
+
+void tst_Spawning::staysWithinTheMap() {
+    card_->openFor(0, QStringLiteral("Edge"), QStringLiteral("R1"), map_->mapToGlobal(QPoint(595, 395)));
+    QVERIFY(map_->rect().contains(card_->geometry()));
+}
+
+void tst_Spawning::remembersTheLastChoice() {
+    QTest::keyClick(card_->findChildren<QComboBox*>()[1], Qt::Key_Down);
+    QTest::keyClick(card_, Qt::Key_Return);
+    const SpawnChoice again = card_->lastChoice(0, QStringLiteral("R4"));
+    QCOMPARE(again, (SpawnChoice{0, QStringLiteral("USARBot.AirRobot"), QStringLiteral("R4"),
+                                 QStringLiteral("airrobot/posh")}));
+}
+
+void tst_Spawning::stripNamesTheNextStep() {
+    HintStrip strip;
+    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[0]));
+    strip.setDone(0, true);
+    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[1]));
+    QVERIFY(strip.findChild<QLabel*>()->text().contains(QStringLiteral("✓")));
+    strip.setDone(2, true);
+    QVERIFY(!strip.allDone());
+    strip.setDone(1, true);
+    QVERIFY(strip.allDone());
+}
+
+void tst_Spawning::stripIsDismissed() {
+    HintStrip strip;
+    strip.show();
+    QSignalSpy dismissed(&strip, &HintStrip::dismissed);
+    QTest::mouseClick(strip.findChild<QToolButton*>(), Qt::LeftButton);
+    QCOMPARE(dismissed.count(), 1);
+    QVERIFY(strip.isHidden());
+}
+
+QTEST_MAIN(tst_Spawning)
+#include "tst_spawning.moc"

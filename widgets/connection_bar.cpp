@@ -1,0 +1,165 @@
+#include "widgets/connection_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include "widgets/elided_label.h"
+#include "widgets/icons.h"
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+QString words(const ConnectionStatus& status) {
+    switch (status.state) {
+    case ConnectionState::Disconnected:
+        return status.reason.isEmpty() ? ConnectionBar::tr("Not connected") : status.reason;
+    case ConnectionState::Connecting:
+        return ConnectionBar::tr("Connecting…");
+    case ConnectionState::Connected:
+        return status.where.isEmpty() ? ConnectionBar::tr("Connected")
+                                      : ConnectionBar::tr("Connected · %1").arg(status.where);
+    case ConnectionState::Waiting:
+        break;
+    }
+    const QString retry = ConnectionBar::tr("Retrying in %1 s.").arg(figure(status.retry_in.count(), 0));
+    return status.reason.isEmpty() ? retry : status.reason + QStringLiteral(" ") + retry;
+}
+
+StateShape shape(const ConnectionStatus& status) {
+    switch (status.state) {
+    case ConnectionState::Disconnected:
+        return status.reason.isEmpty() ? StateShape::Off : StateShape::Bad;
+    case ConnectionState::Connecting:
+        return StateShape::Busy;
+    case ConnectionState::Connected:
+        return StateShape::Good;
+    case ConnectionState::Waiting:
+        break;
+    }
+    return StateShape::Waiting;
+}
+
+} // namespace
+
+ConnectionBar::ConnectionBar(QWidget* parent)
+    : QWidget(parent)
+    , server_(new QComboBox(this))
+    , host_(new QLineEdit(QStringLiteral("127.0.0.1"), this))
+    , port_(new QSpinBox(this))
+    , button_(new QPushButton(this))
+    , dot_(new StateDot(this))
+    , status_text_(new ElidedLabel(this))
+    , rate_(new QLabel(this)) {
+    setAccessibleName(tr("Connection"));
+    server_->addItem(icon(QStringLiteral("robot")), tr("Embedded simulator"));
+    server_->addItem(icon(QStringLiteral("plug")), tr("Real server"));
+    server_->setAccessibleName(tr("Server"));
+    server_->setToolTip(tr("The simulator inside this program, or a USARSim server in the network"));
+    host_->setAccessibleName(tr("Host"));
+    host_->setToolTip(tr("Name or address of the USARSim server"));
+    host_->setMinimumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("000.000.000")));
+    host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
+    port_->setRange(1, 65535);
+    port_->setValue(3000);
+    port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    port_->setAccessibleName(tr("Port"));
+    port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
+    status_text_->setAccessibleName(tr("State of the connection"));
+    status_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
+    rate_->setAccessibleName(tr("Info lines per second"));
+    rate_->setToolTip(tr("Info lines received per second of wall time"));
+    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    rate_->setProperty("role", "muted");
+    rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
+    row->setSpacing(gap::small);
+    row->addWidget(server_);
+    row->addWidget(host_);
+    row->addWidget(port_);
+    row->addWidget(button_);
+    row->addWidget(dot_);
+    row->addWidget(status_text_, 1);
+    row->addWidget(rate_);
+    connect(button_, &QPushButton::clicked, this, &ConnectionBar::press);
+    connect(host_, &QLineEdit::returnPressed, this, &ConnectionBar::press);
+    connect(server_, &QComboBox::currentIndexChanged, this, [this] {
+        refresh();
+        emit serverChanged(server());
+    });
+    setRate(std::nullopt);
+    refresh();
+}
+
+void ConnectionBar::setServer(ServerChoice choice) {
+    server_->setCurrentIndex(choice == ServerChoice::Embedded ? 0 : 1);
+}
+
+ServerChoice ConnectionBar::server() const {
+    return server_->currentIndex() == 0 ? ServerChoice::Embedded : ServerChoice::Real;
+}
+
+void ConnectionBar::setAddress(const QString& host, quint16 port) {
+    host_->setText(host);
+    port_->setValue(port);
+}
+
+QString ConnectionBar::host() const {
+    return host_->text().trimmed();
+}
+
+quint16 ConnectionBar::port() const {
+    return static_cast<quint16>(port_->value());
+}
+
+void ConnectionBar::setStatus(const ConnectionStatus& status) {
+    if (status == status_)
+        return;
+    status_ = status;
+    refresh();
+}
+
+void ConnectionBar::setRate(std::optional<double> lines_per_s) {
+    rate_->setText(lines_per_s ? tr("%1 lines/s").arg(figure(*lines_per_s, 0, 4)) : QString());
+}
+
+void ConnectionBar::press() {
+    if (status_.state != ConnectionState::Disconnected)
+        emit disconnectRequested();
+    else if (server() == ServerChoice::Embedded || !host().isEmpty())
+        emit connectRequested(server(), host(), port());
+}
+
+void ConnectionBar::refresh() {
+    const bool off = status_.state == ConnectionState::Disconnected;
+    const bool real = server() == ServerChoice::Real;
+    server_->setEnabled(off);
+    host_->setVisible(real);
+    port_->setVisible(real);
+    host_->setEnabled(off);
+    port_->setEnabled(off);
+    button_->setText(off                                           ? tr("Connect")
+                     : status_.state == ConnectionState::Connected ? tr("Disconnect")
+                                                                   : tr("Cancel"));
+    button_->setIcon(icon(off ? QStringLiteral("plug") : QStringLiteral("unplug")));
+    button_->setToolTip(off ? tr("Connects, and reconnects by itself when the link breaks")
+                            : tr("Closes the link; what was scanned is kept"));
+    dot_->setState(shape(status_));
+    status_text_->setText(words(status_));
+    status_text_->setToolTip(words(status_));
+    QPalette palette = status_text_->palette();
+    palette.setColor(QPalette::WindowText, stateColor(shape(status_)));
+    status_text_->setPalette(palette);
+}
+
+void ConnectionBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange)
+        refresh();
+    QWidget::changeEvent(event);
+}
+
+} // namespace usar::widgets

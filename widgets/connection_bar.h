@@ -1,0 +1,68 @@
+// Truth about the link, always in sight: which server, how it stands, why not.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWidget>
+
+#include "core/base/clock.h"
+#include "widgets/state_dot.h"
+
+namespace usar::widgets {
+
+enum class ServerChoice { Embedded, Real };
+
+enum class ConnectionState { Disconnected, Connecting, Connected, Waiting };
+
+/// What the bar says. `where` is shown when connected ("tall_test"); `reason` is a sentence with the mend.
+struct ConnectionStatus {
+    ConnectionState state = ConnectionState::Disconnected;
+    QString where;
+    QString reason;
+    Seconds retry_in{0.0}; ///< while Waiting
+    bool operator==(const ConnectionStatus&) const = default;
+};
+
+/// Choice, host and port in; connect and disconnect out. It never connects by itself. GUI thread.
+class ConnectionBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit ConnectionBar(QWidget* parent = nullptr);
+
+    void setServer(ServerChoice choice);
+    ServerChoice server() const;
+    void setAddress(const QString& host, quint16 port);
+    QString host() const;
+    quint16 port() const;
+    void setStatus(const ConnectionStatus& status);
+    /// Info lines per second of wall time; nothing hides the figure.
+    void setRate(std::optional<double> lines_per_s);
+    /// The sentence that is shown now.
+    QString statusText() const { return status_text_->text(); }
+
+signals:
+    void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
+    void disconnectRequested();
+    void serverChanged(usar::widgets::ServerChoice choice);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void press();
+    void refresh();
+
+    ConnectionStatus status_;
+    QComboBox* server_;
+    QLineEdit* host_;
+    QSpinBox* port_;
+    QPushButton* button_;
+    StateDot* dot_;
+    QLabel* status_text_;
+    QLabel* rate_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,58 @@
+// The small card beside a start pose: which robot, under which name, with which behavior.
+#pragma once
+
+#include <vector>
+
+#include <QComboBox>
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "core/agent/robot_plugin.h"
+
+namespace usar::widgets {
+
+struct SpawnChoice {
+    int start_pose = 0;
+    QString class_name; ///< on the wire: "USARBot.AirRobot"
+    QString robot_name;
+    QString behavior_id; ///< may be empty: no behavior
+    bool operator==(const SpawnChoice&) const = default;
+};
+
+/// A child sheet, not a popup window, so that the second click of a double-click still reaches the map. Escape or a
+/// click elsewhere closes it; Return spawns. The choice is remembered for the next pose. GUI thread.
+class SpawnCard : public QFrame {
+    Q_OBJECT
+public:
+    explicit SpawnCard(QWidget* over);
+
+    void setRobots(const std::vector<agent::RobotDescription>& robots);
+    /// Beside `at` (global), within the widget that it lies over.
+    void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);
+    SpawnChoice choice() const;
+    /// What a double-click spawns: the choice last made, with this pose and name.
+    SpawnChoice lastChoice(int start_pose, const QString& robot_name) const;
+
+signals:
+    void spawnRequested(const usar::widgets::SpawnChoice& choice);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void listBehaviors();
+    void spawn();
+
+    std::vector<agent::RobotDescription> robots_;
+    int start_pose_ = 0;
+    QLabel* title_;
+    QComboBox* class_;
+    QLineEdit* name_;
+    QComboBox* behavior_;
+    QPushButton* spawn_;
+};
+
+} // namespace usar::widgets

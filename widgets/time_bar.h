@@ -1,0 +1,46 @@
+// Truth about time: the protocol clock, and for a simulator pause, step, speed and how real it is.
+#pragma once
+
+#include <optional>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include "core/base/clock.h"
+
+namespace usar::widgets {
+
+/// Requests out, figures in; it counts no time itself. "As fast as it can" is a speed of infinity. GUI thread.
+class TimeBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit TimeBar(QWidget* parent = nullptr);
+
+    /// A real server's time cannot be steered: only the clock is shown.
+    void setSteerable(bool steerable);
+    void setPaused(bool paused);
+    bool paused() const;
+    /// The nearest speed on the list is shown; no signal.
+    void setSpeed(double speed);
+    double speed() const;
+    /// Protocol clock; nothing while unknown.
+    void setClock(std::optional<Seconds> now);
+    /// Protocol seconds per second of wall time.
+    void setRealTimeFactor(std::optional<double> factor);
+
+signals:
+    void pauseRequested(bool paused);
+    void stepRequested();
+    void speedRequested(double speed);
+
+private:
+    QToolButton* pause_;
+    QToolButton* step_;
+    QComboBox* speed_;
+    QLabel* clock_;
+    QLabel* factor_;
+};
+
+} // namespace usar::widgets
