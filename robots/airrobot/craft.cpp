@@ -1,0 +1,175 @@
+#include "robots/airrobot/craft.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// What rises to less than this under the base passes below it.
+constexpr double level_margin_m = 1.2;
+constexpr double look_around_m = 8.0;
+constexpr double body_half_width_m = 0.75;
+/// A climb over something ends this far beyond the place of the climb.
+constexpr double over_way_m = 12.0;
+constexpr double rise_tolerance_m = 0.3;
+constexpr double hold_still_m = 0.5;
+
+double bearingTo(const Vec2& from_m, const Vec2& to_m) {
+    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
+}
+
+} // namespace
+
+void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
+    senses = reader_.read(tick.now, tick.line, tick.robot, layout);
+    if (airborne) {
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});
+        battery.moveTo(senses.position_m());
+    }
+    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
+    threats = judgeThreats(senses, settings);
+    port.publish(agent::SonarZones{threats.zones});
+    log.tick(senses, airborne, settings, port);
+}
+
+FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
+    FlightState state = FlightState::Flying;
+    const EvasionDecision decision = evasion_.decide(senses, threats, obstacles_, leg.aim_m, settings);
+    log.risks(senses, decision, port);
+    log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
+    Motion motion;
+    if (decision.mode == EvasionMode::Flee)
+        motion = evade(decision, leg, state);
+    else if (climb_over_.active())
+        motion = climbOver(leg, state);
+    else if (decision.mode == EvasionMode::None)
+        motion = cruise(leg, state);
+    else
+        motion = evade(decision, leg, state);
+    const bool hindered = state != FlightState::Flying;
+    stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
+    if (hindered && settings.climb_over && !climb_over_.active() &&
+        stuck_.hindered() > Seconds(settings.climb_over_after_s))
+        climb_over_.start(senses, obstacles_, settings);
+    makeSafe(motion);
+    pilot_.fly(motion, senses, port, leg.source, settings);
+    if (stuck_.withoutProgress() <= Seconds(settings.give_up_after_s))
+        return state;
+    startAnew();
+    return FlightState::Unreachable;
+}
+
+Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {
+    state = FlightState::Evading;
+    const Vec2 here_m = senses.position2_m();
+    if (decision.mode == EvasionMode::Flee) {
+        Motion motion;
+        motion.sudden = true;
+        motion.velocity_in_map_m_s =
+            settings.evasion_speed_m_s * Vec2(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
+        return motion;
+    }
+    if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
+        return toward(senses, bearingTo(here_m, decision.diversion_m), settings.evasion_speed_m_s, settings);
+    Motion motion = holding(senses, here_m);
+    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
+    return motion;
+}
+
+Motion Craft::cruise(const Leg& leg, FlightState& state) {
+    const Vec2 here_m = senses.position2_m();
+    const double level_m = senses.position_m().z() - level_margin_m;
+    const auto bearing =
+        steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {settings.side_clearance_m / 2.0, 3.5});
+    if (!bearing) {
+        state = FlightState::Evading;
+        Motion motion = holding(senses, here_m);
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
+        motion.climb_m_s = climbRate(bearingTo(here_m, leg.aim_m), 0.0);
+        return motion;
+    }
+    const double distance_m = (leg.aim_m - here_m).norm();
+    const double speed_m_s = std::min(leg.speed_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
+    Motion motion = toward(senses, *bearing, speed_m_s, settings);
+    motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
+    return motion;
+}
+
+Motion Craft::climbOver(const Leg& leg, FlightState& state) {
+    state = FlightState::ClimbingOver;
+    const ClimbStep step = climb_over_.step(senses, threats, obstacles_, leg.aim_m, settings);
+    const Vec2 here_m = senses.position2_m();
+    Motion motion = holding(senses, step.place_m);
+    if (step.state == ClimbState::Over) {
+        climbed_at_ = senses.position_m();
+        stuck_.clearHindered();
+    }
+    motion.climb_m_s = step.climb_m_s;
+    if (step.state == ClimbState::Climbing)
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
+    return motion;
+}
+
+std::optional<double> Craft::heldHeight_m() {
+    if (climbed_at_ && (senses.position2_m() - climbed_at_->head<2>()).norm() > over_way_m)
+        climbed_at_.reset();
+    return climbed_at_ ? std::optional(climbed_at_->z()) : std::nullopt;
+}
+
+double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
+    const double goal_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
+    return altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
+}
+
+void Craft::makeSafe(Motion& motion) const {
+    const double speed_m_s = motion.velocity_in_map_m_s.norm();
+    if (speed_m_s < 1e-3)
+        return;
+    const double bearing_rad = std::atan2(motion.velocity_in_map_m_s.y(), motion.velocity_in_map_m_s.x());
+    const double free_m = clearance_m(obstacles_, senses.position2_m(), bearing_rad, body_half_width_m, look_around_m) -
+                          settings.safety_margin_m;
+    const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2);
+    if (safe_m_s < speed_m_s)
+        motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
+}
+
+bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
+    const double error_m = goal_z_m - senses.position_m().z();
+    Motion motion = holding(senses, over_m);
+    motion.climb_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
+    pilot_.fly(motion, senses, port, "taking off", settings);
+    return std::abs(error_m) < rise_tolerance_m;
+}
+
+bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
+    Motion motion = holding(senses, place_m);
+    motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
+    pilot_.fly(motion, senses, port, "landing", settings);
+    return touchdown.touched(senses);
+}
+
+void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {
+    Motion motion = holding(senses, place_m);
+    makeSafe(motion);
+    pilot_.fly(motion, senses, port, source, settings);
+}
+
+void Craft::forgetPlaces() {
+    memory.clear();
+    reader_.forgetMotion();
+    battery.forgetPosition();
+    log.forgetPath();
+    startAnew();
+}
+
+void Craft::startAnew() {
+    evasion_.reset();
+    steering_.reset();
+    stuck_.reset();
+    climb_over_.reset();
+    climbed_at_.reset();
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,81 @@
+// What the robot perceives at one tick, in the map frame of its own drifting estimate.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/cause.h"
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/modules/robot_modules.h"
+#include "robots/airrobot/pose_history.h"
+#include "robots/airrobot/sensor_layout.h"
+
+namespace usar::airrobot {
+
+/// One sonar's reading. The echo is somewhere on the cone's cap around `center_in_map_m`, between `low_m` and `high_m`.
+struct SonarEcho {
+    std::string name;
+    double bearing_rad = 0.0; ///< in the robot's frame, counter-clockwise
+    double range_m = 0.0;
+    double maximum_m = 5.0;
+    bool hit = false; ///< false: nothing within the range
+    Vec3 origin_in_map_m = Vec3::Zero();
+    Vec3 center_in_map_m = Vec3::Zero();
+    double low_m = 0.0;  ///< map z of the cap's lower and
+    double high_m = 0.0; ///< upper edge
+};
+
+/// A scan that is new at this tick, placed where the robot was when it was taken.
+struct PlacedScan {
+    LineNumber line;
+    Pose scanner_in_map;
+    Pose base_in_map;
+    std::vector<Vec3> hits_in_map_m; ///< in beam order, misses left out
+};
+
+/// All perception of one tick. Ground truth is not in it: it is looked at only when landed (InsReset).
+struct Senses {
+    Seconds now{0.0};
+    LineNumber line;
+    Pose base_in_map; ///< INS
+    Vec3 velocity_in_map_m_s = Vec3::Zero();
+    double yaw_rate_rad_s = 0.0;
+    std::vector<SonarEcho> sonars; ///< left to right; readings that are not numbers are left out
+    std::optional<PlacedScan> scan;
+    std::optional<double> ground_m; ///< map z of what is under the belly: mean of the middle rays ([SD]: ten)
+    std::optional<Seconds> robot_battery;
+    Seconds ins_age{0.0}; ///< since the last reading of each kind came; huge before the first
+    Seconds sonar_age{0.0};
+    Seconds scan_age{0.0};
+
+    Vec3 position_m() const { return base_in_map.position_m; }
+    Vec2 position2_m() const { return base_in_map.position_m.head<2>(); }
+    double heightOverGround_m(double otherwise_m) const {
+        return ground_m ? base_in_map.position_m.z() - *ground_m : otherwise_m;
+    }
+};
+
+/// Makes senses from the modules' snapshots. Owned by one robot; fed once a tick.
+class SenseReader {
+public:
+    Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout);
+    /// The estimate has jumped.
+    void forgetMotion() { history_.clear(); }
+
+private:
+    void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) const;
+    void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
+
+    PoseHistory history_;
+    LineNumber last_ins_;
+    LineNumber last_scan_;
+    LineNumber last_sonar_;
+    std::optional<Seconds> ins_seen_;
+    std::optional<Seconds> scan_seen_;
+    std::optional<Seconds> sonar_seen_;
+    std::optional<double> ground_m_;
+};
+
+} // namespace usar::airrobot

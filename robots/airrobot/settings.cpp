@@ -1,0 +1,177 @@
+#include "robots/airrobot/settings.h"
+
+#include <array>
+#include <variant>
+
+namespace usar::airrobot {
+
+namespace {
+
+using Member = std::variant<double Settings::*, long long Settings::*, bool Settings::*>;
+
+struct Binding {
+    Member member;
+    const char* id;
+    const char* label;
+    const char* group;
+    const char* unit;
+    double minimum;
+    double maximum;
+    const char* help;
+};
+
+using S = Settings;
+
+const std::vector<Binding>& bindings() {
+    static const std::vector<Binding> table{
+        {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", 2, 15,
+         "Height over the ground below that is kept while flying."},
+        {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", -500, 5000,
+         "Map height that the robot never sinks below except to land: keeps it out of ravines and water, which the "
+         "scanner cannot see."},
+        {&S::clearance_m, "clearance_m", "Clearance", "Flight", "m", 0.5, 6,
+         "Height kept over the highest known thing under and ahead of the robot."},
+        {&S::footprint_radius_m, "footprint_radius_m", "Footprint radius", "Flight", "m", 0.8, 5,
+         "How far around the robot things count as being under it."},
+        {&S::maximum_height_m, "maximum_height_m", "Highest climb", "Flight", "m", 8, 100,
+         "Height over ground above which an obstacle is not climbed over."},
+        {&S::scan_speed_m_s, "scan_speed_m_s", "Scan speed", "Flight", "m/s", 0.1, 2,
+         "Speed along the lanes; slow gives a denser map."},
+        {&S::transit_speed_m_s, "transit_speed_m_s", "Transit speed", "Flight", "m/s", 0.1, 2,
+         "Speed to the area, between lanes and home."},
+        {&S::climb_speed_m_s, "climb_speed_m_s", "Climb speed", "Flight", "m/s", 0.2, 2, "Highest rate of climb."},
+        {&S::descent_speed_m_s, "descent_speed_m_s", "Descent speed", "Flight", "m/s", 0.1, 2,
+         "Highest rate of descent in flight."},
+        {&S::turn_rate_rad_s, "turn_rate_rad_s", "Turn rate", "Flight", "rad/s", 0.1, 1.7,
+         "Highest yaw rate; quick turns make the INS drift more."},
+        {&S::acceleration_m_s2, "acceleration_m_s2", "Acceleration", "Flight", "m/s^2", 0.2, 4,
+         "How fast the commanded speed grows."},
+        {&S::braking_m_s2, "braking_m_s2", "Braking", "Flight", "m/s^2", 0.2, 4,
+         "Deceleration that safe speeds are computed with."},
+        {&S::safety_margin_m, "safety_margin_m", "Safety margin", "Flight", "m", 0.6, 3,
+         "Distance from the body's center to an obstacle at which the speed toward it is zero."},
+        {&S::lane_spacing_m, "lane_spacing_m", "Lane spacing", "Survey", "m", 2, 40,
+         "Largest distance between lanes; used when the survey is planned."},
+        {&S::quadrant_limit_m, "quadrant_limit_m", "Quadrant limit", "Survey", "m", 20, 1000,
+         "An area with a longer side is cut into quadrants; used when the survey is planned."},
+        {&S::goal_distance_m, "goal_distance_m", "Goal distance", "Survey", "m", 5, 200,
+         "A lane is flown in goals at most this far apart; a goal that cannot be reached costs no more than that."},
+        {&S::goal_reached_m, "goal_reached_m", "Goal reached within", "Survey", "m", 0.5, 10,
+         "A goal counts as reached at this distance."},
+        {&S::lookahead_m, "lookahead_m", "Look-ahead", "Survey", "m", 1, 20,
+         "How far ahead on the lane the robot aims."},
+        {&S::maximum_scan_tilt_rad, "maximum_scan_tilt_rad", "Largest tilt for the map", "Survey", "rad", 0.02, 0.8,
+         "Scans taken at a greater tilt are not written into the map."},
+        {&S::maximum_scan_turn_rad_s, "maximum_scan_turn_rad_s", "Largest turn rate for the map", "Survey", "rad/s",
+         0.02, 2, "Scans taken in a faster turn are not written into the map."},
+        {&S::low_risk_0_m, "low_risk_0_m", "Low risk, M0", "Threat zones", "m", 0.2, 5,
+         "An echo nearer than this in front is a low risk."},
+        {&S::low_risk_1_m, "low_risk_1_m", "Low risk, L1 R1", "Threat zones", "m", 0.2, 5,
+         "An echo nearer than this 18 degrees aside is a low risk."},
+        {&S::low_risk_2_m, "low_risk_2_m", "Low risk, L2 R2", "Threat zones", "m", 0.2, 5,
+         "An echo nearer than this 36 degrees aside is a low risk."},
+        {&S::low_risk_3_m, "low_risk_3_m", "Low risk, L3 R3", "Threat zones", "m", 0.2, 5,
+         "An echo nearer than this 54 degrees aside is a low risk."},
+        {&S::low_risk_4_m, "low_risk_4_m", "Low risk, L4 R4", "Threat zones", "m", 0.2, 5,
+         "An echo nearer than this 72 degrees aside is a low risk."},
+        {&S::high_risk_0_m, "high_risk_0_m", "High risk, M0", "Threat zones", "m", 0.1, 5,
+         "An echo nearer than this in front is a high risk."},
+        {&S::high_risk_1_m, "high_risk_1_m", "High risk, L1 R1", "Threat zones", "m", 0.1, 5,
+         "An echo nearer than this 18 degrees aside is a high risk."},
+        {&S::high_risk_2_m, "high_risk_2_m", "High risk, L2 R2", "Threat zones", "m", 0.1, 5,
+         "An echo nearer than this 36 degrees aside is a high risk."},
+        {&S::high_risk_3_m, "high_risk_3_m", "High risk, L3 R3", "Threat zones", "m", 0.1, 5,
+         "An echo nearer than this 54 degrees aside is a high risk."},
+        {&S::high_risk_4_m, "high_risk_4_m", "High risk, L4 R4", "Threat zones", "m", 0.1, 5,
+         "An echo nearer than this 72 degrees aside is a high risk."},
+        {&S::evasion_speed_m_s, "evasion_speed_m_s", "Evasion speed", "Evasion", "m/s", 0.1, 2,
+         "Speed of a sudden movement away from a high risk, and toward a diversion point."},
+        {&S::diversion_distance_m, "diversion_distance_m", "Diversion distance", "Evasion", "m", 1, 15,
+         "How far away a diversion point is put."},
+        {&S::calm_cycles, "calm_cycles", "Calm cycles", "Evasion", "", 1, 100,
+         "Ticks without a risk before the robot returns to its former goal."},
+        {&S::side_clearance_m, "side_clearance_m", "Side clearance", "Evasion", "m", 0.7, 6,
+         "Half the width of the free way that a diversion wants."},
+        {&S::climb_over, "climb_over", "Climb over obstacles", "Evasion", "", 0, 0,
+         "Climb over what cannot be flown around."},
+        {&S::climb_over_after_s, "climb_over_after_s", "Climb over after", "Evasion", "s", 0, 120,
+         "Time without progress after which the robot climbs."},
+        {&S::climb_standoff_m, "climb_standoff_m", "Climb stand-off", "Evasion", "m", 1, 6,
+         "Distance to everything around that is sought before a climb: crowns are wider above."},
+        {&S::give_up_after_s, "give_up_after_s", "Give a goal up after", "Evasion", "s", 10, 1000,
+         "Time without progress after which a goal is given up."},
+        {&S::scan_memory_s, "scan_memory_s", "Scanner memory", "Evasion", "s", 5, 3600,
+         "How long the belly scanner's heights are remembered for flying."},
+        {&S::sonar_memory_s, "sonar_memory_s", "Sonar memory", "Evasion", "s", 1, 600,
+         "How long sonar echoes are remembered for flying."},
+        {&S::battery_range_m, "battery_range_m", "Battery range", "Battery", "m", 50, 100000,
+         "Distance that the simulated battery lasts."},
+        {&S::battery_reserve_pct, "battery_reserve_pct", "Reserve", "Battery", "%", 0, 60,
+         "Part of the range kept for avoiding obstacles on the way home."},
+        {&S::recharge_time_s, "recharge_time_s", "Recharge time", "Battery", "s", 0, 3600,
+         "Simulated time on the ground that a charge takes."},
+        {&S::robot_battery_reserve_s, "robot_battery_reserve_s", "Robot's battery reserve", "Battery", "s", 0, 3600,
+         "The robot goes home for good when its own battery, which cannot be charged, lasts only for the way home and "
+         "this long."},
+        {&S::landing_speed_m_s, "landing_speed_m_s", "Touch-down speed", "Landing", "m/s", 0.1, 0.8,
+         "Rate of descent near the ground."},
+        {&S::landing_slow_below_m, "landing_slow_below_m", "Slow below", "Landing", "m", 1, 10,
+         "Height at which a landing becomes slow."},
+        {&S::landing_radius_m, "landing_radius_m", "Landing place within", "Landing", "m", 0, 20,
+         "How far from the base an even place is sought."},
+        {&S::rest_time_s, "rest_time_s", "Rest on the ground", "Pose", "s", 2, 60,
+         "Time at rest before take-off and before the INS is set."},
+        {&S::reset_attempts, "reset_attempts", "INS reset attempts", "Pose", "", 1, 50,
+         "How often the INS is set before the robot flies on without."},
+        {&S::sensor_timeout_s, "sensor_timeout_s", "Sensor time-out", "Pose", "s", 0.5, 20,
+         "The robot hovers when a sensor has been silent for this long."},
+    };
+    return table;
+}
+
+agent::ParameterSpec specOf(const Binding& binding) {
+    const Settings defaults;
+    agent::ParameterSpec spec{binding.id,      binding.label, binding.group,
+                              binding.unit,    0.0,           binding.minimum,
+                              binding.maximum, binding.help,  {}};
+    std::visit([&](auto member) { spec.default_value = defaults.*member; }, binding.member);
+    return spec;
+}
+
+struct Loader {
+    Settings& settings;
+    const agent::ParameterSet& parameters;
+    const char* id;
+    void operator()(double Settings::*member) const { settings.*member = parameters.real(id); }
+    void operator()(long long Settings::*member) const { settings.*member = parameters.integer(id); }
+    void operator()(bool Settings::*member) const { settings.*member = parameters.flag(id); }
+};
+
+} // namespace
+
+double Settings::lowRisk_m(std::size_t ring) const {
+    return std::array{low_risk_0_m, low_risk_1_m, low_risk_2_m, low_risk_3_m, low_risk_4_m}.at(ring);
+}
+
+double Settings::highRisk_m(std::size_t ring) const {
+    return std::array{high_risk_0_m, high_risk_1_m, high_risk_2_m, high_risk_3_m, high_risk_4_m}.at(ring);
+}
+
+const std::vector<agent::ParameterSpec>& parameterSpecs() {
+    static const std::vector<agent::ParameterSpec> specs = [] {
+        std::vector<agent::ParameterSpec> made;
+        for (const Binding& binding : bindings())
+            made.push_back(specOf(binding));
+        return made;
+    }();
+    return specs;
+}
+
+Settings settingsFrom(const agent::ParameterSet& parameters) {
+    Settings settings;
+    for (const Binding& binding : bindings())
+        std::visit(Loader{settings, parameters, binding.id}, binding.member);
+    return settings;
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,117 @@
+#include "robots/airrobot/survey.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+/// A goal within a lane is passed, not touched: this far to its side still counts.
+constexpr double passing_m = 8.0;
+constexpr double end_passing_m = 3.0;
+constexpr double resume_back_m = 1.0;
+} // namespace
+
+double Survey::length_m() const {
+    const mapping::Lane& lane = plan_.lanes[lane_];
+    return (lane.end_m - lane.start_m).norm();
+}
+
+Vec2 Survey::pointAt_m(double along_m) const {
+    const mapping::Lane& lane = plan_.lanes[lane_];
+    const double length = length_m();
+    return length > 0.0 ? Vec2(lane.start_m + (lane.end_m - lane.start_m) * (along_m / length)) : lane.start_m;
+}
+
+double Survey::pieceEnd_m(const Settings& settings) const {
+    const double end_m = piece_start_m_ + settings.goal_distance_m;
+    const double length = length_m();
+    return length - end_m < settings.goal_distance_m / 2.0 ? length : end_m;
+}
+
+Vec2 Survey::goal_m(const Settings& settings) const {
+    return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_);
+}
+
+Vec2 Survey::aim_m(const Vec2& position_m, const Settings& settings) const {
+    if (!on_lane_)
+        return pointAt_m(entry_along_m_);
+    const mapping::Lane& lane = plan_.lanes[lane_];
+    const Vec2 along = (lane.end_m - lane.start_m).normalized();
+    const double here_m = along.dot(position_m - lane.start_m);
+    return pointAt_m(std::clamp(here_m + settings.lookahead_m, piece_start_m_, length_m()));
+}
+
+SurveyEvent Survey::update(const Vec2& position_m, const Settings& settings) {
+    if (done())
+        return SurveyEvent::AllDone;
+    if (!on_lane_) {
+        if ((position_m - pointAt_m(entry_along_m_)).norm() > settings.goal_reached_m)
+            return SurveyEvent::None;
+        on_lane_ = true;
+        piece_start_m_ = reached_m_ = entry_along_m_;
+        return SurveyEvent::LaneEntered;
+    }
+    const mapping::Lane& lane = plan_.lanes[lane_];
+    const Vec2 along = (lane.end_m - lane.start_m).normalized();
+    const Vec2 offset_m = position_m - lane.start_m;
+    const double here_m = along.dot(offset_m);
+    const double aside_m = std::abs(along.x() * offset_m.y() - along.y() * offset_m.x());
+    if (aside_m < passing_m)
+        reached_m_ = std::clamp(here_m, reached_m_, length_m());
+    const double end_m = pieceEnd_m(settings);
+    const bool last = end_m >= length_m();
+    if (here_m < end_m - settings.goal_reached_m || aside_m > (last ? end_passing_m : passing_m))
+        return SurveyEvent::None;
+    return endPiece(settings);
+}
+
+SurveyEvent Survey::endPiece(const Settings& settings) {
+    piece_start_m_ = pieceEnd_m(settings);
+    if (piece_start_m_ < length_m())
+        return SurveyEvent::GoalReached;
+    return nextLane();
+}
+
+SurveyEvent Survey::nextLane() {
+    const int quadrant = plan_.lanes[lane_].quadrant;
+    finished_lanes_m_ += length_m();
+    ++lane_;
+    on_lane_ = false;
+    entry_along_m_ = piece_start_m_ = reached_m_ = 0.0;
+    if (done())
+        return SurveyEvent::AllDone;
+    return plan_.lanes[lane_].quadrant != quadrant ? SurveyEvent::QuadrantDone : SurveyEvent::LaneDone;
+}
+
+SurveyEvent Survey::giveUp(const Settings& settings) {
+    if (done())
+        return SurveyEvent::AllDone;
+    ++goals_given_up_;
+    if (on_lane_)
+        return endPiece(settings);
+    piece_start_m_ = entry_along_m_;
+    entry_along_m_ = pieceEnd_m(settings);
+    return entry_along_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
+}
+
+void Survey::interrupt() {
+    if (on_lane_)
+        entry_along_m_ = std::max(0.0, std::max(reached_m_, piece_start_m_) - resume_back_m);
+    on_lane_ = false;
+}
+
+double Survey::doneLength_m() const {
+    return done() ? plan_.lane_length_m : finished_lanes_m_ + std::max(entry_along_m_, reached_m_);
+}
+
+std::vector<Vec2> Survey::corners_m() const {
+    std::vector<Vec2> corners;
+    for (const mapping::Lane& lane : plan_.lanes) {
+        corners.push_back(lane.start_m);
+        corners.push_back(lane.end_m);
+    }
+    return corners;
+}
+
+} // namespace usar::airrobot

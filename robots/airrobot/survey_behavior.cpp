@@ -1,0 +1,327 @@
+#include "robots/airrobot/survey_behavior.h"
+
+#include <algorithm>
+
+#include "core/base/numbers.h"
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double over_base_m = 0.8;
+constexpr Seconds lost_after{15.0};
+constexpr double landed_z_m = 0.5;
+
+std::string count(std::size_t number) {
+    return std::to_string(number);
+}
+
+} // namespace
+
+SurveyBehavior::SurveyBehavior(agent::BehaviorContext context) : task_(std::move(context.task)) {
+    craft_.settings = settingsFrom(context.parameters);
+}
+
+void SurveyBehavior::setParameters(const agent::ParameterSet& parameters) {
+    craft_.settings = settingsFrom(parameters);
+}
+
+protocol::Command SurveyBehavior::safeCommand() const {
+    return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
+}
+
+bool SurveyBehavior::airborne() const {
+    return phase_ != Phase::Launch && phase_ != Phase::Ground && phase_ != Phase::Finished;
+}
+
+double SurveyBehavior::beelineHome_m() const {
+    return (craft_.senses.position_m() - task_.start_in_map.position_m).norm();
+}
+
+void SurveyBehavior::tick(const agent::Tick& tick, agent::CommandPort& port) {
+    if (phase_ == Phase::Finished)
+        return;
+    if (!started_)
+        started_ = tick.now;
+    craft_.perceive(tick, checklist_.layout(), airborne(), port);
+    goal_distance_m_.reset();
+    if (phase_ == Phase::Launch)
+        launch(tick, port);
+    else if (sensorsSpeak(port))
+        act(tick, port);
+    publishStatus(tick, port);
+}
+
+void SurveyBehavior::launch(const agent::Tick& tick, agent::CommandPort& port) {
+    const LaunchState state = checklist_.step(tick.now, tick.robot, port, craft_.settings);
+    if (state == LaunchState::Failed)
+        return finish(false, checklist_.words() + ".", port);
+    if (state == LaunchState::Waiting || paused_)
+        return;
+    planSurvey(port);
+}
+
+void SurveyBehavior::planSurvey(agent::CommandPort& port) {
+    const Vec2 base_m = task_.start_in_map.position_m.head<2>();
+    const Settings& settings = craft_.settings;
+    const auto plan =
+        mapping::planCoverage(task_.area_in_map, base_m, {settings.lane_spacing_m, settings.quadrant_limit_m});
+    if (!plan)
+        return finish(false, plan.error().text(), port);
+    survey_ = Survey(*plan);
+    port.publish(agent::PlannedPath{survey_.corners_m()});
+    craft_.startAnew();
+    phase_ = Phase::TakeOff;
+    take_off_z_m_ = craft_.senses.position_m().z();
+    hold_m_ = craft_.senses.position2_m();
+}
+
+bool SurveyBehavior::sensorsSpeak(agent::CommandPort& port) {
+    const Senses& senses = craft_.senses;
+    const Seconds worst = std::max({senses.ins_age, senses.sonar_age, senses.scan_age});
+    const bool silent = worst > Seconds(craft_.settings.sensor_timeout_s);
+    if (silent && !silent_) {
+        const char* which = worst == senses.ins_age ? "INS" : worst == senses.sonar_age ? "sonars" : "range scanner";
+        port.publish(agent::BehaviorEvent{Severity::Error, std::string("The ") + which +
+                                                               " went silent; the robot waits for data where it is."});
+    }
+    if (silent_ && !silent)
+        port.publish(agent::BehaviorEvent{Severity::Note, "All sensors speak again."});
+    silent_ = silent;
+    if (!silent || phase_ == Phase::Ground)
+        return true;
+    craft_.rest(port, "sensors silent");
+    if (worst > lost_after)
+        finish(false, "A sensor that the flight needs stays silent; the robot hovers. Take over by hand.", port);
+    return false;
+}
+
+void SurveyBehavior::act(const agent::Tick& tick, agent::CommandPort& port) {
+    watchBattery(port);
+    if (paused_ && phase_ != Phase::Landing && phase_ != Phase::Ground)
+        return craft_.hover(hold_m_, port, "paused");
+    switch (phase_) {
+    case Phase::TakeOff:
+        return takeOff(port);
+    case Phase::ToLane:
+    case Phase::Lane:
+        return survey(port);
+    case Phase::Home:
+        return flyHome(port);
+    case Phase::Landing:
+        return land(port);
+    case Phase::Ground:
+        return onGround(tick, port);
+    case Phase::Launch:
+    case Phase::Finished:
+        return;
+    }
+}
+
+void SurveyBehavior::takeOff(agent::CommandPort& port) {
+    const double goal_z_m = std::max(take_off_z_m_ + craft_.settings.scan_altitude_m, craft_.settings.floor_level_m);
+    if (!craft_.rise(goal_z_m, hold_m_, port))
+        return;
+    phase_ = Phase::ToLane;
+    craft_.startAnew();
+}
+
+void SurveyBehavior::survey(agent::CommandPort& port) {
+    const Settings& settings = craft_.settings;
+    const Vec2 here_m = craft_.senses.position2_m();
+    onSurveyEvent(survey_.update(here_m, settings), port);
+    if (phase_ != Phase::ToLane && phase_ != Phase::Lane)
+        return;
+    phase_ = survey_.onLane() ? Phase::Lane : Phase::ToLane;
+    had_lane_since_charge_ = had_lane_since_charge_ || phase_ == Phase::Lane;
+    const Leg leg{survey_.goal_m(settings), survey_.aim_m(here_m, settings),
+                  survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words()};
+    goal_distance_m_ = (leg.goal_m - here_m).norm();
+    if (craft_.fly(leg, port) != FlightState::Unreachable)
+        return;
+    const Vec3 goal_m(leg.goal_m.x(), leg.goal_m.y(), craft_.senses.position_m().z());
+    craft_.log.mark(agent::MarkKind::GoalGivenUp, goal_m, craft_.senses, port);
+    port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
+    onSurveyEvent(survey_.giveUp(settings), port);
+}
+
+void SurveyBehavior::onSurveyEvent(SurveyEvent event, agent::CommandPort& port) {
+    if (event == SurveyEvent::AllDone)
+        goHome(Errand::Done, "", port);
+    else if (event == SurveyEvent::QuadrantDone)
+        goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
+}
+
+void SurveyBehavior::goHome(Errand errand, const std::string& why, agent::CommandPort& port) {
+    errand_ = errand;
+    survey_.interrupt();
+    craft_.startAnew();
+    phase_ = Phase::Home;
+    if (!why.empty())
+        port.publish(agent::BehaviorEvent{Severity::Note, why});
+}
+
+void SurveyBehavior::watchBattery(agent::CommandPort& port) {
+    if (phase_ != Phase::ToLane && phase_ != Phase::Lane)
+        return;
+    const Settings& settings = craft_.settings;
+    const double home_m = beelineHome_m();
+    const Seconds way_home(1.3 * home_m / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
+    if (craft_.senses.robot_battery && *craft_.senses.robot_battery < way_home) {
+        end_reason_ = "The robot's own battery runs out, and the simulator cannot charge it; raise its battery life.";
+        return goHome(Errand::GivenUp, end_reason_, port);
+    }
+    if (craft_.battery.rangeLeft_m(home_m, settings) > 0.0)
+        return;
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position_m(), craft_.senses, port);
+    if (!had_lane_since_charge_) {
+        end_reason_ = "The place to resume at is out of the battery's range; raise the range or move the base.";
+        return goHome(Errand::GivenUp, end_reason_, port);
+    }
+    goHome(Errand::Recharge, "The battery's reserve is near; home for a charge.", port);
+}
+
+void SurveyBehavior::flyHome(agent::CommandPort& port) {
+    const Vec2 base_m = task_.start_in_map.position_m.head<2>();
+    const Vec2 here_m = craft_.senses.position2_m();
+    goal_distance_m_ = (base_m - here_m).norm();
+    if (*goal_distance_m_ < over_base_m)
+        return beginLanding(base_m);
+    const Leg leg{base_m, base_m, craft_.settings.transit_speed_m_s, words()};
+    if (craft_.fly(leg, port) != FlightState::Unreachable)
+        return;
+    port.publish(agent::BehaviorEvent{Severity::Error, "The way home is blocked; the robot lands where it is."});
+    end_reason_ = "The way home was blocked.";
+    errand_ = Errand::GivenUp;
+    beginLanding(here_m);
+}
+
+void SurveyBehavior::beginLanding(const Vec2& near_m) {
+    landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m);
+    craft_.touchdown.start();
+    phase_ = Phase::Landing;
+}
+
+void SurveyBehavior::land(agent::CommandPort& port) {
+    if (!craft_.descend(landing_m_, port))
+        return;
+    craft_.rest(port, "landed");
+    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position_m(), craft_.senses, port);
+    craft_.log.goal(std::nullopt, port);
+    phase_ = Phase::Ground;
+    phase_since_ = craft_.senses.now;
+    ins_reset_.start(craft_.senses.now);
+}
+
+void SurveyBehavior::onGround(const agent::Tick& tick, agent::CommandPort& port) {
+    if (errand_ == Errand::Done || errand_ == Errand::GivenUp) {
+        const std::string left_out =
+            survey_.goalsGivenUp() == 0 ? "." : "; goals left out: " + std::to_string(survey_.goalsGivenUp()) + ".";
+        return finish(errand_ == Errand::Done, errand_ == Errand::Done ? "The area is scanned" + left_out : end_reason_,
+                      port);
+    }
+    const ResetState before = ins_reset_.state();
+    const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
+    if (reset != before)
+        onResetEnded(reset, port);
+    const bool settled = reset == ResetState::Done || reset == ResetState::Failed;
+    const Seconds charging(std::max(craft_.settings.recharge_time_s, craft_.settings.rest_time_s));
+    if (!settled || paused_ || tick.now - phase_since_ < charging)
+        return;
+    craft_.battery.recharge();
+    craft_.forgetPlaces();
+    had_lane_since_charge_ = false;
+    phase_ = Phase::TakeOff;
+    take_off_z_m_ = craft_.senses.position_m().z();
+    hold_m_ = craft_.senses.position2_m();
+}
+
+void SurveyBehavior::onResetEnded(ResetState reset, agent::CommandPort& port) {
+    if (reset == ResetState::Failed)
+        port.publish(
+            agent::BehaviorEvent{Severity::Warning, "The INS could not be set; the flight goes on with its drift."});
+    if (reset == ResetState::Done)
+        port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
+}
+
+void SurveyBehavior::order(agent::Order order, agent::CommandPort& port) {
+    if (phase_ == Phase::Finished)
+        return;
+    hold_m_ = phase_ == Phase::TakeOff ? hold_m_ : craft_.senses.position2_m();
+    paused_ = order == agent::Order::Pause;
+    if (order != agent::Order::LandNow)
+        return;
+    end_reason_ = "The robot landed because a person asked it to.";
+    if (!airborne())
+        return finish(false, end_reason_, port);
+    errand_ = Errand::GivenUp;
+    if (phase_ != Phase::Landing)
+        beginLanding(craft_.senses.position2_m());
+}
+
+void SurveyBehavior::finish(bool success, const std::string& reason, agent::CommandPort& port) {
+    phase_ = Phase::Finished;
+    craft_.rest(port, "finished");
+    port.publish(agent::BehaviorFinished{success, reason});
+}
+
+std::string SurveyBehavior::words() const {
+    const std::string lane = "lane " + count(survey_.laneIndex() + 1) + " of " + count(survey_.laneCount());
+    switch (phase_) {
+    case Phase::Launch:
+        return checklist_.words();
+    case Phase::TakeOff:
+        return "taking off";
+    case Phase::ToLane:
+        return "flying to " + lane;
+    case Phase::Lane:
+        return "scanning " + lane;
+    case Phase::Home:
+        return errand_ == Errand::Recharge ? "returning to charge" : "returning to base";
+    case Phase::Landing:
+        return "landing";
+    case Phase::Ground:
+        return ins_reset_.state() == ResetState::Done ? "charging" : "at rest, setting the INS";
+    case Phase::Finished:
+        return "finished";
+    }
+    return {};
+}
+
+double SurveyBehavior::progress_pct() const {
+    if (survey_.laneCount() == 0)
+        return 0.0;
+    return 100.0 * survey_.doneLength_m() / survey_.totalLength_m();
+}
+
+std::optional<Seconds> SurveyBehavior::timeLeft() const {
+    if (survey_.laneCount() == 0)
+        return std::nullopt;
+    const Settings& settings = craft_.settings;
+    const double done_m = survey_.doneLength_m();
+    const Seconds elapsed = craft_.senses.now - *started_;
+    const Seconds planned = mapping::estimatedTime(survey_.plan(), settings.scan_speed_m_s, settings.transit_speed_m_s);
+    const double part = done_m / survey_.totalLength_m();
+    const Seconds by_plan = planned * (1.0 - part);
+    if (part < 0.05)
+        return by_plan;
+    const Seconds by_pace = elapsed * ((1.0 - part) / part);
+    return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
+}
+
+void SurveyBehavior::publishStatus(const agent::Tick& tick, agent::CommandPort& port) const {
+    agent::BehaviorStatus status;
+    status.time = tick.now;
+    status.elapsed = tick.now - *started_;
+    status.state = silent_ ? "waiting for sensors" : paused_ ? "paused, " + words() : words();
+    status.distance_to_goal_m = goal_distance_m_;
+    status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
+    status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
+    status.progress_pct = progress_pct();
+    status.time_left = timeLeft();
+    status.distance_flown_m = craft_.battery.flown_m();
+    status.charges = craft_.battery.charges();
+    port.publish(status);
+}
+
+} // namespace usar::airrobot

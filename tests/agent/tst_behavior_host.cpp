@@ -1,0 +1,185 @@
+#include <functional>
+#include <stdexcept>
+
+#include <QtTest>
+
+#include "core/agent/behavior_host.h"
+
+using namespace usar;
+using namespace usar::agent;
+
+namespace {
+
+/// What happened to a scripted behavior; it outlives the behavior.
+struct Script {
+    std::vector<std::string> calls;
+    std::function<void(const Tick&, CommandPort&)> on_tick;
+    std::function<void(CommandPort&)> on_info;
+    std::function<void()> on_parameters;
+    bool safe_throws = false;
+};
+
+class ScriptedBehavior : public Behavior {
+public:
+    explicit ScriptedBehavior(Script& script) : script_(script) {}
+    void onInfo(const protocol::InfoLine&, CommandPort& port) override {
+        script_.calls.push_back("info");
+        if (script_.on_info)
+            script_.on_info(port);
+    }
+    void tick(const Tick& tick, CommandPort& port) override {
+        script_.calls.push_back("tick");
+        if (script_.on_tick)
+            script_.on_tick(tick, port);
+    }
+    void order(Order, CommandPort& port) override {
+        script_.calls.push_back("order");
+        port.send(protocol::AerialDrive{0.0, {}, {}, {}}, "ordered");
+    }
+    void setParameters(const ParameterSet&) override {
+        script_.calls.push_back("parameters");
+        if (script_.on_parameters)
+            script_.on_parameters();
+    }
+    protocol::Command safeCommand() const override {
+        if (script_.safe_throws)
+            throw std::runtime_error("not even that");
+        return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
+    }
+
+private:
+    Script& script_;
+};
+
+protocol::InfoLine state(std::uint64_t number, double time_s) {
+    protocol::RobotState state;
+    state.time = Seconds(time_s);
+    return {LineNumber{number}, "", state, {}};
+}
+
+protocol::InfoLine ins(std::uint64_t number) {
+    return {LineNumber{number}, "", protocol::InsReading{{}, "INS", Pose{Vec3(1, 2, 3), 0, 0, 0}}, {}};
+}
+
+} // namespace
+
+class TestBehaviorHost : public QObject {
+    Q_OBJECT
+
+    Script script;
+    std::unique_ptr<BehaviorHost> host;
+
+private slots:
+    void init() {
+        script = {};
+        host = std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted");
+    }
+
+    void ticksOnEveryStateAndTellsEveryLineFirst() {
+        host->receive(ins(1));
+        host->receive(state(2, 10.0));
+        QCOMPARE(script.calls, (std::vector<std::string>{"info", "info", "tick"}));
+    }
+
+    void givesTheTickItsTimeLineAndModules() {
+        bool seen = false;
+        script.on_tick = [&](const Tick& tick, CommandPort&) {
+            QCOMPARE(tick.now.count(), 10.5);
+            QCOMPARE(tick.line.value, std::uint64_t(2));
+            QVERIFY(tick.robot.sensors.ins());
+            QCOMPARE(tick.robot.sensors.ins()->value.base_in_map.position_m.y(), 2.0);
+            seen = true;
+        };
+        host->receive(ins(1));
+        host->receive(state(2, 10.5));
+        QVERIFY(seen);
+    }
+
+    void stampsCommandsWithTheDeciderAndTheLine() {
+        script.on_tick = [](const Tick&, CommandPort& port) {
+            port.send(protocol::AerialDrive{1.0, {}, {}, {}}, "taking off");
+        };
+        const auto output = host->receive(state(7, 1.0));
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QCOMPARE(output.commands[0].cause.source, std::string("test/scripted: taking off"));
+        QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(7));
+    }
+
+    void stampsOrdersWithTheLastLine() {
+        host->receive(state(7, 1.0));
+        const auto output = host->order(Order::Pause);
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(7));
+    }
+
+    void sendsTheQuestionsOneByOne() {
+        script.on_tick = [](const Tick& tick, CommandPort&) {
+            tick.robot.geometry.query("Sonar");
+            tick.robot.geometry.query("RangeScanner");
+        };
+        const auto first = host->receive(state(1, 1.0));
+        QCOMPARE(first.commands.size(), std::size_t(1));
+        QCOMPARE(std::get<protocol::GetGeometry>(first.commands[0].command).type, std::string("Sonar"));
+        const auto waiting = host->receive(state(2, 1.2));
+        QVERIFY(waiting.commands.empty());
+        protocol::GeometryInfo answer;
+        answer.type = "Sonar";
+        answer.items.push_back({"F1", {}, "HARD"});
+        const auto next = host->receive({LineNumber{3}, "", answer, {}});
+        QCOMPARE(next.commands.size(), std::size_t(1));
+        QCOMPARE(std::get<protocol::GetGeometry>(next.commands[0].command).type, std::string("RangeScanner"));
+    }
+
+    void stopsABehaviorThatThrows_data() {
+        QTest::addColumn<bool>("standard");
+        QTest::newRow("a standard exception") << true;
+        QTest::newRow("anything else") << false;
+    }
+    void stopsABehaviorThatThrows() {
+        QFETCH(bool, standard);
+        script.on_tick = [=](const Tick&, CommandPort& port) {
+            port.send(protocol::AerialDrive{2.0, {}, {}, {}}, "wild");
+            if (standard)
+                throw std::runtime_error("lost my way");
+            throw 42;
+        };
+        const auto output = host->receive(state(5, 1.0));
+        QVERIFY(host->finished());
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QVERIFY(output.commands[0].command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+        const auto& finished = std::get<BehaviorFinished>(output.published.at(0));
+        QVERIFY(!finished.success);
+        if (standard)
+            QVERIFY(finished.reason.find("lost my way") != std::string::npos);
+        QVERIFY(host->receive(state(6, 1.2)).commands.empty());
+    }
+
+    void saysAtTheNextCallWhatParametersThrew() {
+        script.on_parameters = [] { throw std::runtime_error("too fast"); };
+        host->setParameters(*ParameterSet::make({}));
+        const auto output = host->receive(state(5, 1.0));
+        QCOMPARE(output.published.size(), std::size_t(1));
+        QVERIFY(std::get<BehaviorFinished>(output.published[0]).reason.find("too fast") != std::string::npos);
+    }
+
+    void leavesAFinishedBehaviorAlone() {
+        script.on_tick = [](const Tick&, CommandPort& port) { port.publish(BehaviorFinished{true, "Done."}); };
+        host->receive(state(1, 1.0));
+        QVERIFY(host->finished());
+        host->receive(state(2, 1.2));
+        host->order(Order::LandNow);
+        QCOMPARE(script.calls, (std::vector<std::string>{"info", "tick"}));
+    }
+
+    void hasASafeCommandWhateverTheBehaviorSays() {
+        host->receive(state(9, 1.0));
+        script.safe_throws = true;
+        const CausedCommand safe = host->safeCommand("operator");
+        QVERIFY(safe.command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+        QCOMPARE(safe.cause.source, std::string("operator"));
+        QCOMPARE(safe.cause.trigger.value, std::uint64_t(9));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBehaviorHost)
+#include "tst_behavior_host.moc"

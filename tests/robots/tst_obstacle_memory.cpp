@@ -1,0 +1,155 @@
+#include <QtTest>
+
+#include "robots/airrobot/obstacle_memory.h"
+#include "tests/robots/robot_samples.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::tests;
+
+class TestObstacleMemory : public QObject {
+    Q_OBJECT
+
+    const MemorySpans spans{Seconds(100.0), Seconds(10.0)};
+
+private slots:
+    void keepsTheHighestHitOfACell() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(3.1, 0.1, 2.0), Vec3(3.2, 0.2, 4.0), Vec3(3.3, 0.3, 1.0)}};
+        memory.take(senses, spans);
+        QCOMPARE(*memory.highest_m({3.25, 0.25}, 0.3), 4.0);
+    }
+
+    void reportsWhatReachesTheLevel() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(3, 0, 5.5), Vec3(0, 3, 2.0), Vec3(0, 30, 9.0)}};
+        memory.take(senses, spans);
+        const auto near = memory.near({0, 0}, 8.0, 4.8);
+        QCOMPARE(near.size(), std::size_t(1));
+        QVERIFY(near[0].top_known);
+        QVERIFY((near[0].at_m - Vec2(3.25, 0.25)).norm() < 1e-9);
+    }
+
+    void forgetsAfterItsTime() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setFlatScan(senses, {0, 0}, 2.0, 3.0);
+        setSonars(senses, {{"M0", 3.0}});
+        memory.take(senses, spans);
+        QCOMPARE(memory.near({0, 0}, 8.0, 5.0).size(), std::size_t(1));
+        memory.take(sensesAt({0, 0, 6}, 0.0, 115.0), spans);
+        QVERIFY(memory.near({0, 0}, 8.0, 5.0).empty()); // the echo went first
+        QVERIFY(memory.highest_m({0, 0}, 1.0));
+        memory.take(sensesAt({0, 0, 6}, 0.0, 201.0), spans);
+        QVERIFY(!memory.highest_m({0, 0}, 1.0));
+    }
+
+    void replacesWhatIsForgottenByWhatIsLower() {
+        ObstacleMemory memory;
+        Senses high = sensesAt({0, 0, 6}, 0.0, 0.0);
+        setFlatScan(high, {0, 0}, 1.0, 5.0);
+        memory.take(high, spans);
+        Senses low = sensesAt({0, 0, 6}, 0.0, 150.0);
+        setFlatScan(low, {0, 0}, 1.0, 1.0);
+        memory.take(low, spans);
+        QCOMPARE(*memory.highest_m({0, 0}, 0.5), 1.0);
+    }
+
+    void rollsWithTheRobot() {
+        ObstacleMemory memory;
+        const double far_m = ObstacleMemory::cell_m * ObstacleMemory::side;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 1.0, 5.0);
+        memory.take(senses, spans);
+        setFlatScan(senses, {far_m, 0}, 1.0, 2.0);
+        memory.take(senses, spans);
+        QVERIFY(!memory.highest_m({0, 0}, 0.5)); // overwritten, not confused
+        QCOMPARE(*memory.highest_m({far_m, 0}, 0.5), 2.0);
+    }
+
+    void dropsAnEchoThatALaterBeamPassesThrough() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setSonars(senses, {{"M0", 2.0}});
+        memory.take(senses, spans);
+        QCOMPARE(memory.near({0, 0}, 8.0, 5.0).size(), std::size_t(1));
+        senses.now = Seconds(100.2);
+        setSonars(senses, {{"M0", 4.5}});
+        memory.take(senses, spans);
+        const auto near = memory.near({0, 0}, 8.0, 5.0);
+        QCOMPARE(near.size(), std::size_t(1));
+        QVERIFY(near[0].at_m.x() > 4.5);
+    }
+
+    void rememberWhatIsBehind() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setSonars(senses, {{"M0", 2.0}});
+        memory.take(senses, spans);
+        Senses turned = sensesAt({0, 0, 6}, pi, 102.0); // the tree is at the back now, where no sonar looks
+        setSonars(turned, {});
+        memory.take(turned, spans);
+        const auto near = memory.near({0, 0}, 8.0, 5.0);
+        QVERIFY(clearance_m(near, {0, 0}, 0.0, 0.8, 5.0) < 3.0);
+        QCOMPARE(clearance_m(near, {0, 0}, pi, 0.8, 5.0), 5.0);
+    }
+
+    void findsTheHighestAlongACorridorOnly() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(5, 0, 3.0), Vec3(5, 4, 9.0), Vec3(-5, 0, 8.0), Vec3(20, 0, 7.0)}};
+        memory.take(senses, spans);
+        QCOMPARE(*memory.highestAlong_m({0, 0}, 0.0, 1.5, 10.0), 3.0);
+        QVERIFY(!memory.highestAlong_m({0, 0}, -pi / 2.0, 1.5, 10.0));
+    }
+
+    void saysHowMuchOfAWayIsKnown() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {3, 0}, 3.0, 0.0);
+        memory.take(senses, spans);
+        QVERIFY(memory.knownAlong({0, 0}, 0.0, 1.0, 5.0) > 0.95);
+        QVERIFY(memory.knownAlong({0, 0}, pi, 1.0, 5.0) < 0.1);
+        const double half = memory.knownAlong({0, 0}, 0.0, 1.0, 12.0);
+        QVERIFY(half > 0.4 && half < 0.6);
+    }
+
+    void isEmptyAfterAClear() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 1.0, 5.0);
+        setSonars(senses, {{"M0", 2.0}});
+        memory.take(senses, spans);
+        memory.clear();
+        QVERIFY(memory.near({0, 0}, 8.0, 0.0).empty());
+        QVERIFY(!memory.lowest_m({0, 0}, 1.0));
+    }
+
+    void measuresFreeWays_data() {
+        QTest::addColumn<double>("bearing_deg");
+        QTest::addColumn<double>("half_width_m");
+        QTest::addColumn<double>("free_m");
+        QTest::newRow("at it") << 0.0 << 0.5 << 4.0;
+        QTest::newRow("past it, narrow") << 30.0 << 0.5 << 10.0;
+        QTest::newRow("past it, wide") << 30.0 << 2.5 << 4.0 * std::cos(radians(30.0));
+        QTest::newRow("away from it") << 180.0 << 2.5 << 10.0;
+    }
+    void measuresFreeWays() {
+        QFETCH(double, bearing_deg);
+        QFETCH(double, half_width_m);
+        QFETCH(double, free_m);
+        const std::vector<Obstacle> obstacles{wallAt(4, 0)};
+        QVERIFY(std::abs(clearance_m(obstacles, {0, 0}, radians(bearing_deg), half_width_m, 10.0) - free_m) < 1e-9);
+    }
+
+    void findsTheNearest() {
+        const std::vector<Obstacle> obstacles{wallAt(4, 0), wallAt(0, -3)};
+        QCOMPARE(nearest_m(obstacles, {0, 0}, 9.0), 3.0);
+        QCOMPARE(nearest_m({}, {0, 0}, 9.0), 9.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestObstacleMemory)
+#include "tst_obstacle_memory.moc"

@@ -1,0 +1,146 @@
+#include <QtTest>
+
+#include "robots/airrobot/senses.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+
+class TestSenses : public QObject {
+    Q_OBJECT
+
+    modules::RobotModules robot;
+    SensorLayout layout;
+    std::uint64_t line = 0;
+    std::unique_ptr<SenseReader> reader;
+
+    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+    void tellState(double time_s, double battery_s = 500.0) {
+        protocol::RobotState state;
+        state.time = Seconds(time_s);
+        state.battery_left = Seconds(battery_s);
+        tell(state);
+    }
+    void tellIns(const Pose& base_in_map) { tell(protocol::InsReading{{}, "INS", base_in_map}); }
+    void tellSonars(double range_m) {
+        protocol::SonarReadings sonars;
+        for (const SonarMount& mount : layout.sonars)
+            sonars.ranges.push_back({mount.name, range_m});
+        tell(sonars);
+    }
+    void tellFlatGround(double height_m, std::optional<Seconds> time = {}) {
+        protocol::RangeScan scan{time, "Scanner1", radians(1.0), pi, {}};
+        scan.ranges_m.resize(181);
+        for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+            const double down = std::cos(scan.beamAngle_rad(i));
+            scan.ranges_m[i] = down > height_m / 20.0 ? (height_m - 0.1) / down : 20.0;
+        }
+        tell(scan);
+    }
+    Senses read() { return reader->read(robot.state.now(), LineNumber{line}, robot, layout); }
+
+private slots:
+    void init() {
+        robot = {};
+        layout = stockLayout();
+        line = 0;
+        reader = std::make_unique<SenseReader>();
+    }
+
+    void findsTheGroundUnderTheBelly() {
+        tellIns({Vec3(10, 20, 8), 0, 0, 0.5});
+        tellFlatGround(6.0);
+        tellState(10.0);
+        const Senses senses = read();
+        QVERIFY(senses.ground_m);
+        QVERIFY(std::abs(*senses.ground_m - 2.0) < 0.05);
+        QVERIFY(std::abs(senses.heightOverGround_m(0.0) - 6.0) < 0.05);
+        QCOMPARE(senses.robot_battery->count(), 500.0);
+    }
+
+    void allowsForTheTiltOfTheRobot() {
+        tellIns({Vec3(0, 0, 6), 0, 0, 0});
+        tellFlatGround(6.0);
+        tellState(10.0);
+        const auto level = read().scan->hits_in_map_m.front();
+        tellIns({Vec3(0, 0, 6), radians(10.0), 0, 0});
+        tellFlatGround(6.0);
+        tellState(10.2);
+        const Senses rolled = read();
+        QVERIFY(std::abs(rolled.scan->hits_in_map_m.front().z() - level.z()) > 0.5); // right side sinks when rolled
+    }
+
+    void placesAScanWhereTheRobotWasWhenItWasTaken() {
+        tellIns({Vec3(0, 0, 6), 0, 0, 0});
+        tellState(10.0);
+        read();
+        tellFlatGround(6.0, Seconds(10.0)); // one tick old, as on some servers
+        tellIns({Vec3(1, 0, 6), 0, 0, 0});
+        tellState(10.2);
+        const Senses senses = read();
+        QVERIFY(senses.scan);
+        QVERIFY(std::abs(senses.scan->base_in_map.position_m.x()) < 1e-9);
+        QCOMPARE(senses.position_m().x(), 1.0);
+        QVERIFY(std::abs(senses.velocity_in_map_m_s.x() - 5.0) < 1e-9);
+    }
+
+    void givesAScanOnce() {
+        tellIns({});
+        tellFlatGround(6.0);
+        tellState(10.0);
+        QVERIFY(read().scan);
+        tellState(10.2);
+        const Senses senses = read();
+        QVERIFY(!senses.scan);
+        QVERIFY(senses.ground_m); // still known
+    }
+
+    void hasNoGroundBeyondTheReach() {
+        tellIns({Vec3(0, 0, 30), 0, 0, 0});
+        tellFlatGround(25.0);
+        tellState(10.0);
+        QVERIFY(!read().ground_m);
+    }
+
+    void placesSonarEchoesAroundTheRobot() {
+        tellIns({Vec3(0, 0, 6), 0, 0, pi / 2.0});
+        tellSonars(3.0);
+        tellState(10.0);
+        const Senses senses = read();
+        QCOMPARE(senses.sonars.size(), std::size_t(9));
+        const SonarEcho& front = senses.sonars[4];
+        QCOMPARE(front.name, std::string("M0"));
+        QVERIFY(front.hit);
+        QVERIFY((front.center_in_map_m - Vec3(0, 3.5, 6)).norm() < 1e-9);
+        QVERIFY(front.low_m < 5.7 && front.high_m > 6.3);
+    }
+
+    void takesTheMaximumForNoEchoAndLeavesOutNonsense() {
+        tellIns({});
+        protocol::SonarReadings sonars;
+        sonars.ranges = {{"L4", 5.0}, {"M0", std::nan("")}};
+        tell(sonars);
+        tellState(10.0);
+        const Senses senses = read();
+        QCOMPARE(senses.sonars.size(), std::size_t(1));
+        QVERIFY(!senses.sonars[0].hit);
+    }
+
+    void countsTheAgeOfEachSensor() {
+        tellState(10.0);
+        QVERIFY(read().ins_age > Seconds(1e6));
+        tellIns({});
+        tellSonars(5.0);
+        tellFlatGround(6.0);
+        tellState(10.2);
+        read();
+        tellSonars(5.0);
+        tellState(11.2);
+        const Senses senses = read();
+        QVERIFY(std::abs(senses.ins_age.count() - 1.0) < 1e-9);
+        QVERIFY(std::abs(senses.scan_age.count() - 1.0) < 1e-9);
+        QCOMPARE(senses.sonar_age.count(), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSenses)
+#include "tst_senses.moc"

@@ -1,0 +1,68 @@
+#include <QtTest>
+
+#include "robots/airrobot/settings.h"
+
+using namespace usar;
+using namespace usar::agent;
+using namespace usar::airrobot;
+
+class TestSettings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void hasDefaultsThatItsOwnRangesAccept() {
+        std::map<std::string, ParameterValue> defaults;
+        for (const ParameterSpec& spec : parameterSpecs())
+            defaults[spec.id] = spec.default_value;
+        const auto set = ParameterSet::make(parameterSpecs(), defaults);
+        QVERIFY2(set, set ? "" : set.error().text().c_str());
+        QVERIFY(settingsFrom(*set) == Settings{});
+    }
+
+    void describesEveryParameterInFull() {
+        for (const ParameterSpec& spec : parameterSpecs()) {
+            QVERIFY2(!spec.label.empty() && !spec.group.empty() && !spec.help.empty(), spec.id.c_str());
+            QVERIFY2(spec.help.ends_with('.'), spec.id.c_str());
+            if (!std::holds_alternative<bool>(spec.default_value))
+                QVERIFY2(spec.minimum < spec.maximum, spec.id.c_str());
+        }
+    }
+
+    void namesTheUnitInTheId() {
+        const std::map<std::string, std::string> suffixes{{"m", "_m"},         {"m/s", "_m_s"}, {"s", "_s"},
+                                                          {"rad/s", "_rad_s"}, {"rad", "_rad"}, {"%", "_pct"},
+                                                          {"m/s^2", "_m_s2"}};
+        for (const ParameterSpec& spec : parameterSpecs())
+            if (!spec.unit.empty())
+                QVERIFY2(spec.id.ends_with(suffixes.at(spec.unit)), spec.id.c_str());
+    }
+
+    void putsEveryValueWhereItBelongs() {
+        const auto set = ParameterSet::make(parameterSpecs(), {{"scan_altitude_m", 7.5},
+                                                               {"calm_cycles", 9LL},
+                                                               {"climb_over", false},
+                                                               {"low_risk_3_m", 1.75},
+                                                               {"battery_range_m", 500.0}});
+        QVERIFY(set);
+        const Settings settings = settingsFrom(*set);
+        QCOMPARE(settings.scan_altitude_m, 7.5);
+        QCOMPARE(settings.calm_cycles, 9);
+        QCOMPARE(settings.climb_over, false);
+        QCOMPARE(settings.lowRisk_m(3), 1.75);
+        QCOMPARE(settings.battery_range_m, 500.0);
+        QCOMPARE(settings.scan_speed_m_s, Settings{}.scan_speed_m_s);
+    }
+
+    void shapesTheZonesAsTheThesisDraws() {
+        const Settings settings;
+        for (std::size_t ring = 0; ring < 5; ++ring)
+            QVERIFY(settings.highRisk_m(ring) < settings.lowRisk_m(ring));
+        for (std::size_t ring = 1; ring < 5; ++ring) { // long in front, short at the sides
+            QVERIFY(settings.lowRisk_m(ring) < settings.lowRisk_m(ring - 1));
+            QVERIFY(settings.highRisk_m(ring) < settings.highRisk_m(ring - 1));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSettings)
+#include "tst_settings.moc"
