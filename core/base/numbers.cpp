@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/base/plain_decimal.h"
@@ -22,6 +23,22 @@ std::size_t windowsNotANumber(std::string_view text) {
     while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])))
         ++end;
     return end;
+}
+
+/// A whole number of last places, with the point put in; the sign of a zero is kept, as printf keeps it.
+void appendWhole(std::string& out, double places, std::size_t decimals) {
+    std::array<char, 40> buffer;
+    char* const end = buffer.data() + buffer.size();
+    char* at = end;
+    auto left = static_cast<std::uint64_t>(std::abs(places));
+    for (std::size_t digits = 0; left > 0 || digits <= decimals; ++digits, left /= 10) {
+        if (digits == decimals)
+            *--at = '.';
+        *--at = static_cast<char>('0' + left % 10);
+    }
+    if (std::signbit(places))
+        *--at = '-';
+    out.append(at, end);
 }
 
 } // namespace
@@ -75,12 +92,20 @@ void appendFixed(std::string& out, double value, int decimals) {
 }
 
 void appendTruncated(std::string& out, double value, int decimals) {
-    const double scale = std::pow(10.0, decimals);
+    double scale = 1.0;
+    for (int i = 0; i < decimals; ++i)
+        scale *= 10.0;
     // A value that was read with as many decimals must be written with the same ones, though its product with the
     // scale may fall short of the whole number by a few units in the last place.
-    const double scaled = value * scale;
-    const double cut = std::trunc(scaled + std::copysign(std::abs(scaled) * 1e-12, scaled));
-    appendFixed(out, std::isfinite(value) ? cut / scale : value, decimals);
+    constexpr double few_last_places = 4 * std::numeric_limits<double>::epsilon();
+    const double cut = std::trunc(value * scale * (1.0 + few_last_places));
+    constexpr double largest_whole = 9007199254740992.0; // 2^53: beyond it there is nothing left to cut
+    if (!(std::abs(cut) < largest_whole))
+        appendFixed(out, value, decimals);
+    else if (decimals > 0)
+        appendWhole(out, cut, static_cast<std::size_t>(decimals));
+    else
+        appendFixed(out, cut, 0);
 }
 
 void appendShortest(std::string& out, double value) {

@@ -1,9 +1,13 @@
 #include <QTest>
 
+#include <bit>
+#include <charconv>
 #include <clocale>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/numbers.h"
+#include "core/base/plain_decimal.h"
 #include "core/base/random.h"
 
 using namespace usar;
@@ -17,7 +21,9 @@ private slots:
     void refusesWhatIsNotWhollyANumber();
     void writesFixedDecimals_data();
     void writesFixedDecimals();
+    void cuttingNeverMakesANumberLarger();
     void shortestTextReadsBackExactly();
+    void plainDecimalsReadAsFromCharsReadsThem();
     void ignoresTheLocale();
 };
 
@@ -72,6 +78,12 @@ void tst_Numbers::writesFixedDecimals_data() {
     QTest::newRow("one degree") << 0.01745 << 4 << QByteArray("0.0175") << QByteArray("0.0174");
     QTest::newRow("what was read is written again") << 2.1924 << 4 << QByteArray("2.1924") << QByteArray("2.1924");
     QTest::newRow("negative") << -0.87266 << 4 << QByteArray("-0.8727") << QByteArray("-0.8726");
+    QTest::newRow("minus zero keeps its sign") << -0.0 << 2 << QByteArray("-0.00") << QByteArray("-0.00");
+    QTest::newRow("a tiny negative is minus zero") << -1e-9 << 4 << QByteArray("-0.0000") << QByteArray("-0.0000");
+    QTest::newRow("leading zeros behind the point") << 0.0503 << 4 << QByteArray("0.0503") << QByteArray("0.0503");
+    QTest::newRow("large") << 123456789012345678.0 << 2 << QByteArray("123456789012345680.00")
+                           << QByteArray("123456789012345680.00");
+    QTest::newRow("no decimals") << 7.9 << 0 << QByteArray("8") << QByteArray("7");
     QTest::newRow("two decimals") << 4.5 << 2 << QByteArray("4.50") << QByteArray("4.50");
 }
 
@@ -86,6 +98,42 @@ void tst_Numbers::writesFixedDecimals() {
     std::string cut_text;
     appendTruncated(cut_text, value, decimals);
     QCOMPARE(QByteArray::fromStdString(cut_text), cut);
+}
+
+void tst_Numbers::cuttingNeverMakesANumberLarger() {
+    Random random = seeded(4, 1);
+    for (int i = 0; i < 20000; ++i) {
+        const double value = uniform(random, -1, 1) * std::pow(10.0, uniform(random, -6, 9));
+        std::string text;
+        appendTruncated(text, value, 4);
+        const double cut = readNumber(text).value();
+        QVERIFY2(std::abs(cut) <= std::abs(value) * (1 + 1e-15) && std::abs(value - cut) < 1.0001e-4, text.c_str());
+        std::string again;
+        appendTruncated(again, cut, 4);
+        QCOMPARE(again, text);
+    }
+}
+
+void tst_Numbers::plainDecimalsReadAsFromCharsReadsThem() {
+    Random random = seeded(5, 1);
+    const std::string alphabet = "0123456789....-e";
+    for (int i = 0; i < 200000; ++i) {
+        std::string text(1 + random() % 17, '0');
+        for (char& c : text)
+            c = alphabet[random() % alphabet.size()];
+        double expected = 0.0;
+        const char* const end = text.data() + text.size();
+        const auto [behind, problem] = std::from_chars(text.data(), end, expected);
+        const char* at = text.data();
+        if (double value = 0.0; readPlainDecimal(at, end, value)) {
+            QVERIFY2(problem == std::errc{} && at == behind, text.c_str());
+            QVERIFY2(std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(expected), text.c_str());
+        }
+    }
+    const std::string common = "4.5604,";
+    const char* at = common.data();
+    double value = 0.0;
+    QVERIFY(readPlainDecimal(at, common.data() + common.size(), value) && value == 4.5604 && *at == ',');
 }
 
 void tst_Numbers::shortestTextReadsBackExactly() {
