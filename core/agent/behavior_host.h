@@ -31,6 +31,7 @@ public:
     /// The safe command, with `source` as its cause; a zero aerial DRIVE where the behavior cannot even say that.
     CausedCommand safeCommand(const std::string& source) const;
     bool finished() const { return finished_; }
+    const std::string& behaviorId() const { return behavior_id_; }
 
 private:
     template <class Call>

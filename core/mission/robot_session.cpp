@@ -1,1 +1,132 @@
 #include "core/mission/robot_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mapping/raster_export.h"
+#include "core/mission/robot_session_private.h"
+
+namespace usar::mission {
+
+RobotSession::RobotSession(double cell_size_m, QObject* parent)
+    : QObject(parent)
+    , d_(std::make_unique<Private>(*this, cell_size_m)) {}
+
+RobotSession::~RobotSession() {
+    disconnect();
+    d_->makeSafe("session: close");
+    d_->link.disconnect(this);
+}
+
+void RobotSession::setLimits(const SessionLimits& limits) {
+    d_->limits = limits;
+    d_->link.setLimits(limits.link);
+    d_->sensors = SensorWatch(limits.sensor_silence);
+    const Seconds shortest = std::min({limits.greeting, limits.spawn, limits.stale});
+    d_->watch_timer.setInterval(std::max(toMilliseconds(shortest) / 8, std::chrono::milliseconds(5)));
+}
+
+const ScanRecord& RobotSession::record() const {
+    return d_->record;
+}
+
+ScanRecord RobotSession::snapshot() const {
+    ScanRecord copy = d_->record;
+    copy.raster = mapping::rasterOf(d_->mapper.map());
+    return copy;
+}
+
+const SessionFigures& RobotSession::figures() const {
+    return d_->figures;
+}
+
+const link::LinkStatus& RobotSession::linkStatus() const {
+    return d_->link.status();
+}
+
+void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
+    close();
+    d_->lockstep_wanted = lockstep;
+    d_->link.open(host, port);
+}
+
+void RobotSession::close() {
+    d_->stopBehavior("session: close", QStringLiteral("The connection was closed."));
+    d_->figures.spawned = false;
+    d_->after_reconnect.reset();
+    d_->link.close();
+}
+
+void RobotSession::spawn(const SpawnRequest& request) {
+    if (d_->link.status().state != link::LinkState::Connected) {
+        d_->notice(Severity::Warning, "There is no connection to spawn " + request.robot_name + " on. Connect first.");
+    } else if (d_->spawn == SpawnState::None) {
+        d_->init(request);
+    } else if (d_->spawn == SpawnState::Failed) {
+        const link::LinkStatus status = d_->link.status();
+        d_->after_reconnect = request;
+        d_->link.open(status.host, status.port);
+    } else {
+        d_->notice(Severity::Warning, d_->request.robot_name +
+                                          " is already spawned here, and a connection carries one robot. Reconnect to "
+                                          "spawn another.");
+    }
+}
+
+void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, const agent::Task& task) {
+    if (!d_->figures.spawned) {
+        d_->notice(Severity::Warning, "There is no robot to fly. Spawn one first.");
+        return;
+    }
+    if (d_->host)
+        d_->stopBehavior("session: another behavior", QStringLiteral("Another behavior was started."));
+    d_->record.robot_name = task.robot_name;
+    d_->record.behavior_id = host->behaviorId();
+    d_->record.area_in_map = task.area_in_map;
+    d_->record.status = {};
+    d_->host = std::move(host);
+    d_->figures.behavior_running = true;
+    d_->touched();
+}
+
+void RobotSession::order(agent::Order order) {
+    if (!d_->host)
+        return;
+    agent::BehaviorHost::Output output = d_->host->order(order);
+    d_->takeOutput(output, false);
+    d_->sendDrive(false);
+    d_->link.flush();
+    d_->touched();
+}
+
+void RobotSession::setParameters(const agent::ParameterSet& parameters) {
+    if (d_->host)
+        d_->host->setParameters(parameters);
+}
+
+void RobotSession::stop() {
+    d_->stopBehavior("operator: stop", QStringLiteral("Stopped by the operator."));
+    d_->touched();
+}
+
+void RobotSession::sendCommand(const protocol::Command& command, const std::string& source) {
+    d_->send({command, {source, d_->state.line()}});
+    d_->sendDrive(false);
+    d_->link.flush();
+    d_->touched();
+}
+
+void RobotSession::requestRecord() {
+    emit recordReady(std::make_shared<const ScanRecord>(snapshot()));
+}
+
+void RobotSession::clearRecord() {
+    d_->mapper.clearMap();
+    d_->record.marks.clear();
+    d_->record.path_m.clear();
+    d_->record.status = {};
+}
+
+} // namespace usar::mission
+
+#include "moc_robot_session.cpp"

@@ -3,18 +3,13 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <QObject>
-#include <QTimer>
 
 #include "core/agent/behavior_host.h"
 #include "core/link/tcp_link.h"
-#include "core/mapping/height_map.h"
-#include "core/mapping/scan_integrator.h"
 #include "core/mission/scan_record.h"
-#include "core/modules/robot_modules.h"
-#include "core/protocol/reader.h"
+#include "core/mission/session_update.h"
 
 namespace usar::mission {
 
@@ -24,50 +19,40 @@ struct SpawnRequest {
     Pose start_in_map;
 };
 
-/// Running figures of a session, coalesced to the frame rate.
-struct SessionFigures {
-    Seconds now{0.0}; ///< protocol clock
-    std::uint64_t lines_received = 0;
-    std::uint64_t lines_malformed = 0;
-    double lines_per_second = 0.0; ///< of wall time
-    bool spawned = false;
-    bool behavior_running = false;
-};
-
-/// Everything that changed since the last frame, by value.
-struct SessionUpdate {
-    std::vector<protocol::InfoLine> lines; ///< the newest ones when more than 1000 came in a frame
-    std::vector<agent::CausedCommand> commands;
-    std::vector<agent::Published> published;
-    std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
-    std::optional<mapping::HeightRange> height_range;
-    std::vector<Vec3> last_hits; ///< of the newest placed scan, map frame, NaN = no hit
-    SessionFigures figures;
-};
-
-/// A sentence for the person, with how bad it is.
-struct Notice {
-    Severity severity = Severity::Note;
-    std::string text;
+/// How long a session waits before it says that something is missing. Tests shorten them.
+struct SessionLimits {
+    link::LinkLimits link;
+    Seconds greeting{5.0};       ///< wall: no start poses after connect
+    Seconds spawn{5.0};          ///< wall: silence after INIT is a failed spawn (usarsim-protocol 2.4)
+    Seconds stale{2.0};          ///< wall: silence of a spawned robot
+    Seconds sensor_silence{3.0}; ///< protocol clock: a sensor that used to speak
 };
 
 /// Link, reader, modules, behavior, height map. Lives in a session thread; all slots are called by queued connection
 /// or from that thread; results leave by value in signals. After connect it asks for start poses; INIT is sent once per
-/// connection; silence for 5 s of wall time after INIT is a failed spawn; after a reconnect the robot is spawned anew
-/// only by request. Stop, close and a finished behavior send the behavior's safe command first.
+/// connection; after a reconnect the robot is spawned anew only by request, while map, marks and line numbers go on.
+/// Stop, close and a finished behavior send the behavior's safe command first. Asked for lockstep, it answers every STA
+/// with the behavior's commands and then STEP, once the server has agreed.
 class RobotSession : public QObject {
     Q_OBJECT
 public:
     explicit RobotSession(double cell_size_m = 0.25, QObject* parent = nullptr);
     ~RobotSession() override;
 
-    /// For the headless twin, which runs in the same thread.
-    const ScanRecord& record() const { return record_; }
-    const SessionFigures& figures() const { return figures_; }
+    /// Before `open`.
+    void setLimits(const SessionLimits& limits);
+
+    /// For the headless twin, which runs in the same thread. The raster is filled in `snapshot` only.
+    const ScanRecord& record() const;
+    ScanRecord snapshot() const;
+    const SessionFigures& figures() const;
+    const link::LinkStatus& linkStatus() const;
 
 public slots:
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
+    /// Refused with a notice while the connection has a robot. After a spawn that failed the session reconnects first,
+    /// for a server takes one INIT per connection.
     void spawn(const usar::mission::SpawnRequest& request);
     void startBehavior(std::shared_ptr<usar::agent::BehaviorHost> host, const usar::agent::Task& task);
     void order(usar::agent::Order order);
@@ -77,12 +62,17 @@ public slots:
     void sendCommand(const usar::protocol::Command& command, const std::string& source);
     /// Hands out a copy of all that was scanned, for the export pool.
     void requestRecord();
+    /// An empty map, without path and marks.
+    void clearRecord();
 
 signals:
     void linkChanged(const usar::link::LinkStatus& status);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void spawned(const QString& robot_name);
+    /// Also said as a notice. Data may still come later (a paused simulator); then `spawned` follows.
+    void spawnFailed(const QString& reason);
     void behaviorFinished(bool success, const QString& reason);
+    /// At most one every 16 ms; costs nothing while nobody is connected to it.
     void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
@@ -90,8 +80,6 @@ signals:
 private:
     struct Private;
     std::unique_ptr<Private> d_;
-    ScanRecord record_;
-    SessionFigures figures_;
 };
 
 } // namespace usar::mission

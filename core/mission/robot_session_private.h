@@ -1,0 +1,88 @@
+// The inside of RobotSession: its parts and the steps of its life. Included by its three .cpp files only.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "core/mission/complaint_book.h"
+#include "core/mission/drive_gate.h"
+#include "core/mission/robot_session.h"
+#include "core/mission/scan_mapper.h"
+#include "core/mission/sensor_watch.h"
+#include "core/mission/update_collector.h"
+#include "core/modules/state.h"
+#include "core/protocol/reader.h"
+
+namespace usar::mission {
+
+/// Where INIT of this connection stands.
+enum class SpawnState { None, Asked, Failed, Done };
+
+inline std::chrono::milliseconds toMilliseconds(Seconds span) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(span);
+}
+
+struct RobotSession::Private {
+    Private(RobotSession& session, double cell_size_m);
+
+    void opened();
+    void closed();
+    void takeLine(std::string_view text);
+    void noteMessage(const protocol::InfoLine& line);
+    void noteData();
+    void takeOutput(agent::BehaviorHost::Output& output, bool is_tick);
+    void takePublished(const std::vector<agent::Published>& published);
+    void takeValue(const agent::Published& value);
+    void endTick();
+    void init(const SpawnRequest& request);
+    void watch();
+    void watchSilence();
+    void watchSensors();
+    void stopBehavior(const std::string& source, const QString& reason);
+    void finishBehavior(bool success, const QString& reason);
+    void makeSafe(const std::string& source);
+    void send(const agent::CausedCommand& command);
+    void sendDrive(bool at_once);
+    void write(const protocol::Command& command);
+    void notice(Severity severity, std::string text);
+    void touched();
+    void emitFrame();
+
+    RobotSession& q;
+    link::TcpLink link;
+    QTimer frame_timer;
+    QTimer watch_timer;
+    QElapsedTimer since_opened;
+    QElapsedTimer since_init;
+    QElapsedTimer since_data;
+    SessionLimits limits;
+
+    protocol::Reader reader;
+    modules::StateModule state;
+    ComplaintBook complaints;
+    SensorWatch sensors;
+    DriveGate gate;
+    ScanMapper mapper;
+    UpdateCollector collector;
+    ScanRecord record;
+    SessionFigures figures;
+    std::shared_ptr<agent::BehaviorHost> host;
+
+    SpawnRequest request;
+    std::optional<SpawnRequest> after_reconnect;
+    SpawnState spawn = SpawnState::None;
+    bool lockstep_wanted = false;
+    bool start_poses_settled = false; ///< they came, or their absence was said
+    bool silence_said = false;
+    bool unplaced_said = false;
+    bool observed = false; ///< somebody listens to `updated`; looked up once a frame
+};
+
+} // namespace usar::mission

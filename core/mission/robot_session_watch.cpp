@@ -1,0 +1,73 @@
+// What a session misses: an answer, a robot, a sensor.
+#include "core/mission/robot_session_private.h"
+
+#include <utility>
+
+#include "core/base/numbers.h"
+
+namespace usar::mission {
+
+namespace {
+
+std::string inWords(Seconds span) {
+    std::string text;
+    appendShortest(text, span.count());
+    return text + " s";
+}
+
+} // namespace
+
+void RobotSession::Private::watch() {
+    watchSilence();
+    watchSensors();
+    if (!figures.lockstep) // where the protocol clock stands still, nothing else would let it go
+        sendDrive(true);
+    if (const auto overlong = link.overlongCount(); overlong != figures.lines_overlong) {
+        figures.lines_overlong = overlong;
+        notice(Severity::Warning,
+               "The server sent a line longer than 4 MiB. It was left out; reading goes on behind it.");
+    }
+    touched();
+}
+
+void RobotSession::Private::watchSilence() {
+    const auto passed = [](QElapsedTimer& since, Seconds limit) {
+        return since.hasExpired(toMilliseconds(limit).count());
+    };
+    if (!start_poses_settled && passed(since_opened, limits.greeting)) {
+        start_poses_settled = true;
+        notice(Severity::Warning, "No start poses from the server for " + inWords(limits.greeting) +
+                                      ". Is it USARSim, and is its game running? A robot can still be spawned at "
+                                      "a typed pose.");
+    }
+    if (spawn == SpawnState::Asked && passed(since_init, limits.spawn)) {
+        spawn = SpawnState::Failed;
+        const std::string reason =
+            "Nothing from " + request.robot_name + " for " + inWords(limits.spawn) +
+            " after INIT. Does the server know " + request.class_name +
+            ", is the start pose free and above the ground, and is the simulation not paused? Spawn "
+            "again to try once more.";
+        notice(Severity::Error, reason);
+        emit q.spawnFailed(QString::fromStdString(reason));
+    }
+    if (spawn == SpawnState::Done && !silence_said && passed(since_data, limits.stale)) {
+        silence_said = true;
+        notice(Severity::Warning, "Nothing from " + request.robot_name + " for " + inWords(limits.stale) +
+                                      ": its values are stale. Is the simulation paused, or the network down?");
+    }
+}
+
+void RobotSession::Private::watchSensors() {
+    std::string silent;
+    for (const std::string& name : sensors.newlySilent(figures.now))
+        silent += (silent.empty() ? "" : ", ") + name;
+    if (silent.empty())
+        return;
+    const auto& latest = state.latest();
+    const bool flat = latest && latest->battery_left && latest->battery_left->count() <= 0.0;
+    notice(Severity::Warning, "No reading from " + silent + " for " + inWords(limits.sensor_silence) +
+                                  " of the robot's time; the last values stay, marked as old. " +
+                                  (flat ? "The battery is empty." : "Stop the robot if it needs them."));
+}
+
+} // namespace usar::mission

@@ -1,0 +1,52 @@
+// Keeps the newest scans until a behavior says where they were taken, and writes them into the height map.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "core/agent/published.h"
+#include "core/mapping/height_map.h"
+#include "core/mapping/scan_integrator.h"
+#include "core/protocol/info_message.h"
+
+namespace usar::mission {
+
+/// A behavior places a scan in the tick that follows it or soon after, so a few scans are enough. Owned by one session.
+class ScanMapper {
+public:
+    static constexpr std::size_t shelf_size = 8;
+
+    explicit ScanMapper(double cell_size_m) : map_(cell_size_m) {}
+
+    void takeScan(const protocol::RangeScan& scan, LineNumber line);
+    /// CONF of scanners: their maximum range, at and beyond which a beam hit nothing. 20 m until it is known.
+    void takeConfiguration(const protocol::ConfigurationInfo& configuration);
+    /// False when the scan is not on the shelf (any more). Scans that do not follow one another are not joined.
+    bool place(const agent::ScanPlacement& placement);
+    /// A new connection: line numbers of the old one mean nothing now. The map stays.
+    void forgetScans();
+    void clearMap();
+
+    mapping::HeightMap& map() { return map_; }
+    const mapping::HeightMap& map() const { return map_; }
+    const std::vector<Vec3>& lastHits() const { return integrator_.lastHits(); }
+
+private:
+    struct Shelved {
+        protocol::RangeScan scan;
+        LineNumber line;
+        std::uint64_t ordinal = 0; ///< scans of a connection counted from 1
+    };
+    double maximumOf(const std::string& scanner) const;
+
+    mapping::HeightMap map_;
+    mapping::ScanIntegrator integrator_;
+    std::array<Shelved, shelf_size> shelf_;
+    std::map<std::string, double> maximum_m_;
+    std::uint64_t scans_taken_ = 0;
+    std::uint64_t last_placed_ = 0;
+};
+
+} // namespace usar::mission

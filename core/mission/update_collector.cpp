@@ -1,0 +1,54 @@
+#include "core/mission/update_collector.h"
+
+#include <iterator>
+#include <utility>
+
+namespace usar::mission {
+
+namespace {
+
+void keepNewest(std::vector<protocol::InfoLine>& lines, std::size_t count) {
+    if (lines.size() > count)
+        lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(count));
+}
+
+} // namespace
+
+void UpdateCollector::addLine(protocol::InfoLine line) {
+    update_.lines.push_back(std::move(line));
+    if (update_.lines.size() >= 2 * line_limit) // in one go, so that each line is moved once at most
+        keepNewest(update_.lines, line_limit);
+}
+
+void UpdateCollector::addPublished(const std::vector<agent::Published>& published) {
+    update_.published.insert(update_.published.end(), published.begin(), published.end());
+}
+
+std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures& figures) {
+    measureRate(figures);
+    keepNewest(update_.lines, line_limit);
+    update_.tiles = mapper.map().takeChangedTiles();
+    if (!update_.tiles.empty())
+        update_.last_hits = mapper.lastHits();
+    update_.height_range = mapper.map().range();
+    update_.figures = figures;
+    return std::make_shared<const SessionUpdate>(std::exchange(update_, {}));
+}
+
+void UpdateCollector::measureRate(SessionFigures& figures) {
+    constexpr qint64 span_ms = 500;
+    if (!since_measured_.isValid()) {
+        since_measured_.start();
+        lines_at_measuring_ = figures.lines_received;
+        return;
+    }
+    const qint64 elapsed_ms = since_measured_.elapsed();
+    if (elapsed_ms < span_ms)
+        return;
+    const auto lines = static_cast<double>(figures.lines_received - lines_at_measuring_);
+    figures.lines_per_second = lines * 1000.0 / static_cast<double>(elapsed_ms);
+    lines_at_measuring_ = figures.lines_received;
+    since_measured_.restart();
+}
+
+} // namespace usar::mission

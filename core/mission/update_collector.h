@@ -1,0 +1,33 @@
+// Gathers what changed until the next frame takes it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QElapsedTimer>
+
+#include "core/mission/scan_mapper.h"
+#include "core/mission/session_update.h"
+
+namespace usar::mission {
+
+/// Bounded in lines, for a fast simulator gives more of them than anybody can read. Owned by one session.
+class UpdateCollector {
+public:
+    static constexpr std::size_t line_limit = 1000;
+
+    void addLine(protocol::InfoLine line);
+    void addCommand(const agent::CausedCommand& command) { update_.commands.push_back(command); }
+    void addPublished(const std::vector<agent::Published>& published);
+    /// Everything since the last call, with the map's changed tiles; the figures get their rate.
+    std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures& figures);
+
+private:
+    void measureRate(SessionFigures& figures);
+
+    SessionUpdate update_;
+    QElapsedTimer since_measured_;
+    std::uint64_t lines_at_measuring_ = 0;
+};
+
+} // namespace usar::mission

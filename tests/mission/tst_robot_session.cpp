@@ -1,0 +1,350 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/mission/session_fixture.h"
+
+using namespace usar;
+using namespace usar::mission;
+using usar::test::hostOf;
+using usar::test::Script;
+using usar::test::SessionFixture;
+
+namespace {
+
+SpawnRequest requestFor(const std::string& robot_name) {
+    SpawnRequest request;
+    request.robot_name = robot_name;
+    request.start_in_map.position_m = {1.0, 2.0, 0.5};
+    return request;
+}
+
+agent::Task surveyTask() {
+    return {"R1", {}, {{0, 0}, {10, 5}}};
+}
+
+agent::BehaviorStatus scanningWithCharges(int charges) {
+    agent::BehaviorStatus status;
+    status.state = "scanning";
+    status.charges = charges;
+    return status;
+}
+
+agent::MapMark lowRiskAt(Seconds time) {
+    return {agent::MarkKind::LowRisk, Vec3::Zero(), time, {}};
+}
+
+} // namespace
+
+class tst_RobotSession : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+
+    void asksForStartPosesAtOnce();
+    void asksForLockstepOnlyWhenTold();
+    void spawnsByRequestWithOneInit();
+    void refusesASecondRobotOnTheConnection();
+    void behaviorTicksOnEveryState();
+    void commandsCarryTheirCause();
+    void drivesTheNewestOncePerTick();
+    void lockstepAnswersEachStateWithCommandsThenStep();
+    void realServersGetNoStep();
+    void placesTheScanOnTheMap();
+    void keepsPathMarksAndStatus();
+    void finishedBehaviorLeavesASafeRobot();
+    void stopSendsTheSafeCommandAtOnce();
+    void closeStopsTheRobotFirst();
+    void ordersAndParametersReachTheBehavior();
+    void operatorCommandsAreSentAsTheyAre();
+    void updatesAreCoalescedAndBounded();
+    void handsOutACopyOfAllThatWasScanned();
+    void clearedRecordsAreEmpty();
+
+private:
+    std::unique_ptr<SessionFixture> f;
+    std::shared_ptr<Script> script;
+    const agent::Task task = surveyTask();
+};
+
+void tst_RobotSession::init() {
+    f = std::make_unique<SessionFixture>(SessionFixture::patientLimits());
+    script = std::make_shared<Script>();
+}
+
+void tst_RobotSession::cleanup() {
+    f.reset();
+}
+
+void tst_RobotSession::asksForStartPosesAtOnce() {
+    QSignalSpy known(&f->session, &RobotSession::startPosesKnown);
+    QVERIFY(f->connectNow());
+    const auto poses = known.at(0).at(0).value<protocol::StartPoses>().poses;
+    QCOMPARE(poses.size(), std::size_t(2));
+    QCOMPARE(poses[0].name, std::string("PlayerStart"));
+    QCOMPARE(poses[0].pose_in_map.position_m, Vec3(1.0, 2.0, 0.5)); // the wire is y right, z down
+    QCOMPARE(known.at(0).at(1).toString(), QString("tall_test"));
+    QCOMPARE(f->server.heard(), QList<QByteArray>{"GETSTARTPOSES"});
+}
+
+void tst_RobotSession::asksForLockstepOnlyWhenTold() {
+    QVERIFY(f->connectNow(true));
+    QCOMPARE(f->server.heard(), (QList<QByteArray>{"LOCKSTEP {On true}", "GETSTARTPOSES"}));
+    QVERIFY(f->session.figures().lockstep);
+    QVERIFY(f->server.heardOf("STEP").isEmpty());
+}
+
+void tst_RobotSession::spawnsByRequestWithOneInit() {
+    QSignalSpy spawned(&f->session, &RobotSession::spawned);
+    QVERIFY(f->connectNow());
+    QVERIFY(f->server.heardOf("INIT").isEmpty());
+    f->session.spawn(requestFor("Kite"));
+    QTRY_COMPARE(spawned.size(), 1);
+    QCOMPARE(spawned.at(0).at(0).toString(), QString("Kite"));
+    QCOMPARE(f->server.heardOf("INIT").size(), 1);
+    const QByteArray expected = "INIT {ClassName USARBot.AirRobot} {Name Kite} {Location 1,-2,-0.5} {Rotation ";
+    QVERIFY2(f->server.heardOf("INIT").at(0).startsWith(expected), f->server.heardOf("INIT").at(0));
+    QVERIFY(f->tickNow());
+    QCOMPARE(spawned.size(), 1);
+}
+
+void tst_RobotSession::refusesASecondRobotOnTheConnection() {
+    QVERIFY(f->spawnNow());
+    f->session.spawn(requestFor("R2"));
+    QVERIFY(f->said("R1 is already spawned here"));
+    QVERIFY(f->tickNow());
+    QCOMPARE(f->server.heardOf("INIT").size(), 1);
+}
+
+void tst_RobotSession::behaviorTicksOnEveryState() {
+    QVERIFY(f->spawnNow());
+    std::vector<double> times_s;
+    script->on_tick = [&](const agent::Tick& tick, agent::CommandPort&) {
+        times_s.push_back(tick.now.count());
+        QVERIFY(tick.robot.sensors.scan());
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->session.figures().behavior_running);
+    QVERIFY(f->tickNow());
+    QVERIFY(f->tickNow());
+    QCOMPARE(times_s, (std::vector<double>{0.4, 0.6}));
+    QCOMPARE(script->lines.size(), std::size_t(10));
+}
+
+void tst_RobotSession::commandsCarryTheirCause() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy updates(&f->session, &RobotSession::updated);
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.send(protocol::AerialDrive{.climb_m_s = 1.5}, "rising");
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 1);
+    const auto sent = [&] {
+        for (const QList<QVariant>& update : updates)
+            if (const auto value = update.at(0).value<std::shared_ptr<const SessionUpdate>>(); !value->commands.empty())
+                return value->commands;
+        return std::vector<agent::CausedCommand>{};
+    };
+    QTRY_COMPARE(sent().size(), std::size_t(1));
+    QCOMPARE(sent().front().cause.source, std::string("test/scripted: rising"));
+    QCOMPARE(sent().front().cause.trigger.value, f->session.figures().lines_received); // the STA
+}
+
+void tst_RobotSession::drivesTheNewestOncePerTick() {
+    QVERIFY(f->spawnNow());
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.send(protocol::AerialDrive{.climb_m_s = 1.0, .forward_m_s = 1.0}, "first thought");
+        port.send(protocol::AerialDrive{.forward_m_s = 2.0}, "second thought");
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    QVERIFY(f->tickNow());
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 2);
+    QVERIFY2(f->server.heardOf("DRIVE").at(0).contains("{AltitudeVelocity 1}"), f->server.heardOf("DRIVE").at(0));
+    QVERIFY2(f->server.heardOf("DRIVE").at(0).contains("{LinearVelocity 2}"), f->server.heardOf("DRIVE").at(0));
+}
+
+void tst_RobotSession::lockstepAnswersEachStateWithCommandsThenStep() {
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.send(protocol::AerialDrive{.climb_m_s = 1.0}, "rising");
+    };
+    connect(&f->session, &RobotSession::spawned, &f->session,
+            [this] { f->session.startBehavior(hostOf(script), task); });
+    QVERIFY(f->spawnNow(true));
+    f->server.ticks_on_step = true;
+    QVERIFY(f->tickNow());
+    QTRY_VERIFY(f->server.tickCount() >= 20);
+    const QList<QByteArray> heard = f->server.heard().mid(3); // LOCKSTEP, GETSTARTPOSES, INIT
+    for (qsizetype i = 0; i + 1 < heard.size(); i += 2) {
+        QVERIFY2(heard.at(i).startsWith("DRIVE"), heard.at(i));
+        QCOMPARE(heard.at(i + 1), QByteArray("STEP"));
+    }
+}
+
+void tst_RobotSession::realServersGetNoStep() {
+    f->server.answers_lockstep = false;
+    QVERIFY(f->spawnNow(true));
+    QVERIFY(f->tickNow());
+    f->session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, "test");
+    QTRY_COMPARE(f->server.heardOf("GETGEO").size(), 1);
+    QVERIFY(f->server.heardOf("STEP").isEmpty());
+}
+
+void tst_RobotSession::placesTheScanOnTheMap() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy updates(&f->session, &RobotSession::updated);
+    script->on_tick = [](const agent::Tick& tick, agent::CommandPort& port) {
+        const Pose down{.position_m = {3.0, 1.0, 5.0}, .pitch_rad = pi / 2};
+        port.publish(agent::ScanPlacement{tick.robot.sensors.scan()->line, down});
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    const ScanRecord record = f->session.snapshot();
+    QVERIFY(!record.raster.empty());
+    const auto range = record.raster.range();
+    QVERIFY(range && std::abs(range->maximum_m - 3.0f) < 0.05f);
+    const auto last = [&] { return updates.last().at(0).value<std::shared_ptr<const SessionUpdate>>(); };
+    QTRY_VERIFY(!updates.isEmpty() && !last()->tiles.empty());
+    QCOMPARE(last()->last_hits.size(), std::size_t(3));
+    QVERIFY(last()->height_range);
+}
+
+void tst_RobotSession::keepsPathMarksAndStatus() {
+    QVERIFY(f->spawnNow());
+    script->on_tick = [](const agent::Tick& tick, agent::CommandPort& port) {
+        port.publish(agent::PoseEstimate{tick.now, {.position_m = {tick.now.count(), 0.0, 2.0}}});
+        port.publish(agent::PoseEstimate{tick.now, {.position_m = {tick.now.count() + 0.01, 0.0, 2.0}}});
+        port.publish(lowRiskAt(tick.now));
+        port.publish(scanningWithCharges(2));
+        port.publish(agent::BehaviorEvent{Severity::Warning, "Diverted around a tree."});
+    };
+    f->session.startBehavior(hostOf(script), task);
+    for (int i = 0; i < 4; ++i)
+        QVERIFY(f->tickNow());
+    const ScanRecord& record = f->session.record();
+    QCOMPARE(record.robot_name, std::string("R1"));
+    QCOMPARE(record.behavior_id, std::string("test/scripted"));
+    QCOMPARE(record.level, std::string("tall_test"));
+    QCOMPARE(record.area_in_map, task.area_in_map);
+    QCOMPARE(record.path_m.size(), std::size_t(2)); // 0.2 m a tick, one point per cell of 0.25 m
+    QCOMPARE(record.marks.size(), std::size_t(4));
+    QCOMPARE(record.status.charges, 2);
+    QCOMPARE(f->countSaid("Diverted around a tree."), std::size_t(4));
+}
+
+void tst_RobotSession::finishedBehaviorLeavesASafeRobot() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy finished(&f->session, &RobotSession::behaviorFinished);
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.publish(agent::BehaviorFinished{true, "Landed at the start."});
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished.at(0).at(0).toBool(), true);
+    QCOMPARE(finished.at(0).at(1).toString(), QString("Landed at the start."));
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 1);
+    QVERIFY2(f->server.heardOf("DRIVE").at(0).contains("{AltitudeVelocity 0}"), f->server.heardOf("DRIVE").at(0));
+    QVERIFY(!f->session.figures().behavior_running);
+    QVERIFY(f->tickNow());
+    QCOMPARE(script->ticks, 1);
+}
+
+void tst_RobotSession::stopSendsTheSafeCommandAtOnce() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy finished(&f->session, &RobotSession::behaviorFinished);
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.send(protocol::AerialDrive{.forward_m_s = 5.0}, "flying");
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    f->session.stop();
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished.at(0).at(1).toString(), QString("Stopped by the operator."));
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 2); // no waiting for the next tick
+    QVERIFY2(f->server.heardOf("DRIVE").at(1).contains("{LinearVelocity 0}"), f->server.heardOf("DRIVE").at(1));
+    f->session.stop(); // twice is as safe as once
+    QCOMPARE(finished.size(), 1);
+}
+
+void tst_RobotSession::closeStopsTheRobotFirst() {
+    QVERIFY(f->spawnNow());
+    f->session.startBehavior(hostOf(script), task);
+    f->session.close();
+    QTRY_VERIFY(!f->server.hasClient());
+    QCOMPARE(f->server.heardOf("DRIVE").size(), 1);
+    QVERIFY(!f->session.figures().spawned);
+    QVERIFY(!f->said("lost"));
+}
+
+void tst_RobotSession::ordersAndParametersReachTheBehavior() {
+    QVERIFY(f->spawnNow());
+    f->session.order(agent::Order::Pause); // nobody to hear it
+    script->on_order = [](agent::Order, agent::CommandPort& port) {
+        port.send(protocol::AerialDrive{.climb_m_s = -1.0}, "landing now");
+    };
+    f->session.startBehavior(hostOf(script), task);
+    f->session.order(agent::Order::LandNow);
+    QCOMPARE(script->orders, std::vector{agent::Order::LandNow});
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 1);
+    const auto set = agent::ParameterSet::make({{"speed_m_s", "", "", "m/s", 2.0, 0.0, 9.0, "", {}}});
+    QVERIFY(set);
+    f->session.setParameters(*set);
+    QCOMPARE(script->parameters, std::vector{*set});
+}
+
+void tst_RobotSession::operatorCommandsAreSentAsTheyAre() {
+    QVERIFY(f->spawnNow());
+    f->session.sendCommand(protocol::RawCommand{"Trace {On true} {Interval 0.5} {Color Red}"}, "operator: console");
+    QTRY_COMPARE(f->server.heardOf("Trace"), QList<QByteArray>{"Trace {On true} {Interval 0.5} {Color Red}"});
+}
+
+void tst_RobotSession::updatesAreCoalescedAndBounded() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy updates(&f->session, &RobotSession::updated);
+    const std::uint64_t before = f->session.figures().lines_received;
+    QByteArray flood;
+    for (int i = 0; i < 5000; ++i)
+        flood += "SEN {Type INS} {Name INS} {Location 1.00,-2.00,-3.00} {Orientation 0.00,0.00,0.00}\r\n";
+    f->server.say(flood);
+    QTRY_COMPARE(f->session.figures().lines_received, before + 5000);
+    std::uint64_t newest = 0;
+    QTRY_VERIFY(!updates.isEmpty() &&
+                (newest = updates.last().at(0).value<std::shared_ptr<const SessionUpdate>>()->figures.lines_received) ==
+                    before + 5000);
+    for (const QList<QVariant>& update : updates)
+        QVERIFY(update.at(0).value<std::shared_ptr<const SessionUpdate>>()->lines.size() <= 1000);
+    QVERIFY2(updates.size() < 200, qPrintable(QString::number(updates.size())));
+    const auto last = updates.last().at(0).value<std::shared_ptr<const SessionUpdate>>();
+    QVERIFY(last->lines.empty() || last->lines.back().number.value == newest);
+}
+
+void tst_RobotSession::handsOutACopyOfAllThatWasScanned() {
+    QVERIFY(f->spawnNow());
+    QSignalSpy ready(&f->session, &RobotSession::recordReady);
+    f->session.requestRecord();
+    QCOMPARE(ready.size(), 1);
+    const auto record = ready.at(0).at(0).value<std::shared_ptr<const ScanRecord>>();
+    QVERIFY(record && record->raster.empty());
+    QCOMPARE(record->level, std::string("tall_test"));
+}
+
+void tst_RobotSession::clearedRecordsAreEmpty() {
+    QVERIFY(f->spawnNow());
+    script->on_tick = [](const agent::Tick& tick, agent::CommandPort& port) {
+        port.publish(agent::PoseEstimate{});
+        port.publish(agent::MapMark{});
+        port.publish(
+            agent::ScanPlacement{tick.robot.sensors.scan()->line, {.position_m = {0, 0, 5}, .pitch_rad = 1.5}});
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    QVERIFY(!f->session.snapshot().raster.empty());
+    f->session.clearRecord();
+    QVERIFY(f->session.snapshot().raster.empty());
+    QVERIFY(f->session.record().path_m.empty() && f->session.record().marks.empty());
+}
+
+QTEST_GUILESS_MAIN(tst_RobotSession)
+#include "tst_robot_session.moc"

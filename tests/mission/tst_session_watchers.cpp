@@ -1,0 +1,120 @@
+#include <QTest>
+
+#include "core/mission/complaint_book.h"
+#include "core/mission/sensor_watch.h"
+#include "core/mission/stream_name.h"
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+protocol::InfoLine line(std::uint64_t number, protocol::InfoMessage message, const std::string& complaint = {}) {
+    protocol::InfoLine result{{number}, "SEN {Type Sonar} {Name F1 Range nan}", std::move(message), {}};
+    if (!complaint.empty())
+        result.diagnostics.push_back({Severity::Warning, 0, complaint});
+    return result;
+}
+
+} // namespace
+
+class tst_SessionWatchers : public QObject {
+    Q_OBJECT
+private slots:
+    void aSilentSensorIsReportedOncePerSilence();
+    void onlySensorsThatSpokeAreMissed();
+    void eachKindOfDamageIsSaidOnceAndAllAreCounted();
+    void notesAreNoComplaints();
+    void whatIsNoMessageAtAllIsAComplaint();
+    void thereIsAnEndOfComplaints();
+    void excerptsStayPlainAndShort();
+    void streamsAreNamedInTheWordsOfTheWire();
+    void gameInfoIsNoRobotData();
+};
+
+void tst_SessionWatchers::aSilentSensorIsReportedOncePerSilence() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::SonarReadings{}, Seconds{10.0});
+    watch.saw(protocol::RangeScan{}, Seconds{12.0});
+    QCOMPARE(watch.newlySilent(Seconds{13.0}), std::vector<std::string>{});
+    QCOMPARE(watch.newlySilent(Seconds{13.2}), std::vector<std::string>{"Sonar"});
+    QCOMPARE(watch.newlySilent(Seconds{14.0}), std::vector<std::string>{});
+    watch.saw(protocol::SonarReadings{}, Seconds{14.0});
+    QCOMPARE(watch.newlySilent(Seconds{17.2}), (std::vector<std::string>{"Sonar", "RangeScanner"}));
+}
+
+void tst_SessionWatchers::onlySensorsThatSpokeAreMissed() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::RobotState{}, Seconds{1.0});
+    watch.saw(protocol::GenericMessage{.type_word = "SEN", .type = "RFID"}, Seconds{1.0});
+    QVERIFY(watch.newlySilent(Seconds{100.0}).empty());
+    watch.saw(protocol::InsReading{}, Seconds{100.0});
+    watch.reset();
+    QVERIFY(watch.newlySilent(Seconds{200.0}).empty());
+}
+
+void tst_SessionWatchers::eachKindOfDamageIsSaidOnceAndAllAreCounted() {
+    ComplaintBook book;
+    const auto first = book.take(line(7, protocol::SonarReadings{}, "Range of \"F1\" is 1.#QNAN"));
+    QVERIFY(first);
+    QVERIFY2(first->find("Line 7 ") != std::string::npos, first->c_str());
+    QVERIFY2(first->find("Range of \"F1\" is 1.#QNAN") != std::string::npos, first->c_str());
+    QVERIFY(!book.take(line(8, protocol::SonarReadings{}, "Range of \"F2\" is 1.#QNAN")));
+    QVERIFY(book.take(line(9, protocol::SonarReadings{}, "no closing brace")));
+    QVERIFY(book.take(line(10, protocol::RangeScan{}, "no closing brace")));
+    QVERIFY(!book.take(line(11, protocol::RangeScan{})));
+    QCOMPARE(book.count(), std::uint64_t(4));
+}
+
+void tst_SessionWatchers::notesAreNoComplaints() {
+    ComplaintBook book;
+    protocol::InfoLine noted = line(1, protocol::RobotState{});
+    noted.diagnostics.push_back({Severity::Note, 0, "an unknown key"});
+    QVERIFY(!book.take(noted));
+    QCOMPARE(book.count(), std::uint64_t(0));
+}
+
+void tst_SessionWatchers::whatIsNoMessageAtAllIsAComplaint() {
+    ComplaintBook book;
+    QVERIFY(book.take(line(1, protocol::GenericMessage{.type_word = "1.2,3.4}"})));
+    QVERIFY(book.take(line(2, protocol::GenericMessage{})) == std::nullopt); // the same kind: no message
+    QVERIFY(!book.take(line(3, protocol::GenericMessage{.type_word = "MISSTA"})));
+    QCOMPARE(book.count(), std::uint64_t(2));
+}
+
+void tst_SessionWatchers::thereIsAnEndOfComplaints() {
+    ComplaintBook book;
+    std::size_t said = 0;
+    for (std::uint64_t i = 0; i < 100; ++i)
+        said += book.take(line(i, protocol::RobotState{}, std::string(i + 1, 'x'))) ? 1 : 0;
+    QCOMPARE(said, ComplaintBook::kind_limit);
+    QCOMPARE(book.count(), std::uint64_t(100));
+}
+
+void tst_SessionWatchers::excerptsStayPlainAndShort() {
+    ComplaintBook book;
+    protocol::InfoLine garbled = line(1, protocol::RobotState{}, "garbled");
+    garbled.text = "STA {Ti\x01\xff" + std::string(5000, 'a');
+    const auto said = book.take(garbled);
+    QVERIFY(said);
+    QVERIFY(said->size() < 250);
+    QVERIFY2(said->find("STA {Ti??aaa") != std::string::npos, said->c_str());
+}
+
+void tst_SessionWatchers::streamsAreNamedInTheWordsOfTheWire() {
+    QCOMPARE(streamName(protocol::RobotState{}), std::string("STA"));
+    QCOMPARE(streamName(protocol::SonarReadings{}), std::string("SEN Sonar"));
+    QCOMPARE(streamName(protocol::GenericMessage{.type_word = "SEN", .type = "RFID"}), std::string("SEN RFID"));
+    QCOMPARE(streamName(protocol::GenericMessage{.type_word = "MISSTA"}), std::string("MISSTA"));
+}
+
+void tst_SessionWatchers::gameInfoIsNoRobotData() {
+    QVERIFY(!isRobotData(protocol::GameInfo{}));
+    QVERIFY(!isRobotData(protocol::StartPoses{}));
+    QVERIFY(!isRobotData(protocol::GenericMessage{.type_word = "CONF"}));
+    QVERIFY(isRobotData(protocol::GenericMessage{.type_word = "sen"}));
+    QVERIFY(isRobotData(protocol::InsReading{}));
+}
+
+QTEST_APPLESS_MAIN(tst_SessionWatchers)
+#include "tst_session_watchers.moc"
