@@ -1,9 +1,11 @@
-// Runs one mission without a window: the same session code, a progress callback, a summary.
+// Runs one mission without a window: the same session code, progress by signal, a summary.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <QJsonObject>
 #include <QObject>
@@ -15,23 +17,42 @@
 
 namespace usar::mission {
 
+/// When a run gives up. Wall time but for the last.
+struct RunLimits {
+    SessionLimits session;
+    Seconds connect{12.0};    ///< no connection, or no start poses on it
+    Seconds stall{30.0};      ///< the protocol clock stands still
+    Seconds flight{6 * 3600}; ///< protocol clock: no mission takes that long
+};
+
 struct RunOptions {
     QString host = "127.0.0.1";
     quint16 port = 3000;
-    bool lockstep = true; ///< ask for it; a real server does not answer
-    std::uint64_t seed = 1;
+    bool lockstep = true;   ///< ask for it; a real server does not answer
+    std::uint64_t seed = 1; ///< told in the summary; the simulator was given it by whoever made it
     QString result_folder;  ///< empty: default
-    Truth* truth = nullptr; ///< null on a real server
+    RunLimits limits;
+
+    // What only the maker of an embedded simulator knows; absent on a real server.
+    std::optional<Truth> truth;
+    std::optional<Rectangle> world_extent;
+    std::function<std::optional<int>()> collisions; ///< of our robot so far; asked once, before the connection closes
 };
 
 struct Progress {
     double percent = 0.0;
-    Seconds now{0.0};
-    std::optional<Seconds> time_left;
+    Seconds now{0.0};                 ///< protocol clock
+    std::optional<Seconds> time_left; ///< protocol clock
+    double speed_x = 0.0;             ///< protocol seconds a wall second
     std::string state;
 };
 
-/// Drives a RobotSession through connect, spawn, behavior and export. Lives in the thread of its event loop.
+/// Exit codes of `usar-mission`.
+enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
+
+/// Drives a RobotSession through connect, spawn, behavior and export; whatever goes wrong on the way, what was scanned
+/// is written and `finished` comes once, from the event loop. Before the robot moves it checks behavior, parameters,
+/// area and result folder. One run per object. Lives in the thread of its event loop; the plugins outlive it.
 class MissionRunner : public QObject {
     Q_OBJECT
 public:
@@ -42,17 +63,16 @@ public:
     /// Ctrl+C: stops the robot, keeps what was scanned.
     void interrupt();
     /// Keys of the JSON summary (README); valid after `finished`.
-    const QJsonObject& summary() const { return summary_; }
+    const QJsonObject& summary() const;
 
 signals:
     void progressed(const usar::mission::Progress& progress);
-    /// 0 done, 1 mission failed, 2 bad use or input.
+    void noticed(const usar::mission::Notice& notice);
     void finished(int exit_code);
 
 private:
     struct Private;
     std::unique_ptr<Private> d_;
-    QJsonObject summary_;
 };
 
 } // namespace usar::mission

@@ -1,0 +1,33 @@
+// What can be said against a mission before anything moves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QString>
+
+#include "core/agent/plugin_loader.h"
+#include "core/mission/mission_file.h"
+#include "core/protocol/info/game_info.h"
+
+namespace usar::mission {
+
+/// A mission's behavior, found and with its parameters checked.
+struct PreparedBehavior {
+    const agent::RobotPlugin* plugin = nullptr;
+    agent::ParameterSet parameters;
+};
+
+/// Fails on an unknown behavior, a wrong parameter, an area without size where one is needed.
+Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins);
+
+/// Fails on an area that is not wholly inside the world.
+Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map);
+
+/// Makes the folder if it is missing and writes a file of no bytes there to try.
+Result<void> checkFolderIsWritable(const QString& folder);
+
+/// The pose with this name, compared without regard to case; the error lists the names that are there.
+Result<Pose> startPoseNamed(const std::string& name, const protocol::StartPoses& poses);
+
+} // namespace usar::mission

@@ -1,0 +1,100 @@
+#include "core/mission/mission_options.h"
+
+#include "core/base/numbers.h"
+
+namespace usar::mission {
+
+namespace {
+
+/// One option with its value, put into `options`.
+Result<void> takeOption(const QString& name, const QString& value, MissionOptions& options) {
+    const std::string where = name.toStdString() + " " + value.toStdString();
+    if (name == "--behavior") {
+        options.behavior = value;
+    } else if (name == "--out") {
+        options.result_folder = value;
+    } else if (name == "--seed") {
+        const auto seed = readInteger(value.toStdString());
+        if (!seed || *seed < 0)
+            return failure("the seed is not a whole number from 0 up", where, "For example --seed 7");
+        options.seed = static_cast<std::uint64_t>(*seed);
+    } else if (name == "--speed") {
+        const auto speed = readNumber(value.toStdString());
+        if (value != "max" && !(speed && *speed > 0.0))
+            return failure("the speed is neither a number above 0 nor max", where, "For example --speed 10");
+        options.speed_x = value == "max" ? std::nullopt : speed;
+    } else if (name == "--connect") {
+        auto server = readServerAddress(value);
+        if (!server)
+            return tl::unexpected(server.error());
+        options.server = *std::move(server);
+    } else {
+        return failure("there is no such option", name.toStdString(), "usar-mission --help lists them");
+    }
+    return {};
+}
+
+} // namespace
+
+Result<ServerAddress> readServerAddress(const QString& text) {
+    ServerAddress address{text, 3000};
+    const qsizetype colon = text.lastIndexOf(':');
+    const bool has_port = colon >= 0 && !text.endsWith(']') && (text.count(':') == 1 || text.at(colon - 1) == ']');
+    if (has_port) {
+        const auto port = readInteger(text.mid(colon + 1).toStdString());
+        if (!port || *port < 1 || *port > 65535)
+            return failure("the port is not a whole number from 1 to 65535", text.toStdString(),
+                           "For example --connect 10.0.0.5:3000");
+        address = {text.left(colon), static_cast<quint16>(*port)};
+    }
+    if (address.host.startsWith('[') && address.host.endsWith(']'))
+        address.host = address.host.mid(1, address.host.size() - 2);
+    if (address.host.trimmed().isEmpty())
+        return failure("the host is missing", text.toStdString(), "For example --connect 10.0.0.5:3000");
+    return address;
+}
+
+Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
+    MissionOptions options;
+    QStringList words;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        const QString& argument = arguments.at(i);
+        if (argument == "--help" || argument == "-h") {
+            options.help = true;
+            return options;
+        }
+        if (!argument.startsWith("--")) {
+            words.append(argument);
+            continue;
+        }
+        const bool joined = argument.contains('=');
+        if (!joined && i + 1 == arguments.size())
+            return failure("the value is missing", argument.toStdString(), "usar-mission --help shows how to write it");
+        const QString value = joined ? argument.section('=', 1) : arguments.at(++i);
+        if (auto taken = takeOption(argument.section('=', 0, 0), value, options); !taken)
+            return tl::unexpected(taken.error());
+    }
+    if (words.size() != 2 || words.first() != "run")
+        return failure("this is not how to call it", words.join(' ').toStdString(),
+                       "usar-mission run MISSION.json; --help tells more");
+    options.mission_file = words.last();
+    return options;
+}
+
+QString missionHelp() {
+    return QStringLiteral(
+        "usar-mission run MISSION.json [options]\n"
+        "\n"
+        "Flies one mission without a window and writes its results.\n"
+        "\n"
+        "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
+        "  --seed N             noise and drift of the embedded simulator (1)\n"
+        "  --speed N|max        simulated seconds per second (max)\n"
+        "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
+        "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
+        "\n"
+        "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
+        "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n");
+}
+
+} // namespace usar::mission

@@ -1,0 +1,41 @@
+// The command line of `usar-mission run`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <QString>
+#include <QStringList>
+
+#include "core/base/result.h"
+
+namespace usar::mission {
+
+/// A server to connect to.
+struct ServerAddress {
+    QString host;
+    quint16 port = 3000;
+    bool operator==(const ServerAddress&) const = default;
+};
+
+struct MissionOptions {
+    QString mission_file;
+    QString behavior; ///< empty: the file's
+    std::uint64_t seed = 1;
+    std::optional<double> speed_x;       ///< absent: as fast as it can
+    std::optional<ServerAddress> server; ///< absent: the embedded simulator
+    QString result_folder;               ///< empty: default
+    bool help = false;
+    bool operator==(const MissionOptions&) const = default;
+};
+
+/// "HOST", "HOST:PORT" or "[IPV6]:PORT".
+Result<ServerAddress> readServerAddress(const QString& text);
+
+/// `arguments` without the program's name. Errors name the option and how to write it.
+Result<MissionOptions> readMissionOptions(const QStringList& arguments);
+
+/// What `--help` prints.
+QString missionHelp();
+
+} // namespace usar::mission

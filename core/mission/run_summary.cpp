@@ -1,0 +1,49 @@
+#include "core/mission/run_summary.h"
+
+#include <cmath>
+
+#include <QJsonArray>
+
+namespace usar::mission {
+
+namespace {
+
+/// Rounded, for nobody reads the fifteenth digit; what is not a number is null.
+QJsonValue number(double value, int decimals) {
+    if (!std::isfinite(value))
+        return QJsonValue::Null;
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) / scale;
+}
+
+template <class Value>
+QJsonValue number(const std::optional<Value>& value, int decimals) {
+    return value ? number(static_cast<double>(*value), decimals) : QJsonValue(QJsonValue::Null);
+}
+
+} // namespace
+
+QJsonObject toJson(const RunSummary& summary) {
+    const double wall_s = summary.wall.count();
+    return {{"success", summary.success},
+            {"reason", QString::fromStdString(summary.reason)},
+            {"mission", QString::fromStdString(summary.mission)},
+            {"behavior", QString::fromStdString(summary.behavior)},
+            {"seed", static_cast<qint64>(summary.seed)},
+            {"duration_s", number(summary.duration.count(), 2)},
+            {"wall_s", number(wall_s, 3)},
+            {"speed_x", wall_s > 0.0 ? number(summary.duration.count() / wall_s, 1) : QJsonValue(QJsonValue::Null)},
+            {"distance_m", number(summary.distance_m, 2)},
+            {"charges", summary.charges},
+            {"collisions", number(summary.collisions, 0)},
+            {"coverage_pct", number(summary.score.coverage_pct, 2)},
+            {"rmse_m", number(summary.score.rmse_m, 4)},
+            {"rmse_surface_m", number(summary.score.rmse_surface_m, 4)},
+            {"cells", static_cast<qint64>(summary.cells)},
+            {"lines_received", static_cast<qint64>(summary.lines_received)},
+            {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
+            {"lockstep", summary.lockstep},
+            {"files", QJsonArray::fromStringList(summary.files)}};
+}
+
+} // namespace usar::mission

@@ -1,0 +1,38 @@
+// The figures of a finished run, and their JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <QJsonObject>
+#include <QStringList>
+
+#include "core/base/clock.h"
+#include "core/mission/mission_score.h"
+
+namespace usar::mission {
+
+/// Keys of the JSON are the field names; what is unknown is null. `speed_x` is protocol seconds a wall second.
+struct RunSummary {
+    bool success = false;
+    std::string reason;
+    std::string mission;
+    std::string behavior;
+    std::uint64_t seed = 0;
+    Seconds duration{0.0}; ///< of the behavior, protocol clock; key duration_s
+    Seconds wall{0.0};     ///< the same by the clock on the wall; key wall_s
+    double distance_m = 0.0;
+    int charges = 0;
+    std::optional<int> collisions;
+    Score score; ///< keys coverage_pct, rmse_m, rmse_surface_m
+    std::size_t cells = 0;
+    std::uint64_t lines_received = 0;
+    std::uint64_t lines_malformed = 0;
+    bool lockstep = false;
+    QStringList files;
+};
+
+QJsonObject toJson(const RunSummary& summary);
+
+} // namespace usar::mission

@@ -1,0 +1,157 @@
+#include <QTest>
+
+#include "core/mission/mission_options.h"
+#include "core/mission/progress_text.h"
+
+using namespace usar;
+using namespace usar::mission;
+
+class tst_MissionOptions : public QObject {
+    Q_OBJECT
+private slots:
+    void readsTheCommandLine_data();
+    void readsTheCommandLine();
+    void rejectsTheRestAndSaysWhere_data();
+    void rejectsTheRestAndSaysWhere();
+    void readsServerAddresses_data();
+    void readsServerAddresses();
+    void helpNamesEveryOption();
+    void progressLinesTellStateSpeedAndTimeLeft();
+    void timeLeftComesFromTheBehaviorElseFromThePercentage();
+    void clocksReadAsClocks_data();
+    void clocksReadAsClocks();
+};
+
+void tst_MissionOptions::readsTheCommandLine_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<MissionOptions>("expected");
+    MissionOptions plain;
+    plain.mission_file = "a.json";
+    QTest::newRow("a file is enough") << QStringList{"run", "a.json"} << plain;
+    QTest::newRow("full speed is the default") << QStringList{"run", "a.json", "--speed", "max"} << plain;
+    MissionOptions full = plain;
+    full.behavior = "airrobot/posh";
+    full.seed = 7;
+    full.speed_x = 2.5;
+    full.server = ServerAddress{"10.0.0.5", 3001};
+    full.result_folder = "/data/scans";
+    QTest::newRow("all options") << QStringList{"run",    "a.json",      "--behavior", "airrobot/posh",
+                                                "--seed", "7",           "--speed",    "2.5",
+                                                "--out",  "/data/scans", "--connect",  "10.0.0.5:3001"}
+                                 << full;
+    QTest::newRow("equals signs, options first")
+        << QStringList{"--behavior=airrobot/posh", "--seed=7", "--speed=2.5", "--out=/data/scans",
+                       "--connect=10.0.0.5:3001",  "run",      "a.json"}
+        << full;
+    MissionOptions help;
+    help.help = true;
+    QTest::newRow("help") << QStringList{"--help"} << help;
+}
+
+void tst_MissionOptions::readsTheCommandLine() {
+    QFETCH(QStringList, arguments);
+    QFETCH(MissionOptions, expected);
+    const auto options = readMissionOptions(arguments);
+    QVERIFY2(options, options ? "" : options.error().text().c_str());
+    QVERIFY(*options == expected);
+}
+
+void tst_MissionOptions::rejectsTheRestAndSaysWhere_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("nothing") << QStringList{} << "usar-mission run MISSION.json";
+    QTest::newRow("no file") << QStringList{"run"} << "usar-mission run MISSION.json";
+    QTest::newRow("two files") << QStringList{"run", "a.json", "b.json"} << "usar-mission run MISSION.json";
+    QTest::newRow("another verb") << QStringList{"fly", "a.json"} << "usar-mission run MISSION.json";
+    QTest::newRow("unknown option") << QStringList{"run", "a.json", "--sped", "3"} << "--sped: there is no such option";
+    QTest::newRow("value missing") << QStringList{"run", "a.json", "--seed"} << "--seed: the value is missing";
+    QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
+    QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
+    QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"} << "--speed 0: the speed is neither";
+    QTest::newRow("speed with a comma") << QStringList{"run", "a.json", "--speed", "1,5"} << "the speed is neither";
+    QTest::newRow("port too large") << QStringList{"run", "a.json", "--connect", "h:70000"} << "from 1 to 65535";
+    QTest::newRow("no host") << QStringList{"run", "a.json", "--connect", ":3000"} << "the host is missing";
+}
+
+void tst_MissionOptions::rejectsTheRestAndSaysWhere() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, words);
+    const auto options = readMissionOptions(arguments);
+    QVERIFY(!options);
+    QVERIFY2(QString::fromStdString(options.error().text()).contains(words), options.error().text().c_str());
+    QVERIFY(!options.error().mend.empty());
+}
+
+void tst_MissionOptions::readsServerAddresses_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("host");
+    QTest::addColumn<int>("port");
+    QTest::newRow("host and port") << "usarsim.local:3001"
+                                   << "usarsim.local" << 3001;
+    QTest::newRow("host alone") << "usarsim.local"
+                                << "usarsim.local" << 3000;
+    QTest::newRow("IPv6 with port") << "[::1]:3001"
+                                    << "::1" << 3001;
+    QTest::newRow("IPv6 in brackets") << "[::1]"
+                                      << "::1" << 3000;
+    QTest::newRow("bare IPv6") << "fe80::1"
+                               << "fe80::1" << 3000;
+}
+
+void tst_MissionOptions::readsServerAddresses() {
+    QFETCH(QString, text);
+    QFETCH(QString, host);
+    QFETCH(int, port);
+    const auto address = readServerAddress(text);
+    QVERIFY(address);
+    QCOMPARE(address->host, host);
+    QCOMPARE(int(address->port), port);
+}
+
+void tst_MissionOptions::helpNamesEveryOption() {
+    for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out"})
+        QVERIFY2(missionHelp().contains(option), option);
+}
+
+void tst_MissionOptions::progressLinesTellStateSpeedAndTimeLeft() {
+    Progress progress;
+    progress.percent = 40.0;
+    progress.speed_x = 120.0;
+    progress.time_left = Seconds{1440.0};
+    progress.state = "scanning lane 4 of 9";
+    QCOMPARE(progressLine(progress, Seconds{8.0}),
+             std::string("[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12"));
+    progress = {};
+    progress.percent = 250.0;
+    progress.state = "done";
+    QCOMPARE(progressLine(progress, Seconds{1.0}).substr(0, 28), std::string("[####################] 100 %"));
+}
+
+void tst_MissionOptions::timeLeftComesFromTheBehaviorElseFromThePercentage() {
+    Progress progress;
+    QVERIFY(!wallTimeLeft(progress, Seconds{10.0}));
+    progress.percent = 25.0;
+    QCOMPARE(wallTimeLeft(progress, Seconds{10.0})->count(), 30.0);
+    progress.time_left = Seconds{100.0};
+    progress.speed_x = 10.0;
+    QCOMPARE(wallTimeLeft(progress, Seconds{10.0})->count(), 10.0);
+}
+
+void tst_MissionOptions::clocksReadAsClocks_data() {
+    QTest::addColumn<double>("span_s");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("nothing") << 0.0 << QByteArray("0:00");
+    QTest::newRow("part of a second is one") << 0.2 << QByteArray("0:01");
+    QTest::newRow("minutes") << 754.0 << QByteArray("12:34");
+    QTest::newRow("hours") << 3723.0 << QByteArray("1:02:03");
+    QTest::newRow("never negative") << -5.0 << QByteArray("0:00");
+}
+
+void tst_MissionOptions::clocksReadAsClocks() {
+    QFETCH(double, span_s);
+    QFETCH(QByteArray, text);
+    QCOMPARE(QByteArray::fromStdString(clockText(Seconds{span_s})), text);
+}
+
+QTEST_APPLESS_MAIN(tst_MissionOptions)
+#include "tst_mission_options.moc"
