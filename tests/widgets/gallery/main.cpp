@@ -29,6 +29,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("bars"), gallery::barsPage},
     {QStringLiteral("palette"), gallery::palettePage},
     {QStringLiteral("sheet"), gallery::sheetPage},
+    {QStringLiteral("instruments"), gallery::instrumentsPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

@@ -15,5 +15,6 @@ std::unique_ptr<QWidget> iconsPage();
 std::unique_ptr<QWidget> barsPage();
 std::unique_ptr<QWidget> palettePage();
 std::unique_ptr<QWidget> sheetPage();
+std::unique_ptr<QWidget> instrumentsPage();
 
 } // namespace usar::gallery

@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include <QVBoxLayout>
+
+#include "tests/widgets/gallery/pages.h"
+#include "widgets/laser_fan_view.h"
+#include "widgets/sonar_columns_view.h"
+#include "widgets/status_strip.h"
+#include "widgets/theme.h"
+
+namespace usar::gallery {
+
+using namespace usar::widgets;
+
+namespace {
+
+protocol::RangeScan roughGround() {
+    protocol::RangeScan scan;
+    scan.resolution_rad = radians(1.0);
+    scan.fov_rad = radians(180.0);
+    for (std::size_t i = 0; i < 181; ++i) {
+        scan.ranges_m.push_back(20.0);
+        const double a = scan.beamAngle_rad(i);
+        for (double r = 0.5; r < 20.0; r += 0.05)
+            if (r * std::cos(a) > 6.0 + 0.8 * std::sin(r * std::sin(a) * 0.9) + 0.2 * std::sin(r * std::sin(a) * 4.0)) {
+                scan.ranges_m.back() = r;
+                break;
+            }
+    }
+    return scan;
+}
+
+agent::SonarZones zones() {
+    const double ranges[] = {5.0, 5.0, 4.3, 3.1, 4.95, 5.0, 5.0, 5.0, 4.99};
+    const double low[] = {4.2, 4.4, 4.6, 4.8, 4.98, 4.8, 4.6, 4.4, 4.2};
+    const char* names[] = {"L4", "L3", "L2", "L1", "M0", "R1", "R2", "R3", "R4"};
+    agent::SonarZones zones;
+    for (int i = 0; i < 9; ++i) {
+        const double high = low[i] - 0.2;
+        const auto risk = ranges[i] < high     ? agent::Risk::High
+                          : ranges[i] < low[i] ? agent::Risk::Low
+                                               : agent::Risk::None;
+        zones.zones.push_back({names[i], 0.0, ranges[i], 5.0, low[i], high, risk});
+    }
+    return zones;
+}
+
+} // namespace
+
+std::unique_ptr<QWidget> instrumentsPage() {
+    auto page = std::make_unique<QWidget>();
+    page->resize(640, 560);
+    auto* row = new QHBoxLayout(page.get());
+    for (const bool live : {true, false}) {
+        auto* column = new QVBoxLayout;
+        auto* strip = new StatusStrip;
+        auto* fan = new LaserFanView;
+        auto* sonars = new SonarColumnsView;
+        if (live) {
+            strip->setStatus({Seconds(751.0), Seconds(751.0), "scanning lane 4 of 9", 38.0, 72.0, 412.0, 42.0,
+                              Seconds(980.0), 1204.0, 1});
+            fan->setScan(roughGround());
+            sonars->setZones(zones());
+        }
+        column->addWidget(strip);
+        column->addWidget(fan, 3);
+        column->addWidget(sonars, 2);
+        row->addLayout(column, 1);
+    }
+    return page;
+}
+
+} // namespace usar::gallery

@@ -1,0 +1,254 @@
+#include <cmath>
+
+#include <QTest>
+
+#include "widgets/laser_fan_view.h"
+#include "widgets/sonar_columns_view.h"
+#include "widgets/status_strip.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+protocol::RangeScan flatGround(double altitude_m, double maximum_m = 20.0) {
+    protocol::RangeScan scan;
+    scan.resolution_rad = radians(1.0);
+    scan.fov_rad = radians(180.0);
+    for (std::size_t i = 0; i < 181; ++i) {
+        scan.ranges_m.push_back(0.0);
+        const double slant_m = altitude_m / std::max(1e-9, std::cos(scan.beamAngle_rad(i)));
+        scan.ranges_m.back() = std::min(slant_m, maximum_m);
+    }
+    return scan;
+}
+
+agent::SonarZones nineZones(agent::Risk middle) {
+    agent::SonarZones zones;
+    for (const char* name : {"L4", "L3", "L2", "L1", "M0", "R1", "R2", "R3", "R4"})
+        zones.zones.push_back({name, 0.0, 5.0, 5.0, 4.4, 4.2, agent::Risk::None});
+    zones.zones[4].risk = middle;
+    zones.zones[4].range_m = 2.0;
+    return zones;
+}
+
+/// Whether a pixel near `ink` is on the picture; antialiasing leaves none of thin strokes, so some slack.
+int pixelsNear(const QWidget& widget, const QRect& where, const QColor& ink) {
+    const QImage image = const_cast<QWidget&>(widget).grab().toImage();
+    int found = 0;
+    for (int y = where.top(); y <= where.bottom(); ++y)
+        for (int x = where.left(); x <= where.right(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            found +=
+                std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) + std::abs(c.blue() - ink.blue()) < 90
+                    ? 1
+                    : 0;
+        }
+    return found;
+}
+
+QString readout(const StatusStrip& strip, const QString& caption) {
+    for (const Readout* one : strip.findChildren<Readout*>())
+        if (one->accessibleName() == caption)
+            return one->text();
+    return QStringLiteral("no such readout");
+}
+
+} // namespace
+
+class tst_Instruments : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { applyTheme(Theme::Dark); }
+    void stripShowsTheBehaviorsFigures();
+    void unknownFiguresAreADash();
+    void readoutKeepsItsWidth();
+    void finishedMissionCanStillBeRead();
+    void meterWarnsInWordAndColor();
+    void raysLieWhereTheyShould();
+    void missesAreNoHits();
+    void depthIsRound_data();
+    void depthIsRound();
+    void fanDrawsGroundUnderTheRobot();
+    void sonarsComeInRingOrder();
+    void zonesKeepTheBehaviorsOrder();
+    void riskIsColorAndWord_data();
+    void riskIsColorAndWord();
+    void staleIsGrey();
+    void emptyViewsSayWhatWillAppear();
+};
+
+void tst_Instruments::stripShowsTheBehaviorsFigures() {
+    StatusStrip strip;
+    agent::BehaviorStatus status;
+    status.state = "scanning lane 4 of 9";
+    status.elapsed = Seconds(751.0);
+    status.distance_to_goal_m = 38.04;
+    status.range_left_m = 412.3;
+    status.battery_used_pct = 29.0;
+    status.distance_flown_m = 1204.0;
+    status.charges = 1;
+    strip.setStatus(status);
+    QCOMPARE(strip.stateText(), QStringLiteral("scanning lane 4 of 9"));
+    QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:12:31"));
+    QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("38.0"));
+    QCOMPARE(readout(strip, QStringLiteral("range left")), QStringLiteral("412"));
+    QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(29.0));
+}
+
+void tst_Instruments::unknownFiguresAreADash() {
+    StatusStrip strip;
+    strip.setStatus({});
+    QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("–"));
+    QCOMPARE(readout(strip, QStringLiteral("time left")), QStringLiteral("–"));
+    QVERIFY(!strip.findChildren<Meter*>()[1]->value());
+}
+
+void tst_Instruments::readoutKeepsItsWidth() {
+    Readout one(QStringLiteral("to goal"), QStringLiteral("m"), QStringLiteral("000.0"));
+    const QSize before = one.sizeHint();
+    one.setText(QStringLiteral("1.0"));
+    QCOMPARE(one.sizeHint(), before);
+    QCOMPARE(one.accessibleDescription(), QStringLiteral("1.0 m"));
+}
+
+void tst_Instruments::finishedMissionCanStillBeRead() {
+    StatusStrip strip;
+    agent::BehaviorStatus status;
+    status.elapsed = Seconds(60.0);
+    status.distance_to_goal_m = 3.0;
+    strip.setStatus(status);
+    strip.setIdle(QStringLiteral("Finished: the area is scanned"), StateShape::Good);
+    QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:01:00"));
+    QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("–"));
+    strip.clear(QStringLiteral("No behavior runs"));
+    QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("–"));
+}
+
+void tst_Instruments::meterWarnsInWordAndColor() {
+    Meter meter(QStringLiteral("Battery used"));
+    meter.resize(160, 30);
+    meter.setLimits(70.0, 85.0);
+    meter.setValue(50.0);
+    const QRect bar(2, 20, 40, 8);
+    QVERIFY(pixelsNear(meter, bar, tokens().ok) > 50);
+    meter.setValue(90.0);
+    QVERIFY(pixelsNear(meter, bar, tokens().danger) > 50);
+    QCOMPARE(meter.accessibleDescription(), QStringLiteral("90 %"));
+    meter.setValue(std::nullopt);
+    QCOMPARE(pixelsNear(meter, bar, tokens().ok), 0);
+}
+
+void tst_Instruments::raysLieWhereTheyShould() {
+    const LaserSection section = laserSection(flatGround(6.0), 20.0);
+    QCOMPARE(section.rays.size(), std::size_t(181));
+    QVERIFY(section.rays[0].end_m.x() > 19.9); // the first beam looks right
+    QVERIFY(section.rays[180].end_m.x() < -19.9);
+    QVERIFY(qAbs(section.rays[90].end_m.x()) < 1e-9 && qAbs(section.rays[90].end_m.y() - 6.0) < 1e-9);
+    for (const LaserRay& ray : section.rays)
+        if (ray.hit)
+            QVERIFY(qAbs(ray.end_m.y() - 6.0) < 1e-6);
+    QVERIFY(section.clearance_m && qAbs(*section.clearance_m - 6.0) < 1e-6);
+    QVERIFY(section.nearest_m && qAbs(*section.nearest_m - 6.0) < 1e-6);
+}
+
+void tst_Instruments::missesAreNoHits() {
+    protocol::RangeScan scan = flatGround(6.0);
+    scan.ranges_m[90] = qQNaN();
+    scan.ranges_m[91] = 20.0;
+    const LaserSection section = laserSection(scan, 20.0);
+    QVERIFY(!section.rays[90].hit && !section.rays[91].hit && section.rays[92].hit);
+    const LaserSection nothing = laserSection(flatGround(50.0), 20.0);
+    QVERIFY(!nothing.clearance_m && !nothing.nearest_m);
+    QVERIFY(laserSection({}, 20.0).rays.empty());
+}
+
+void tst_Instruments::depthIsRound_data() {
+    QTest::addColumn<double>("altitude_m");
+    QTest::addColumn<double>("depth_m");
+    QTest::newRow("scanning height") << 6.0 << 8.0;
+    QTest::newRow("a little lower gives the same picture") << 5.5 << 8.0;
+    QTest::newRow("landing") << 0.5 << 2.0;
+    QTest::newRow("near the limit") << 19.0 << 24.0;
+    QTest::newRow("nothing in range") << 30.0 << 20.0;
+}
+
+void tst_Instruments::depthIsRound() {
+    QFETCH(double, altitude_m);
+    QTEST(laserSection(flatGround(altitude_m), 20.0).depthShown_m(), "depth_m");
+}
+
+void tst_Instruments::fanDrawsGroundUnderTheRobot() {
+    LaserFanView view;
+    view.resize(300, 180);
+    view.setScan(flatGround(6.0));
+    const double head = view.fontMetrics().height() + 12.0;
+    const int ground = int(head + 6.0 * (180 - head - 8.0) / 8.0);
+    QVERIFY(pixelsNear(view, QRect(60, ground - 2, 180, 5), tokens().ok) > 150);
+    QCOMPARE(pixelsNear(view, QRect(60, ground - 40, 60, 5), tokens().ok), 0);
+    QVERIFY(view.accessibleDescription().contains(QStringLiteral("6.00 m")));
+}
+
+void tst_Instruments::sonarsComeInRingOrder() {
+    const auto columns =
+        sonarColumns({{"F1", 1.0}, {"L1", 1.0}, {"L4", 4.0}, {"M0", 1.0}, {"R1", 1.0}, {"R4", 1.0}, {"L10", 1.0}}, 5.0);
+    QStringList names;
+    for (const SonarColumn& column : columns)
+        names << column.name;
+    QCOMPARE(names.join(u' '), QStringLiteral("L10 L4 L1 M0 R1 R4 F1"));
+    QCOMPARE(columns[1].range_m, 4.0);
+    QCOMPARE(columns[1].low_risk_below_m, 0.0);
+}
+
+void tst_Instruments::zonesKeepTheBehaviorsOrder() {
+    const auto columns = sonarColumns(nineZones(agent::Risk::High));
+    QCOMPARE(columns.size(), std::size_t(9));
+    QCOMPARE(columns[4], (SonarColumn{QStringLiteral("M0"), 2.0, 5.0, 4.4, 4.2, agent::Risk::High}));
+}
+
+void tst_Instruments::riskIsColorAndWord_data() {
+    QTest::addColumn<agent::Risk>("risk");
+    QTest::addColumn<QColor>("color");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("free") << agent::Risk::None << tokens(Theme::Dark).ok << QString();
+    QTest::newRow("low") << agent::Risk::Low << tokens(Theme::Dark).caution << QStringLiteral("low");
+    QTest::newRow("high") << agent::Risk::High << tokens(Theme::Dark).danger << QStringLiteral("high");
+}
+
+void tst_Instruments::riskIsColorAndWord() {
+    QFETCH(agent::Risk, risk);
+    QFETCH(QColor, color);
+    SonarColumnsView view;
+    view.resize(300, 160);
+    view.setZones(nineZones(risk));
+    QVERIFY(pixelsNear(view, QRect(134, 80, 32, 60), color) > 60);
+    QTEST(riskWord(risk), "word");
+    QCOMPARE(view.accessibleDescription().contains(QStringLiteral("1 at risk")), risk != agent::Risk::None);
+}
+
+void tst_Instruments::staleIsGrey() {
+    SonarColumnsView view;
+    view.resize(300, 160);
+    view.setZones(nineZones(agent::Risk::High));
+    view.setStale(true);
+    QCOMPARE(pixelsNear(view, QRect(134, 40, 32, 100), tokens().danger), 0);
+    view.setZones(nineZones(agent::Risk::High));
+    QVERIFY(pixelsNear(view, QRect(134, 40, 32, 100), tokens().danger) > 60);
+    LaserFanView fan;
+    fan.resize(300, 180);
+    fan.setScan(flatGround(6.0));
+    fan.setStale(true);
+    QCOMPARE(pixelsNear(fan, fan.rect(), tokens().ok), 0);
+}
+
+void tst_Instruments::emptyViewsSayWhatWillAppear() {
+    for (QWidget* view : std::initializer_list<QWidget*>{new SonarColumnsView, new LaserFanView}) {
+        view->resize(300, 160);
+        QVERIFY(pixelsNear(*view, view->rect(), tokens().text_muted) > 100);
+        delete view;
+    }
+}
+
+QTEST_MAIN(tst_Instruments)
+#include "tst_instruments.moc"

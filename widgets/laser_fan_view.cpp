@@ -1,0 +1,117 @@
+#include "widgets/laser_fan_view.h"
+
+#include <QPainter>
+
+#include "widgets/models/figures.h"
+#include "widgets/models/map_transform.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+LaserFanView::LaserFanView(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Laser scan"));
+    setToolTip(
+        tr("Rays of the range scanner across the robot, seen from behind, and the terrain line under it. Metres."));
+}
+
+void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m) {
+    section_ = laserSection(scan, maximum_m);
+    stale_ = false;
+    setAccessibleDescription(section_.clearance_m ? tr("%1 m above ground").arg(figure(*section_.clearance_m, 2))
+                                                  : tr("No ground in range"));
+    update();
+}
+
+void LaserFanView::clear() {
+    section_ = {};
+    setAccessibleDescription(tr("No scan yet"));
+    update();
+}
+
+void LaserFanView::setStale(bool stale) {
+    if (stale == stale_)
+        return;
+    stale_ = stale;
+    update();
+}
+
+void LaserFanView::paintEvent(QPaintEvent*) {
+    const Tokens& t = tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(t.line, 1.0));
+    painter.setBrush(t.surface);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    if (section_.rays.empty()) {
+        painter.setPen(t.text_muted);
+        painter.drawText(rect().adjusted(gap::small, 0, -gap::small, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No laser scan yet.\nRays and terrain appear here once a range scanner reports."));
+        return;
+    }
+    const double head = fontMetrics().height() + 12.0;
+    const double scale = (height() - head - gap::small) / section_.depthShown_m();
+    const QPointF origin(width() / 2.0, head);
+    painter.setClipRect(rect().adjusted(1, 1, -1, -1));
+    paintTerrain(painter, origin, scale);
+    paintRays(painter, origin, scale);
+    const QColor body = stale_ ? t.stale : t.text;
+    painter.setPen(QPen(body, 2.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin + QPointF(-9.0, 0.0), origin + QPointF(9.0, 0.0));
+    painter.setBrush(body);
+    painter.drawEllipse(origin, 3.5, 3.5);
+    paintWords(painter, scale);
+}
+
+void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double scale) const {
+    QColor ink = stale_ ? tokens().stale : tokens().laser;
+    ink.setAlphaF(0.30f);
+    QVector<QLineF> rays;
+    for (const LaserRay& ray : section_.rays)
+        if (ray.hit)
+            rays << QLineF(origin, origin + ray.end_m * scale);
+    painter.setPen(QPen(ink, 1.0));
+    painter.drawLines(rays);
+}
+
+/// Hits joined where they are neighbors; a miss breaks the line, because nothing is known there.
+void LaserFanView::paintTerrain(QPainter& painter, const QPointF& origin, double scale) const {
+    const Tokens& t = tokens();
+    QColor ground = stale_ ? t.stale : t.ok;
+    QPolygonF line;
+    const auto flush = [&] {
+        if (line.size() > 1) {
+            QPolygonF below = line;
+            below << QPointF(line.last().x(), height()) << QPointF(line.first().x(), height());
+            ground.setAlphaF(0.16f);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(ground);
+            painter.drawPolygon(below);
+            ground.setAlphaF(1.0f);
+            painter.setPen(QPen(ground, 2.0));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolyline(line);
+        }
+        line.clear();
+    };
+    for (const LaserRay& ray : section_.rays)
+        ray.hit ? (void)(line << origin + ray.end_m * scale) : flush();
+    flush();
+}
+
+void LaserFanView::paintWords(QPainter& painter, double scale) const {
+    const Tokens& t = tokens();
+    const QRectF head(gap::small, gap::tiny, width() - 2.0 * gap::small, fontMetrics().height());
+    painter.setPen(t.text_muted);
+    painter.drawText(head, Qt::AlignLeft, stale_ ? tr("laser (stale)") : tr("laser"));
+    painter.setPen(stale_ ? t.stale : t.text);
+    painter.drawText(head, Qt::AlignRight,
+                     tr("%1 m to ground").arg(figure(section_.clearance_m.value_or(qQNaN()), 2, 5)));
+    const double bar_m = roundStep(80.0 / scale);
+    const double y = height() - 7.0;
+    painter.setPen(QPen(t.text_muted, 1.5));
+    painter.drawLine(QPointF(gap::small, y), QPointF(gap::small + bar_m * scale, y));
+    painter.setFont(themeFont(FontRole::Small));
+    painter.drawText(QPointF(gap::small + bar_m * scale + gap::tiny, y + 4.0), QStringLiteral("%1 m").arg(bar_m));
+}
+
+} // namespace usar::widgets

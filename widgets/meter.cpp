@@ -1,0 +1,62 @@
+#include "widgets/meter.h"
+
+#include <algorithm>
+
+#include <QPainter>
+
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+Meter::Meter(const QString& caption, QWidget* parent) : QWidget(parent), caption_(caption) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(caption);
+    setValue(std::nullopt);
+}
+
+void Meter::setValue(std::optional<double> value_pct) {
+    value_pct_ = value_pct;
+    setAccessibleDescription(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
+    update();
+}
+
+void Meter::setLimits(double caution_pct, double danger_pct) {
+    caution_pct_ = caution_pct;
+    danger_pct_ = danger_pct;
+    update();
+}
+
+QSize Meter::sizeHint() const {
+    return {160, fontMetrics().height() + 12};
+}
+
+QSize Meter::minimumSizeHint() const {
+    return {96, fontMetrics().height() + 12};
+}
+
+void Meter::paintEvent(QPaintEvent*) {
+    const Tokens& t = tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF words(0, 0, width(), fontMetrics().height());
+    const double value = value_pct_.value_or(qQNaN());
+    QColor ink = value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
+    painter.setPen(t.text_muted);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, caption_);
+    painter.setPen(value >= caution_pct_ ? ink : t.text);
+    const QString mark = value >= caution_pct_ ? QStringLiteral("! ") : QString();
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, mark + figure(value, 0, 3) + QStringLiteral(" %"));
+    const QRectF groove(0.5, words.bottom() + 3.5, width() - 1.0, 7.0);
+    painter.setPen(QPen(t.line, 1.0));
+    painter.setBrush(value_pct_ ? QBrush(t.raised) : QBrush(t.line, Qt::BDiagPattern));
+    painter.drawRoundedRect(groove, 3.0, 3.0);
+    if (!value_pct_)
+        return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    painter.drawRoundedRect(QRectF(groove.topLeft(), QSizeF(groove.width() * std::clamp(value / 100.0, 0.0, 1.0), 7.0)),
+                            3.0, 3.0);
+}
+
+} // namespace usar::widgets

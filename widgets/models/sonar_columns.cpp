@@ -1,0 +1,60 @@
+#include "widgets/models/sonar_columns.h"
+
+#include <algorithm>
+
+#include "core/base/numbers.h"
+
+namespace usar::widgets {
+
+namespace {
+
+/// L4 = -4 … M0 = 0 … R4 = 4; anything else comes last.
+long long ringPlace(const std::string& name) {
+    constexpr long long last = 1000000;
+    const auto number = name.size() > 1 ? readInteger(std::string_view(name).substr(1)) : std::nullopt;
+    if (!number)
+        return last;
+    switch (name.front()) {
+    case 'L':
+        return -*number;
+    case 'M':
+        return 0;
+    case 'R':
+        return *number;
+    default:
+        return last;
+    }
+}
+
+} // namespace
+
+std::vector<SonarColumn> sonarColumns(const agent::SonarZones& zones) {
+    std::vector<SonarColumn> columns;
+    for (const agent::SonarZone& zone : zones.zones)
+        columns.push_back({QString::fromStdString(zone.name), zone.range_m, zone.maximum_m, zone.low_risk_below_m,
+                           zone.high_risk_below_m, zone.risk});
+    return columns;
+}
+
+std::vector<SonarColumn> sonarColumns(const std::map<std::string, double>& ranges_m, double maximum_m) {
+    std::vector<std::pair<std::string, double>> ordered(ranges_m.begin(), ranges_m.end());
+    std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return ringPlace(entry.first); });
+    std::vector<SonarColumn> columns;
+    for (const auto& [name, range_m] : ordered)
+        columns.push_back({QString::fromStdString(name), range_m, maximum_m, 0.0, 0.0, agent::Risk::None});
+    return columns;
+}
+
+QString riskWord(agent::Risk risk) {
+    switch (risk) {
+    case agent::Risk::None:
+        return {};
+    case agent::Risk::Low:
+        return QStringLiteral("low");
+    case agent::Risk::High:
+        break;
+    }
+    return QStringLiteral("high");
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,94 @@
+#include "widgets/status_strip.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+QString orDash(const std::optional<double>& value, int decimals) {
+    return figure(value.value_or(qQNaN()), decimals);
+}
+} // namespace
+
+StatusStrip::StatusStrip(QWidget* parent)
+    : QWidget(parent)
+    , dot_(new StateDot(this))
+    , state_(new QLabel(this))
+    , elapsed_(new Readout(tr("elapsed"), {}, QStringLiteral("00:00:00"), this))
+    , left_(new Readout(tr("time left"), {}, QStringLiteral("00:00:00"), this))
+    , goal_(new Readout(tr("to goal"), QStringLiteral("m"), QStringLiteral("000.0"), this))
+    , range_(new Readout(tr("range left"), QStringLiteral("m"), QStringLiteral("00000"), this))
+    , flown_(new Readout(tr("flown"), QStringLiteral("m"), QStringLiteral("00000"), this))
+    , charges_(new Readout(tr("charges"), {}, QStringLiteral("00"), this))
+    , battery_(new Meter(tr("Battery used"), this))
+    , progress_(new Meter(tr("Progress"), this)) {
+    setAccessibleName(tr("Status"));
+    elapsed_->setToolTip(tr("Protocol time since the behavior started, hours:minutes:seconds"));
+    left_->setToolTip(tr("Estimated protocol time to the end"));
+    goal_->setToolTip(tr("Distance to the goal that the robot flies to now, metres"));
+    range_->setToolTip(tr("How far it can fly before the reserve is touched, metres"));
+    flown_->setToolTip(tr("Distance flown since the behavior started, metres"));
+    charges_->setToolTip(tr("Times the battery was recharged"));
+    battery_->setToolTip(
+        tr("Used part of the battery's capacity, per cent"));
+    battery_->setLimits(70.0, 85.0);
+    progress_->setToolTip(tr("Part of the whole task that is done, per cent"));
+    state_->setAccessibleName(tr("State of the behavior"));
+    state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    state_->setWordWrap(true);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(gap::small);
+    head->addWidget(dot_);
+    head->addWidget(state_, 1);
+    auto* figures = new QGridLayout;
+    figures->setHorizontalSpacing(gap::medium);
+    figures->setVerticalSpacing(gap::tiny);
+    Readout* cells[] = {elapsed_, goal_, left_, range_, flown_, charges_};
+    for (int i = 0; i < 6; ++i)
+        figures->addWidget(cells[i], i / 2, i % 2);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap::small);
+    column->addLayout(head);
+    column->addLayout(figures);
+    column->addWidget(battery_);
+    column->addWidget(progress_);
+    clear(tr("No behavior runs"));
+}
+
+void StatusStrip::setState(const QString& words, StateShape shape) {
+    dot_->setState(shape);
+    state_->setText(words);
+}
+
+void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
+    setState(QString::fromStdString(status.state), StateShape::Good);
+    elapsed_->setText(clockText(status.elapsed));
+    left_->setText(clockText(status.time_left.value_or(Seconds(qQNaN()))));
+    goal_->setText(orDash(status.distance_to_goal_m, 1));
+    range_->setText(orDash(status.range_left_m, 0));
+    flown_->setText(figure(status.distance_flown_m, 0));
+    charges_->setText(QString::number(status.charges));
+    battery_->setValue(status.battery_used_pct);
+    progress_->setValue(status.progress_pct);
+}
+
+void StatusStrip::setIdle(const QString& words, StateShape shape) {
+    setState(words, shape);
+    left_->setText(figure(qQNaN(), 0));
+    goal_->setText(figure(qQNaN(), 0));
+}
+
+void StatusStrip::clear(const QString& words) {
+    setState(words, StateShape::Off);
+    for (Readout* readout : {elapsed_, left_, goal_, range_, flown_, charges_})
+        readout->setText(figure(qQNaN(), 0));
+    battery_->setValue(std::nullopt);
+    progress_->setValue(std::nullopt);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,43 @@
+// The figures of the running behavior, as in the left stripe of the thesis's preview (4.2).
+#pragma once
+
+#include <QLabel>
+#include <QWidget>
+
+#include "core/agent/published.h"
+#include "widgets/meter.h"
+#include "widgets/readout.h"
+#include "widgets/state_dot.h"
+
+namespace usar::widgets {
+
+/// Figures that the behavior does not know are a dash, never a zero. GUI thread.
+class StatusStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit StatusStrip(QWidget* parent = nullptr);
+
+    void setStatus(const agent::BehaviorStatus& status);
+    /// Nothing runs: `words` says why or what to do ("Idle. Press Start."); the last figures stay, so that a finished
+    /// mission can be read.
+    void setIdle(const QString& words, StateShape shape = StateShape::Off);
+    /// All figures unknown.
+    void clear(const QString& words);
+    QString stateText() const { return state_->text(); }
+
+private:
+    void setState(const QString& words, StateShape shape);
+
+    StateDot* dot_;
+    QLabel* state_;
+    Readout* elapsed_;
+    Readout* left_;
+    Readout* goal_;
+    Readout* range_;
+    Readout* flown_;
+    Readout* charges_;
+    Meter* battery_;
+    Meter* progress_;
+};
+
+} // namespace usar::widgets
