@@ -34,13 +34,27 @@ struct BehaviorContext {
     ParameterSet parameters;
 };
 
+/// What a task would come to, shown before it starts: the path over the ground and its cost without obstacles.
+struct TaskPreview {
+    std::vector<Vec2> path_in_map_m;
+    double length_m = 0.0;
+    Seconds duration{0.0};
+    std::string summary; ///< "6 lanes", "22 lanes in 4 parts"; empty where the behavior has nothing to foretell
+};
+
 class RobotPlugin {
 public:
     virtual ~RobotPlugin() = default;
     virtual RobotDescription description() const = 0;
     /// An id that `description` does not list is an error.
     virtual Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const = 0;
+    /// Quick: called while a person drags the area. An area without size is an error.
+    virtual Result<TaskPreview> preview(const std::string& id, const BehaviorContext& context) const;
 };
+
+inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const BehaviorContext&) const {
+    return TaskPreview{};
+}
 
 } // namespace usar::agent
 

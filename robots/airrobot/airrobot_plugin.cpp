@@ -16,6 +16,9 @@ public:
                                                             agent::BehaviorContext context) const override {
         return makeBehavior(id, std::move(context));
     }
+    Result<agent::TaskPreview> preview(const std::string&, const agent::BehaviorContext& context) const override {
+        return previewSurvey(context);
+    }
 };
 
 } // namespace usar::airrobot

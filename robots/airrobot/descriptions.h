@@ -7,5 +7,7 @@ namespace usar::airrobot {
 
 agent::RobotDescription describeAirRobot();
 Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context);
+/// The lanes that a survey would fly, and how long without obstacles and charging.
+Result<agent::TaskPreview> previewSurvey(const agent::BehaviorContext& context);
 
 } // namespace usar::airrobot

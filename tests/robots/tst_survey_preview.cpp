@@ -1,0 +1,58 @@
+#include <QTest>
+
+#include "robots/airrobot/descriptions.h"
+
+using namespace usar;
+
+namespace {
+
+agent::BehaviorContext contextWith(const Rectangle& area,
+                                   const std::map<std::string, agent::ParameterValue>& values = {}) {
+    const auto description = airrobot::describeAirRobot();
+    auto parameters = agent::ParameterSet::make(description.behaviors.front().parameters, values);
+    return {{"R1", Pose{}, area}, *parameters};
+}
+
+} // namespace
+
+class tst_SurveyPreview : public QObject {
+    Q_OBJECT
+private slots:
+    void foretellsLanesLengthAndTime();
+    void narrowerLanesAreMoreLanes();
+    void saysWhenTheAreaIsCutIntoParts();
+    void refusesAnAreaWithoutSize();
+};
+
+void tst_SurveyPreview::foretellsLanesLengthAndTime() {
+    const auto preview = airrobot::previewSurvey(contextWith({{-30, -20}, {30, 20}}, {{"lane_spacing_m", 10.0}}));
+    QVERIFY(preview.has_value());
+    QCOMPARE(preview->summary, std::string("4 lanes"));
+    QCOMPARE(preview->path_in_map_m.size(), std::size_t(8));
+    QVERIFY(preview->length_m > 4 * 60.0);
+    QVERIFY(preview->duration.count() > 4 * 60.0 / 2.0); // no AirRobot flies faster than 2 m/s
+    for (const Vec2& point : preview->path_in_map_m)
+        QVERIFY((Rectangle{{-30, -20}, {30, 20}}.contains(point)));
+}
+
+void tst_SurveyPreview::narrowerLanesAreMoreLanes() {
+    const Rectangle area{{0, 0}, {40, 40}};
+    const auto wide = airrobot::previewSurvey(contextWith(area, {{"lane_spacing_m", 10.0}}));
+    const auto narrow = airrobot::previewSurvey(contextWith(area, {{"lane_spacing_m", 5.0}}));
+    QCOMPARE(narrow->path_in_map_m.size(), 2 * wide->path_in_map_m.size());
+    QVERIFY(narrow->duration > wide->duration);
+}
+
+void tst_SurveyPreview::saysWhenTheAreaIsCutIntoParts() {
+    const auto preview = airrobot::previewSurvey(contextWith({{-100, -100}, {100, 100}}));
+    QVERIFY2(preview->summary.ends_with(" in 4 parts"), preview->summary.c_str());
+}
+
+void tst_SurveyPreview::refusesAnAreaWithoutSize() {
+    const auto preview = airrobot::previewSurvey(contextWith({{5, 5}, {5, 9}}));
+    QVERIFY(!preview.has_value());
+    QVERIFY(!preview.error().text().empty());
+}
+
+QTEST_APPLESS_MAIN(tst_SurveyPreview)
+#include "tst_survey_preview.moc"
