@@ -25,6 +25,8 @@ const std::vector<Page> pages = {
     {QStringLiteral("area"), gallery::areaPage},
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
     {QStringLiteral("parameters"), gallery::parametersPage},
+    {QStringLiteral("plot"), gallery::plotPage},
+    {QStringLiteral("empty_plot"), gallery::emptyPlotPage},
     {QStringLiteral("icons"), gallery::iconsPage},
     {QStringLiteral("bars"), gallery::barsPage},
     {QStringLiteral("palette"), gallery::palettePage},

@@ -11,6 +11,8 @@ std::unique_ptr<QWidget> mapPage();
 std::unique_ptr<QWidget> areaPage();
 std::unique_ptr<QWidget> emptyMapPage();
 std::unique_ptr<QWidget> parametersPage();
+std::unique_ptr<QWidget> plotPage();
+std::unique_ptr<QWidget> emptyPlotPage();
 std::unique_ptr<QWidget> iconsPage();
 std::unique_ptr<QWidget> barsPage();
 std::unique_ptr<QWidget> palettePage();

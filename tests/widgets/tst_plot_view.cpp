@@ -1,0 +1,340 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <QComboBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+#include <QWheelEvent>
+
+#include "core/protocol/reader.h"
+#include "widgets/empty_state.h"
+#include "widgets/plot_canvas.h"
+#include "widgets/plot_view.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+const QString f1 = QStringLiteral("SEN Sonar/F1/range");
+const QString f2 = QStringLiteral("SEN Sonar/F2/range");
+
+void wheel(QWidget* target, QPoint at, int delta) {
+    QWheelEvent event(at, target->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(target, &event);
+}
+
+} // namespace
+
+class tst_PlotView : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void emptyPlotSaysHowToFillIt();
+    void dropAddsFields();
+    void otherDropsAreRefused();
+    void samplesReachTheCanvas();
+    void followsTheNewest();
+    void windowChoosesHowMuchIsSeen();
+    void allShowsEverything();
+    void wheelZoomsTimeAndStopsFollowing();
+    void doubleClickFollowsAgain();
+    void keysPanZoomPauseAndFollow();
+    void pauseKeepsRecording();
+    void hiddenPlotRecordsButDoesNotDraw();
+    void clockThatBeginsAgainIsDrawnAnew();
+    void notANumberDoesNotBreakTheAxes();
+    void deleteKeyRemovesFromTheLegend();
+    void legendShowsTheNewestValueInDegrees();
+    void addedTwiceIsThereOnce();
+    void csvAndPictureAreWritten();
+    void unwritableFileIsAnErrorThatNamesIt();
+    void linesAreReadableInBothThemes();
+    void manySamplesAreDrawnFast();
+
+private:
+    void feed(double time_s, double range_m);
+    QWidget* surface() const { return view_->canvas()->focusProxy(); }
+
+    std::unique_ptr<PlotView> view_;
+    protocol::Reader reader_;
+};
+
+void tst_PlotView::initTestCase() {
+    applyTheme(Theme::Dark);
+}
+
+void tst_PlotView::init() {
+    view_ = std::make_unique<PlotView>();
+    view_->resize(800, 300);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+}
+
+void tst_PlotView::cleanup() {
+    view_.reset();
+    applyTheme(Theme::Dark);
+}
+
+void tst_PlotView::feed(double time_s, double range_m) {
+    const QString text = QStringLiteral("SEN {Time %1} {Type Sonar} {Name F1 Range %2} {Name F2 Range 1}");
+    view_->take(reader_.read(text.arg(time_s).arg(range_m).toStdString()), Seconds(time_s));
+}
+
+void tst_PlotView::emptyPlotSaysHowToFillIt() {
+    QVERIFY(view_->emptyState()->isVisible());
+    QVERIFY(view_->emptyState()->accessibleDescription().contains(QStringLiteral("Drag")));
+    view_->addSeries(f1);
+    QVERIFY(!view_->emptyState()->isVisible());
+    view_->clear();
+    QVERIFY(view_->emptyState()->isVisible());
+}
+
+void tst_PlotView::dropAddsFields() {
+    QSignalSpy changed(view_.get(), &PlotView::seriesChanged);
+    QMimeData mime;
+    mime.setData(QLatin1String(field_mime_type), (f1 + u'\n' + f2).toUtf8());
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({100, 100}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &drop);
+    QCOMPARE(view_->seriesPaths(), (QStringList{f1, f2}));
+    QCOMPARE(changed.last().at(0).toStringList(), (QStringList{f1, f2}));
+}
+
+void tst_PlotView::otherDropsAreRefused() {
+    QMimeData mime;
+    mime.setText(f1);
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    enter.ignore();
+    QCoreApplication::sendEvent(view_.get(), &enter);
+    QVERIFY(!enter.isAccepted());
+}
+
+void tst_PlotView::samplesReachTheCanvas() {
+    view_->addSeries(f1);
+    for (int i = 0; i < 10; ++i)
+        feed(i, i);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 10);
+    feed(10, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 11);
+}
+
+void tst_PlotView::followsTheNewest() {
+    view_->addSeries(f1);
+    feed(1000, 1);
+    QTRY_COMPARE(view_->canvas()->visibleFrom().count(), 1000.0);
+    QCOMPARE(view_->canvas()->visibleTo().count(), 1060.0);
+    for (int i = 1; i <= 200; ++i)
+        feed(1000 + i, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 1200.0);
+    QCOMPARE(view_->canvas()->visibleFrom().count(), 1140.0);
+}
+
+void tst_PlotView::windowChoosesHowMuchIsSeen() {
+    view_->addSeries(f1);
+    feed(0, 1);
+    feed(500, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 500.0);
+    view_->findChild<QComboBox*>()->setCurrentIndex(0);
+    QCOMPARE(view_->canvas()->visibleFrom().count(), 490.0);
+    QCOMPARE(view_->canvas()->visibleTo().count(), 500.0);
+}
+
+void tst_PlotView::allShowsEverything() {
+    view_->addSeries(f1);
+    feed(3, 1);
+    feed(500, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 500.0);
+    auto* window = view_->findChild<QComboBox*>();
+    window->setCurrentIndex(window->count() - 1);
+    QCOMPARE(view_->canvas()->visibleFrom().count(), 3.0);
+    QCOMPARE(view_->canvas()->visibleTo().count(), 500.0);
+}
+
+void tst_PlotView::wheelZoomsTimeAndStopsFollowing() {
+    view_->addSeries(f1);
+    feed(0, 1);
+    feed(100, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 100.0);
+    wheel(surface(), surface()->rect().center(), 120);
+    QVERIFY(!view_->canvas()->following());
+    const double from = view_->canvas()->visibleFrom().count();
+    const double to = view_->canvas()->visibleTo().count();
+    QVERIFY(to - from < 59.0);
+    feed(200, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 3);
+    QCOMPARE(view_->canvas()->visibleFrom().count(), from);
+    QCOMPARE(view_->canvas()->visibleTo().count(), to);
+}
+
+void tst_PlotView::doubleClickFollowsAgain() {
+    view_->addSeries(f1);
+    feed(0, 1);
+    feed(100, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 100.0);
+    view_->canvas()->panTime(-0.5);
+    QVERIFY(!view_->canvas()->following());
+    QTest::mouseDClick(surface(), Qt::LeftButton, {}, surface()->rect().center());
+    QVERIFY(view_->canvas()->following());
+    QCOMPARE(view_->canvas()->visibleTo().count(), 100.0);
+}
+
+void tst_PlotView::keysPanZoomPauseAndFollow() {
+    view_->addSeries(f1);
+    feed(0, 1);
+    feed(100, 1);
+    QTRY_COMPARE(view_->canvas()->visibleTo().count(), 100.0);
+    QTest::keyClick(surface(), Qt::Key_Left);
+    QCOMPARE(view_->canvas()->visibleTo().count(), 94.0);
+    QTest::keyClick(surface(), Qt::Key_Right);
+    QCOMPARE(view_->canvas()->visibleTo().count(), 100.0);
+    QTest::keyClick(surface(), Qt::Key_Plus);
+    QCOMPARE((view_->canvas()->visibleTo() - view_->canvas()->visibleFrom()).count(), 48.0);
+    QVERIFY(!view_->canvas()->following());
+    QTest::keyClick(surface(), Qt::Key_F);
+    QVERIFY(view_->canvas()->following());
+    QTest::keyClick(surface(), Qt::Key_Space);
+    QVERIFY(view_->paused());
+}
+
+void tst_PlotView::pauseKeepsRecording() {
+    view_->addSeries(f1);
+    feed(0, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    view_->setPaused(true);
+    for (int i = 1; i < 5; ++i)
+        feed(i, 1);
+    QCOMPARE(view_->store().series()[0].samples.size(), 5U);
+    view_->addSeries(f2); // asks for a picture, which must not let the new samples in
+    QTRY_COMPARE(view_->canvas()->sampleCount(f2.toStdString()), 0);
+    QCOMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    view_->setPaused(false);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 5);
+}
+
+void tst_PlotView::hiddenPlotRecordsButDoesNotDraw() {
+    view_->addSeries(f1);
+    view_->hide();
+    feed(0, 1);
+    feed(1, 1);
+    QCOMPARE(view_->store().series()[0].samples.size(), 2U);
+    QCOMPARE(view_->canvas()->sampleCount(f1.toStdString()), 0);
+    view_->show();
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
+}
+
+void tst_PlotView::clockThatBeginsAgainIsDrawnAnew() {
+    view_->addSeries(f1);
+    for (int i = 0; i < 10; ++i)
+        feed(5000 + i, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 10);
+    feed(0.5, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    QCOMPARE(view_->canvas()->visibleFrom().count(), 0.5);
+}
+
+void tst_PlotView::notANumberDoesNotBreakTheAxes() {
+    view_->addSeries(f1);
+    feed(0, std::nan(""));
+    feed(1, std::nan(""));
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
+    feed(2, 4.0);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 3);
+    QVERIFY(!view_->grab().isNull());
+}
+
+void tst_PlotView::deleteKeyRemovesFromTheLegend() {
+    view_->addSeries(f1);
+    view_->addSeries(f2);
+    auto* legend = view_->findChild<QTreeWidget*>();
+    view_->activateWindow();
+    legend->setFocus();
+    legend->setCurrentItem(legend->topLevelItem(0));
+    QTRY_VERIFY(legend->hasFocus());
+    QTest::keyClick(legend, Qt::Key_Delete);
+    QCOMPARE(view_->seriesPaths(), QStringList{f2});
+    QCOMPARE(legend->topLevelItemCount(), 1);
+}
+
+void tst_PlotView::legendShowsTheNewestValueInDegrees() {
+    view_->addSeries(QStringLiteral("SEN GroundTruth/G/yaw"));
+    view_->take(reader_.read("SEN {Time 1} {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,-0.5}"),
+                Seconds(1));
+    auto* legend = view_->findChild<QTreeWidget*>();
+    QTRY_COMPARE(legend->topLevelItem(0)->text(1), QString::fromUtf8("28.65 °"));
+}
+
+void tst_PlotView::addedTwiceIsThereOnce() {
+    QSignalSpy changed(view_.get(), &PlotView::seriesChanged);
+    view_->addSeries(f1);
+    view_->addSeries(f1);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(view_->seriesPaths().size(), 1);
+}
+
+void tst_PlotView::csvAndPictureAreWritten() {
+    QTemporaryDir folder;
+    view_->addSeries(f1);
+    feed(1, 2.5);
+    const QString csv = folder.filePath(QStringLiteral("plot.csv"));
+    QVERIFY(view_->exportCsv(csv));
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("time_s,SEN Sonar/F1/range [m]\n1,2.5\n"));
+    const QString png = folder.filePath(QStringLiteral("plot.png"));
+    QVERIFY(view_->exportPicture(png));
+    QVERIFY(QImage(png).width() > 200);
+}
+
+void tst_PlotView::unwritableFileIsAnErrorThatNamesIt() {
+    const QString file = QStringLiteral("/no/such/folder/plot.csv");
+    const auto csv = view_->exportCsv(file);
+    QVERIFY(!csv);
+    QCOMPARE(csv.error().where, file.toStdString());
+    QVERIFY(!csv.error().mend.empty());
+    QVERIFY(!view_->exportPicture(QStringLiteral("/no/such/folder/plot.png")));
+}
+
+void tst_PlotView::linesAreReadableInBothThemes() {
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        applyTheme(theme);
+        for (int i = 0; i < 9; ++i)
+            QVERIFY2(contrast(PlotCanvas::lineColor(i), tokens().surface) >= 3.0, qPrintable(QString::number(i)));
+        QCOMPARE(view_->grab().toImage().pixelColor(400, 60), tokens().surface);
+    }
+}
+
+void tst_PlotView::manySamplesAreDrawnFast() {
+    view_->addSeries(f1);
+    view_->addSeries(f2);
+    for (int i = 0; i < 20'000; ++i)
+        feed(i * 0.2, std::sin(i * 0.01));
+    auto* window = view_->findChild<QComboBox*>();
+    window->setCurrentIndex(window->count() - 1);
+    view_->canvas()->show(view_->store());
+    std::vector<double> times_ms;
+    for (int i = 0; i < 20; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        view_->canvas()->show(view_->store());
+        times_ms.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    }
+    std::ranges::sort(times_ms);
+    qInfo("2 series of 20 000 samples: %.1f ms a picture (median)", times_ms[10]);
+    QVERIFY(times_ms.front() < 100.0);
+}
+
+QTEST_MAIN(tst_PlotView)
+#include "tst_plot_view.moc"

@@ -1,0 +1,147 @@
+#include "widgets/models/series_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/numbers.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr double another_run_s = 1.0;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// A flag is drawn as 0 and 1, "nan" as a gap; other texts cannot be drawn.
+std::optional<double> drawable(const protocol::Field& field) {
+    if (field.number)
+        return std::isfinite(*field.number) ? *field.number : no_number;
+    if (field.text == "True")
+        return 1.0;
+    if (field.text == "False")
+        return 0.0;
+    return field.text == "nan" ? std::optional(no_number) : std::nullopt;
+}
+
+/// In quotes where a comma or a quote would break the row.
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+    std::string cell = "\"";
+    for (const char c : text)
+        cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return cell + '"';
+}
+
+/// Walks all series together in order of time.
+class Merger {
+public:
+    explicit Merger(const std::vector<Series>& series) : series_(series), at_(series.size(), 0) {}
+
+    std::optional<double> nextTime() const {
+        std::optional<double> next;
+        for (std::size_t i = 0; i < series_.size(); ++i)
+            if (at_[i] < series_[i].samples.size())
+                next =
+                    std::min(next.value_or(std::numeric_limits<double>::infinity()), series_[i].samples[at_[i]].time_s);
+        return next;
+    }
+    std::optional<double> takeAt(std::size_t i, double time_s) {
+        if (at_[i] == series_[i].samples.size() || series_[i].samples[at_[i]].time_s != time_s)
+            return std::nullopt;
+        return series_[i].samples[at_[i]++].value;
+    }
+
+private:
+    const std::vector<Series>& series_;
+    std::vector<std::size_t> at_;
+};
+
+} // namespace
+
+bool SeriesStore::add(const std::string& path, const std::string& unit) {
+    if (path.empty() || std::ranges::find(series_, path, &Series::path) != series_.end())
+        return false;
+    series_.push_back({++last_history_, path, unit, {}, 0});
+    return true;
+}
+
+bool SeriesStore::remove(const std::string& path) {
+    return std::erase_if(series_, [&](const Series& series) { return series.path == path; }) > 0;
+}
+
+void SeriesStore::clear() {
+    series_.clear();
+    newest_s_.reset();
+}
+
+bool SeriesStore::take(const protocol::InfoLine& line, Seconds now) {
+    if (series_.empty())
+        return false;
+    const double time_s = protocol::timeOf(line.message).value_or(now).count();
+    if (!std::isfinite(time_s))
+        return false;
+    if (newest_s_ && time_s < *newest_s_ - another_run_s)
+        startAgain();
+    newest_s_ = std::max(newest_s_.value_or(time_s), time_s);
+    bool any = false;
+    for (const protocol::Field& field : protocol::fieldsOf(line.message)) {
+        const auto found = std::ranges::find(series_, field.path(), &Series::path);
+        if (found == series_.end())
+            continue;
+        append(*found, field, time_s);
+        any = true;
+    }
+    return any;
+}
+
+std::optional<double> SeriesStore::oldestTime_s() const {
+    std::optional<double> oldest;
+    for (const Series& series : series_)
+        if (!series.samples.empty())
+            oldest = std::min(oldest.value_or(series.samples.front().time_s), series.samples.front().time_s);
+    return oldest;
+}
+
+void SeriesStore::startAgain() {
+    for (Series& series : series_) {
+        series.samples.clear();
+        series.dropped = 0;
+        series.history = ++last_history_;
+    }
+    newest_s_.reset();
+}
+
+void SeriesStore::append(Series& series, const protocol::Field& field, double time_s) {
+    const std::optional<double> value = drawable(field);
+    if (!value || (!series.samples.empty() && time_s < series.samples.back().time_s))
+        return;
+    if (series.samples.empty() && series.unit.empty())
+        series.unit = field.unit;
+    series.samples.push_back({time_s, *value});
+    if (series.samples.size() > capacity_) {
+        series.samples.pop_front();
+        ++series.dropped;
+    }
+}
+
+std::string csvOf(const std::vector<Series>& series) {
+    std::string csv = "time_s";
+    for (const Series& each : series)
+        csv += ',' + csvCell(each.path + (each.unit.empty() ? "" : " [" + each.unit + ']'));
+    csv += '\n';
+    Merger merger(series);
+    while (const std::optional<double> time_s = merger.nextTime()) {
+        appendShortest(csv, *time_s);
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            csv += ',';
+            if (const std::optional<double> value = merger.takeAt(i, *time_s); value && std::isfinite(*value))
+                appendShortest(csv, *value);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+} // namespace usar::widgets

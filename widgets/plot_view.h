@@ -1,0 +1,89 @@
+// Plots of any numeric field over protocol time: tool bar, drawing surface, legend with the newest values.
+#pragma once
+
+#include <QComboBox>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "core/base/result.h"
+#include "widgets/models/series_store.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+class PlotCanvas;
+
+/// What a sensor panel drags: the UTF-8 paths of fields, one a line.
+inline constexpr const char* field_mime_type = "application/x-usar-field";
+
+/// Records whatever is watched, also while hidden or paused; draws at most 30 times a second and only while visible.
+/// Keys: Space pauses, F follows, + - zoom, left and right pan, Delete in the legend takes series off. GUI thread.
+class PlotView : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlotView(QWidget* parent = nullptr);
+
+    /// `path` as protocol::Field::path() gives it. Known paths are left as they are.
+    void addSeries(const QString& path, const QString& unit = {});
+    void removeSeries(const QString& path);
+    QStringList seriesPaths() const;
+    void clear();
+    /// Every line of the connection; `now` is the protocol's time for messages that carry none.
+    void take(const protocol::InfoLine& line, Seconds now);
+
+    bool paused() const { return pause_->isChecked(); }
+    Result<void> exportCsv(const QString& file) const;
+    Result<void> exportPicture(const QString& file) const;
+    PlotCanvas* canvas() const { return canvas_; }
+    const SeriesStore& store() const { return store_; }
+    /// Covers the drawing surface while nothing is watched.
+    EmptyState* emptyState() const { return empty_state_; }
+    QSize sizeHint() const override { return {640, 240}; }
+    QSize minimumSizeHint() const override { return {280, 140}; }
+
+public slots:
+    /// The picture stands still; recording goes on.
+    void setPaused(bool paused);
+    void setFollowing(bool following);
+
+signals:
+    /// Something was added, removed or cleared: what a layout remembers.
+    void seriesChanged(const QStringList& paths);
+    /// An export did not work; a sentence for a notification.
+    void failed(const QString& text);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makeTools();
+    QWidget* makeLegend();
+    QToolButton* makeButton(const char* icon_name, const QString& text, bool checkable);
+    void fillWindowChoice();
+    void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
+    void legendMenu(const QPoint& at);
+    void removeSelected();
+    void listChanged();
+    void rebuildLegend();
+    void updateLegendValues();
+    void refreshSoon();
+    void refresh();
+
+    SeriesStore store_;
+    PlotCanvas* canvas_;
+    QTreeWidget* legend_;
+    EmptyState* empty_state_;
+    QToolButton* pause_ = nullptr;
+    QToolButton* follow_ = nullptr;
+    QToolButton* export_ = nullptr;
+    QComboBox* window_ = nullptr;
+    QTimer frame_;
+};
+
+} // namespace usar::widgets
