@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/grid_walk.h"
+
 namespace usar::sim {
 
 namespace {
@@ -110,45 +112,19 @@ double PlantIndex::castInBucket(std::size_t bucket, const Ray& ray, double neare
 double PlantIndex::cast(const Ray& ray, double maximum_m) const {
     if (plants_.empty())
         return maximum_m;
-    const Vec2 start_m = ray.origin_m.head<2>() - origin_m_;
-    const Vec2 size_m = bucket_m * Vec2{static_cast<double>(columns_), static_cast<double>(rows_)};
-    double enter = 0.0;
-    double leave = maximum_m;
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-        const double speed = ray.direction[axis];
-        if (speed == 0.0) {
-            if (start_m[axis] < 0.0 || start_m[axis] > size_m[axis])
-                return maximum_m;
-            continue;
-        }
-        const double a = -start_m[axis] / speed;
-        const double b = (size_m[axis] - start_m[axis]) / speed;
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
-
-    const auto at = [&](Eigen::Index axis, std::ptrdiff_t count) {
-        return std::clamp<std::ptrdiff_t>(bucketOf(start_m[axis] + enter * ray.direction[axis]), 0, count - 1);
-    };
-    const auto leaves = [&](Eigen::Index axis, std::ptrdiff_t bucket) {
-        const double speed = ray.direction[axis];
-        const double edge_m = bucket_m * static_cast<double>(speed > 0.0 ? bucket + 1 : bucket);
-        return speed == 0.0 ? no_hit_m : (edge_m - start_m[axis]) / speed;
-    };
-    std::ptrdiff_t column = at(0, columns_);
-    std::ptrdiff_t row = at(1, rows_);
+    GridWalk walk(ray, origin_m_, bucket_m, maximum_m);
+    walk.clip(walk.x, 0.0, static_cast<double>(columns_));
+    walk.clip(walk.y, 0.0, static_cast<double>(rows_));
+    if (walk.leave < walk.enter)
+        return maximum_m;
     double nearest_m = maximum_m;
-    while (enter <= leave && enter <= nearest_m && column >= 0 && column < columns_ && row >= 0 && row < rows_) {
-        const double next_x = leaves(0, column);
-        const double next_y = leaves(1, row);
-        const double next = std::max(enter, std::min({next_x, next_y, leave}));
-        const std::size_t bucket = bucketAt(column, row);
-        const double lowest_z_m = ray.origin_m.z() + ray.direction.z() * (ray.direction.z() < 0.0 ? next : enter);
-        if (lowest_z_m <= tops_m_[bucket])
+    double enter = walk.enter;
+    GridCell cell(walk, enter, columns_, rows_, 1);
+    while (enter <= std::min(walk.leave, nearest_m) && cell.isWithin(columns_, rows_)) {
+        const std::size_t bucket = bucketAt(cell.column, cell.row);
+        const double next = std::max(enter, cell.advance(walk));
+        if (walk.lowest_m(enter, std::min(next, walk.leave)) <= static_cast<double>(tops_m_[bucket]))
             nearest_m = castInBucket(bucket, ray, nearest_m);
-        if (next >= leave)
-            break;
-        (next_x < next_y ? column : row) += (next_x < next_y ? ray.direction.x() : ray.direction.y()) > 0.0 ? 1 : -1;
         enter = next;
     }
     return nearest_m;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/sim/grid_walk.h"
 #include "core/sim/ray_shapes.h"
 #include "core/sim/terrain.h"
 
@@ -21,13 +22,11 @@ public:
     double cast(const Ray& ray, double maximum_m) const;
 
 private:
-    struct Walk;
-    struct Tile;
-    bool reachesTile(const Walk& walk, const Tile& tile) const;
-    double crossTile(const Walk& walk, const Tile& tile) const;
+    double crossTile(const GridWalk& walk, const GridCell& tile, double enter, double leave) const;
 
     const Terrain* terrain_;
     std::ptrdiff_t tile_columns_ = 0;
+    std::ptrdiff_t tile_rows_ = 0;
     std::vector<float> tile_maxima_m_;
 };
 
