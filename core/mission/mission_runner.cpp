@@ -34,6 +34,7 @@ struct MissionRunner::Private {
     void takeStartPoses(const protocol::StartPoses& poses);
     void takeRobot();
     void look();
+    Seconds flightTime() const;
     Progress progress() const;
     void conclude(bool success, const std::string& reason, int exit_code);
     RunSummary figuresOf(const ScanRecord& record);
@@ -50,7 +51,6 @@ struct MissionRunner::Private {
     QElapsedTimer since_time_moved;
     std::optional<PreparedBehavior> behavior;
     Pose start_in_map;
-    Seconds flight_began{0.0};
     Seconds last_now{-1.0};
     Phase phase = Phase::Idle;
     QJsonObject summary;
@@ -114,7 +114,6 @@ void MissionRunner::Private::takeRobot() {
         return;
     }
     phase = Phase::Flying;
-    flight_began = session.figures().now;
     since_flight.start();
     session.startBehavior(std::make_shared<agent::BehaviorHost>(*std::move(made), mission.behavior), task);
 }
@@ -131,11 +130,17 @@ void MissionRunner::Private::look() {
     } else if (phase == Phase::Flying && elapsedOn(since_time_moved) > options.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
                  MissionFailed);
-    } else if (phase == Phase::Flying && figures.now - flight_began > options.limits.flight) {
+    } else if (phase == Phase::Flying && flightTime() > options.limits.flight) {
         conclude(false, "The mission took longer than any mission may. Make the area smaller.", MissionFailed);
     }
     if (phase != Phase::Over)
         emit q.progressed(progress());
+}
+
+/// By the protocol clock.
+Seconds MissionRunner::Private::flightTime() const {
+    const SessionFigures& figures = session.figures();
+    return since_flight.isValid() && figures.spawned_at.count() > 0.0 ? figures.now - figures.spawned_at : Seconds{0.0};
 }
 
 Progress MissionRunner::Private::progress() const {
@@ -149,7 +154,7 @@ Progress MissionRunner::Private::progress() const {
     switch (phase) {
     case Phase::Flying:
         result.state = status.state;
-        result.speed_x = wall_s > 0.0 ? (now - flight_began).count() / wall_s : 0.0;
+        result.speed_x = wall_s > 0.0 ? flightTime().count() / wall_s : 0.0;
         break;
     case Phase::Spawning:
         result.state = "spawning";
@@ -188,7 +193,7 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     figures.mission = mission.name;
     figures.behavior = mission.behavior;
     figures.seed = options.seed;
-    figures.duration = flew ? session_figures.now - flight_began : Seconds{0.0};
+    figures.duration = flightTime();
     figures.wall = elapsedOn(since_flight);
     figures.distance_m = record.status.distance_flown_m;
     figures.charges = record.status.charges;

@@ -42,6 +42,7 @@ void RobotSession::Private::opened() {
     spawn = SpawnState::None;
     start_poses_settled = silence_said = false;
     figures.spawned = figures.lockstep = false;
+    figures.now = figures.spawned_at = Seconds{0.0};
     if (lockstep_wanted)
         write(protocol::Lockstep{});
     write(protocol::GetStartPoses{});
@@ -74,6 +75,8 @@ void RobotSession::Private::takeLine(std::string_view text) {
         notice(Severity::Warning, std::move(*complaint));
     figures.lines_malformed = complaints.count();
     noteMessage(line);
+    if (figures.spawned && figures.spawned_at.count() == 0.0)
+        figures.spawned_at = figures.now; // zero still when a sensor speaks before the first STA
     agent::BehaviorHost::Output output;
     if (host)
         output = host->receive(line);

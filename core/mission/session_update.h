@@ -17,7 +17,8 @@ namespace usar::mission {
 
 /// Running figures of a session.
 struct SessionFigures {
-    Seconds now{0.0}; ///< protocol clock
+    Seconds now{0.0};        ///< protocol clock
+    Seconds spawned_at{0.0}; ///< the robot's first word by the same clock; 0 until it is known
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     std::uint64_t lines_overlong = 0;

@@ -1,0 +1,66 @@
+// A robot plugin for tests of missions: its behavior scans for some ticks where it stands, then ends as it was told.
+#include <QObject>
+
+#include "core/agent/robot_plugin.h"
+
+namespace {
+
+using namespace usar;
+using namespace usar::agent;
+
+class Hop : public Behavior {
+public:
+    explicit Hop(BehaviorContext context) : context_(std::move(context)) {}
+
+    void tick(const Tick& tick, CommandPort& port) override {
+        const long long ticks = context_.parameters.integer("ticks");
+        ++ticks_;
+        port.send(protocol::AerialDrive{.climb_m_s = 1.0}, "hopping");
+        if (const auto* scan = tick.robot.sensors.scan()) {
+            Pose down;
+            down.position_m = {context_.task.area_in_map.center_m().x(), context_.task.area_in_map.center_m().y(), 5.0};
+            down.pitch_rad = pi / 2;
+            port.publish(ScanPlacement{scan->line, down});
+        }
+        BehaviorStatus status;
+        status.state = "hop " + std::to_string(ticks_);
+        status.progress_pct = 100.0 * static_cast<double>(ticks_) / static_cast<double>(ticks);
+        status.distance_flown_m = static_cast<double>(ticks_);
+        status.charges = 1;
+        port.publish(status);
+        if (ticks_ >= ticks)
+            port.publish(BehaviorFinished{context_.parameters.flag("succeeds"), "Hopped enough."});
+    }
+    void order(Order, CommandPort&) override {}
+    void setParameters(const ParameterSet&) override {}
+    protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
+
+private:
+    BehaviorContext context_;
+    long long ticks_ = 0;
+};
+
+class HopPlugin : public QObject, public RobotPlugin {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/1" FILE "hop_plugin.json")
+    Q_INTERFACES(usar::agent::RobotPlugin)
+public:
+    RobotDescription description() const override {
+        BehaviorDescription hop;
+        hop.id = "test/hop";
+        hop.name = "Hop";
+        hop.needs_area = true;
+        hop.parameters = {{"ticks", "Ticks", "", "", 5LL, 1, 1000000, "How long.", {}},
+                          {"succeeds", "Succeeds", "", "", true, 0, 0, "How it ends.", {}}};
+        return {"USARBot.AirRobot", "Hopper", {}, {hop}};
+    }
+    Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const override {
+        if (id != "test/hop")
+            return failure("no such behavior", id);
+        return std::make_unique<Hop>(std::move(context));
+    }
+};
+
+} // namespace
+
+#include "hop_plugin.moc"
