@@ -8,15 +8,13 @@
 #include <QWidget>
 
 #include "core/base/result.h"
+#include "widgets/models/field_mime.h"
 #include "widgets/models/series_store.h"
 
 namespace usar::widgets {
 
 class EmptyState;
 class PlotCanvas;
-
-/// What a sensor panel drags: the UTF-8 paths of fields, one a line.
-inline constexpr const char* field_mime_type = "application/x-usar-field";
 
 /// Records whatever is watched, also while hidden or paused; draws at most 30 times a second and only while visible.
 /// Keys: Space pauses, F follows, + - zoom, left and right pan, Delete in the legend takes series off. GUI thread.

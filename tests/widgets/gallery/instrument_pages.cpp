@@ -4,6 +4,7 @@
 
 #include "tests/widgets/gallery/pages.h"
 #include "widgets/laser_fan_view.h"
+#include "widgets/sensor_panel.h"
 #include "widgets/sonar_columns_view.h"
 #include "widgets/status_strip.h"
 #include "widgets/theme.h"
@@ -68,6 +69,27 @@ std::unique_ptr<QWidget> instrumentsPage() {
         row->addLayout(column, 1);
     }
     return page;
+}
+
+std::unique_ptr<QWidget> sensorsPage() {
+    auto panel = std::make_unique<SensorPanel>();
+    panel->resize(380, 520);
+    const auto take = [&](protocol::InfoMessage message, double now_s) {
+        panel->take({{1}, {}, std::move(message), {}}, Seconds(now_s));
+    };
+    take(protocol::GameInfo{"USARBot.USARDeathMatch", "tall_test", 0}, 0.2);
+    for (int i = 1; i < 30; ++i) {
+        const double now_s = 0.2 * i;
+        if (i < 12)
+            take(protocol::SonarReadings{Seconds(now_s), {{"L1", 3.1}, {"M0", 4.95}, {"R1", 5.0}}}, now_s);
+        take(protocol::InsReading{{}, "INS", {{31.24, -8.02, 6.31}, 0.01, -0.02, 1.57}}, now_s);
+        take(protocol::RobotState{.kind = protocol::VehicleKind::Aerial,
+                                  .time = Seconds(now_s),
+                                  .battery_left = Seconds(1140)},
+             now_s);
+        panel->refresh();
+    }
+    return panel;
 }
 
 } // namespace usar::gallery

@@ -32,6 +32,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("palette"), gallery::palettePage},
     {QStringLiteral("sheet"), gallery::sheetPage},
     {QStringLiteral("instruments"), gallery::instrumentsPage},
+    {QStringLiteral("sensors"), gallery::sensorsPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

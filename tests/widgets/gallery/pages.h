@@ -18,5 +18,6 @@ std::unique_ptr<QWidget> barsPage();
 std::unique_ptr<QWidget> palettePage();
 std::unique_ptr<QWidget> sheetPage();
 std::unique_ptr<QWidget> instrumentsPage();
+std::unique_ptr<QWidget> sensorsPage();
 
 } // namespace usar::gallery

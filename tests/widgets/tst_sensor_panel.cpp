@@ -1,0 +1,308 @@
+#include <QAbstractItemModelTester>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/sensor_panel.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+protocol::InfoLine line(protocol::InfoMessage message) {
+    return {{1}, {}, std::move(message), {}};
+}
+
+protocol::InfoLine sonar(const char* name, double range_m) {
+    return line(protocol::SonarReadings{Seconds(1.0), {{name, range_m}}});
+}
+
+protocol::InfoLine ins(double x_m, double yaw_rad) {
+    return line(protocol::InsReading{{}, "INS", {{x_m, 0.0, 0.0}, 0.0, 0.0, yaw_rad}});
+}
+
+/// The leaf with this path in any model over the sensor model.
+QModelIndex leaf(const QAbstractItemModel& model, const QString& path) {
+    for (int s = 0; s < model.rowCount(); ++s)
+        for (int l = 0; l < model.rowCount(model.index(s, 0)); ++l)
+            if (const auto at = model.index(l, 0, model.index(s, 0)); at.data(SensorModel::PathRole).toString() == path)
+                return at;
+    return {};
+}
+
+QString textAt(const QModelIndex& row, SensorModel::Column column) {
+    return row.siblingAtColumn(column).data().toString();
+}
+
+QString pathEndingIn(const QAbstractItemModel& model, const QString& end) {
+    for (int s = 0; s < model.rowCount(); ++s)
+        for (int l = 0; l < model.rowCount(model.index(s, 0)); ++l)
+            if (const QString path = model.index(l, 0, model.index(s, 0)).data(SensorModel::PathRole).toString();
+                path.endsWith(end))
+                return path;
+    return {};
+}
+
+} // namespace
+
+class tst_SensorPanel : public QObject {
+    Q_OBJECT
+private slots:
+    void modelIsSound();
+    void oneBranchASourceOneLeafAValue();
+    void anglesAreShownInDegrees();
+    void decimalsNeverShrink();
+    void staleAfterThreePeriodsAndASecond_data();
+    void staleAfterThreePeriodsAndASecond();
+    void staleIsStruckOut();
+    void answersAreNeverStale();
+    void noLinkIsStaleAtOnce();
+    void rateFollowsTheMessages();
+    void countedLinesGiveTheSameRate();
+    void dragsNumbersOnly();
+    void unknownSensorsAppear();
+    void streamsAreKeptApart();
+    void newestLineOfAStreamRemains();
+    void doubleClickPlots();
+    void returnPlots();
+    void filterKeepsBranchesOfMatches();
+    void hiddenPanelDoesNoWorkAndLosesNothing();
+    void clearForgets();
+};
+
+void tst_SensorPanel::modelIsSound() {
+    SensorModel model;
+    QAbstractItemModelTester tester(&model);
+    model.take(sonar("F1", 2.0), Seconds(1.0));
+    model.take(ins(1.0, 0.5), Seconds(1.0));
+    model.take(sonar("F2", 3.0), Seconds(1.1));
+    model.flush(Seconds(1.2));
+    QCOMPARE(model.rowCount(), 2);
+    model.clear();
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void tst_SensorPanel::oneBranchASourceOneLeafAValue() {
+    SensorModel model;
+    model.take(sonar("F1", 2.0), Seconds(1.0));
+    model.take(sonar("F2", 3.5), Seconds(1.0));
+    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("SEN Sonar"));
+    const QString path = pathEndingIn(model, QStringLiteral("F2/range"));
+    const QModelIndex row = leaf(model, path);
+    QVERIFY2(row.isValid(), qPrintable(path));
+    QCOMPARE(textAt(row, SensorModel::Name), QStringLiteral("F2  range"));
+    QCOMPARE(textAt(row, SensorModel::Value), QStringLiteral("3.50"));
+    QCOMPARE(textAt(row, SensorModel::Unit), QStringLiteral("m"));
+}
+
+void tst_SensorPanel::anglesAreShownInDegrees() {
+    SensorModel model;
+    model.take(ins(1.0, radians(-30.0)), Seconds(1.0));
+    const QModelIndex yaw = leaf(model, pathEndingIn(model, QStringLiteral("/yaw")));
+    QCOMPARE(textAt(yaw, SensorModel::Value), QStringLiteral("−30.0"));
+    QCOMPARE(textAt(yaw, SensorModel::Unit), QStringLiteral("°"));
+    QCOMPARE(yaw.data(SensorModel::UnitRole).toString(), QStringLiteral("rad"));
+}
+
+void tst_SensorPanel::decimalsNeverShrink() {
+    SensorModel model;
+    const auto generic = [](const char* value) {
+        return line(
+            protocol::GenericMessage{"SEN", "Thermo", "T1", {{"Type", "Thermo"}, {"Name", "T1"}, {"Heat", value}}});
+    };
+    model.take(generic("3.25"), Seconds(1.0));
+    const QString path = pathEndingIn(model, QStringLiteral("Heat"));
+    QCOMPARE(textAt(leaf(model, path), SensorModel::Value), QStringLiteral("3.250"));
+    model.take(generic("4"), Seconds(1.2));
+    QCOMPARE(textAt(leaf(model, path), SensorModel::Value), QStringLiteral("4.000"));
+}
+
+void tst_SensorPanel::staleAfterThreePeriodsAndASecond_data() {
+    QTest::addColumn<double>("period_s");
+    QTest::addColumn<double>("age_s");
+    QTest::addColumn<bool>("stale");
+    QTest::newRow("fresh") << 0.2 << 0.1 << false;
+    QTest::newRow("three periods, but not a second") << 0.2 << 0.9 << false;
+    QTest::newRow("more than a second") << 0.2 << 1.1 << true;
+    QTest::newRow("a slow stream has time") << 2.0 << 5.5 << false;
+    QTest::newRow("a slow stream that stopped") << 2.0 << 6.5 << true;
+}
+
+void tst_SensorPanel::staleAfterThreePeriodsAndASecond() {
+    QFETCH(double, period_s);
+    QFETCH(double, age_s);
+    SensorModel model;
+    Seconds now(10.0);
+    for (int i = 0; i < 20; ++i)
+        model.take(sonar("F1", 2.0), now += Seconds(period_s));
+    model.flush(now + Seconds(age_s));
+    QTEST(leaf(model, pathEndingIn(model, QStringLiteral("F1/range"))).data(SensorModel::StaleRole).toBool(), "stale");
+}
+
+void tst_SensorPanel::staleIsStruckOut() {
+    SensorModel model;
+    model.take(sonar("F1", 2.0), Seconds(1.0));
+    const QModelIndex value =
+        leaf(model, pathEndingIn(model, QStringLiteral("F1/range"))).siblingAtColumn(SensorModel::Value);
+    model.flush(Seconds(1.1));
+    QVERIFY(!value.data(Qt::FontRole).value<QFont>().strikeOut());
+    QCOMPARE(value.data(Qt::ForegroundRole).value<QColor>(), tokens().text);
+    model.flush(Seconds(9.0));
+    QVERIFY(value.data(Qt::FontRole).value<QFont>().strikeOut());
+    QCOMPARE(value.data(Qt::ForegroundRole).value<QColor>(), tokens().stale);
+}
+
+void tst_SensorPanel::answersAreNeverStale() {
+    SensorModel model;
+    model.take(line(protocol::GameInfo{"USARBot.USARDeathMatch", "DM-Mapping_250", {}}), Seconds(1.0));
+    model.flush(Seconds(1000.0), false);
+    QVERIFY(!model.index(0, 0).data(SensorModel::StaleRole).toBool());
+    QCOMPARE(textAt(model.index(0, 0), SensorModel::Age), QStringLiteral("answer"));
+}
+
+void tst_SensorPanel::noLinkIsStaleAtOnce() {
+    SensorModel model;
+    model.take(sonar("F1", 2.0), Seconds(1.0));
+    model.flush(Seconds(1.0), false);
+    QVERIFY(model.index(0, 0).data(SensorModel::StaleRole).toBool());
+    model.flush(Seconds(1.0), true);
+    QVERIFY(!model.index(0, 0).data(SensorModel::StaleRole).toBool());
+}
+
+void tst_SensorPanel::rateFollowsTheMessages() {
+    SensorModel model;
+    for (int i = 1; i <= 40; ++i)
+        model.take(ins(i, 0.0), Seconds(0.2 * i));
+    QCOMPARE(textAt(model.index(0, 0), SensorModel::Rate), QStringLiteral("5.0 Hz"));
+    for (int i = 1; i <= 40; ++i)
+        model.take(ins(i, 0.0), Seconds(8.0 + 0.1 * i));
+    QCOMPARE(textAt(model.index(0, 0), SensorModel::Rate), QStringLiteral("10.0 Hz"));
+}
+
+void tst_SensorPanel::countedLinesGiveTheSameRate() {
+    SensorModel model;
+    for (int i = 1; i <= 20; ++i)
+        model.take(ins(i, 0.0), Seconds(1.0 * i), 5);
+    QCOMPARE(textAt(model.index(0, 0), SensorModel::Rate), QStringLiteral("5.0 Hz"));
+}
+
+void tst_SensorPanel::dragsNumbersOnly() {
+    SensorModel model;
+    model.take(sonar("F1", 2.0), Seconds(1.0));
+    const QString path = pathEndingIn(model, QStringLiteral("F1/range"));
+    const QModelIndex row = leaf(model, path);
+    const std::unique_ptr<QMimeData> mime(model.mimeData({row, row.siblingAtColumn(SensorModel::Value)}));
+    QVERIFY(mime);
+    QCOMPARE(mime->data(model.mimeTypes().front()), path.toUtf8());
+    QVERIFY(model.flags(row) & Qt::ItemIsDragEnabled);
+    QVERIFY(!(model.flags(model.index(0, 0)) & Qt::ItemIsDragEnabled));
+    QCOMPARE(model.mimeData({model.index(0, 0)}), nullptr);
+}
+
+void tst_SensorPanel::unknownSensorsAppear() {
+    SensorModel model;
+    model.take(
+        line(protocol::GenericMessage{"SEN", "Victim", "V1", {{"Type", "Victim"}, {"Name", "V1"}, {"Part", "head"}}}),
+        Seconds(1.0));
+    const QModelIndex part = leaf(model, pathEndingIn(model, QStringLiteral("Part")));
+    QCOMPARE(textAt(part, SensorModel::Value), QStringLiteral("head"));
+    QVERIFY(!part.data(SensorModel::NumericRole).toBool());
+}
+
+void tst_SensorPanel::streamsAreKeptApart() {
+    QCOMPARE(streamOf(sonar("F1", 1.0).message), streamOf(sonar("F1", 2.0).message));
+    QVERIFY(streamOf(sonar("F1", 1.0).message) != streamOf(sonar("F2", 1.0).message));
+    QVERIFY(streamOf(protocol::RobotState{}) != streamOf(protocol::InsReading{}));
+    QVERIFY(streamOf(protocol::GeometryInfo{.type = "Sonar"}) != streamOf(protocol::GeometryInfo{.type = "INS"}));
+}
+
+void tst_SensorPanel::newestLineOfAStreamRemains() {
+    NewestLines newest;
+    newest.take(sonar("F1", 1.0), Seconds(1.0));
+    newest.take(ins(0.0, 0.0), Seconds(1.0));
+    newest.take(sonar("F1", 2.0), Seconds(1.2));
+    const auto lines = newest.takeAll();
+    QCOMPARE(lines.size(), std::size_t(2));
+    QCOMPARE(lines[0].count, 2);
+    QCOMPARE(lines[0].now, Seconds(1.2));
+    QCOMPARE(std::get<protocol::SonarReadings>(lines[0].line.message).ranges[0].range_m, 2.0);
+    QVERIFY(newest.takeAll().empty());
+}
+
+void tst_SensorPanel::doubleClickPlots() {
+    SensorPanel panel;
+    panel.resize(340, 300);
+    panel.take(sonar("F1", 2.0), Seconds(1.0));
+    panel.show();
+    QSignalSpy plots(&panel, &SensorPanel::plotRequested);
+    auto* tree = panel.findChild<QTreeView*>();
+    const QString path = pathEndingIn(panel.model(), QStringLiteral("F1/range"));
+    const QRect row = tree->visualRect(leaf(*tree->model(), path));
+    QVERIFY2(row.isValid(), "new branches are open");
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, row.center());
+    QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, row.center());
+    QCOMPARE(plots.count(), 1);
+    QCOMPARE(plots[0][0].toString(), path);
+    QCOMPARE(plots[0][1].toString(), QStringLiteral("m"));
+}
+
+void tst_SensorPanel::returnPlots() {
+    SensorPanel panel;
+    panel.take(sonar("F1", 2.0), Seconds(1.0));
+    panel.show();
+    QSignalSpy plots(&panel, &SensorPanel::plotRequested);
+    auto* tree = panel.findChild<QTreeView*>();
+    tree->setCurrentIndex(tree->model()->index(0, 0));
+    QTest::keyClick(tree, Qt::Key_Return);
+    QCOMPARE(plots.count(), 0);
+    tree->setCurrentIndex(leaf(*tree->model(), pathEndingIn(panel.model(), QStringLiteral("F1/range"))));
+    QTest::keyClick(tree, Qt::Key_Return);
+    QCOMPARE(plots.count(), 1);
+}
+
+void tst_SensorPanel::filterKeepsBranchesOfMatches() {
+    SensorPanel panel;
+    panel.take(sonar("F1", 2.0), Seconds(1.0));
+    panel.take(ins(1.0, 0.0), Seconds(1.0));
+    panel.show();
+    const QAbstractItemModel* shown = panel.findChild<QTreeView*>()->model();
+    QCOMPARE(shown->rowCount(), 2);
+    QTest::keyClicks(panel.findChild<QLineEdit*>(), QStringLiteral("f1"));
+    QCOMPARE(shown->rowCount(), 1);
+    QCOMPARE(shown->rowCount(shown->index(0, 0)), 1);
+    panel.findChild<QLineEdit*>()->setText(QStringLiteral("ins"));
+    QVERIFY(shown->rowCount(shown->index(0, 0)) >= 6);
+}
+
+void tst_SensorPanel::hiddenPanelDoesNoWorkAndLosesNothing() {
+    SensorPanel panel;
+    panel.show();
+    panel.hide();
+    QSignalSpy changed(&panel.model(), &QAbstractItemModel::rowsInserted);
+    for (int i = 0; i < 100; ++i)
+        panel.take(sonar("F1", 0.01 * i), Seconds(0.2 * i));
+    panel.take(line(protocol::GameInfo{"game", "level", {}}), Seconds(20.0));
+    QCOMPARE(changed.count(), 0);
+    panel.show();
+    QCOMPARE(panel.model().rowCount(), 2);
+    QCOMPARE(textAt(leaf(panel.model(), pathEndingIn(panel.model(), QStringLiteral("F1/range"))), SensorModel::Value),
+             QStringLiteral("0.99"));
+}
+
+void tst_SensorPanel::clearForgets() {
+    SensorPanel panel;
+    panel.show();
+    auto* sheet = panel.findChild<QWidget*>(QStringLiteral("emptyState"));
+    QVERIFY(sheet->isVisible());
+    panel.take(sonar("F1", 2.0), Seconds(1.0));
+    panel.refresh();
+    QVERIFY(sheet->isHidden());
+    panel.clear();
+    QCOMPARE(panel.model().rowCount(), 0);
+    QVERIFY(sheet->isVisible());
+}
+
+QTEST_MAIN(tst_SensorPanel)
+#include "tst_sensor_panel.moc"

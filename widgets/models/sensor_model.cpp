@@ -1,0 +1,259 @@
+#include "widgets/models/sensor_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QMimeData>
+#include <QSize>
+
+#include "widgets/models/field_mime.h"
+#include "widgets/models/figures.h"
+#include "widgets/models/parameter_display.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+/// Answers to a question; all else is sent again and again.
+bool isAnswer(const protocol::InfoMessage& message) {
+    return std::holds_alternative<protocol::GameInfo>(message) ||
+           std::holds_alternative<protocol::StartPoses>(message) ||
+           std::holds_alternative<protocol::LockstepInfo>(message) ||
+           std::holds_alternative<protocol::GeometryInfo>(message) ||
+           std::holds_alternative<protocol::ConfigurationInfo>(message) ||
+           std::holds_alternative<protocol::Response>(message);
+}
+
+int decimalsOf(double shown, const QString& unit) {
+    if (unit == u"°" || unit == u"s" || unit == u"%")
+        return 1;
+    return unit.isEmpty() ? (shown == std::round(shown) ? 0 : 3) : 2;
+}
+
+} // namespace
+
+void SensorModel::Timing::arrived(Seconds now, int count) {
+    // A smoothed period follows a changed rate within a few messages and does not tremble with a single late one.
+    if (now > last && last.count() > 0.0) {
+        const Seconds newest = (now - last) / std::max(1, count);
+        period = period ? 0.7 * *period + 0.3 * newest : newest;
+    }
+    last = now;
+}
+
+bool SensorModel::Timing::stale(Seconds now, bool linked) const {
+    if (!repeats)
+        return false;
+    return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), Seconds(1.0));
+}
+
+SensorModel::SensorModel(QObject* parent) : QAbstractItemModel(parent) {}
+
+void SensorModel::take(const protocol::InfoLine& line, Seconds now, int count) {
+    const bool repeats = !isAnswer(line.message);
+    Source* source = nullptr;
+    for (const protocol::Field& field : protocol::fieldsOf(line.message)) {
+        if (!source || source->name != QString::fromStdString(field.source)) {
+            source = &sourceNamed(field.source);
+            source->timing.repeats = repeats;
+            source->timing.arrived(now, count);
+        }
+        takeField(*source, field, now, count, repeats);
+    }
+}
+
+SensorModel::Source& SensorModel::sourceNamed(const std::string& name) {
+    const auto [row, is_new] = source_rows_.try_emplace(name, sources_.size());
+    if (is_new) {
+        const int at = static_cast<int>(sources_.size());
+        beginInsertRows({}, at, at);
+        sources_.push_back({QString::fromStdString(name), {}, {}});
+        endInsertRows();
+    }
+    return sources_[row->second];
+}
+
+void SensorModel::takeField(Source& source, const protocol::Field& field, Seconds now, int count, bool repeats) {
+    const auto [row, is_new] = leaf_rows_.try_emplace(field.path(), source.leaves.size());
+    if (is_new) {
+        const int at = static_cast<int>(source.leaves.size());
+        beginInsertRows(index(static_cast<int>(&source - sources_.data()), 0), at, at);
+        source.leaves.emplace_back();
+        endInsertRows();
+    }
+    Leaf& leaf = source.leaves[row->second];
+    leaf.field = field;
+    leaf.timing.repeats = repeats;
+    leaf.timing.arrived(now, count);
+    if (field.number) {
+        const DisplayUnit unit = displayUnit(field.unit);
+        leaf.decimals = std::max(leaf.decimals, decimalsOf(*field.number * unit.factor, unit.text));
+    }
+}
+
+void SensorModel::flush(Seconds now, bool linked) {
+    now_ = now;
+    linked_ = linked;
+    if (sources_.empty())
+        return;
+    emit dataChanged(index(0, Age), index(rowCount() - 1, Rate));
+    for (int row = 0; row < rowCount(); ++row) {
+        const QModelIndex source = index(row, 0);
+        if (const int leaves = rowCount(source); leaves > 0)
+            emit dataChanged(index(0, Value, source), index(leaves - 1, Rate, source));
+    }
+}
+
+void SensorModel::clear() {
+    beginResetModel();
+    sources_.clear();
+    source_rows_.clear();
+    leaf_rows_.clear();
+    endResetModel();
+}
+
+QModelIndex SensorModel::index(int row, int column, const QModelIndex& parent) const {
+    if (!hasIndex(row, column, parent))
+        return {};
+    return createIndex(row, column, parent.isValid() ? quintptr(parent.row() + 1) : quintptr(0));
+}
+
+QModelIndex SensorModel::parent(const QModelIndex& child) const {
+    if (!child.isValid() || child.internalId() == 0)
+        return {};
+    return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr(0));
+}
+
+int SensorModel::rowCount(const QModelIndex& parent) const {
+    if (!parent.isValid())
+        return static_cast<int>(sources_.size());
+    if (parent.internalId() != 0 || parent.column() != 0)
+        return 0;
+    return static_cast<int>(sources_[static_cast<std::size_t>(parent.row())].leaves.size());
+}
+
+int SensorModel::columnCount(const QModelIndex&) const {
+    return ColumnCount;
+}
+
+const SensorModel::Leaf* SensorModel::leafAt(const QModelIndex& index) const {
+    if (!index.isValid() || index.internalId() == 0)
+        return nullptr;
+    return &sources_[index.internalId() - 1].leaves[static_cast<std::size_t>(index.row())];
+}
+
+const SensorModel::Timing& SensorModel::timingAt(const QModelIndex& index) const {
+    const Leaf* leaf = leafAt(index);
+    return leaf ? leaf->timing : sources_[static_cast<std::size_t>(index.row())].timing;
+}
+
+QString SensorModel::valueText(const Leaf& leaf) const {
+    if (!leaf.field.number)
+        return QString::fromStdString(leaf.field.text);
+    return figure(*leaf.field.number * displayUnit(leaf.field.unit).factor, leaf.decimals);
+}
+
+QVariant SensorModel::text(const QModelIndex& index) const {
+    const Leaf* leaf = leafAt(index);
+    const Timing& timing = timingAt(index);
+    switch (index.column()) {
+    case Name: {
+        if (!leaf)
+            return sources_[static_cast<std::size_t>(index.row())].name;
+        const QString item = QString::fromStdString(leaf->field.item);
+        return item.isEmpty() ? QString::fromStdString(leaf->field.field)
+                              : item + QStringLiteral("  ") + QString::fromStdString(leaf->field.field);
+    }
+    case Value:
+        return leaf ? valueText(*leaf) : QString();
+    case Unit:
+        return leaf && leaf->field.number ? displayUnit(leaf->field.unit).text : QString();
+    case Age:
+        return timing.repeats ? ageText(now_ - timing.last) : tr("answer");
+    case Rate:
+        return !leaf && timing.period && timing.period->count() > 0.0
+                   ? figure(1.0 / timing.period->count(), 1) + QStringLiteral(" Hz")
+                   : QString();
+    default:
+        return {};
+    }
+}
+
+QVariant SensorModel::look(const QModelIndex& index, int role) const {
+    const bool stale = timingAt(index).stale(now_, linked_);
+    const bool is_value = index.column() == Value;
+    if (role == Qt::ForegroundRole)
+        return stale ? tokens().stale : is_value || index.column() == Name ? tokens().text : tokens().text_muted;
+    QFont font = themeFont(FontRole::Body, leafAt(index) || index.column() != Name ? QFont::Normal : QFont::DemiBold);
+    font.setStrikeOut(stale && is_value);
+    return font;
+}
+
+QVariant SensorModel::data(const QModelIndex& index, int role) const {
+    const Leaf* leaf = leafAt(index);
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(index);
+    case Qt::ForegroundRole:
+    case Qt::FontRole:
+        return look(index, role);
+    case Qt::TextAlignmentRole:
+        return int(Qt::AlignVCenter |
+                   (index.column() == Name || index.column() == Unit ? Qt::AlignLeft : Qt::AlignRight));
+    case Qt::ToolTipRole:
+        if (!leaf)
+            return tr("%1: age of its newest message, and messages per second")
+                .arg(text(index.siblingAtColumn(Name)).toString());
+        return QString::fromStdString(leaf->field.path()) + QStringLiteral(" = ") + valueText(*leaf) +
+               QStringLiteral("\n") +
+               (leaf->field.number ? tr("Double-click or drag to the plots") : tr("A text: it cannot be plotted"));
+    case Qt::SizeHintRole:
+        return QSize(0, minimum_target);
+    case PathRole:
+        return leaf ? QString::fromStdString(leaf->field.path()) : QString();
+    case UnitRole:
+        return leaf ? QString::fromStdString(leaf->field.unit) : QString();
+    case StaleRole:
+        return timingAt(index).stale(now_, linked_);
+    case NumericRole:
+        return leaf && leaf->field.number.has_value();
+    default:
+        return {};
+    }
+}
+
+QVariant SensorModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignVCenter | (section == Name || section == Unit ? Qt::AlignLeft : Qt::AlignRight));
+    if (role != Qt::DisplayRole)
+        return {};
+    const QString titles[] = {tr("Sensor"), tr("Value"), QString(), tr("Age"), tr("Rate")};
+    return titles[section];
+}
+
+Qt::ItemFlags SensorModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractItemModel::flags(index);
+    return data(index, NumericRole).toBool() ? flags | Qt::ItemIsDragEnabled : flags;
+}
+
+QStringList SensorModel::mimeTypes() const {
+    return {QString::fromLatin1(field_mime_type)};
+}
+
+QMimeData* SensorModel::mimeData(const QModelIndexList& indexes) const {
+    QStringList paths;
+    for (const QModelIndex& index : indexes)
+        if (const QString path = data(index, PathRole).toString();
+            data(index, NumericRole).toBool() && !paths.contains(path))
+            paths << path;
+    if (paths.isEmpty())
+        return nullptr;
+    auto* mime = new QMimeData;
+    mime->setData(mimeTypes().front(), paths.join(u'\n').toUtf8());
+    return mime;
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,114 @@
+#include "widgets/sensor_panel.h"
+
+#include <chrono>
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "widgets/empty_state.h"
+#include "widgets/icons.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+SensorPanel::SensorPanel(QWidget* parent)
+    : QWidget(parent)
+    , model_(new SensorModel(this))
+    , filtered_(new QSortFilterProxyModel(this))
+    , search_(new QLineEdit(this))
+    , tree_(new QTreeView(this))
+    , empty_state_(new EmptyState(tree_->viewport())) {
+    setAccessibleName(tr("Sensors"));
+    setFocusProxy(tree_);
+    filtered_->setSourceModel(model_);
+    filtered_->setRecursiveFilteringEnabled(true);
+    filtered_->setAutoAcceptChildRows(true);
+    filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    search_->setPlaceholderText(tr("Filter sensors"));
+    search_->setAccessibleName(tr("Filter sensors"));
+    search_->setToolTip(tr("Shows only sensors and values whose name contains this"));
+    search_->setClearButtonEnabled(true);
+    search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    makeTree();
+    empty_state_->setText(tr("No sensor data yet"),
+                          tr("Every value that the robot sends appears here, once it is spawned."));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap::tiny);
+    column->addWidget(search_);
+    column->addWidget(tree_, 1);
+    connect(search_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+    connect(filtered_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& branch) {
+        if (filtered_->rowCount(branch) > 0)
+            tree_->expand(branch);
+    });
+    frame_.setInterval(std::chrono::milliseconds(100));
+    connect(&frame_, &QTimer::timeout, this, &SensorPanel::refresh);
+}
+
+void SensorPanel::makeTree() {
+    tree_->setModel(filtered_);
+    tree_->setAccessibleName(tr("Sensor values"));
+    tree_->setUniformRowHeights(true);
+    tree_->setAlternatingRowColors(true);
+    tree_->setIndentation(gap::medium);
+    tree_->setFrameShape(QFrame::NoFrame);
+    tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    tree_->setDragDropMode(QAbstractItemView::DragOnly);
+    tree_->setExpandsOnDoubleClick(true);
+    QHeaderView* header = tree_->header();
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(SensorModel::Name, QHeaderView::Stretch);
+    header->setMinimumSectionSize(24);
+    const QFontMetrics metrics(themeFont());
+    const std::pair<int, QString> widths[] = {{SensorModel::Value, QStringLiteral("−0000.00")},
+                                              {SensorModel::Unit, QStringLiteral("m/s")},
+                                              {SensorModel::Age, QStringLiteral("answer")},
+                                              {SensorModel::Rate, QStringLiteral("00.0 Hz")}};
+    for (const auto& [section, sample] : widths)
+        header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::medium);
+    connect(tree_, &QTreeView::activated, this, &SensorPanel::plot);
+}
+
+void SensorPanel::take(const protocol::InfoLine& line, Seconds now) {
+    newest_.take(line, now);
+    now_ = now;
+}
+
+void SensorPanel::clear() {
+    newest_.takeAll();
+    model_->clear();
+    empty_state_->show();
+}
+
+void SensorPanel::refresh() {
+    for (const CountedLine& counted : newest_.takeAll())
+        model_->take(counted.line, counted.now, counted.count);
+    model_->flush(now_, linked_);
+    empty_state_->setVisible(model_->rowCount() == 0);
+}
+
+void SensorPanel::plot(const QModelIndex& index) {
+    if (index.data(SensorModel::NumericRole).toBool())
+        emit plotRequested(index.data(SensorModel::PathRole).toString(), index.data(SensorModel::UnitRole).toString());
+}
+
+void SensorPanel::showEvent(QShowEvent* event) {
+    refresh();
+    frame_.start();
+    QWidget::showEvent(event);
+}
+
+void SensorPanel::hideEvent(QHideEvent* event) {
+    frame_.stop();
+    QWidget::hideEvent(event);
+}
+
+void SensorPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        tree_->viewport()->update();
+    QWidget::changeEvent(event);
+}
+
+} // namespace usar::widgets
