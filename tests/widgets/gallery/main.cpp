@@ -22,6 +22,8 @@ struct Page {
 
 const std::vector<Page> pages = {
     {QStringLiteral("map"), gallery::mapPage},
+    {QStringLiteral("robots"), gallery::robotsPage},
+    {QStringLiteral("empty_robots"), gallery::emptyRobotsPage},
     {QStringLiteral("area"), gallery::areaPage},
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
     {QStringLiteral("parameters"), gallery::parametersPage},

@@ -1,0 +1,190 @@
+#include <QAbstractItemModelTester>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/empty_state.h"
+#include "widgets/robot_list.h"
+#include "widgets/theme.h"
+
+using namespace usar::widgets;
+
+namespace {
+
+RobotRow robot(int id, int number, const char* state = "idle") {
+    return {id,   number, QStringLiteral("R%1").arg(number), QStringLiteral("AirRobot"), QString::fromLatin1(state),
+            71.4, false};
+}
+
+} // namespace
+
+class tst_RobotList : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void rowsAreInTheOrderOfNumbers();
+    void modelIsSoundThroughAllChanges();
+    void unchangedRobotTellsNobody();
+    void rowIsASentenceForAssistiveTools();
+    void clickSelects();
+    void selectingByTheWindowIsSilent();
+    void selectionSurvivesUpdates();
+    void removingTheSelectedRobotSelectsANeighbor();
+    void deleteAsksForRemovalAndRemovesNothing();
+    void emptyListSaysHowToSpawn();
+    void rowHasTheRobotsColorAndGreysWhenStale();
+
+private:
+    QListView* view() const { return list_->findChild<QListView*>(); }
+    QPoint center(int row) const { return view()->visualRect(list_->model().index(row)).center(); }
+
+    std::unique_ptr<RobotList> list_;
+};
+
+void tst_RobotList::initTestCase() {
+    applyTheme(Theme::Dark);
+}
+
+void tst_RobotList::init() {
+    list_ = std::make_unique<RobotList>();
+    list_->resize(260, 300);
+    list_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(list_.get()));
+}
+
+void tst_RobotList::cleanup() {
+    list_.reset();
+}
+
+void tst_RobotList::rowsAreInTheOrderOfNumbers() {
+    list_->updateRobot(robot(10, 3));
+    list_->updateRobot(robot(11, 1));
+    list_->updateRobot(robot(12, 2));
+    for (int i = 0; i < 3; ++i)
+        QCOMPARE(list_->model().row(i).number, i + 1);
+    list_->updateRobot(robot(11, 5));
+    QCOMPARE(list_->model().row(2).id, 11);
+}
+
+void tst_RobotList::modelIsSoundThroughAllChanges() {
+    RobotListModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.setRobots({robot(2, 2), robot(1, 1)});
+    model.updateRobot(robot(3, 3));
+    model.updateRobot(robot(1, 1, "scanning"));
+    model.updateRobot(robot(1, 4));
+    model.removeRobot(2);
+    model.removeRobot(99);
+    model.setRobots({robot(3, 3), robot(1, 4, "landed")});
+    QCOMPARE(model.rowCount(), 2);
+    QCOMPARE(model.row(1).state, QStringLiteral("landed"));
+    model.setRobots({});
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void tst_RobotList::unchangedRobotTellsNobody() {
+    RobotListModel model;
+    model.updateRobot(robot(1, 1));
+    QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    model.updateRobot(robot(1, 1));
+    QCOMPARE(changed.count(), 0);
+    model.updateRobot(robot(1, 1, "scanning"));
+    QCOMPARE(changed.count(), 1);
+}
+
+void tst_RobotList::rowIsASentenceForAssistiveTools() {
+    RobotListModel model;
+    RobotRow row = robot(1, 1, "scanning");
+    row.stale = true;
+    model.updateRobot(row);
+    QCOMPARE(model.index(0).data().toString(), QStringLiteral("R1, AirRobot, scanning, battery 71 %, no news"));
+    QVERIFY(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Key 1")));
+}
+
+void tst_RobotList::clickSelects() {
+    list_->setRobots({robot(7, 1), robot(8, 2)});
+    QSignalSpy selected(list_.get(), &RobotList::robotSelected);
+    QTest::mouseClick(view()->viewport(), Qt::LeftButton, {}, center(1));
+    QCOMPARE(selected.count(), 1);
+    QCOMPARE(selected[0][0].toInt(), 8);
+    QTest::keyClick(view(), Qt::Key_Up);
+    QCOMPARE(selected.last()[0].toInt(), 7);
+}
+
+void tst_RobotList::selectingByTheWindowIsSilent() {
+    list_->setRobots({robot(7, 1), robot(8, 2)});
+    QSignalSpy selected(list_.get(), &RobotList::robotSelected);
+    list_->selectRobot(8);
+    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    list_->selectRobot(99);
+    QCOMPARE(list_->selectedRobot(), std::optional<int>());
+    QCOMPARE(selected.count(), 0);
+}
+
+void tst_RobotList::selectionSurvivesUpdates() {
+    list_->setRobots({robot(7, 1), robot(8, 2)});
+    list_->selectRobot(8);
+    QSignalSpy selected(list_.get(), &RobotList::robotSelected);
+    list_->updateRobot(robot(8, 2, "scanning"));
+    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    list_->updateRobot(robot(8, 4));
+    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    list_->setRobots({robot(9, 3), robot(8, 2), robot(6, 1)});
+    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    QCOMPARE(selected.count(), 0);
+}
+
+void tst_RobotList::removingTheSelectedRobotSelectsANeighbor() {
+    list_->setRobots({robot(7, 1), robot(8, 2)});
+    list_->selectRobot(8);
+    QSignalSpy selected(list_.get(), &RobotList::robotSelected);
+    list_->removeRobot(8);
+    QCOMPARE(list_->selectedRobot(), std::optional(7));
+    QCOMPARE(selected.count(), 1);
+    QCOMPARE(selected[0][0].toInt(), 7);
+}
+
+void tst_RobotList::deleteAsksForRemovalAndRemovesNothing() {
+    list_->setRobots({robot(7, 1)});
+    QSignalSpy asked(list_.get(), &RobotList::removeRequested);
+    list_->activateWindow();
+    view()->setFocus();
+    QTRY_VERIFY(view()->hasFocus());
+    list_->selectRobot(7);
+    QTest::keyClick(view(), Qt::Key_Delete);
+    QCOMPARE(asked.count(), 1);
+    QCOMPARE(asked[0][0].toInt(), 7);
+    QCOMPARE(list_->model().rowCount(), 1);
+}
+
+void tst_RobotList::emptyListSaysHowToSpawn() {
+    QVERIFY(list_->emptyState()->isVisible());
+    list_->updateRobot(robot(1, 1));
+    QVERIFY(!list_->emptyState()->isVisible());
+    list_->removeRobot(1);
+    QVERIFY(list_->emptyState()->isVisible());
+}
+
+void tst_RobotList::rowHasTheRobotsColorAndGreysWhenStale() {
+    list_->updateRobot(robot(1, 1));
+    const auto ink = [&] {
+        const QRect row = view()->visualRect(list_->model().index(0)); // lays the list out
+        const QImage image = list_->grab(row).toImage();
+        int colored = 0;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x)
+                colored += image.pixel(x, y) == robotColor(1).rgb() ? 1 : 0;
+        return colored;
+    };
+    const int fresh = ink();
+    QVERIFY2(fresh > 200, qPrintable(QString::number(fresh)));
+    RobotRow old = robot(1, 1);
+    old.stale = true;
+    list_->updateRobot(old);
+    QVERIFY(ink() < fresh / 2);
+}
+
+QTEST_MAIN(tst_RobotList)
+#include "tst_robot_list.moc"
