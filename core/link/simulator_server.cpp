@@ -1,1 +1,192 @@
 #include "core/link/simulator_server.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace usar::link {
+
+namespace {
+
+constexpr int report_interval_ms = 250;
+constexpr qint64 rtf_window_ms = 1000;
+// The event loop gets its turn after this much stepping, and a simulation that cannot keep up forgets what it owes.
+constexpr qint64 turn_ms = 20;
+constexpr double most_ticks_owed = 5.0;
+
+} // namespace
+
+SimulatorServer::SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QObject* parent)
+    : QObject(parent)
+    , simulation_(std::move(simulation))
+    , server_(this)
+    , pace_timer_(this)
+    , report_timer_(this)
+    , tick_(simulation_->options().tick) {
+    pace_timer_.setSingleShot(true);
+    pace_timer_.setTimerType(Qt::PreciseTimer);
+    connect(&pace_timer_, &QTimer::timeout, this, &SimulatorServer::advance);
+    connect(&report_timer_, &QTimer::timeout, this, &SimulatorServer::report);
+    connect(&server_, &QTcpServer::newConnection, this, &SimulatorServer::acceptAll);
+    wall_.start();
+}
+
+SimulatorServer::~SimulatorServer() {
+    for (const auto& [client, socket] : sockets_)
+        socket->disconnect(this);
+}
+
+Result<quint16> SimulatorServer::listen(quint16 port) {
+    if (!server_.listen(QHostAddress::LocalHost, port)) {
+        const std::string where = "127.0.0.1:" + std::to_string(port);
+        if (server_.serverError() == QAbstractSocket::AddressInUseError)
+            return failure("port " + std::to_string(port) + " is already in use", where,
+                           "Choose another one with --port, or end the program that listens there");
+        return failure(server_.errorString().toStdString(), where, "Choose another port with --port");
+    }
+    report_timer_.start(report_interval_ms);
+    advance();
+    return server_.serverPort();
+}
+
+void SimulatorServer::setPace(Pace pace, double factor) {
+    pace_ = pace;
+    factor_ = std::isfinite(factor) && factor > 0.0 ? factor : 1.0;
+    owed_ = Seconds{0.0};
+    steps_asked_ = 0;
+    samples_.clear();
+    last_advance_ms_ = wall_.elapsed();
+    advance();
+    report();
+}
+
+void SimulatorServer::stepOnce() {
+    if (pace_ != Pace::Paused)
+        return;
+    ++steps_asked_;
+    advance();
+}
+
+void SimulatorServer::acceptAll() {
+    while (QTcpSocket* const socket = server_.nextPendingConnection()) {
+        socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        const sim::ClientId client = simulation_->connect();
+        sockets_[client] = socket;
+        connect(socket, &QTcpSocket::readyRead, this, [=, this] { readFrom(socket, client); });
+        connect(socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); });
+        emit logged(tr("client %1: connected").arg(client.value));
+    }
+    flush();
+}
+
+void SimulatorServer::readFrom(QTcpSocket* socket, sim::ClientId client) {
+    const QByteArray bytes = socket->readAll();
+    simulation_->receive(client, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    publishLog();
+    flush();
+    advance();
+}
+
+void SimulatorServer::forget(QTcpSocket* socket, sim::ClientId client) {
+    sockets_.erase(client);
+    simulation_->disconnect(client);
+    socket->deleteLater();
+    emit logged(tr("client %1: gone").arg(client.value));
+    advance(); // the others may have waited for its STEP
+}
+
+void SimulatorServer::advance() {
+    if (!server_.isListening())
+        return;
+    switch (pace_) {
+    case Pace::Paused:
+        for (; steps_asked_ > 0 && simulation_->readyToStep(); --steps_asked_)
+            tick();
+        return;
+    case Pace::Fast:
+        advanceFast();
+        return;
+    case Pace::Factor:
+        advanceByClock();
+        return;
+    }
+}
+
+void SimulatorServer::advanceFast() {
+    const qint64 end_ms = wall_.elapsed() + turn_ms;
+    while (!simulation_->idle() && simulation_->readyToStep()) {
+        tick();
+        // Without lockstep the clients must get their turn to read and to command between ticks.
+        if (!simulation_->hasLockstepClients() || wall_.elapsed() > end_ms)
+            return arm(0);
+    }
+}
+
+void SimulatorServer::advanceByClock() {
+    const qint64 now_ms = wall_.elapsed();
+    owed_ += factor_ * Seconds{static_cast<double>(std::exchange(last_advance_ms_, now_ms) - now_ms) / -1000.0};
+    while (owed_ >= tick_ && simulation_->readyToStep() && wall_.elapsed() - now_ms < turn_ms) {
+        tick();
+        owed_ -= tick_;
+    }
+    // Waiting for a STEP: the tick comes with it, and no second one on its heels.
+    const bool waiting = !simulation_->readyToStep();
+    owed_ = std::min(owed_, (waiting ? 1.0 : most_ticks_owed) * tick_);
+    if (!waiting || owed_ < tick_)
+        arm(static_cast<int>(std::ceil(std::max(0.0, (tick_ - owed_).count()) / factor_ * 1000.0)));
+}
+
+void SimulatorServer::arm(int milliseconds) {
+    pace_timer_.start(milliseconds);
+}
+
+void SimulatorServer::tick() {
+    simulation_->step();
+    publishLog();
+    flush();
+}
+
+void SimulatorServer::flush() {
+    std::vector<QTcpSocket*> deaf;
+    for (const auto& [client, socket] : sockets_) {
+        const std::string bytes = simulation_->takeOutput(client);
+        if (bytes.empty())
+            continue;
+        socket->write(bytes.data(), static_cast<qint64>(bytes.size()));
+        socket->flush();
+        if (socket->bytesToWrite() > unread_limit_bytes_) {
+            emit logged(tr("client %1: dropped, for it does not read: %2 MiB wait for it")
+                            .arg(client.value)
+                            .arg(static_cast<double>(socket->bytesToWrite()) / (1 << 20), 0, 'f', 1));
+            deaf.push_back(socket);
+        }
+    }
+    for (QTcpSocket* const socket : deaf)
+        socket->abort();
+}
+
+void SimulatorServer::publishLog() {
+    for (const std::string& sentence : simulation_->takeLog())
+        emit logged(QString::fromStdString(sentence));
+}
+
+SimulatorFigures SimulatorServer::figures() const {
+    SimulatorFigures figures{simulation_->now(), 0.0, static_cast<int>(sockets_.size()), pace_, factor_};
+    if (samples_.size() >= 2) {
+        const Sample& first = samples_.front();
+        const Sample& last = samples_.back();
+        const double wall_s = static_cast<double>(last.wall_ms - first.wall_ms) / 1000.0;
+        figures.real_time_factor = wall_s > 0.0 ? (last.now - first.now).count() / wall_s : 0.0;
+    }
+    return figures;
+}
+
+void SimulatorServer::report() {
+    samples_.push_back({wall_.elapsed(), simulation_->now()});
+    while (samples_.size() > 2 && samples_.back().wall_ms - samples_[1].wall_ms >= rtf_window_ms)
+        samples_.pop_front();
+    emit figuresChanged(figures());
+    emit robotsChanged(simulation_->robots());
+}
+
+} // namespace usar::link

@@ -1,6 +1,7 @@
 // Serves a simulation on loopback TCP and paces its time.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include <QObject>
 #include <QString>
 #include <QTcpServer>
+#include <QTcpSocket>
 #include <QTimer>
 
 #include "core/base/result.h"
@@ -28,7 +30,8 @@ struct SimulatorFigures {
 };
 
 /// Owns a Simulation and the sockets; lives in the simulator's thread. With lockstep clients each tick waits for their
-/// STEP, whatever the pace. A client that does not read is dropped once 8 MiB wait for it.
+/// STEP, whatever the pace, and no timer stands between the last STEP and the tick. Fast stands still while nobody has
+/// a robot. A client that does not read is dropped once 8 MiB wait for it.
 class SimulatorServer : public QObject {
     Q_OBJECT
 public:
@@ -38,10 +41,12 @@ public:
     /// Loopback only. Port 0 chooses a free one. A port in use is an error that says how to choose another.
     Result<quint16> listen(quint16 port);
     quint16 port() const { return server_.serverPort(); }
+    SimulatorFigures figures() const;
+    void setUnreadLimit(qint64 bytes) { unread_limit_bytes_ = bytes; }
 
 public slots:
     void setPace(usar::link::Pace pace, double factor = 1.0);
-    /// While paused: one tick.
+    /// While paused: one tick, as soon as the lockstep clients allow it.
     void stepOnce();
 
 signals:
@@ -50,11 +55,23 @@ signals:
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
 
 private:
+    /// Simulated time at a moment of real time, for the real-time factor.
+    struct Sample {
+        qint64 wall_ms = 0;
+        Seconds now{0.0};
+    };
+
     void acceptAll();
     void readFrom(QTcpSocket* socket, sim::ClientId client);
+    void forget(QTcpSocket* socket, sim::ClientId client);
+    /// Makes the ticks that are due and possible, and arms the timer for the next one.
     void advance();
+    void advanceFast();
+    void advanceByClock();
+    void arm(int milliseconds);
     void tick();
     void flush();
+    void publishLog();
     void report();
 
     std::unique_ptr<sim::Simulation> simulation_;
@@ -65,8 +82,12 @@ private:
     QElapsedTimer wall_;
     Pace pace_ = Pace::Factor;
     double factor_ = 1.0;
-    Seconds owed_{0.0};
-    Seconds last_reported_{0.0};
+    qint64 unread_limit_bytes_ = 8 << 20;
+    int steps_asked_ = 0;
+    qint64 last_advance_ms_ = 0;
+    Seconds tick_;
+    Seconds owed_{0.0}; ///< simulated time that the pace would have let pass and that was not made
+    std::deque<Sample> samples_;
 };
 
 } // namespace usar::link

@@ -178,6 +178,10 @@ Seconds Simulation::now() const {
     return state_->now();
 }
 
+const SimulationOptions& Simulation::options() const {
+    return state_->options;
+}
+
 const World& Simulation::world() const {
     return state_->world;
 }

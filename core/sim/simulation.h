@@ -62,6 +62,7 @@ public:
     void step();
 
     Seconds now() const;
+    const SimulationOptions& options() const;
     const World& world() const;
     std::vector<RobotTruth> robots() const;
     std::size_t clientCount() const;

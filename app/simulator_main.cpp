@@ -1,0 +1,133 @@
+// usar-sim: the simulator alone, for any USARSim client.
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+#include "app/locations.h"
+#include "app/quit_signals.h"
+#include "core/base/numbers.h"
+#include "core/link/simulator_server.h"
+#include "core/sim/simulation.h"
+#include "core/sim/world_reader.h"
+
+namespace {
+
+using usar::link::Pace;
+
+constexpr int bad_use = 2;
+
+struct Settings {
+    QString world;
+    quint16 port = 3000;
+    std::uint64_t seed = 1;
+    Pace pace = Pace::Factor;
+    double factor = 1.0;
+};
+
+usar::Result<void> readSpeed(const std::string& text, Settings& settings) {
+    if (text == "max") {
+        settings.pace = Pace::Fast;
+        return {};
+    }
+    const std::optional<double> factor = usar::readNumber(text);
+    if (!factor || !std::isfinite(*factor) || *factor < 0.0 || *factor > 10000.0)
+        return usar::failure("'" + text + "' is no speed", "--speed",
+                             "Give a factor such as 1 or 10, max, or 0 for paused");
+    settings.pace = *factor > 0.0 ? Pace::Factor : Pace::Paused;
+    settings.factor = *factor > 0.0 ? *factor : 1.0;
+    return {};
+}
+
+usar::Result<long long> readWhole(const QCommandLineParser& parser, const QString& option, long long most) {
+    const std::string text = parser.value(option).toStdString();
+    const std::optional<long long> value = usar::readInteger(text);
+    if (!value || *value < 0 || *value > most)
+        return usar::failure("'" + text + "' is not a whole number from 0 to " + std::to_string(most),
+                             "--" + option.toStdString());
+    return *value;
+}
+
+usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
+    if (!parser.positionalArguments().isEmpty())
+        return usar::failure("unknown argument '" + parser.positionalArguments().first().toStdString() + "'", "",
+                             "See usar-sim --help");
+    Settings settings;
+    settings.world = parser.value("world");
+    const auto port = readWhole(parser, "port", 65535);
+    const auto seed = readWhole(parser, "seed", INT64_MAX);
+    const auto speed = readSpeed(parser.value("speed").toStdString(), settings);
+    if (!port)
+        return tl::unexpected(port.error());
+    if (!seed)
+        return tl::unexpected(seed.error());
+    if (!speed)
+        return tl::unexpected(speed.error());
+    settings.port = static_cast<quint16>(*port);
+    settings.seed = static_cast<std::uint64_t>(*seed);
+    return settings;
+}
+
+void addOptions(QCommandLineParser& parser) {
+    parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.");
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
+                       {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
+                       {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
+                       {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
+}
+
+int complain(const usar::Error& error) {
+    std::fprintf(stderr, "usar-sim: %s\n", error.text().c_str());
+    return bad_use;
+}
+
+usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settings& settings) {
+    auto world = usar::sim::readWorld(usar::app::worldFolder(settings.world).toStdString());
+    if (!world)
+        return tl::unexpected(world.error());
+    usar::sim::SimulationOptions options;
+    options.seed = settings.seed;
+    return usar::sim::Simulation::make(std::move(*world), options);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName("usar-sim");
+    QCommandLineParser parser;
+    addOptions(parser);
+    if (!parser.parse(QCoreApplication::arguments()))
+        return complain({parser.errorText().toStdString(), "", "See usar-sim --help"});
+    if (parser.isSet("version"))
+        parser.showVersion();
+    if (parser.isSet("help"))
+        parser.showHelp();
+    const auto settings = readSettings(parser);
+    if (!settings)
+        return complain(settings.error());
+    auto simulation = makeSimulation(*settings);
+    if (!simulation)
+        return complain(simulation.error());
+    const std::string level = (*simulation)->world().name;
+
+    usar::link::SimulatorServer server(std::move(*simulation));
+    QObject::connect(&server, &usar::link::SimulatorServer::logged,
+                     [](const QString& sentence) { std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData()); });
+    const auto port = server.listen(settings->port);
+    if (!port)
+        return complain(port.error());
+    server.setPace(settings->pace, settings->factor);
+    std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
+                level.c_str(), static_cast<unsigned>(*port), static_cast<unsigned>(*port));
+    std::fflush(stdout);
+
+    usar::app::QuitSignals signals_;
+    QObject::connect(&signals_, &usar::app::QuitSignals::quit, &application, &QCoreApplication::quit);
+    return application.exec();
+}

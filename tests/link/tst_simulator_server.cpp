@@ -1,0 +1,222 @@
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTcpSocket>
+#include <QtTest>
+
+#include "core/link/simulator_server.h"
+
+using namespace usar;
+using namespace usar::link;
+
+namespace {
+
+sim::World flatWorld() {
+    sim::World world;
+    world.name = "flat";
+    world.terrain = sim::Terrain(33, 33, 1.0, {-16.0, -16.0}, std::vector<float>(33 * 33, 0.0f));
+    world.start_poses.push_back({"Middle", Pose{{0.0, 0.0, 0.3}, 0.0, 0.0, 0.0}});
+    return world;
+}
+
+std::unique_ptr<sim::Simulation> flatSimulation() {
+    return std::move(*sim::Simulation::make(flatWorld()));
+}
+
+const QByteArray init = "INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0,-0.3}\r\n";
+
+/// A server that listens on a free port.
+struct Served {
+    SimulatorServer server{flatSimulation()};
+    quint16 port = *server.listen(0);
+
+    explicit Served(Pace pace, double factor = 1.0) { server.setPace(pace, factor); }
+    Seconds now() const { return server.figures().now; }
+};
+
+/// A client that keeps all it has read.
+class Client {
+public:
+    explicit Client(quint16 port) {
+        QObject::connect(&socket_, &QTcpSocket::readyRead, [this] { heard_ += socket_.readAll(); });
+        socket_.connectToHost("127.0.0.1", port);
+    }
+    void say(const QByteArray& bytes) { socket_.write(bytes); }
+    qsizetype count(const QByteArray& text) const { return heard_.count(text); }
+    QTcpSocket& socket() { return socket_; }
+
+private:
+    QTcpSocket socket_;
+    QByteArray heard_;
+};
+
+} // namespace
+
+class TestSimulatorServer : public QObject {
+    Q_OBJECT
+
+private slots:
+    void greetsAndTellsStartPosesWhilePaused() {
+        Served served(Pace::Paused);
+        Client client(served.port);
+        QTRY_COMPARE(client.count("NFO {Gametype BotDeathMatch} {Level flat}"), 1);
+        client.say("GETSTARTPOSES\r\n");
+        QTRY_COMPARE(client.count("{Middle 0.00,"), 1);
+        QCOMPARE(served.now(), Seconds{0.0});
+    }
+
+    void listensOnLoopbackOnly() {
+        Served served(Pace::Paused);
+        QTcpSocket elsewhere;
+        elsewhere.connectToHost("127.0.0.2", served.port); // loopback net, but not our address
+        QVERIFY(!elsewhere.waitForConnected(2000));
+    }
+
+    void aPortInUseIsSaidWithTheMend() {
+        Served served(Pace::Paused);
+        SimulatorServer second(flatSimulation());
+        const auto result = second.listen(served.port);
+        QVERIFY(!result);
+        const QString text = QString::fromStdString(result.error().text());
+        QVERIFY2(text.contains(QString::number(served.port)) && text.contains("in use") && text.contains("--port"),
+                 qPrintable(text));
+    }
+
+    void stepsOneTickAtATimeWhilePaused() {
+        Served served(Pace::Paused);
+        Client client(served.port);
+        client.say(init);
+        QTRY_COMPARE(served.server.figures().clients, 1);
+        QTRY_COMPARE(client.count("NFO"), 1);
+        QTRY_VERIFY((served.server.stepOnce(), client.count("STA") >= 1));
+        const Seconds before = served.now();
+        served.server.stepOnce();
+        QVERIFY(std::abs((served.now() - before).count() - 0.2) < 1e-9);
+    }
+
+    void stepOnceMeansNothingWhileItRuns() {
+        Served served(Pace::Factor, 0.001);
+        served.server.stepOnce();
+        QCOMPARE(served.now(), Seconds{0.0});
+    }
+
+    void runsByTheClock() {
+        Served served(Pace::Factor, 20.0);
+        QElapsedTimer wall;
+        wall.start();
+        QTRY_VERIFY(served.now() >= Seconds{10.0});
+        // Never ahead of its pace; how far behind depends on the machine.
+        QVERIFY(served.now().count() <= 20.0 * (static_cast<double>(wall.elapsed()) / 1000.0 + 0.1));
+        served.server.setPace(Pace::Paused);
+        const Seconds paused = served.now();
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(served.now(), paused);
+    }
+
+    void fastStandsStillWithoutRobots() {
+        Served served(Pace::Fast);
+        Client client(served.port);
+        client.say("GETSTARTPOSES\r\n");
+        QTRY_COMPARE(client.count("StartPoses"), 1);
+        QCOMPARE(served.now(), Seconds{0.0});
+        client.say(init);
+        QTRY_VERIFY(served.now() > Seconds{20.0});
+    }
+
+    void lockstepAndFastRunAsFastAsTheClientAnswers() {
+        Served served(Pace::Fast);
+        Client client(served.port);
+        int ticks = 0;
+        qsizetype answered = 0;
+        client.say("LOCKSTEP {On true}\r\n" + init + "STEP\r\n");
+        QObject::connect(&client.socket(), &QTcpSocket::readyRead, &client.socket(), [&] {
+            for (; answered < client.count("STA {") && ticks < 200; ++answered, ++ticks)
+                client.say("STEP\r\n");
+        });
+        QTRY_COMPARE(client.count("STA {"), 201);
+        QVERIFY(std::abs(served.now().count() - 201 * 0.2) < 1e-9);
+        QCOMPARE(client.count("NFO {Lockstep True}"), 1);
+    }
+
+    void withoutItsStepNothingMoves() {
+        Served served(Pace::Fast);
+        Client client(served.port);
+        client.say("LOCKSTEP {On true}\r\n" + init);
+        QTRY_COMPARE(client.count("Lockstep True"), 1);
+        client.say("GETSTARTPOSES\r\n"); // a turn of the server's loop after the INIT
+        QTRY_COMPARE(client.count("StartPoses"), 1);
+        QCOMPARE(served.now(), Seconds{0.0});
+        client.say("STEP\r\n");
+        QTRY_COMPARE(client.count("STA {"), 1);
+        QVERIFY(std::abs(served.now().count() - 0.2) < 1e-9);
+    }
+
+    void whilePausedAStepOfTheClientDoesNotMoveIt() {
+        Served served(Pace::Paused);
+        Client client(served.port);
+        client.say("LOCKSTEP {On true}\r\n" + init + "STEP\r\nGETSTARTPOSES\r\n");
+        QTRY_COMPARE(client.count("StartPoses"), 1);
+        QCOMPARE(served.now(), Seconds{0.0});
+        served.server.stepOnce();
+        QVERIFY(std::abs(served.now().count() - 0.2) < 1e-9);
+        served.server.stepOnce(); // waits for the next STEP
+        QVERIFY(std::abs(served.now().count() - 0.2) < 1e-9);
+        client.say("STEP\r\n");
+        QTRY_VERIFY(std::abs(served.now().count() - 0.4) < 1e-9);
+    }
+
+    void aLockstepClientThatLeavesFreesTheOthers() {
+        Served served(Pace::Fast);
+        Client staying(served.port);
+        auto leaving = std::make_unique<Client>(served.port);
+        leaving->say("LOCKSTEP {On true}\r\n");
+        QTRY_COMPARE(leaving->count("Lockstep True"), 1);
+        staying.say("LOCKSTEP {On true}\r\n" + init + "STEP\r\nGETSTARTPOSES\r\n");
+        QTRY_COMPARE(staying.count("StartPoses"), 1);
+        QCOMPARE(served.now(), Seconds{0.0});
+        leaving.reset();
+        QTRY_COMPARE(staying.count("STA {"), 1);
+        QTRY_COMPARE(served.server.figures().clients, 1);
+    }
+
+    void aClientThatDoesNotReadIsDropped() {
+        Served served(Pace::Fast);
+        served.server.setUnreadLimit(1 << 16);
+        QSignalSpy log(&served.server, &SimulatorServer::logged);
+        QTcpSocket deaf;
+        deaf.setReadBufferSize(4096);
+        deaf.connectToHost("127.0.0.1", served.port);
+        deaf.write(init);
+        QTRY_COMPARE(served.server.figures().clients, 1);
+        QTRY_COMPARE_WITH_TIMEOUT(served.server.figures().clients, 0, 60000);
+        const bool said = std::any_of(log.begin(), log.end(), [](const QList<QVariant>& one) {
+            return one.first().toString().contains("does not read");
+        });
+        QVERIFY(said);
+    }
+
+    void publishesFiguresAndRobots() {
+        Served served(Pace::Factor, 10.0);
+        QSignalSpy figures(&served.server, &SimulatorServer::figuresChanged);
+        QSignalSpy robots(&served.server, &SimulatorServer::robotsChanged);
+        Client client(served.port);
+        client.say(init);
+        QTRY_VERIFY(!robots.isEmpty() && !robots.last().first().value<std::vector<sim::RobotTruth>>().empty());
+        const auto truths = robots.last().first().value<std::vector<sim::RobotTruth>>();
+        QCOMPARE(truths.front().name, std::string("R1"));
+        QTRY_VERIFY(figures.last().first().value<SimulatorFigures>().real_time_factor > 1.0);
+        QVERIFY(figures.last().first().value<SimulatorFigures>().real_time_factor < 12.0);
+    }
+
+    void whatIsIgnoredIsLogged() {
+        Served served(Pace::Factor, 50.0);
+        QSignalSpy log(&served.server, &SimulatorServer::logged);
+        Client client(served.port);
+        client.say("INIT {ClassName USARBot.P2DX}\r\n");
+        QTRY_VERIFY(std::any_of(log.begin(), log.end(), [](const QList<QVariant>& one) {
+            return one.first().toString().contains("unknown robot class");
+        }));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSimulatorServer)
+#include "tst_simulator_server.moc"
