@@ -3,68 +3,13 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/base/numbers.h"
+#include "core/protocol/line_writer.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
 
 namespace {
-
-enum class Decimals { TwoRounded, FourCut };
-
-/// Writes segments of one line. Unreal rounds where it prints a bare float or a vector whole, and cuts where its
-/// formatter prints four decimals (usarsim-protocol 1.7).
-class LineWriter {
-public:
-    explicit LineWriter(std::string& out) : out_(out) {}
-
-    void number(double value, Decimals decimals) {
-        if (decimals == Decimals::TwoRounded)
-            appendFixed(out_, value, 2);
-        else
-            appendTruncated(out_, value, 4);
-    }
-    void text(std::string_view value) { out_.append(value); }
-    void open(std::string_view key) {
-        out_ += " {";
-        out_.append(key);
-        out_ += ' ';
-    }
-    void close() { out_ += '}'; }
-    void numbers(const Vec3& values, Decimals decimals) {
-        number(values.x(), decimals);
-        out_ += ',';
-        number(values.y(), decimals);
-        out_ += ',';
-        number(values.z(), decimals);
-    }
-
-    void segment(std::string_view key, std::string_view value) {
-        open(key);
-        text(value);
-        close();
-    }
-    void segment(std::string_view key, double value, Decimals decimals) {
-        open(key);
-        number(value, decimals);
-        close();
-    }
-    void segment(std::string_view key, const Vec3& values, Decimals decimals) {
-        open(key);
-        numbers(values, decimals);
-        close();
-    }
-    void whole(std::string_view key, long long value) { segment(key, std::to_string(value)); }
-    void boolean(std::string_view key, bool value) { segment(key, value ? "True" : "False"); }
-    void time(const std::optional<Seconds>& time, Decimals decimals) {
-        if (time)
-            segment("Time", time->count(), decimals);
-    }
-
-private:
-    std::string& out_;
-};
 
 Vec3 anglesOf(const Pose& on_wire) {
     return {on_wire.roll_rad, on_wire.pitch_rad, on_wire.yaw_rad};

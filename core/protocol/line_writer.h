@@ -1,0 +1,74 @@
+// Segments of one info line, spelled and rounded as Unreal prints them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/base/numbers.h"
+
+namespace usar::protocol {
+
+/// Unreal rounds where it prints a bare float or a vector whole, and cuts where its formatter prints four decimals
+/// (usarsim-protocol 1.7).
+enum class Decimals { TwoRounded, FourCut };
+
+/// Appends to a text that somebody else owns and that must outlive it.
+class LineWriter {
+public:
+    explicit LineWriter(std::string& out) : out_(out) {}
+
+    void number(double value, Decimals decimals) {
+        if (decimals == Decimals::TwoRounded)
+            appendFixed(out_, value, 2);
+        else
+            appendTruncated(out_, value, 4);
+    }
+    void text(std::string_view value) { out_.append(value); }
+    /// " {key " and, later, "}".
+    void open(std::string_view key) {
+        out_ += " {";
+        out_.append(key);
+        out_ += ' ';
+    }
+    void close() { out_ += '}'; }
+    void numbers(const Vec3& values, Decimals decimals) {
+        number(values.x(), decimals);
+        out_ += ',';
+        number(values.y(), decimals);
+        out_ += ',';
+        number(values.z(), decimals);
+    }
+
+    void segment(std::string_view key, std::string_view value) {
+        open(key);
+        text(value);
+        close();
+    }
+    void segment(std::string_view key, double value, Decimals decimals) {
+        open(key);
+        number(value, decimals);
+        close();
+    }
+    void segment(std::string_view key, const Vec3& values, Decimals decimals) {
+        open(key);
+        numbers(values, decimals);
+        close();
+    }
+    void whole(std::string_view key, long long value) { segment(key, std::to_string(value)); }
+    /// As Unreal's string of a bool.
+    void boolean(std::string_view key, bool value) { segment(key, value ? "True" : "False"); }
+    /// STA, RES and the scanner print a bare float, all other sensors a formatted one. Nothing for a message without
+    /// time.
+    void time(const std::optional<Seconds>& time, Decimals decimals) {
+        if (time)
+            segment("Time", time->count(), decimals);
+    }
+
+private:
+    std::string& out_;
+};
+
+} // namespace usar::protocol
