@@ -5,6 +5,7 @@
 #include "corpus.h"
 
 using namespace usar;
+using namespace std::string_literals;
 using namespace usar::protocol;
 
 namespace {
@@ -236,7 +237,7 @@ void tst_CommandReader::everyPrefixOfEveryLineIsTaken() {
 }
 
 void tst_CommandReader::randomBytesAreTaken() {
-    const std::string alphabet("{} ,.-+1e\0\xffINTSDRVELocation", 30);
+    const std::string alphabet = "{} ,.-+1e\0\xffINTSDRVELocation"s;
     Random random = seeded(41, 1);
     for (int round = 0; round < 20000; ++round) {
         std::string line = round % 2 == 0 ? "DRIVE {LinearVelocity " : "INIT {ClassName X} {Location ";

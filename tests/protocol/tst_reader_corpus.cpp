@@ -8,6 +8,7 @@
 #include "corpus.h"
 
 using namespace usar;
+using namespace std::string_literals;
 using namespace usar::protocol;
 
 namespace {
@@ -101,9 +102,7 @@ void tst_ReaderCorpus::everyPrefixOfEveryLineIsRead() {
 
 void tst_ReaderCorpus::damageNeverBreaksReading() {
     const std::vector<corpus::Line> lines = corpus::infoLines();
-    const std::string damage("{} ,.-+e#\0\xff"
-                             "0naNIf",
-                             18);
+    const std::string damage = "{} ,.-+e#\0\xff"s + "0naNIf";
     Random random = seeded(21, 1);
     Reader reader;
     for (int round = 0; round < 20000; ++round) {

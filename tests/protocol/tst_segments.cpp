@@ -6,6 +6,7 @@
 #include "core/protocol/segments.h"
 
 using namespace usar;
+using namespace std::string_literals;
 using protocol::NamedPairs;
 using protocol::Segments;
 
@@ -151,7 +152,7 @@ void tst_Segments::tellsPairsFromValuesWithSpaces() {
 
 void tst_Segments::survivesAnyBytes() {
     Random random = seeded(12, 1);
-    const std::string alphabet("{} \t\0,.-ab1\xff\\\"", 15);
+    const std::string alphabet = "{} \t\0,.-ab1\xff\\\""s;
     Segments segments;
     for (int round = 0; round < 20000; ++round) {
         std::string line(random() % 40, ' ');
