@@ -82,8 +82,7 @@ std::string LaunchChecklist::missingSensor(const modules::RobotModules& robot) c
     return {};
 }
 
-LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port,
-                                  const Settings& settings) {
+LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port) {
     if (!answered(robot, port)) {
         words_ = "waiting for " + wordsFor(questions[question_]);
         return LaunchState::Waiting;
@@ -91,16 +90,13 @@ LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, age
     if (!asked_all_)
         asked_all_ = now;
     if (const std::string missing = missingSensor(robot); !missing.empty()) {
-        complete_.reset();
         const bool failed = now - *asked_all_ > first_data_time;
         words_ = failed ? "The sensor " + missing + " sends nothing, and the survey needs it"
                         : "waiting for first data of " + missing;
         return failed ? LaunchState::Failed : LaunchState::Waiting;
     }
-    if (!complete_)
-        complete_ = now;
-    words_ = "at rest, so that the INS can start";
-    return now - *complete_ >= Seconds(settings.rest_time_s) ? LaunchState::Ready : LaunchState::Waiting;
+    words_ = "ready";
+    return LaunchState::Ready;
 }
 
 } // namespace usar::airrobot

@@ -1,24 +1,23 @@
 // What must be known before the rotors turn: the thesis's RobotLaunch (4.3).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/agent/command_port.h"
 #include "core/modules/robot_modules.h"
 #include "robots/airrobot/sensor_layout.h"
-#include "robots/airrobot/settings.h"
 
 namespace usar::airrobot {
 
 enum class LaunchState { Waiting, Ready, Failed };
 
 /// Asks for the robot's configuration, then sonars, then scanner, each once the one before was answered; then waits
-/// for a first reading of INS, sonars and scanner, and for the rest that the INS needs to start (robots-and-worlds
-/// 4.4). What the server does not answer is taken from the stock robot, with a warning. Owned by one behavior; stepped
-/// once a tick.
+/// for a first reading of INS, sonars and scanner. What the server does not answer is taken from the stock robot, with
+/// a warning. Owned by one behavior; stepped once a tick.
 class LaunchChecklist {
 public:
-    LaunchState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port, const Settings& settings);
+    LaunchState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port);
     const SensorLayout& layout() const { return layout_; }
     /// What is waited for, or what failed: "waiting for sonar geometry".
     const std::string& words() const { return words_; }
@@ -30,7 +29,6 @@ private:
     SensorLayout layout_ = stockLayout();
     std::size_t question_ = 0;
     std::optional<Seconds> asked_all_;
-    std::optional<Seconds> complete_;
     std::string words_ = "starting";
 };
 

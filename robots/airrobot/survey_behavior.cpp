@@ -10,7 +10,6 @@ namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
-constexpr double landed_z_m = 0.5;
 
 std::string count(std::size_t number) {
     return std::to_string(number);
@@ -53,12 +52,11 @@ void SurveyBehavior::tick(const agent::Tick& tick, agent::CommandPort& port) {
 }
 
 void SurveyBehavior::launch(const agent::Tick& tick, agent::CommandPort& port) {
-    const LaunchState state = checklist_.step(tick.now, tick.robot, port, craft_.settings);
+    const LaunchState state = checklist_.step(tick.now, tick.robot, port);
     if (state == LaunchState::Failed)
         return finish(false, checklist_.words() + ".", port);
-    if (state == LaunchState::Waiting || paused_)
-        return;
-    planSurvey(port);
+    if (state == LaunchState::Ready)
+        planSurvey(port);
 }
 
 void SurveyBehavior::planSurvey(agent::CommandPort& port) {
@@ -70,10 +68,8 @@ void SurveyBehavior::planSurvey(agent::CommandPort& port) {
         return finish(false, plan.error().text(), port);
     survey_ = Survey(*plan);
     port.publish(agent::PlannedPath{survey_.corners_m()});
-    craft_.startAnew();
-    phase_ = Phase::TakeOff;
-    take_off_z_m_ = craft_.senses.position_m().z();
-    hold_m_ = craft_.senses.position2_m();
+    phase_ = Phase::Ground;
+    ins_reset_.start(craft_.senses.now);
 }
 
 bool SurveyBehavior::sensorsSpeak(agent::CommandPort& port) {
@@ -119,8 +115,10 @@ void SurveyBehavior::act(const agent::Tick& tick, agent::CommandPort& port) {
 }
 
 void SurveyBehavior::takeOff(agent::CommandPort& port) {
-    const double goal_z_m = std::max(take_off_z_m_ + craft_.settings.scan_altitude_m, craft_.settings.floor_level_m);
-    if (!craft_.rise(goal_z_m, hold_m_, port))
+    if (!take_off_m_)
+        take_off_m_ = craft_.senses.position_m(); // not before: the INS was set a tick ago
+    const double goal_z_m = std::max(take_off_m_->z() + craft_.settings.scan_altitude_m, craft_.settings.floor_level_m);
+    if (!craft_.rise(goal_z_m, take_off_m_->head<2>(), port))
         return;
     phase_ = Phase::ToLane;
     craft_.startAnew();
@@ -225,15 +223,16 @@ void SurveyBehavior::onGround(const agent::Tick& tick, agent::CommandPort& port)
     if (reset != before)
         onResetEnded(reset, port);
     const bool settled = reset == ResetState::Done || reset == ResetState::Failed;
-    const Seconds charging(std::max(craft_.settings.recharge_time_s, craft_.settings.rest_time_s));
+    const Seconds charging(errand_ == Errand::Start ? 0.0 : craft_.settings.recharge_time_s);
     if (!settled || paused_ || tick.now - phase_since_ < charging)
         return;
-    craft_.battery.recharge();
+    if (errand_ != Errand::Start) {
+        craft_.battery.recharge();
+        had_lane_since_charge_ = false;
+    }
     craft_.forgetPlaces();
-    had_lane_since_charge_ = false;
     phase_ = Phase::TakeOff;
-    take_off_z_m_ = craft_.senses.position_m().z();
-    hold_m_ = craft_.senses.position2_m();
+    take_off_m_.reset();
 }
 
 void SurveyBehavior::onResetEnded(ResetState reset, agent::CommandPort& port) {
@@ -247,7 +246,7 @@ void SurveyBehavior::onResetEnded(ResetState reset, agent::CommandPort& port) {
 void SurveyBehavior::order(agent::Order order, agent::CommandPort& port) {
     if (phase_ == Phase::Finished)
         return;
-    hold_m_ = phase_ == Phase::TakeOff ? hold_m_ : craft_.senses.position2_m();
+    hold_m_ = craft_.senses.position2_m();
     paused_ = order == agent::Order::Pause;
     if (order != agent::Order::LandNow)
         return;
@@ -281,7 +280,8 @@ std::string SurveyBehavior::words() const {
     case Phase::Landing:
         return "landing";
     case Phase::Ground:
-        return ins_reset_.state() == ResetState::Done ? "charging" : "at rest, setting the INS";
+        return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
+                                                                                  : "at rest, setting the INS";
     case Phase::Finished:
         return "finished";
     }

@@ -13,9 +13,9 @@ namespace usar::airrobot {
 
 enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
-/// Launch checklist, take-off, lanes, home for a charge, after each quadrant and at the end; INS reset and recharge on
-/// the ground; resume where it stopped. Judges at every tick, first to last as in the thesis's drive collection:
-/// silent sensors, battery, stuck, sonars, goal.
+/// Launch checklist, INS reset (which also gives the INS the rest that it needs to start), take-off, lanes, home for a
+/// charge, after each quadrant and at the end; INS reset and recharge on the ground; resume where it stopped. Judges at
+/// every tick, first to last as in the thesis's drive collection: silent sensors, battery, stuck, sonars, goal.
 class SurveyBehavior : public agent::Behavior {
 public:
     explicit SurveyBehavior(agent::BehaviorContext context);
@@ -28,8 +28,8 @@ public:
     Phase phase() const { return phase_; }
 
 private:
-    /// Why the robot goes down; decides what follows.
-    enum class Errand { Recharge, Quadrant, Done, GivenUp };
+    /// Why the robot is on the ground, or on its way there; decides what follows.
+    enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
 
     void launch(const agent::Tick& tick, agent::CommandPort& port);
     void planSurvey(agent::CommandPort& port);
@@ -61,14 +61,14 @@ private:
     Survey survey_;
 
     Phase phase_ = Phase::Launch;
-    Errand errand_ = Errand::Done;
+    Errand errand_ = Errand::Start;
     std::string end_reason_;
     bool paused_ = false;
     bool silent_ = false;
     bool had_lane_since_charge_ = true;
     Vec2 hold_m_ = Vec2::Zero();
     Vec2 landing_m_ = Vec2::Zero();
-    double take_off_z_m_ = 0.0;
+    std::optional<Vec3> take_off_m_;
     std::optional<Seconds> started_;
     Seconds phase_since_{0.0};
     std::optional<double> goal_distance_m_;

@@ -17,8 +17,8 @@ struct ToyFaults {
     bool ins_drifts = false;
     bool silent_geometry = false; ///< GETGEO is never answered
     bool no_response = false;     ///< SET is obeyed without RES, as UDK does
-    std::optional<double> sonars_silent_after_s;
-    std::optional<double> ins_silent_after_s;
+    std::optional<double> sonars_silent_after_s{};
+    std::optional<double> ins_silent_after_s{};
 };
 
 /// First-order velocities, tilt from acceleration, sensors at 5 Hz. The INS starts after two scans at rest.

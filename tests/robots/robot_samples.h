@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "robots/airrobot/obstacle_memory.h"
 #include "robots/airrobot/senses.h"
 
 namespace usar::tests {

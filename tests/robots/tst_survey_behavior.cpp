@@ -9,17 +9,42 @@ using namespace usar::tests;
 
 namespace {
 
-Task taskOver(const Vec2& min_m, const Vec2& max_m) {
-    return {"R1", Pose{}, {min_m, max_m}};
-}
+const Task field_task{"R1", Pose{}, {Vec2(5, 5), Vec2(45, 35)}};
 
-ToyFlight flight(const ToyWorld& world, const Task& task, std::map<std::string, ParameterValue> values = {},
-                 ToyFaults faults = {}, Seconds battery = Seconds(1e5)) {
-    auto parameters = ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters, values);
+ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
+                 const std::map<std::string, ParameterValue>& values = {}, ToyFaults faults = {},
+                 Seconds battery = Seconds(1e5)) {
+    const auto parameters = ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters, values);
     Q_ASSERT(parameters);
     auto behavior = airrobot::makeBehavior("airrobot/cpp", {task, *parameters});
     Q_ASSERT(behavior);
     return {ToyAirRobot(world, task.start_in_map, faults, battery), std::move(*behavior)};
+}
+
+ToyWorld hills() {
+    ToyWorld world;
+    world.ground_m = [](const Vec2& at_m) { return 4.0 * std::sin(at_m.x() / 12.0) * std::cos(at_m.y() / 10.0); };
+    return world;
+}
+
+ToyWorld wood(std::uint64_t seed) {
+    ToyWorld world = hills();
+    Random random = seeded(seed, 1);
+    for (int tries = 0; tries < 300; ++tries) {
+        ToyTree tree;
+        tree.at_m = {uniform(random, 0.0, 50.0), uniform(random, 0.0, 40.0)};
+        tree.trunk_top_m = world.ground_m(tree.at_m) + uniform(random, 3.0, 9.0);
+        tree.crown_radius_m = uniform(random, 1.0, 2.5);
+        const bool apart = std::ranges::all_of(
+            world.trees, [&](const ToyTree& other) { return (other.at_m - tree.at_m).norm() > 6.0; });
+        if (apart && tree.at_m.norm() > 8.0)
+            world.trees.push_back(tree);
+    }
+    return world;
+}
+
+bool contains(const std::vector<std::string>& texts, const std::string& part) {
+    return std::ranges::any_of(texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
 } // namespace
@@ -28,11 +53,212 @@ class TestSurveyBehavior : public QObject {
     Q_OBJECT
 
 private slots:
-    void scansAnOpenField() {
-        ToyFlight toy = flight({}, taskOver({5, 5}, {45, 35}));
-        toy.run(Seconds(2000));
+    void scansAFieldLaneByLaneAndLandsAtItsBase() {
+        ToyFlight toy = flight({});
+        toy.run(Seconds(1000));
         QVERIFY(toy.ending());
-        QVERIFY(toy.ending()->success);
+        QVERIFY2(toy.ending()->success, toy.ending()->reason.c_str());
+        for (const char* state : {"waiting for Sonar geometry", "at rest", "taking off", "flying to lane 1 of 4",
+                                  "scanning lane 1 of 4", "scanning lane 4 of 4", "returning to base", "landing"})
+            QVERIFY2(contains(toy.states(), state), state);
+        QVERIFY(toy.robot().onGround());
+        QVERIFY(toy.robot().position_m().head<2>().norm() < 2.0);
+        QCOMPARE(*toy.status().progress_pct, 100.0);
+        QCOMPARE(toy.robot().collisions(), 0);
+        QVERIFY(toy.marks(MarkKind::Path).size() > 150);
+        QCOMPARE(toy.marks(MarkKind::Landing).size(), std::size_t(1));
+        QVERIFY(toy.events().size() <= 1); // nothing went wrong
+    }
+
+    void takesOffStraightUpBeforeAnythingElse() {
+        ToyFlight toy = flight({});
+        while (toy.robot().position_m().z() < 5.0)
+            toy.tick();
+        QVERIFY(toy.robot().position_m().head<2>().norm() < 0.3);
+    }
+
+    void fliesWholeAreaAtScanAltitudeOverHills() {
+        const ToyWorld world = hills();
+        ToyFlight toy = flight(world);
+        toy.run(Seconds(1500));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        int scanning = 0;
+        int right = 0;
+        for (const Vec3& at_m : toy.path_m()) {
+            const double height_m = at_m.z() - world.ground_m(at_m.head<2>());
+            if (!field_task.area_in_map.contains(at_m.head<2>()))
+                continue;
+            ++scanning;
+            right += height_m > 4.0 && height_m < 9.5 ? 1 : 0;
+        }
+        QVERIFY2(right > 0.95 * scanning, qPrintable(QString("%1 of %2").arg(right).arg(scanning)));
+    }
+
+    void surveysAWoodWithoutTouchingIt_data() {
+        QTest::addColumn<int>("seed");
+        for (const int seed : {1, 2, 3})
+            QTest::newRow(qPrintable(QString("wood %1").arg(seed))) << seed;
+    }
+    void surveysAWoodWithoutTouchingIt() {
+        QFETCH(int, seed);
+        ToyFlight toy = flight(wood(static_cast<std::uint64_t>(seed)), field_task, {}, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending());
+        QVERIFY2(toy.ending()->success, toy.ending()->reason.c_str());
+        QCOMPARE(toy.robot().collisions(), 0);
+        QVERIFY(toy.marks(MarkKind::LowRisk).size() + toy.marks(MarkKind::HighRisk).size() > 0);
+    }
+
+    void chargesInTimeAndResumesWhereItStopped() {
+        ToyFlight toy = flight({}, field_task, {{"battery_range_m", 150.0}}, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(toy.status().charges >= 1);
+        QCOMPARE(toy.marks(MarkKind::Recharge).size(), std::size_t(toy.status().charges));
+        QVERIFY(contains(toy.states(), "charging"));
+        QVERIFY(contains(toy.events(), "INS was set from ground truth"));
+        for (const Published& value : toy.published())
+            if (const auto* status = std::get_if<BehaviorStatus>(&value))
+                QVERIFY(*status->battery_used_pct < 100.0); // home before it is empty
+    }
+
+    void goesHomeForGoodWhenTheNextPlaceIsOutOfRange() {
+        const Task far{"R1", Pose{}, {Vec2(200, 0), Vec2(230, 20)}};
+        ToyFlight toy = flight({}, far, {{"battery_range_m", 300.0}, {"recharge_time_s", 0.0}});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.ending()->success);
+        QVERIFY2(toy.ending()->reason.find("range") != std::string::npos, toy.ending()->reason.c_str());
+        QVERIFY(toy.robot().onGround());
+    }
+
+    void landsBeforeTheRobotsOwnBatteryIsEmpty() {
+        ToyFlight toy = flight({}, field_task, {}, {}, Seconds(200.0));
+        toy.run(Seconds(250));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.ending()->success);
+        QVERIFY(toy.robot().onGround());
+        QVERIFY(toy.robot().now() < Seconds(100.0 + 200.0));
+    }
+
+    void resetsTheInsAfterEachQuadrant() {
+        ToyFlight toy = flight({}, field_task, {{"quadrant_limit_m", 30.0}}, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(toy.status().charges >= 1);
+        QVERIFY(contains(toy.events(), "quadrant"));
+    }
+
+    void neverSinksBelowItsFloorButToLand() {
+        ToyWorld ravine;
+        ravine.ground_m = [](const Vec2& at_m) { return std::abs(at_m.x() - 25.0) < 8.0 ? -12.0 : 0.0; };
+        ToyFlight toy = flight(ravine, field_task, {{"floor_level_m", 3.0}});
+        toy.run(Seconds(2000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        for (const Vec3& at_m : toy.path_m())
+            if (field_task.area_in_map.contains(at_m.head<2>()))
+                QVERIFY(at_m.z() > 2.5);
+    }
+
+    void givesUpAGoalThatCannotBeReached() {
+        ToyWorld world; // a ring of trees too tall to climb over, around a point of the second lane
+        for (int i = 0; i < 40; ++i)
+            world.trees.push_back(
+                {Vec2(25, 20) + 7.0 * Vec2(std::cos(i * pi / 20), std::sin(i * pi / 20)), 0.6, 80.0, 0.0});
+        const Task task{"R1", Pose{}, {Vec2(24, 19), Vec2(26, 21)}};
+        ToyFlight toy = flight(world, task, {{"give_up_after_s", 40.0}, {"goal_distance_m", 50.0}});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.marks(MarkKind::GoalGivenUp).empty());
+        QVERIFY2(toy.ending()->reason.find("left out") != std::string::npos, toy.ending()->reason.c_str());
+        QCOMPARE(toy.robot().collisions(), 0);
+    }
+
+    void hoversWhilePausedAndGoesOn() {
+        ToyFlight toy = flight({});
+        toy.run(Seconds(60));
+        toy.order(Order::Pause);
+        toy.run(Seconds(5));
+        const Vec3 held_m = toy.robot().position_m();
+        toy.run(Seconds(60));
+        QVERIFY((toy.robot().position_m() - held_m).norm() < 1.0);
+        QVERIFY(toy.status().state.starts_with("paused"));
+        toy.order(Order::Resume);
+        toy.run(Seconds(1000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+    }
+
+    void landsAtOnceWhenAsked_data() {
+        QTest::addColumn<double>("after_s");
+        QTest::newRow("before take-off") << 1.0;
+        QTest::newRow("in flight") << 60.0;
+    }
+    void landsAtOnceWhenAsked() {
+        QFETCH(double, after_s);
+        ToyFlight toy = flight({});
+        toy.run(Seconds(after_s));
+        const Vec3 asked_at_m = toy.robot().position_m();
+        toy.order(Order::LandNow);
+        toy.run(Seconds(60));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.ending()->success);
+        QVERIFY(toy.robot().onGround());
+        QVERIFY((toy.robot().position_m() - asked_at_m).head<2>().norm() < 5.0);
+    }
+
+    void waitsForASilentSensorThenAsksForAHand_data() {
+        QTest::addColumn<bool>("sonars");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("sonars") << true << "sonars";
+        QTest::newRow("INS") << false << "INS";
+    }
+    void waitsForASilentSensorThenAsksForAHand() {
+        QFETCH(bool, sonars);
+        QFETCH(QString, named);
+        ToyFaults faults;
+        (sonars ? faults.sonars_silent_after_s : faults.ins_silent_after_s) = 60.0;
+        ToyFlight toy = flight({}, field_task, {}, faults);
+        toy.run(Seconds(200));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.ending()->success);
+        QVERIFY(contains(toy.events(), "The " + named.toStdString() + " went silent"));
+        QVERIFY(toy.robot().position_m().z() > 3.0); // where it was, not on the ground
+    }
+
+    void fliesOnTheStockLayoutWhenNobodyAnswers() {
+        ToyFlight toy = flight({}, field_task, {}, {.silent_geometry = true, .no_response = true});
+        toy.run(Seconds(1000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(contains(toy.events(), "stock AirRobot"));
+    }
+
+    void refusesAnEmptyAreaOnTheGround() {
+        ToyFlight toy = flight({}, {"R1", Pose{}, {Vec2(5, 5), Vec2(5, 35)}});
+        toy.run(Seconds(60));
+        QVERIFY(toy.ending());
+        QVERIFY(!toy.ending()->success);
+        QVERIFY(toy.robot().onGround());
+    }
+
+    void saysWhyBehindEveryCommand() {
+        ToyFlight toy = flight({});
+        toy.run(Seconds(120));
+        QVERIFY(!toy.commands().empty());
+        for (const CausedCommand& caused : toy.commands()) {
+            QVERIFY(caused.cause.trigger.value > 0);
+            QVERIFY(caused.cause.source.size() > std::string("airrobot/test: ").size());
+        }
+    }
+
+    void estimatesTheTimeThatIsLeft() {
+        ToyFlight toy = flight({});
+        toy.run(Seconds(100));
+        const Seconds promised = *toy.status().time_left;
+        const Seconds then = toy.robot().now();
+        toy.run(Seconds(1000));
+        const Seconds really = toy.robot().now() - then;
+        QVERIFY2(promised > really * 0.6 && promised < really * 1.6,
+                 qPrintable(QString("%1 s promised, %2 s really").arg(promised.count()).arg(really.count())));
     }
 };
 

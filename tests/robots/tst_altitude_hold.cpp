@@ -1,0 +1,104 @@
+#include <QtTest>
+
+#include "robots/airrobot/altitude_hold.h"
+#include "tests/robots/robot_samples.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::tests;
+
+class TestAltitudeHold : public QObject {
+    Q_OBJECT
+
+    Settings settings;
+    const MemorySpans spans{};
+
+private slots:
+    void keepsTheScanAltitudeOverTheGround() {
+        const Senses senses = sensesAt({0, 0, 9});
+        QCOMPARE(altitudeGoal_m(senses, ObstacleMemory(), 0.0, 1.0, {}, settings), 3.0 + settings.scan_altitude_m);
+    }
+
+    void neverGoesBelowTheFloor() {
+        settings.floor_level_m = 5.0;
+        const Senses senses = sensesAt({0, 0, 6}); // ground at 0
+        settings.scan_altitude_m = 3.0;
+        QCOMPARE(altitudeGoal_m(senses, ObstacleMemory(), 0.0, 1.0, {}, settings), 5.0);
+        settings = {};
+    }
+
+    void sinksTowardTheFloorWhereNothingIsInReach() {
+        Senses senses = sensesAt({0, 0, 30});
+        senses.ground_m.reset();
+        QCOMPARE(altitudeGoal_m(senses, ObstacleMemory(), 0.0, 1.0, {}, settings), 29.0);
+    }
+
+    void staysClearOfATipBesideTheMiddleRays() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(0, 1.2, 5.0)}}; // a tip that the mean of the middle rays ignores
+        memory.take(senses, spans);
+        QCOMPARE(altitudeGoal_m(senses, memory, 0.0, 1.0, {}, settings), 5.0 + settings.clearance_m);
+    }
+
+    void risesForWhatIsKnownAheadOnly_data() {
+        QTest::addColumn<double>("bearing_deg");
+        QTest::addColumn<bool>("rises");
+        QTest::newRow("toward it") << 0.0 << true;
+        QTest::newRow("past it") << 60.0 << false;
+        QTest::newRow("away from it") << 180.0 << false;
+    }
+    void risesForWhatIsKnownAheadOnly() {
+        QFETCH(double, bearing_deg);
+        QFETCH(bool, rises);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(6, 0, 5.0)}};
+        memory.take(senses, spans);
+        QCOMPARE(altitudeGoal_m(senses, memory, radians(bearing_deg), 1.0, {}, settings) > 6.1, rises);
+    }
+
+    void keepsTheHeightOfAClimbOver() {
+        QCOMPARE(altitudeGoal_m(sensesAt({0, 0, 6}), ObstacleMemory(), 0.0, 1.0, 14.0, settings), 14.0);
+    }
+
+    void leavesSmallErrorsAlone() {
+        AltitudeHold hold;
+        QCOMPARE(hold.climbRate_m_s(sensesAt({0, 0, 6}), ObstacleMemory(), 6.2, 0.0, 1.0, settings), 0.0);
+        QVERIFY(hold.climbRate_m_s(sensesAt({0, 0, 6}), ObstacleMemory(), 6.5, 0.0, 1.0, settings) > 0.0);
+        QVERIFY(hold.climbRate_m_s(sensesAt({0, 0, 6}), ObstacleMemory(), 6.2, 0.0, 1.0, settings) > 0.0);
+    }
+
+    void climbsNoFasterThanItMay() {
+        AltitudeHold hold;
+        QCOMPARE(hold.climbRate_m_s(sensesAt({0, 0, 6}), ObstacleMemory(), 20.0, 0.0, 1.0, settings),
+                 settings.climb_speed_m_s);
+    }
+
+    void sinksNoSteeperThanTheSonarsSee_data() {
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<bool>("known_ahead");
+        QTest::addColumn<double>("at_most_m_s");
+        QTest::newRow("over unknown ground") << 1.0 << false << 0.13;
+        QTest::newRow("over ground seen from another lane") << 1.0 << true << settings.descent_speed_m_s;
+        QTest::newRow("straight down") << 0.0 << false << settings.descent_speed_m_s;
+    }
+    void sinksNoSteeperThanTheSonarsSee() {
+        QFETCH(double, speed_m_s);
+        QFETCH(bool, known_ahead);
+        QFETCH(double, at_most_m_s);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 16});
+        setFlatScan(senses, {known_ahead ? 0.0 : -8.0, 0.0}, 7.0, 0.0);
+        memory.take(senses, spans);
+        AltitudeHold hold;
+        const double rate_m_s = hold.climbRate_m_s(senses, memory, 6.0, 0.0, speed_m_s, settings);
+        QVERIFY(rate_m_s < 0.0);
+        QVERIFY(-rate_m_s <= at_most_m_s + 1e-9);
+        if (known_ahead || speed_m_s == 0.0)
+            QCOMPARE(-rate_m_s, settings.descent_speed_m_s);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAltitudeHold)
+#include "tst_altitude_hold.moc"

@@ -1,0 +1,82 @@
+#include <QtTest>
+
+#include "robots/airrobot/battery_model.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+
+class TestBatteryModel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void addsUpTheWayFlown() {
+        BatteryModel battery;
+        for (int i = 0; i <= 100; ++i)
+            battery.moveTo({i * 0.2, 0, 0});
+        QVERIFY(std::abs(battery.flown_m() - 20.0) < 1e-9);
+        QVERIFY(std::abs(battery.flownSinceCharge_m() - 20.0) < 1e-9);
+    }
+
+    void addsNothingForTheNoiseOfStandingStill() {
+        BatteryModel battery;
+        for (int i = 0; i < 1000; ++i)
+            battery.moveTo({i % 2 == 0 ? 0.0 : 0.01, 0, 0});
+        QCOMPARE(battery.flown_m(), 0.0);
+    }
+
+    void countsSlowFlightInFull() {
+        BatteryModel battery;
+        for (int i = 0; i <= 1000; ++i)
+            battery.moveTo({i * 0.01, 0, 0});
+        QVERIFY(std::abs(battery.flown_m() - 10.0) < 0.05);
+    }
+
+    void keepsTheReserveAndTheWayHome_data() {
+        QTest::addColumn<double>("home_m");
+        QTest::addColumn<double>("left_m");
+        QTest::newRow("over the base") << 0.0 << 85.0 - 30.0;
+        QTest::newRow("far out") << 40.0 << 85.0 - 30.0 - 40.0;
+        QTest::newRow("too far out") << 60.0 << 85.0 - 30.0 - 60.0;
+    }
+    void keepsTheReserveAndTheWayHome() {
+        QFETCH(double, home_m);
+        QFETCH(double, left_m);
+        Settings settings;
+        settings.battery_range_m = 100.0;
+        BatteryModel battery;
+        battery.moveTo({0, 0, 0});
+        battery.moveTo({30, 0, 0});
+        QVERIFY(std::abs(battery.rangeLeft_m(home_m, settings) - left_m) < 1e-9);
+        QCOMPARE(battery.used_pct(settings), 30.0);
+    }
+
+    void beginsAnewAfterACharge() {
+        BatteryModel battery;
+        battery.moveTo({0, 0, 0});
+        battery.moveTo({30, 0, 0});
+        battery.recharge();
+        QCOMPARE(battery.flownSinceCharge_m(), 0.0);
+        QCOMPARE(battery.flown_m(), 30.0);
+        QCOMPARE(battery.charges(), 1);
+    }
+
+    void doesNotCountTheJumpOfAnInsReset() {
+        BatteryModel battery;
+        battery.moveTo({0, 0, 0});
+        battery.forgetPosition();
+        battery.moveTo({5, 5, 0});
+        QCOMPARE(battery.flown_m(), 0.0);
+    }
+
+    void usesAtMostAllOfIt() {
+        Settings settings;
+        settings.battery_range_m = 50.0;
+        BatteryModel battery;
+        battery.moveTo({0, 0, 0});
+        battery.moveTo({80, 0, 0});
+        QCOMPARE(battery.used_pct(settings), 100.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBatteryModel)
+#include "tst_battery_model.moc"

@@ -1,0 +1,104 @@
+#include <QtTest>
+
+#include "robots/airrobot/climb_over.h"
+#include "tests/robots/robot_samples.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::tests;
+
+class TestClimbOver : public QObject {
+    Q_OBJECT
+
+    const Settings settings;
+    const Vec2 goal_m{20, 0};
+
+    ClimbStep step(ClimbOver& climb, Senses& senses, const std::vector<std::pair<std::string, double>>& ranges,
+                   const std::vector<Obstacle>& obstacles) const {
+        setSonars(senses, ranges);
+        senses.now += Seconds(0.2);
+        return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, settings);
+    }
+
+private slots:
+    void backsAwayFromACrownBeforeItClimbs() {
+        const std::vector<Obstacle> crown{wallAt(2.0, 0.0)};
+        const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2);
+        QVERIFY(nearest_m(crown, place_m, 9.0) >= 3.0);
+        QVERIFY(place_m.x() < 0.0);
+    }
+
+    void staysWhereThereIsRoom() { QCOMPARE(climbPlace_m({}, {5, 6}, 3.2), Vec2(5, 6)); }
+
+    void doesNotBackThroughWhatItRemembers() {
+        std::vector<Obstacle> dead_end{wallAt(2.0, 0.0), wallAt(-1.5, 0.0), wallAt(-1.5, 0.8), wallAt(-1.5, -0.8)};
+        const Vec2 place_m = climbPlace_m(dead_end, {0, 0}, 3.2);
+        const double bearing_rad = std::atan2(place_m.y(), place_m.x());
+        QVERIFY(place_m.norm() < 1e-9 ||
+                clearance_m(dead_end, {0, 0}, bearing_rad, 0.9, place_m.norm()) >= place_m.norm());
+    }
+
+    void climbsUntilTheWayIsFreeAndAThenSomeMore() {
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        const std::vector<Obstacle> crown{wallAt(4.0, 0.0)};
+        climb.start(senses, crown, settings);
+        QVERIFY(climb.active());
+        QCOMPARE(step(climb, senses, {{"M0", 3.4}}, crown).state, ClimbState::Climbing);
+        for (int i = 0; i < 20; ++i) {
+            const ClimbStep up = step(climb, senses, {{"M0", 3.4}}, crown);
+            QCOMPARE(up.state, ClimbState::Climbing);
+            QVERIFY(up.climb_m_s > 0.0);
+            senses.base_in_map.position_m.z() += 0.1;
+        }
+        const double free_z_m = senses.position_m().z();
+        while (climb.active() && senses.position_m().z() < 30.0) {
+            step(climb, senses, {}, {});
+            senses.base_in_map.position_m.z() += 0.1;
+            senses.ground_m = 0.0;
+        }
+        QVERIFY(senses.position_m().z() - free_z_m > 1.4);
+        QVERIFY(senses.position_m().z() - free_z_m < 2.0);
+    }
+
+    void isNotOverWhileItLooksAnotherWay() {
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6}, pi / 2.0);
+        climb.start(senses, {}, settings);
+        for (int i = 0; i < 40; ++i) {
+            step(climb, senses, {}, {});
+            senses.base_in_map.position_m.z() += 0.1;
+        }
+        QVERIFY(climb.active());
+    }
+
+    void givesUpAtItsCeiling_data() {
+        QTest::addColumn<bool>("ground_in_reach");
+        QTest::newRow("so high over the ground") << true;
+        QTest::newRow("so high that the ground is out of reach") << false;
+    }
+    void givesUpAtItsCeiling() {
+        QFETCH(bool, ground_in_reach);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, settings.maximum_height_m + 0.5});
+        senses.ground_m = ground_in_reach ? std::optional(0.0) : std::nullopt;
+        const std::vector<Obstacle> wall{wallAt(4.0, 0.0)};
+        climb.start(senses, wall, settings);
+        step(climb, senses, {{"M0", 3.4}}, wall);
+        QCOMPARE(step(climb, senses, {{"M0", 3.4}}, wall).state, ClimbState::Failed);
+        QVERIFY(!climb.active());
+    }
+
+    void doesNotBackAwayForever() {
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        const std::vector<Obstacle> crown{wallAt(2.0, 0.0)};
+        climb.start(senses, crown, settings);
+        QCOMPARE(step(climb, senses, {}, crown).state, ClimbState::Backing); // the robot does not move
+        senses.now += Seconds(9.0);
+        QCOMPARE(step(climb, senses, {}, crown).state, ClimbState::Climbing);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestClimbOver)
+#include "tst_climb_over.moc"

@@ -1,0 +1,125 @@
+#include <QtTest>
+
+#include "robots/airrobot/flight_log.h"
+#include "tests/robots/robot_samples.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::agent;
+using namespace usar::tests;
+
+class TestFlightLog : public QObject {
+    Q_OBJECT
+
+    const Settings settings;
+
+    template <class Value>
+    static std::vector<Value> all(CommandPort& port) {
+        std::vector<Value> found;
+        for (const Published& value : port.takePublished())
+            if (const auto* wanted = std::get_if<Value>(&value))
+                found.push_back(*wanted);
+        return found;
+    }
+
+private slots:
+    void putsScansOnTheMapOnlyWhenTheyAreGood_data() {
+        QTest::addColumn<double>("pitch_deg");
+        QTest::addColumn<double>("turn_deg_s");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("airborne");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("level flight") << 2.0 << 0.0 << 6.0 << true << true;
+        QTest::newRow("braking hard") << 20.0 << 0.0 << 6.0 << true << false;
+        QTest::newRow("turning") << 2.0 << 35.0 << 6.0 << true << false;
+        QTest::newRow("just over the ground") << 0.0 << 0.0 << 1.0 << true << false;
+        QTest::newRow("on the ground") << 0.0 << 0.0 << 6.0 << false << false;
+    }
+    void putsScansOnTheMapOnlyWhenTheyAreGood() {
+        QFETCH(double, pitch_deg);
+        QFETCH(double, turn_deg_s);
+        QFETCH(double, height_m);
+        QFETCH(bool, airborne);
+        QFETCH(bool, good);
+        Senses senses = sensesAt({0, 0, 6});
+        senses.base_in_map.pitch_rad = radians(pitch_deg);
+        senses.yaw_rate_rad_s = radians(turn_deg_s);
+        senses.ground_m = 6.0 - height_m;
+        setFlatScan(senses, {0, 0}, 1.0, 0.0);
+        QCOMPARE(goodForMap(senses, airborne, settings), good);
+        FlightLog log;
+        CommandPort port;
+        log.tick(senses, airborne, settings, port);
+        QCOMPARE(all<ScanPlacement>(port).size(), std::size_t(good ? 1 : 0));
+    }
+
+    void hasNothingToPlaceWithoutAScan() { QVERIFY(!goodForMap(sensesAt({0, 0, 6}), true, settings)); }
+
+    void namesTheScansLineAndPose() {
+        Senses senses = sensesAt({1, 2, 6});
+        setFlatScan(senses, {0, 0}, 1.0, 0.0);
+        senses.scan->line = {77};
+        senses.scan->scanner_in_map.position_m.z() = 5.9;
+        FlightLog log;
+        CommandPort port;
+        log.tick(senses, true, settings, port);
+        const auto placed = all<ScanPlacement>(port);
+        QCOMPARE(placed.at(0).scan_line.value, std::uint64_t(77));
+        QCOMPARE(placed.at(0).scanner_in_map.position_m.z(), 5.9);
+    }
+
+    void marksThePathEveryMetre() {
+        FlightLog log;
+        CommandPort port;
+        for (int i = 0; i <= 100; ++i)
+            log.tick(sensesAt({0.1 * i, 0, 6}), true, settings, port);
+        const auto marks = all<MapMark>(port);
+        QVERIFY(marks.size() >= 10 && marks.size() <= 11);
+        QCOMPARE(marks[0].kind, MarkKind::Path);
+        QCOMPARE(marks[0].line.value, std::uint64_t(42));
+    }
+
+    void tellsThePoseEveryTickAlsoOnTheGround() {
+        FlightLog log;
+        CommandPort port;
+        log.tick(sensesAt({3, 4, 0}), false, settings, port);
+        QCOMPARE(all<PoseEstimate>(port).at(0).base_in_map.position_m.x(), 3.0);
+        log.tick(sensesAt({3, 4, 0}), false, settings, port);
+        QVERIFY(all<MapMark>(port).empty());
+    }
+
+    void marksRisksAndDiversions() {
+        const FlightLog log;
+        CommandPort port;
+        EvasionDecision decision;
+        decision.new_low_risk = decision.new_diversion = true;
+        decision.diversion_m = {4, 1};
+        log.risks(sensesAt({0, 0, 6}), decision, port);
+        const auto marks = all<MapMark>(port);
+        QCOMPARE(marks.size(), std::size_t(2));
+        QCOMPARE(marks[0].kind, MarkKind::LowRisk);
+        QCOMPARE(marks[1].kind, MarkKind::Diversion);
+        QCOMPARE(marks[1].position_in_map_m, Vec3(4, 1, 6));
+        decision = {};
+        decision.new_high_risk = true;
+        log.risks(sensesAt({0, 0, 6}), decision, port);
+        QCOMPARE(all<MapMark>(port).at(0).kind, MarkKind::HighRisk);
+    }
+
+    void tellsAGoalWhenItChanges() {
+        FlightLog log;
+        CommandPort port;
+        log.goal(Vec3(1, 2, 3), port);
+        log.goal(Vec3(1.1, 2, 3), port);
+        QCOMPARE(all<CurrentGoal>(port).size(), std::size_t(1));
+        log.goal(Vec3(5, 2, 3), port);
+        log.goal(std::nullopt, port);
+        log.goal(std::nullopt, port);
+        const auto goals = all<CurrentGoal>(port);
+        QCOMPARE(goals.size(), std::size_t(2));
+        QVERIFY(!goals[1].goal_in_map_m);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFlightLog)
+#include "tst_flight_log.moc"

@@ -1,0 +1,112 @@
+#include <QtTest>
+
+#include "robots/airrobot/pilot.h"
+#include "tests/robots/robot_samples.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::tests;
+
+class TestPilot : public QObject {
+    Q_OBJECT
+
+    Settings settings;
+
+    static protocol::AerialDrive driveOf(agent::CommandPort& port) {
+        const auto commands = port.takeCommands();
+        return commands.empty() ? protocol::AerialDrive{} : std::get<protocol::AerialDrive>(commands.back().command);
+    }
+
+private slots:
+    void turnsTheShortWayNoFasterThanItMay_data() {
+        QTest::addColumn<double>("yaw_deg");
+        QTest::addColumn<double>("bearing_deg");
+        QTest::addColumn<double>("sign");
+        QTest::newRow("left") << 0.0 << 90.0 << 1.0;
+        QTest::newRow("right") << 0.0 << -90.0 << -1.0;
+        QTest::newRow("across the seam") << 170.0 << -170.0 << 1.0;
+    }
+    void turnsTheShortWayNoFasterThanItMay() {
+        QFETCH(double, yaw_deg);
+        QFETCH(double, bearing_deg);
+        QFETCH(double, sign);
+        const Senses senses = sensesAt({0, 0, 6}, radians(yaw_deg));
+        const double rate_rad_s = turnRate_rad_s(senses, radians(bearing_deg), settings);
+        QVERIFY(rate_rad_s * sign > 0.0);
+        QVERIFY(std::abs(rate_rad_s) <= settings.turn_rate_rad_s);
+    }
+
+    void fliesOnlyWhereItLooks_data() {
+        QTest::addColumn<double>("off_deg");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::newRow("ahead") << 0.0 << 1.0;
+        QTest::newRow("aside") << 45.0 << 0.0;
+        QTest::newRow("behind") << 180.0 << 0.0;
+    }
+    void fliesOnlyWhereItLooks() {
+        QFETCH(double, off_deg);
+        QFETCH(double, speed_m_s);
+        const Motion motion = toward(sensesAt({0, 0, 6}), radians(off_deg), 1.0, settings);
+        QVERIFY(std::abs(motion.velocity_in_map_m_s.norm() - speed_m_s) < 1e-9);
+    }
+
+    void turnsMapVelocitiesIntoTheBodysFrame() {
+        Pilot pilot;
+        agent::CommandPort port;
+        const Senses senses = sensesAt({0, 0, 6}, pi / 2.0);
+        Motion motion;
+        motion.velocity_in_map_m_s = {1.0, 0.0}; // east, while looking north
+        motion.sudden = true;
+        motion.climb_m_s = 0.5;
+        pilot.fly(motion, senses, port, "test", settings);
+        const auto drive = driveOf(port);
+        QVERIFY(std::abs(*drive.forward_m_s) < 1e-9);
+        QVERIFY(std::abs(*drive.left_m_s + 1.0) < 1e-9);
+        QCOMPARE(*drive.climb_m_s, 0.5);
+    }
+
+    void gathersSpeedGentlyAndBrakesFirmly() {
+        Pilot pilot;
+        agent::CommandPort port;
+        const Senses senses = sensesAt({0, 0, 6});
+        Motion motion;
+        motion.velocity_in_map_m_s = {2.0, 0.0};
+        pilot.fly(motion, senses, port, "test", settings);
+        QVERIFY(std::abs(*driveOf(port).forward_m_s - 0.2 * settings.acceleration_m_s2) < 1e-9);
+        for (int i = 0; i < 50; ++i)
+            pilot.fly(motion, senses, port, "test", settings);
+        QVERIFY(std::abs(*driveOf(port).forward_m_s - 2.0) < 1e-9);
+        pilot.fly({}, senses, port, "test", settings);
+        QVERIFY(std::abs(*driveOf(port).forward_m_s - 1.6) < 1e-9);
+    }
+
+    void obeysASuddenMotionAtOnce() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Motion motion;
+        motion.velocity_in_map_m_s = {-0.8, 0.0};
+        motion.sudden = true;
+        pilot.fly(motion, sensesAt({0, 0, 6}), port, "test", settings);
+        QVERIFY(std::abs(*driveOf(port).forward_m_s + 0.8) < 1e-9);
+    }
+
+    void saysNothingTwice() {
+        Pilot pilot;
+        agent::CommandPort port;
+        pilot.stop(port, "landed");
+        pilot.stop(port, "landed");
+        const auto commands = port.takeCommands();
+        QCOMPARE(commands.size(), std::size_t(1));
+        QCOMPARE(commands[0].cause.source, std::string("landed"));
+    }
+
+    void comesBackToAPlaceThatItHolds() {
+        const Motion far = holding(sensesAt({3, 0, 6}), {0, 0});
+        QVERIFY(far.velocity_in_map_m_s.x() < 0.0);
+        QVERIFY(far.velocity_in_map_m_s.norm() <= 0.5 + 1e-9);
+        QCOMPARE(holding(sensesAt({0.1, 0, 6}), {0, 0}).velocity_in_map_m_s.norm(), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPilot)
+#include "tst_pilot.moc"

@@ -1,0 +1,140 @@
+#include <QtTest>
+
+#include "robots/airrobot/survey.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+
+class TestSurvey : public QObject {
+    Q_OBJECT
+
+    Settings settings;
+
+    static Survey twoLanes(int second_quadrant = 0) {
+        mapping::CoveragePlan plan;
+        plan.lanes = {{{0, 0}, {60, 0}, 0}, {{60, 10}, {0, 10}, second_quadrant}};
+        plan.lane_length_m = 120.0;
+        return Survey(plan);
+    }
+    /// Flies straight from goal to goal and tells what happened.
+    std::vector<SurveyEvent> flyAll(Survey& survey, Vec2 at_m) const {
+        std::vector<SurveyEvent> events;
+        for (int i = 0; i < 5000 && !survey.done(); ++i) {
+            const Vec2 way_m = survey.aim_m(at_m, settings) - at_m;
+            at_m += way_m.normalized() * std::min(0.2, way_m.norm());
+            const SurveyEvent event = survey.update(at_m, settings);
+            if (event != SurveyEvent::None)
+                events.push_back(event);
+        }
+        return events;
+    }
+
+private slots:
+    void init() { settings = {}; }
+
+    void fliesLaneAfterLane() {
+        Survey survey = twoLanes();
+        using enum SurveyEvent;
+        QCOMPARE(flyAll(survey, {-5, -5}), (std::vector{LaneEntered, GoalReached, GoalReached, LaneDone, LaneEntered,
+                                                        GoalReached, GoalReached, AllDone}));
+        QCOMPARE(survey.doneLength_m(), 120.0);
+        QCOMPARE(survey.goalsGivenUp(), 0);
+    }
+
+    void tellsTheEndOfAQuadrant() {
+        Survey survey = twoLanes(1);
+        const auto events = flyAll(survey, {0, 0});
+        QVERIFY(std::ranges::find(events, SurveyEvent::QuadrantDone) != events.end());
+    }
+
+    void aimsAheadOnTheLaneAfterADetour() {
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        const Vec2 aim_m = survey.aim_m({10, 4}, settings);
+        QCOMPARE(aim_m, Vec2(10 + settings.lookahead_m, 0));
+    }
+
+    void doesNotAimBeyondTheLanesEnd() {
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        QCOMPARE(survey.aim_m({58, 0}, settings), Vec2(60, 0));
+    }
+
+    void passesAGoalInsideALaneAtADistance_data() {
+        QTest::addColumn<double>("aside_m");
+        QTest::addColumn<bool>("passed");
+        QTest::newRow("on the lane") << 0.0 << true;
+        QTest::newRow("round a tree") << 5.0 << true;
+        QTest::newRow("far off") << 12.0 << false;
+    }
+    void passesAGoalInsideALaneAtADistance() {
+        QFETCH(double, aside_m);
+        QFETCH(bool, passed);
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        QCOMPARE(survey.update({20, aside_m}, settings) == SurveyEvent::GoalReached, passed);
+    }
+
+    void resumesWhereItWasInterrupted() {
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        survey.update({33, 0}, settings);
+        survey.interrupt();
+        QVERIFY(!survey.onLane());
+        QCOMPARE(survey.goal_m(settings), Vec2(32, 0)); // a metre back, so that no strip is missing
+        QCOMPARE(survey.update({0, 0}, settings), SurveyEvent::None);
+        QCOMPARE(survey.update({32, 0}, settings), SurveyEvent::LaneEntered);
+        QVERIFY(std::abs(survey.doneLength_m() - 32.0) < 1e-9);
+    }
+
+    void losesOnlyAPieceWhenItGivesUpAGoal() {
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        QCOMPARE(survey.goal_m(settings), Vec2(20, 0));
+        QCOMPARE(survey.giveUp(settings), SurveyEvent::GoalReached);
+        QCOMPARE(survey.goal_m(settings), Vec2(40, 0));
+        QVERIFY(survey.aim_m({5, 0}, settings).x() >= 20.0);
+        QCOMPARE(survey.goalsGivenUp(), 1);
+    }
+
+    void entersALaneLaterWhenItsStartCannotBeReached() {
+        Survey survey = twoLanes();
+        QCOMPARE(survey.giveUp(settings), SurveyEvent::GoalReached);
+        QCOMPARE(survey.goal_m(settings), Vec2(20, 0));
+        survey.giveUp(settings);
+        QCOMPARE(survey.giveUp(settings), SurveyEvent::LaneDone); // nothing of it is left
+        QCOMPARE(survey.laneIndex(), std::size_t(1));
+    }
+
+    void endsWhenEverythingIsGivenUp() {
+        Survey survey = twoLanes();
+        int times = 0;
+        while (!survey.done() && times < 100) {
+            survey.giveUp(settings);
+            ++times;
+        }
+        QVERIFY(survey.done());
+        QCOMPARE(survey.giveUp(settings), SurveyEvent::AllDone);
+        QCOMPARE(survey.update({0, 0}, settings), SurveyEvent::AllDone);
+    }
+
+    void hasNoShortLastPiece() {
+        settings.goal_distance_m = 25.0; // 60 m: 25 and 35, not 25, 25 and 10
+        Survey survey = twoLanes();
+        survey.update({0, 0}, settings);
+        survey.update({25, 0}, settings);
+        QCOMPARE(survey.goal_m(settings), Vec2(60, 0));
+    }
+
+    void listsItsCornersInFlyingOrder() {
+        QCOMPARE(twoLanes().corners_m(), (std::vector<Vec2>{{0, 0}, {60, 0}, {60, 10}, {0, 10}}));
+    }
+
+    void isDoneBeforeItHasAPlan() {
+        QVERIFY(Survey().done());
+        QCOMPARE(Survey().doneLength_m(), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSurvey)
+#include "tst_survey.moc"
