@@ -1,5 +1,7 @@
 #include "tests/widgets/gallery/pages.h"
+#include "widgets/notification_center.h"
 #include "widgets/robot_list.h"
+#include "widgets/toast_stack.h"
 
 namespace usar::gallery {
 
@@ -24,6 +26,41 @@ std::unique_ptr<QWidget> emptyRobotsPage() {
     auto list = std::make_unique<RobotList>();
     list->resize(260, 220);
     return list;
+}
+
+namespace {
+
+void report(NotificationModel& model) {
+    const QDateTime noon(QDate(2024, 5, 1), QTime(12, 31, 5));
+    model.push(QStringLiteral("scan"), Severity::Note, QStringLiteral("The scan was saved to USAR_Scan/scan-1."), noon);
+    model.push(QStringLiteral("range"), Severity::Warning,
+               QStringLiteral("R2: sonar F3 has not answered for 5 s. The robot flies on without it."), noon);
+    model.push(QStringLiteral("plugin"), Severity::Error,
+               QStringLiteral("p2dx.so was refused: it was built for another version of the SDK. Build it again."),
+               noon);
+    for (int i = 0; i < 137; ++i)
+        model.push(QStringLiteral("link"), Severity::Error,
+                   QStringLiteral("No answer from 10.0.0.5:3000 after 5 s. Is USARSim running there? Retrying in 4 s."),
+                   noon.addSecs(i));
+}
+
+} // namespace
+
+std::unique_ptr<QWidget> notificationsPage() {
+    auto center = std::make_unique<NotificationCenter>();
+    center->resize(420, 260);
+    report(*center->model());
+    center->cured(QStringLiteral("range"));
+    return center;
+}
+
+std::unique_ptr<QWidget> toastsPage() {
+    auto window = std::make_unique<QWidget>();
+    window->resize(640, 360);
+    auto* model = new NotificationModel(window.get());
+    new ToastStack(window.get(), model);
+    report(*model);
+    return window;
 }
 
 } // namespace usar::gallery

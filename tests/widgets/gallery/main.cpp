@@ -24,6 +24,8 @@ const std::vector<Page> pages = {
     {QStringLiteral("map"), gallery::mapPage},
     {QStringLiteral("robots"), gallery::robotsPage},
     {QStringLiteral("empty_robots"), gallery::emptyRobotsPage},
+    {QStringLiteral("notifications"), gallery::notificationsPage},
+    {QStringLiteral("toasts"), gallery::toastsPage},
     {QStringLiteral("area"), gallery::areaPage},
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
     {QStringLiteral("parameters"), gallery::parametersPage},

@@ -10,6 +10,8 @@ namespace usar::gallery {
 std::unique_ptr<QWidget> mapPage();
 std::unique_ptr<QWidget> robotsPage();
 std::unique_ptr<QWidget> emptyRobotsPage();
+std::unique_ptr<QWidget> notificationsPage();
+std::unique_ptr<QWidget> toastsPage();
 std::unique_ptr<QWidget> areaPage();
 std::unique_ptr<QWidget> emptyMapPage();
 std::unique_ptr<QWidget> parametersPage();

@@ -1,0 +1,354 @@
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include "widgets/empty_state.h"
+#include "widgets/notification_center.h"
+#include "widgets/theme.h"
+#include "widgets/toast.h"
+#include "widgets/toast_stack.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+const QDateTime noon(QDate(2024, 5, 1), QTime(12, 0));
+const QString link_key = QStringLiteral("link");
+const QString no_answer = QStringLiteral("No answer from 10.0.0.5:3000 after 5 s. Is USARSim running there?");
+
+} // namespace
+
+class tst_Notifications : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void newestIsFirst();
+    void theSameTroubleIsCounted();
+    void curedIsMarkedAndOpensAgainFromOne();
+    void modelIsSoundThroughAllChanges();
+    void onlyTheNewestAreKept();
+    void clearCuredKeepsWhatIsOpen();
+    void unreadIsToldOnceForEachChange();
+    void sentenceCarriesSeverityCountAndCure_data();
+    void sentenceCarriesSeverityCountAndCure();
+    void severitiesDifferInWordIconAndColor();
+    void seenIsRead();
+    void activatingNamesTheKey();
+    void copyTakesTheSentence();
+    void emptyCenterSaysWhatComes();
+    void longTextIsWrapped();
+    void notesMakeNoToast();
+    void atMostThreeToastsTheNewestAtTheBottom();
+    void theSameTroubleUpdatesItsToast();
+    void cureTakesTheToastAway();
+    void toastGoesAfterItsTime();
+    void toastStaysUnderTheMouse();
+    void clickOnAToastOpensThePanel();
+    void toastNeverStealsTheFocus();
+    void toastsFollowTheCorner();
+};
+
+void tst_Notifications::initTestCase() {
+    applyTheme(Theme::Dark);
+}
+
+void tst_Notifications::newestIsFirst() {
+    NotificationModel model;
+    model.push(QStringLiteral("a"), Severity::Note, QStringLiteral("first"), noon);
+    model.push(QStringLiteral("b"), Severity::Error, QStringLiteral("second"), noon.addSecs(1));
+    QCOMPARE(model.row(0).text, QStringLiteral("second"));
+    model.push(QStringLiteral("a"), Severity::Note, QStringLiteral("third"), noon.addSecs(2));
+    QCOMPARE(model.row(0).text, QStringLiteral("third"));
+    QCOMPARE(model.rowCount(), 2);
+}
+
+void tst_Notifications::theSameTroubleIsCounted() {
+    NotificationModel model;
+    for (int i = 0; i < 137; ++i)
+        model.push(link_key, Severity::Error, no_answer, noon.addSecs(i));
+    QCOMPARE(model.rowCount(), 1);
+    QCOMPARE(model.row(0).count, 137);
+    QCOMPARE(model.row(0).last, noon.addSecs(136));
+}
+
+void tst_Notifications::curedIsMarkedAndOpensAgainFromOne() {
+    NotificationModel model;
+    model.push(link_key, Severity::Error, no_answer, noon);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    QSignalSpy cured(&model, &NotificationModel::cured);
+    model.cure(link_key);
+    model.cure(link_key);
+    model.cure(QStringLiteral("unknown"));
+    QCOMPARE(cured.count(), 1);
+    QVERIFY(model.row(0).cured);
+    QCOMPARE(model.openCount(), 0);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    QVERIFY(!model.row(0).cured);
+    QCOMPARE(model.row(0).count, 1);
+}
+
+void tst_Notifications::modelIsSoundThroughAllChanges() {
+    NotificationModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (int i = 0; i < 20; ++i)
+        model.push(QString::number(i % 7), Severity::Warning, QString::number(i), noon);
+    model.cure(QStringLiteral("3"));
+    model.clearCured();
+    model.markRead();
+    QCOMPARE(model.rowCount(), 6);
+    model.clear();
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void tst_Notifications::onlyTheNewestAreKept() {
+    NotificationModel model;
+    for (int i = 0; i < NotificationModel::capacity + 10; ++i)
+        model.push(QString::number(i), Severity::Note, QString::number(i), noon);
+    QCOMPARE(model.rowCount(), NotificationModel::capacity);
+    QCOMPARE(model.row(model.rowCount() - 1).text, QStringLiteral("10"));
+}
+
+void tst_Notifications::clearCuredKeepsWhatIsOpen() {
+    NotificationModel model;
+    model.push(QStringLiteral("a"), Severity::Error, QStringLiteral("open"), noon);
+    model.push(QStringLiteral("b"), Severity::Error, QStringLiteral("over"), noon);
+    model.cure(QStringLiteral("b"));
+    model.clearCured();
+    QCOMPARE(model.rowCount(), 1);
+    QCOMPARE(model.row(0).text, QStringLiteral("open"));
+}
+
+void tst_Notifications::unreadIsToldOnceForEachChange() {
+    NotificationModel model;
+    QSignalSpy unread(&model, &NotificationModel::unreadChanged);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    model.push(QStringLiteral("b"), Severity::Note, QStringLiteral("b"), noon);
+    QCOMPARE(unread.count(), 2);
+    QCOMPARE(model.unread(), 2);
+    model.cure(link_key);
+    QCOMPARE(model.unread(), 1);
+    model.markRead();
+    QCOMPARE(unread.last()[0].toInt(), 0);
+    QCOMPARE(unread.count(), 4);
+}
+
+void tst_Notifications::sentenceCarriesSeverityCountAndCure_data() {
+    QTest::addColumn<int>("pushes");
+    QTest::addColumn<bool>("cure");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("once") << 1 << false << "Warning: It rains.";
+    QTest::newRow("twice") << 2 << false << QString::fromUtf8("Warning: It rains. ×2");
+    QTest::newRow("cured") << 1 << true << "Warning: It rains. (cured)";
+}
+
+void tst_Notifications::sentenceCarriesSeverityCountAndCure() {
+    QFETCH(int, pushes);
+    QFETCH(bool, cure);
+    NotificationModel model;
+    for (int i = 0; i < pushes; ++i)
+        model.push(link_key, Severity::Warning, QStringLiteral("It rains."), noon);
+    if (cure)
+        model.cure(link_key);
+    QTEST(model.index(0).data().toString(), "sentence");
+}
+
+void tst_Notifications::severitiesDifferInWordIconAndColor() {
+    QSet<QString> seen;
+    for (const Severity severity : {Severity::Note, Severity::Warning, Severity::Error})
+        seen << severityWord(severity) << severityIcon(severity) << severityColor(severity).name();
+    QCOMPARE(seen.size(), 9);
+}
+
+void tst_Notifications::seenIsRead() {
+    NotificationCenter center;
+    QSignalSpy unread(&center, &NotificationCenter::unreadChanged);
+    center.push(link_key, Severity::Error, no_answer, noon);
+    QCOMPARE(center.unread(), 1);
+    center.show();
+    QCOMPARE(center.unread(), 0);
+    center.push(link_key, Severity::Error, no_answer, noon);
+    QCOMPARE(center.unread(), 0);
+    center.hide();
+    center.push(link_key, Severity::Error, no_answer, noon);
+    QCOMPARE(center.unread(), 1);
+}
+
+void tst_Notifications::activatingNamesTheKey() {
+    NotificationCenter center;
+    center.push(link_key, Severity::Error, no_answer, noon);
+    center.show();
+    QSignalSpy activated(&center, &NotificationCenter::activated);
+    auto* view = center.findChild<QListView*>();
+    view->setCurrentIndex(center.model()->index(0));
+    QTest::keyClick(view, Qt::Key_Return);
+    QCOMPARE(activated.count(), 1);
+    QCOMPARE(activated[0][0].toString(), link_key);
+}
+
+void tst_Notifications::copyTakesTheSentence() {
+    NotificationCenter center;
+    center.push(link_key, Severity::Error, no_answer, noon);
+    auto* view = center.findChild<QListView*>();
+    view->setCurrentIndex(center.model()->index(0));
+    view->actions().constFirst()->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("2024-05-01T12:00:00 Error: ") + no_answer);
+}
+
+void tst_Notifications::emptyCenterSaysWhatComes() {
+    NotificationCenter center;
+    center.show();
+    QVERIFY(center.emptyState()->isVisible());
+    center.push(link_key, Severity::Error, no_answer, noon);
+    QVERIFY(!center.emptyState()->isVisible());
+    center.clearAll();
+    QVERIFY(center.emptyState()->isVisible());
+}
+
+void tst_Notifications::longTextIsWrapped() {
+    NotificationCenter center;
+    center.push(link_key, Severity::Error, no_answer, noon);
+    center.show();
+    auto* view = center.findChild<QListView*>();
+    const QModelIndex first = center.model()->index(0);
+    center.resize(900, 300);
+    const int wide = view->visualRect(first).height();
+    center.resize(220, 300);
+    QVERIFY(view->visualRect(first).height() > wide);
+    QVERIFY(view->visualRect(first).right() <= view->viewport()->width());
+}
+
+void tst_Notifications::notesMakeNoToast() {
+    QWidget window;
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    model.push(link_key, Severity::Note, QStringLiteral("fine"), noon);
+    QCOMPARE(stack.count(), 0);
+    model.push(link_key, Severity::Warning, QStringLiteral("not so fine"), noon);
+    QCOMPARE(stack.count(), 1);
+}
+
+void tst_Notifications::atMostThreeToastsTheNewestAtTheBottom() {
+    QWidget window;
+    window.resize(800, 600);
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    for (int i = 0; i < 5; ++i)
+        model.push(QString::number(i), Severity::Error, QString::number(i), noon);
+    QCOMPARE(stack.count(), ToastStack::most);
+    QMap<int, QString> by_height;
+    for (const Toast* toast : window.findChildren<Toast*>())
+        if (!toast->isHidden())
+            by_height[toast->y()] = toast->text();
+    QCOMPARE(by_height.values(), (QStringList{"2", "3", "4"}));
+}
+
+void tst_Notifications::theSameTroubleUpdatesItsToast() {
+    QWidget window;
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    model.push(link_key, Severity::Error, QStringLiteral("retrying in 4 s"), noon);
+    model.push(link_key, Severity::Error, QStringLiteral("retrying in 8 s"), noon);
+    QCOMPARE(stack.count(), 1);
+    QCOMPARE(window.findChild<Toast*>()->text(), QStringLiteral("retrying in 8 s"));
+}
+
+void tst_Notifications::cureTakesTheToastAway() {
+    QWidget window;
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    model.cure(link_key);
+    QCOMPARE(stack.count(), 0);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    model.clear();
+    QCOMPARE(stack.count(), 0);
+}
+
+void tst_Notifications::toastGoesAfterItsTime() {
+    QWidget window;
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    stack.setLifetime(1);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    QCOMPARE(stack.count(), 1);
+    QTRY_COMPARE(stack.count(), 0);
+}
+
+void tst_Notifications::toastStaysUnderTheMouse() {
+    QWidget window;
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    auto* toast = window.findChild<Toast*>();
+    QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
+    QCoreApplication::sendEvent(toast, &enter);
+    QVERIFY(!toast->findChild<QTimer*>()->isActive());
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(toast, &leave);
+    QVERIFY(toast->findChild<QTimer*>()->isActive());
+}
+
+void tst_Notifications::clickOnAToastOpensThePanel() {
+    QWidget window;
+    window.resize(800, 600);
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    QSignalSpy open(&stack, &ToastStack::openRequested);
+    window.show();
+    model.push(link_key, Severity::Error, no_answer, noon);
+    auto* toast = window.findChild<Toast*>();
+    QTest::mouseClick(toast, Qt::LeftButton, {}, QPoint(60, toast->height() - 12));
+    QCOMPARE(open.count(), 1);
+    QCOMPARE(open[0][0].toString(), link_key);
+    QCOMPARE(stack.count(), 0);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    toast = nullptr;
+    for (Toast* each : window.findChildren<Toast*>())
+        toast = each->isHidden() ? toast : each;
+    QTest::mouseClick(toast->findChild<QToolButton*>(), Qt::LeftButton);
+    QCOMPARE(stack.count(), 0);
+    QCOMPARE(open.count(), 1);
+}
+
+void tst_Notifications::toastNeverStealsTheFocus() {
+    QWidget window;
+    window.resize(800, 600);
+    QLineEdit edit(&window);
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    window.show();
+    window.activateWindow();
+    edit.setFocus();
+    QTRY_VERIFY(edit.hasFocus());
+    model.push(link_key, Severity::Error, no_answer, noon);
+    auto* toast = window.findChild<Toast*>();
+    QTest::mousePress(toast, Qt::LeftButton, {}, QPoint(60, toast->height() - 12));
+    QVERIFY(edit.hasFocus());
+    QVERIFY(!toast->isWindow());
+}
+
+void tst_Notifications::toastsFollowTheCorner() {
+    QWidget window;
+    window.resize(800, 600);
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    window.show();
+    model.push(link_key, Severity::Error, no_answer, noon);
+    const auto* toast = window.findChild<Toast*>();
+    QCOMPARE(toast->geometry().bottomRight(), QPoint(800 - 17, 600 - 17));
+    window.resize(300, 400);
+    QTRY_COMPARE(toast->geometry().bottomRight(), QPoint(300 - 17, 400 - 17));
+    QVERIFY(toast->x() >= 16);
+    stack.setBottomMargin(40);
+    QCOMPARE(toast->geometry().bottom(), 400 - 41);
+}
+
+QTEST_MAIN(tst_Notifications)
+#include "tst_notifications.moc"

@@ -1,0 +1,67 @@
+// What the person should know, newest first; the same trouble again is one row with a count, and it is marked when
+// cured.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include <QAbstractListModel>
+#include <QDateTime>
+
+#include "core/base/diagnostics.h"
+
+namespace usar::widgets {
+
+struct Notification {
+    QString key; ///< what it is about: the same key is the same trouble ("link", "export")
+    Severity severity = Severity::Note;
+    QString text;   ///< what happened, to what, what to do
+    QDateTime last; ///< wall time of the newest report
+    int count = 1;
+    bool cured = false;
+    bool unread = true;
+};
+
+/// "Note", "Warning", "Error".
+QString severityWord(Severity severity);
+/// Name for `icon()`, and its color in the current theme.
+QString severityIcon(Severity severity);
+QColor severityColor(Severity severity);
+
+/// Keeps the newest `capacity` groups. DisplayRole is the whole sentence; views paint from `row`. GUI thread.
+class NotificationModel : public QAbstractListModel {
+    Q_OBJECT
+public:
+    static constexpr int capacity = 500;
+    using QAbstractListModel::QAbstractListModel;
+
+    /// Moves the group of `key` to the top, with the newest text and severity, or makes one; a cured one is open again
+    /// and counts from 1.
+    void push(const QString& key, Severity severity, const QString& text, const QDateTime& when);
+    /// The trouble is over. An unknown key is no news.
+    void cure(const QString& key);
+    void clear();
+    /// Takes away what is cured.
+    void clearCured();
+    void markRead();
+
+    int unread() const;
+    int openCount() const;
+    const Notification& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+
+signals:
+    void pushed(const usar::widgets::Notification& notification);
+    void cured(const QString& key);
+    void unreadChanged(int unread);
+
+private:
+    std::optional<int> indexOf(const QString& key) const;
+    void tellUnread();
+
+    std::deque<Notification> rows_; ///< newest first
+    int told_unread_ = 0;
+};
+
+} // namespace usar::widgets

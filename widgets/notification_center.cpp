@@ -1,0 +1,112 @@
+#include "widgets/notification_center.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "widgets/empty_state.h"
+#include "widgets/notification_delegate.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+NotificationCenter::NotificationCenter(QWidget* parent)
+    : QWidget(parent)
+    , model_(new NotificationModel(this))
+    , view_(new QListView(this))
+    , summary_(new QLabel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeTools());
+    column->addWidget(view_, 1);
+    view_->setModel(model_);
+    view_->setItemDelegate(new NotificationDelegate(view_));
+    view_->setResizeMode(QListView::Adjust);
+    view_->setFrameShape(QFrame::NoFrame);
+    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    view_->setAccessibleName(tr("Notifications"));
+    setFocusProxy(view_);
+    auto* copy = new QAction(tr("Copy"), view_);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    view_->addAction(copy);
+    connect(copy, &QAction::triggered, this, &NotificationCenter::copySelected);
+    connect(view_, &QListView::activated, this,
+            [this](const QModelIndex& index) { emit activated(model_->row(index.row()).key); });
+    empty_state_ = new EmptyState(view_);
+    empty_state_->setText(tr("Nothing to report"), tr("Errors and events appear here and stay until you clear them."));
+    connect(model_, &NotificationModel::unreadChanged, this, &NotificationCenter::unreadChanged);
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(model_, signal, this, &NotificationCenter::updateState);
+    connect(model_, &QAbstractItemModel::modelReset, this, &NotificationCenter::updateState);
+    connect(model_, &QAbstractItemModel::dataChanged, this, &NotificationCenter::updateState);
+    updateState();
+}
+
+QWidget* NotificationCenter::makeTools() {
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(gap::small, gap::tiny, gap::tiny, gap::tiny);
+    row->setSpacing(gap::tiny);
+    summary_->setProperty("role", "muted");
+    row->addWidget(summary_, 1);
+    const auto add = [&](const QString& text, const QString& tip) {
+        auto* button = new QToolButton(tools);
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setMinimumHeight(minimum_target);
+        row->addWidget(button);
+        return button;
+    };
+    clear_cured_ = add(tr("Clear cured"), tr("Takes away what is over"));
+    clear_all_ = add(tr("Clear all"), tr("Takes everything away, also what is not cured"));
+    connect(clear_cured_, &QToolButton::clicked, model_, &NotificationModel::clearCured);
+    connect(clear_all_, &QToolButton::clicked, this, &NotificationCenter::clearAll);
+    return tools;
+}
+
+void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const QDateTime& when) {
+    model_->push(key, severity, text, when);
+    if (isVisible())
+        model_->markRead();
+}
+
+void NotificationCenter::cured(const QString& key) {
+    model_->cure(key);
+}
+
+void NotificationCenter::clearAll() {
+    model_->clear();
+}
+
+void NotificationCenter::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    model_->markRead();
+}
+
+void NotificationCenter::copySelected() {
+    QStringList lines;
+    for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
+        lines << model_->row(index.row()).last.toString(Qt::ISODate) + u' ' + index.data().toString();
+    QGuiApplication::clipboard()->setText(lines.join(u'\n'));
+}
+
+void NotificationCenter::updateState() {
+    const int all = model_->rowCount();
+    const int open = model_->openCount();
+    summary_->setText(all == 0 ? QString() : tr("%1 open, %2 cured").arg(open).arg(all - open));
+    clear_cured_->setEnabled(open < all);
+    clear_all_->setEnabled(all > 0);
+    empty_state_->setVisible(all == 0);
+}
+
+} // namespace usar::widgets

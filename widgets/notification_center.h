@@ -1,0 +1,54 @@
+// The tab where every error and event can be read again: grouped, counted, greyed when cured.
+#pragma once
+
+#include <QLabel>
+#include <QListView>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/models/notification_model.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+
+/// Owns the model; toasts are made from it (toast_stack.h). What is pushed while it is seen counts as read.
+/// GUI thread.
+class NotificationCenter : public QWidget {
+    Q_OBJECT
+public:
+    explicit NotificationCenter(QWidget* parent = nullptr);
+
+    NotificationModel* model() { return model_; }
+    int unread() const { return model_->unread(); }
+    EmptyState* emptyState() const { return empty_state_; }
+    QSize sizeHint() const override { return {400, 220}; }
+
+public slots:
+    void push(const QString& key, usar::Severity severity, const QString& text,
+              const QDateTime& when = QDateTime::currentDateTime());
+    void cured(const QString& key);
+    void clearAll();
+
+signals:
+    void unreadChanged(int unread);
+    /// Double-click or Return: show the place that it is about.
+    void activated(const QString& key);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeTools();
+    void copySelected();
+    void updateState();
+
+    NotificationModel* model_;
+    QListView* view_;
+    QLabel* summary_;
+    QToolButton* clear_cured_ = nullptr;
+    QToolButton* clear_all_ = nullptr;
+    EmptyState* empty_state_;
+};
+
+} // namespace usar::widgets

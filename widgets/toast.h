@@ -1,0 +1,47 @@
+// One passing message over the window: severity, sentence, count, and a button that takes it away.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QTimer>
+
+#include "widgets/models/notification_model.h"
+
+namespace usar::widgets {
+
+/// A child widget, never a window, and without focus: keys stay where they are. Goes after its lifetime, which does
+/// not run while the mouse is over it. GUI thread.
+class Toast : public QFrame {
+    Q_OBJECT
+public:
+    Toast(const Notification& notification, int lifetime_ms, QWidget* parent);
+
+    const QString& key() const { return key_; }
+    /// The same trouble again: new text and count, and a whole lifetime.
+    void show(const Notification& notification);
+    QString text() const { return text_->text(); }
+
+signals:
+    /// Anywhere but on the button.
+    void clicked();
+    /// By its button or because its time is over.
+    void finished();
+
+protected:
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void paintSign();
+
+    QString key_;
+    Severity severity_ = Severity::Note;
+    QLabel* sign_;
+    QLabel* word_;
+    QLabel* text_;
+    QTimer life_{this};
+};
+
+} // namespace usar::widgets
