@@ -100,6 +100,7 @@ void BulletGround::addObject(btCollisionShape* shape, const btVector3& origin, S
     object->setWorldTransform(btTransform(btQuaternion::getIdentity(), origin));
     object->setFriction(1.0);
     object->setRestitution(0.0);
+    object->setActivationState(ISLAND_SLEEPING); // else a sleeping robot's contacts are sought at every step
     object->setUserIndex(static_cast<int>(surface));
     objects_.push_back(std::move(object));
 }

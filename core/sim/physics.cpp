@@ -1,5 +1,6 @@
 #include "core/sim/physics.h"
 
+#include <algorithm>
 #include <map>
 
 #include <btBulletDynamicsCommon.h>
@@ -33,6 +34,7 @@ struct Body {
     std::unique_ptr<btCompoundShape> shape;
     std::unique_ptr<btRigidBody> rigid;
     std::vector<Contact> contacts;
+    double radius_m = 0.0; ///< of a sphere around the origin that holds it
     btVector3 velocity{0.0, 0.0, 0.0};
     btVector3 rate{0.0, 0.0, 0.0};
 };
@@ -51,6 +53,10 @@ Body makeBody(const BodyDescription& description) {
         body.shape->addChildShape(toBullet(part.part_in_body), shape.get());
         body.parts.push_back(std::move(shape));
     }
+    btVector3 low;
+    btVector3 high;
+    body.shape->getAabb(btTransform::getIdentity(), low, high);
+    body.radius_m = low.absolute().length() > high.absolute().length() ? low.length() : high.length();
     btRigidBody::btRigidBodyConstructionInfo info(description.mass_kg, nullptr, body.shape.get(),
                                                   toBullet(description.inertia_kg_m2));
     info.m_friction = description.friction;
@@ -66,18 +72,6 @@ struct DeepestContact : btCollisionWorld::ContactResultCallback {
                              const btCollisionObjectWrapper*, int, int) override {
         depth_m = std::max(depth_m, -point.getDistance());
         return 0.0;
-    }
-};
-
-struct NearestBody : btCollisionWorld::ClosestRayResultCallback {
-    const btCollisionObject* except;
-    NearestBody(const btVector3& from, const btVector3& to, const btCollisionObject* except_)
-        : ClosestRayResultCallback(from, to)
-        , except(except_) {
-        m_collisionFilterMask = body_group;
-    }
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        return proxy->m_clientObject != except && ClosestRayResultCallback::needsCollision(proxy);
     }
 };
 
@@ -228,13 +222,18 @@ void BulletPhysics::record(const btPersistentManifold& manifold, const btManifol
 }
 
 double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const {
-    const auto found = bodies_.find(except);
-    if (bodies_.size() == (found == bodies_.end() ? 0u : 1u))
-        return maximum_m;
     const btVector3 from = toBullet(origin_m);
-    const btVector3 to = toBullet(Vec3(origin_m + maximum_m * direction));
-    NearestBody nearest(from, to, found == bodies_.end() ? nullptr : found->second.rigid.get());
-    dynamics_.rayTest(from, to, nearest);
+    const btVector3 along = toBullet(direction);
+    btTransform start(btQuaternion::getIdentity(), from);
+    btTransform end(btQuaternion::getIdentity(), from + maximum_m * along);
+    btCollisionWorld::ClosestRayResultCallback nearest(start.getOrigin(), end.getOrigin());
+    for (const auto& [id, body] : bodies_) {
+        const btTransform& place = body.rigid->getWorldTransform();
+        const btVector3 toward = place.getOrigin() - from;
+        const double closest_m = std::clamp(toward.dot(along), 0.0, maximum_m);
+        if (id != except && (toward - closest_m * along).length2() <= body.radius_m * body.radius_m)
+            btCollisionWorld::rayTestSingle(start, end, body.rigid.get(), body.shape.get(), place, nearest);
+    }
     return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
 }
 

@@ -1,0 +1,89 @@
+// What simulated time costs: physics in flight and landed, sensors, and whole ticks with their text.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "core/base/numbers.h"
+#include "core/base/random.h"
+#include "core/sim/robots/air_robot_body.h"
+#include "core/sim/robots/air_robot_sensors.h"
+#include "core/sim/simulation.h"
+#include "core/sim/world_reader.h"
+
+namespace {
+
+using namespace usar;
+using namespace usar::sim;
+
+constexpr Seconds dt{0.004};
+
+World tallTest() {
+    auto world = readWorld(USAR_BINARY_DIR "/share/worlds/tall_test");
+    return world ? std::move(*world) : World{};
+}
+
+AirRobotSpawn overTheStart(const World& world, double above_m) {
+    AirRobotSpawn spawn;
+    spawn.base_in_map = world.start_poses.front().pose_in_map;
+    spawn.base_in_map.position_m.z() += above_m;
+    spawn.near_ground = above_m < 1.0;
+    return spawn;
+}
+
+void physicsStep(benchmark::State& state) {
+    const World world = tallTest();
+    const auto physics = makePhysics(world);
+    AirRobotBody robot(*physics, overTheStart(world, static_cast<double>(state.range(0))));
+    const auto step = [&] {
+        robot.beforeStep(dt);
+        physics->step(dt);
+        robot.afterStep(dt);
+    };
+    for (int i = 0; i < 2000; ++i) // 8 s: flying on the spot, or landed and asleep
+        step();
+    for (auto _ : state)
+        step();
+    state.SetLabel(state.range(0) > 0 ? "flying" : "landed");
+}
+BENCHMARK(physicsStep)->Arg(10)->Arg(0)->Unit(benchmark::kMicrosecond);
+
+void sensorTick(benchmark::State& state) {
+    const World world = tallTest();
+    const auto physics = makePhysics(world);
+    const RayCaster caster(world);
+    AirRobotBody robot(*physics, overTheStart(world, 6.0));
+    const WorldRays rays(caster, *physics, robot.id());
+    AirRobotSensors sensors({});
+    std::vector<protocol::InfoMessage> lines;
+    for (auto _ : state) {
+        lines.clear();
+        sensors.measure(robot.state().pose(), Seconds{1.0}, false, rays, lines);
+        benchmark::DoNotOptimize(lines.data());
+    }
+}
+BENCHMARK(sensorTick)->Unit(benchmark::kMicrosecond);
+
+/// Simulated seconds per second of processor time, with the text of all lines. Robots wander above the trees.
+void realTimeFactor(benchmark::State& state) {
+    SimulationOptions options;
+    options.battery_life = Seconds{1e6};
+    auto simulation = std::move(*Simulation::make(tallTest(), options));
+    std::vector<ClientId> clients;
+    for (int i = 0; i < state.range(0); ++i) {
+        clients.push_back(simulation->connect());
+        simulation->receive(clients.back(), "INIT {ClassName AirRobot} {Location " + std::to_string(8 * i - 40) +
+                                                ",0,-25}\r\nDRIVE {LinearVelocity 1} {RotationalVelocity 0.2}\r\n");
+    }
+    std::size_t bytes = 0;
+    for (auto _ : state) {
+        simulation->step();
+        for (const ClientId client : clients)
+            bytes += simulation->takeOutput(client).size();
+    }
+    const double simulated_s = simulation->now().count();
+    state.counters["real_time_factor"] = benchmark::Counter(simulated_s, benchmark::Counter::kIsRate);
+    state.counters["bytes_per_tick"] = static_cast<double>(bytes) / static_cast<double>(state.iterations());
+}
+BENCHMARK(realTimeFactor)->Arg(1)->Arg(10)->Unit(benchmark::kMicrosecond);
+
+} // namespace
