@@ -1,0 +1,37 @@
+// One survey of tall_test in the simulation, judged: what the loop test and the long campaign share.
+#pragma once
+
+#include <QtTest>
+
+#include "core/sim/worlds/tall_test.h"
+#include "robots/airrobot/descriptions.h"
+#include "tests/doubles/simulated_flight.h"
+
+namespace usar::tests {
+
+/// Flies the behavior over `area_in_map` from PlayerStart of the world that ships; reports figures, demands a landing,
+/// no collision and 95 % of the cells.
+inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds limit) {
+    const sim::World world = sim::makeTallTest(1);
+    const Pose start_in_map = world.start_poses.front().pose_in_map;
+    sim::SimulationOptions options;
+    options.seed = seed;
+    options.battery_life = limit; // the simulator cannot charge: the behavior's own battery is the one that counts
+    auto simulation = sim::Simulation::make(world, options);
+    QVERIFY(simulation);
+    const auto parameters = agent::ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters);
+    auto behavior = airrobot::makeBehavior("airrobot/cpp", {{"R1", start_in_map, area_in_map}, *parameters});
+    QVERIFY(behavior);
+    SimulatedFlight flight(std::move(*simulation), std::move(*behavior), start_in_map);
+    flight.run(limit);
+    qInfo("seed %llu: %.2f %% covered, %d collisions, %.0f s, %.0f m, %d charges",
+          static_cast<unsigned long long>(seed), flight.coverage_pct(area_in_map), flight.truth().collisions,
+          flight.status().elapsed.count(), flight.status().distance_flown_m, flight.status().charges);
+    QCOMPARE(flight.truth().collisions, 0);
+    QVERIFY(flight.ending());
+    QVERIFY2(flight.ending()->success, flight.ending()->reason.c_str());
+    QVERIFY(flight.coverage_pct(area_in_map) >= 95.0);
+    QVERIFY((flight.truth().base_in_map.position_m - start_in_map.position_m).norm() < 5.0);
+}
+
+} // namespace usar::tests
