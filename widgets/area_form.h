@@ -26,10 +26,12 @@ public:
     Rectangle area() const;
 
 signals:
+    /// By typing or the arrows, never empty, corners in order.
     void areaChanged(const usar::Rectangle& area_in_map);
 
 private:
     void tell();
+    /// Size and surface in words, or what to do when there is none.
     void describe();
 
     QDoubleSpinBox* min_x_;

@@ -14,6 +14,7 @@ namespace usar::widgets {
 class CommandPalette : public QFrame {
     Q_OBJECT
 public:
+    /// The registry outlives the palette; the window is what it centers over.
     CommandPalette(const CommandRegistry& registry, QWidget* window);
 
 public slots:
@@ -24,7 +25,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// Moves the choice without leaving the ends.
     void choose(int by);
+    /// Closes first, so that a command may open something itself.
     void run();
 
     CommandListModel* model_;

@@ -32,11 +32,14 @@ class ConnectionBar : public QWidget {
 public:
     explicit ConnectionBar(QWidget* parent = nullptr);
 
+    /// Emits serverChanged when it differs.
     void setServer(ServerChoice choice);
     ServerChoice server() const;
+    /// Kept for the real server; the embedded one needs none.
     void setAddress(const QString& host, quint16 port);
     QString host() const;
     quint16 port() const;
+    /// Locks the choice while there is a link or a try; the same status again costs nothing.
     void setStatus(const ConnectionStatus& status);
     /// Info lines per second of wall time; nothing hides the figure.
     void setRate(std::optional<double> lines_per_s);
@@ -44,7 +47,9 @@ public:
     QString statusText() const { return status_text_->text(); }
 
 signals:
+    /// The host is trimmed and not empty for a real server.
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
+    /// Also "give up trying" while connecting or waiting.
     void disconnectRequested();
     void serverChanged(usar::widgets::ServerChoice choice);
 
@@ -52,6 +57,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// What the button means depends on the state.
     void press();
     void refresh();
 

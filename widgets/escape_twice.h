@@ -12,11 +12,14 @@ namespace usar::widgets {
 class EscapeTwice : public QObject {
     Q_OBJECT
 public:
+    /// Longest time between the two presses; long enough for a hand in gloves.
     static constexpr quint64 interval_ms = 800;
 
+    /// Needs the application object; the filter ends with this object.
     explicit EscapeTwice(QObject* parent = nullptr);
 
 signals:
+    /// Once for every pair: four presses are two orders.
     void pressedTwice();
 
 protected:

@@ -34,6 +34,7 @@ public:
     /// New tiles replace old ones of the same index; a new range recolors every page.
     void take(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
               const std::optional<mapping::HeightRange>& range);
+    /// Both recolor every page.
     void setColorMap(mapping::ColorMap color_map);
     void setOrientation(MapOrientation orientation);
 
@@ -53,7 +54,9 @@ signals:
 
 private:
     void setStyle(const HeightStyle& style);
+    /// Hands all dirty pages to the worker, unless it is at work or no range is known yet.
     void renderNext();
+    /// Results of an older generation (before a clear) are dropped.
     void swapIn(std::vector<std::pair<mapping::GridIndex, PagePicture>> finished, int generation);
 
     double cell_size_m_ = 0.25;

@@ -17,6 +17,7 @@ public:
 
     /// "Double-click a start pose", "Draw the area", "Press Start": the product's own three.
     static QStringList firstSteps();
+    /// Forgets what was done.
     void setSteps(const QStringList& steps);
     /// Steps count from 0.
     void setDone(int step, bool done);
@@ -24,6 +25,7 @@ public:
     bool allDone() const;
 
 signals:
+    /// Hidden by the person: the owner remembers it over restarts.
     void dismissed();
 
 protected:

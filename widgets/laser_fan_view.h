@@ -14,7 +14,9 @@ class LaserFanView : public QWidget {
 public:
     explicit LaserFanView(QWidget* parent = nullptr);
 
+    /// Replaces the picture and makes it fresh again. The scan carries no maximum, so the caller says it (metres).
     void setScan(const protocol::RangeScan& scan, double maximum_m = 20.0);
+    /// Back to the sentence that says what will appear here.
     void clear();
     /// Drawn grey, with the word: nobody vouches for it any more.
     void setStale(bool stale);
@@ -26,6 +28,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// `scale` is pixels per metre, `origin` the scanner in pixels.
     void paintRays(QPainter& painter, const QPointF& origin, double scale) const;
     void paintTerrain(QPainter& painter, const QPointF& origin, double scale) const;
     void paintWords(QPainter& painter, double scale) const;

@@ -17,13 +17,17 @@ class LayersPanel : public QWidget {
 public:
     explicit LayersPanel(QWidget* parent = nullptr);
 
+    /// Shows the state without telling it back.
     void setLayer(MapLayer layer, const LayerState& state);
+    /// As it is set now; opacity in whole per cent.
     LayerState layer(MapLayer layer) const;
 
 signals:
+    /// By the person only, at every step of a slider.
     void layerChanged(usar::widgets::MapLayer layer, const usar::widgets::LayerState& state);
 
 private:
+    /// One line of the list; both are children of the panel.
     struct Row {
         QToolButton* eye = nullptr;
         QSlider* opacity = nullptr;

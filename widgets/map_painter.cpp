@@ -74,7 +74,7 @@ void MapPainter::paint(MapLayer layer) {
 void MapPainter::paintWorld() {
     if (content_.world_in_map) {
         const QRectF world = transform_.toScreen(*content_.world_in_map);
-        painter_.fillRect(world, tokens_.surface);
+        painter_.fillRect(world, tokens_.ground);
         paintBackgroundImage();
         painter_.setPen(QPen(tokens_.text_muted, 1.0));
         painter_.setBrush(Qt::NoBrush);

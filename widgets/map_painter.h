@@ -15,6 +15,7 @@ class MapPainter {
 public:
     MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const MapTransform& transform);
 
+    /// All visible layers, lowest first.
     void paintLayers();
 
 private:
@@ -22,16 +23,19 @@ private:
     void paintWorld();
     void paintBackgroundImage();
     void paintGrid();
+    /// Finished pages only, at the mip level that fits the scale, edges on whole pixels.
     void paintHeights();
     void paintArea();
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
     void paintTrails();
+    /// Path marks closer than three pixels to the last one are left out; all others are drawn.
     void paintMarks();
     void paintStartPoses();
     void paintLaser();
     void paintGoals();
     void paintRobots();
+    /// An arrowhead along the yaw; hollow and grey when stale.
     void paintRobot(const RobotOnMap& robot);
     /// Separate segments through the points, without those that are shorter than a pixel or out of sight.
     void paintSegments(const std::vector<Vec2>& points_m);

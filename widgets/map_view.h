@@ -26,6 +26,7 @@ public:
 
     // The world.
     void setWorld(const Rectangle& extent_in_map, const QString& name);
+    /// A picture of the world (row 0 = highest y), drawn under everything but the ground.
     void setBackground(const QImage& image, const Rectangle& image_in_map);
     void setStartPoses(const std::vector<protocol::StartPose>& poses);
     /// Forgets world, start poses, robots, heights, marks and area: another server, another truth.
@@ -35,14 +36,17 @@ public:
 
     // The height map.
     void clearHeights(double cell_size_m);
+    /// What a session hands out; tiles replace tiles, and a new range recolors everything at once.
     void takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
                    const std::optional<mapping::HeightRange>& range);
     void setColorMap(mapping::ColorMap color_map);
     HeightLayer& heights() { return *heights_; }
 
     // The mission.
+    /// Shown at once; no signal. An empty rectangle is no area.
     void setArea(const std::optional<Rectangle>& area_in_map);
     const std::optional<Rectangle>& area() const { return content_.area.area_in_map; }
+    /// "9 lanes · 6 min 12 s": behind the size on the area's label.
     void setAreaSummary(const QString& summary);
     void setLanes(const std::vector<Vec2>& points_in_map_m);
     void setLanes(const mapping::CoveragePlan& plan);
@@ -51,10 +55,12 @@ public:
     void setRobot(const MapRobot& robot);
     void removeRobot(const QString& name);
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
+    /// Of its newest scan, map frame; NaN where a beam hit nothing.
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
     void addMark(const agent::MapMark& mark);
     /// Trails, marks, laser hits and goals of the last mission.
     void clearTraces();
+    /// Draws the ring; an empty name selects nobody and ends following.
     void selectRobot(const QString& name);
 
     // The view.
@@ -62,8 +68,10 @@ public:
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     void setTool(MapTool tool);
     MapTool tool() const { return tool_; }
+    /// Turns the picture a quarter and fits it anew.
     void setOrientation(MapOrientation orientation);
     const MapTransform& transform() const { return transform_; }
+    /// Center and scale only: viewport and orientation are the view's own.
     void setTransform(const MapTransform& transform);
     const MapContent& content() const { return content_; }
     bool following() const { return following_; }
@@ -84,6 +92,7 @@ signals:
     void spawnRequested(int start_pose);
     /// One click or Space; `at` is in global coordinates, beside the diamond.
     void startPoseClicked(int start_pose, const QPoint& at);
+    /// The view has selected it already.
     void robotClicked(const QString& name);
     /// While the area is dragged, many times; and once when it is let go.
     void areaEdited(const usar::Rectangle& area_in_map);
@@ -108,7 +117,6 @@ protected:
 
 private:
     enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip };
-
     std::optional<std::size_t> startPoseAt(const QPointF& point_px) const;
     QString robotAt(const QPointF& point_px) const;
     void hover(const QPointF& point_px);
@@ -130,7 +138,6 @@ private:
     MapTool tool_ = MapTool::Pan;
     bool following_ = false;
     bool view_touched_ = false; ///< by the person; until then resizing fits again
-
     Gesture gesture_ = Gesture::None;
     QPointF pressed_px_;
     QPointF last_px_;

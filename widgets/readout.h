@@ -12,6 +12,7 @@ class Readout : public QWidget {
 public:
     Readout(const QString& caption, const QString& unit, const QString& sample, QWidget* parent = nullptr);
 
+    /// Already formatted, without its unit; the same text again costs nothing.
     void setText(const QString& text);
     const QString& text() const { return text_; }
     QSize sizeHint() const override;

@@ -14,9 +14,11 @@ class SonarColumnsView : public QWidget {
 public:
     explicit SonarColumnsView(QWidget* parent = nullptr);
 
+    /// Replaces all columns and makes them fresh again.
     void setColumns(const std::vector<SonarColumn>& columns);
     void setZones(const agent::SonarZones& zones) { setColumns(sonarColumns(zones)); }
     void clear() { setColumns({}); }
+    /// Grey and struck out, until the next columns.
     void setStale(bool stale);
     const std::vector<SonarColumn>& columns() const { return columns_; }
     QSize sizeHint() const override { return {280, 150}; }
@@ -26,7 +28,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// Reading on top, shaft, name, and the word of the risk; `cell` is what the column may use.
     void paintColumn(QPainter& painter, const SonarColumn& column, const QRectF& cell) const;
+    /// From the foot of the shaft up to each threshold, in the scale of the column.
     void paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const;
 
     std::vector<SonarColumn> columns_;

@@ -13,6 +13,7 @@
 
 namespace usar::widgets {
 
+/// What the person wants to have where.
 struct SpawnChoice {
     int start_pose = 0;
     QString class_name; ///< on the wire: "USARBot.AirRobot"
@@ -28,14 +29,17 @@ class SpawnCard : public QFrame {
 public:
     explicit SpawnCard(QWidget* over);
 
+    /// What the loaded plugins can drive; keeps no pointer into it.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
     /// Beside `at` (global), within the widget that it lies over.
     void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);
+    /// As the card stands now, valid or not.
     SpawnChoice choice() const;
     /// What a double-click spawns: the choice last made, with this pose and name.
     SpawnChoice lastChoice(int start_pose, const QString& robot_name) const;
 
 signals:
+    /// The name is one that the wire can carry.
     void spawnRequested(const usar::widgets::SpawnChoice& choice);
 
 protected:

@@ -17,6 +17,7 @@ class StatusStrip : public QWidget {
 public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
+    /// A behavior runs; called on every tick, repaints only what changed.
     void setStatus(const agent::BehaviorStatus& status);
     /// Nothing runs: `words` says why or what to do ("Idle. Press Start."); the last figures stay, so that a finished
     /// mission can be read.
@@ -26,6 +27,7 @@ public:
     QString stateText() const { return state_->text(); }
 
 private:
+    /// Word and shape together, so that neither can lag behind.
     void setState(const QString& words, StateShape shape);
 
     StateDot* dot_;

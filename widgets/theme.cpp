@@ -16,6 +16,7 @@ namespace {
 const Tokens dark_tokens = {
     .background = QColor(0x12161b),
     .surface = QColor(0x1a2027),
+    .ground = QColor(0x17273a),
     .raised = QColor(0x252d37),
     .line = QColor(0x3b4653),
     .text = QColor(0xe8ecf1),
@@ -33,6 +34,7 @@ const Tokens dark_tokens = {
 const Tokens light_tokens = {
     .background = QColor(0xe9edf1),
     .surface = QColor(0xffffff),
+    .ground = QColor(0xd3e2f2),
     .raised = QColor(0xf2f5f8),
     .line = QColor(0xbcc5cf),
     .text = QColor(0x161c23),

@@ -16,7 +16,8 @@ enum class Theme { Dark, Light };
 /// at least 4.5:1 on background, surface and raised; `on_fill` has it on accent and on `stop`.
 struct Tokens {
     QColor background; ///< behind everything; the map's outer space
-    QColor surface;    ///< panels, lists, the world's ground
+    QColor surface;    ///< panels, lists
+    QColor ground;     ///< unknown ground of the world: bluish, so that no shade of gray is taken for it
     QColor raised;     ///< buttons, chips, headers, popovers
     QColor line;       ///< hairlines, grid, frames
     QColor text;

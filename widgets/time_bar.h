@@ -20,10 +20,12 @@ public:
 
     /// A real server's time cannot be steered: only the clock is shown.
     void setSteerable(bool steerable);
+    /// Shows the state; no signal. A step is possible only while paused.
     void setPaused(bool paused);
     bool paused() const;
     /// The nearest speed on the list is shown; no signal.
     void setSpeed(double speed);
+    /// Times real time; infinity for "max".
     double speed() const;
     /// Protocol clock; nothing while unknown.
     void setClock(std::optional<Seconds> now);
@@ -31,6 +33,7 @@ public:
     void setRealTimeFactor(std::optional<double> factor);
 
 signals:
+    /// By the person; the bar already shows it, setPaused corrects it.
     void pauseRequested(bool paused);
     void stepRequested();
     void speedRequested(double speed);

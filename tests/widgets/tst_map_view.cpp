@@ -266,7 +266,7 @@ void tst_MapView::layersCanBeHidden() {
     QVERIFY(color() != robotColor(1));
     view_->setLayer(MapLayer::Robots, {true, 0.5});
     const QColor half = color();
-    QVERIFY(half != robotColor(1) && half.blue() > tokens().surface.blue() + 40);
+    QVERIFY(half != robotColor(1) && half.blue() > tokens().ground.blue() + 40);
 }
 
 void tst_MapView::resizingKeepsTheWorldInViewUntilTouched() {

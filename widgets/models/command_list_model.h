@@ -21,7 +21,9 @@ public:
 
     CommandListModel(const CommandRegistry& registry, QObject* parent = nullptr);
 
+    /// Asks again which commands are enabled, so call it when the palette opens.
     void setFilter(const QString& typed);
+    /// Nothing for an invalid index. The registry owns the action.
     QAction* actionAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

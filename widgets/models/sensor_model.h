@@ -26,6 +26,7 @@ public:
     void take(const protocol::InfoLine& line, Seconds now, int count = 1);
     /// Tells views what changed since the last flush; ages are those of `now`. Without a link every value is stale.
     void flush(Seconds now, bool linked = true);
+    /// Another robot, another tree.
     void clear();
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -40,6 +41,7 @@ public:
     QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
 private:
+    /// When something last came and how often it comes, on the caller's clock.
     struct Timing {
         Seconds last{0.0};
         std::optional<Seconds> period;
@@ -47,23 +49,27 @@ private:
         void arrived(Seconds now, int count);
         bool stale(Seconds now, bool linked) const;
     };
+    /// One value with the newest field it came in.
     struct Leaf {
         protocol::Field field;
         Timing timing;
         int decimals = 0; ///< grows, never shrinks: the width must not jump
     };
+    /// One stream word of the wire with its values in the server's order.
     struct Source {
         QString name;
         Timing timing;
         std::vector<Leaf> leaves;
     };
 
+    /// Inserts the branch when it is new. The reference holds until the next call.
     Source& sourceNamed(const std::string& name);
     void takeField(Source& source, const protocol::Field& field, Seconds now, int count, bool repeats);
     const Leaf* leafAt(const QModelIndex& index) const;
     const Timing& timingAt(const QModelIndex& index) const;
     QVariant text(const QModelIndex& index) const;
     QString valueText(const Leaf& leaf) const;
+    /// Color and font: grey and struck when stale, branches bold.
     QVariant look(const QModelIndex& index, int role) const;
 
     std::vector<Source> sources_;

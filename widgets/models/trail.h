@@ -13,11 +13,13 @@ class Trail {
 public:
     explicit Trail(double tolerance_m = 0.1) : tolerance_m_(tolerance_m) {}
 
+    /// Points that are not finite or hardly differ from the last one are ignored.
     void add(const Vec2& point_in_map_m);
     void clear();
     const std::vector<Vec2>& points_m() const { return points_m_; }
 
 private:
+    /// Whether a straight line to `end_m` still passes all points that it would replace.
     bool pendingFit(const Vec2& end_m) const;
 
     double tolerance_m_;
