@@ -89,6 +89,9 @@ void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {
             column->addWidget(row);
     }
     column->addStretch();
+    // Later, because what reacts to an edit may set other specs.
+    if (QWidget* old = scroll_->takeWidget())
+        old->deleteLater();
     scroll_->setWidget(page);
     empty_state_->setVisible(specs.empty());
     empty_state_->raise();

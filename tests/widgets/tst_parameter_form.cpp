@@ -65,6 +65,7 @@ private slots:
     void modifiedOnlyShowsWhatDiffers();
     void wheelOverAnEditorWithoutFocusScrollsTheForm();
     void fitsInto280Pixels();
+    void specsMayChangeInAnswerToAnEdit();
     void emptyFormSaysSo();
 
 private:
@@ -314,6 +315,13 @@ void tst_ParameterForm::fitsInto280Pixels() {
         const int right = each->mapTo(form_.get(), QPoint(each->width(), 0)).x();
         QVERIFY2(right <= 280 && each->minimumSizeHint().width() <= each->width(), each->spec().id.c_str());
     }
+}
+
+void tst_ParameterForm::specsMayChangeInAnswerToAnEdit() {
+    connect(form_.get(), &ParameterForm::changed, form_.get(), [this] { form_->setSpecs({specs[0]}); });
+    editor<QuantityBox>("lanes")->stepUp();
+    QCOMPARE(form_->values().size(), 1U);
+    QVERIFY(form_->modified().empty());
 }
 
 void tst_ParameterForm::emptyFormSaysSo() {

@@ -1,4 +1,6 @@
+#include "core/protocol/reader.h"
 #include "tests/widgets/gallery/pages.h"
+#include "widgets/message_list.h"
 #include "widgets/notification_center.h"
 #include "widgets/robot_list.h"
 #include "widgets/toast_stack.h"
@@ -52,6 +54,23 @@ std::unique_ptr<QWidget> notificationsPage() {
     report(*center->model());
     center->cured(QStringLiteral("range"));
     return center;
+}
+
+std::unique_ptr<QWidget> messagesPage() {
+    auto list = std::make_unique<MessageList>();
+    list->resize(820, 260);
+    protocol::Reader reader;
+    const auto in = [&](const char* text, double time) { list->takeLine(reader.read(text), Seconds(time)); };
+    in("NFO {Gametype USARDeathmatch} {Level tall_test}", 0.0);
+    for (int i = 0; i < 4; ++i) {
+        const double time = 751.2 + i * 0.2;
+        in("STA {Type AerialVehicle} {Time 751.20} {Battery 1134}", time);
+        in("SEN {Time 751.20} {Type Sonar} {Name F1 Range 4.5210} {Name F2 Range 5.0000} {Name F3 Range 1.2000}", time);
+        list->takeCommand({protocol::AerialDrive{0.0, 2.5, 0.0, 0.1}, {"airrobot/cpp: scanning lane 4", {12}}},
+                          Seconds(time));
+    }
+    in("SEN {Time 752.00} {Type INS} {Name INS {Location 1,2", 752.0);
+    return list;
 }
 
 std::unique_ptr<QWidget> toastsPage() {

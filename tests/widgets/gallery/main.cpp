@@ -26,6 +26,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("empty_robots"), gallery::emptyRobotsPage},
     {QStringLiteral("notifications"), gallery::notificationsPage},
     {QStringLiteral("toasts"), gallery::toastsPage},
+    {QStringLiteral("messages"), gallery::messagesPage},
     {QStringLiteral("area"), gallery::areaPage},
     {QStringLiteral("empty_map"), gallery::emptyMapPage},
     {QStringLiteral("parameters"), gallery::parametersPage},

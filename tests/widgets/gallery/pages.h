@@ -12,6 +12,7 @@ std::unique_ptr<QWidget> robotsPage();
 std::unique_ptr<QWidget> emptyRobotsPage();
 std::unique_ptr<QWidget> notificationsPage();
 std::unique_ptr<QWidget> toastsPage();
+std::unique_ptr<QWidget> messagesPage();
 std::unique_ptr<QWidget> areaPage();
 std::unique_ptr<QWidget> emptyMapPage();
 std::unique_ptr<QWidget> parametersPage();

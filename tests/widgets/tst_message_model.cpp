@@ -1,0 +1,285 @@
+#include <algorithm>
+#include <limits>
+
+#include <QAbstractItemModelTester>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/protocol/reader.h"
+#include "widgets/models/caseless_finder.h"
+#include "widgets/models/message_model.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+MessageRow line(std::uint64_t number, const std::string& text, Direction way = Direction::In) {
+    return {number, Seconds(1.0), way, typeOf(text), text, {}, {}};
+}
+
+std::vector<MessageRow> lines(std::uint64_t first, std::uint64_t count) {
+    std::vector<MessageRow> rows;
+    for (std::uint64_t i = 0; i < count; ++i)
+        rows.push_back(line(first + i, (first + i) % 2 == 0 ? "SEN {Type Sonar}" : "STA {Time 1}"));
+    return rows;
+}
+
+} // namespace
+
+class tst_MessageModel : public QObject {
+    Q_OBJECT
+private slots:
+    void findsWhateverTheCase_data();
+    void findsWhateverTheCase();
+    void findsWhatAPlainSearchFinds();
+    void typeIsTheFirstWordAndTheType_data();
+    void typeIsTheFirstWordAndTheType();
+    void badLineCarriesItsReason();
+    void commandSaysWhyItWasSent();
+    void oldestFallOutAndItSaysHowManyWereShown();
+    void batchLargerThanTheRingKeepsItsEnd();
+    void textIsBoundedInBytes();
+    void modelIsSoundThroughAllChanges();
+    void oneInsertionForABatch();
+    void filterLooksAtTypeTextAndWay_data();
+    void filterLooksAtTypeTextAndWay();
+    void filteredRowsKeepTheirOrderWhenTheRingTurns();
+    void troubleIsColoredAndHasASign();
+    void unknownTimeIsADash();
+    void longLinesAreCutForTheEyeOnly();
+    void aHundredThousandLinesAreFilteredFast();
+    void appendingToAFullRingIsFast();
+};
+
+void tst_MessageModel::findsWhateverTheCase_data() {
+    QTest::addColumn<QByteArray>("needle");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<bool>("found");
+    QTest::newRow("empty needle") << QByteArray("") << QByteArray("abc") << true;
+    QTest::newRow("at the start") << QByteArray("SEN") << QByteArray("sen {x}") << true;
+    QTest::newRow("at the end") << QByteArray("range") << QByteArray("The RANGE") << true;
+    QTest::newRow("needle longer than text") << QByteArray("abcd") << QByteArray("abc") << false;
+    QTest::newRow("empty text") << QByteArray("a") << QByteArray("") << false;
+    QTest::newRow("repeated letters") << QByteArray("aab") << QByteArray("aaaab") << true;
+    QTest::newRow("near miss") << QByteArray("sonat") << QByteArray("sonar sonar") << false;
+    QTest::newRow("beyond ASCII") << QByteArray("hügel") << QByteArray("HüGEL") << true;
+}
+
+void tst_MessageModel::findsWhateverTheCase() {
+    QFETCH(QByteArray, needle);
+    QFETCH(QByteArray, text);
+    QTEST(CaselessFinder(needle.toStdString()).isIn(text.toStdString()), "found");
+}
+
+void tst_MessageModel::findsWhatAPlainSearchFinds() {
+    const std::string text = "abacabadabacabaeabacabadabacaba";
+    for (std::size_t from = 0; from < text.size(); ++from)
+        for (std::size_t length = 1; from + length <= text.size(); ++length) {
+            std::string needle = text.substr(from, length);
+            QVERIFY(CaselessFinder(needle).isIn(text));
+            needle.back() = 'f';
+            QVERIFY(!CaselessFinder(needle).isIn(text));
+        }
+}
+
+void tst_MessageModel::typeIsTheFirstWordAndTheType_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("type");
+    QTest::newRow("sensor") << QByteArray("SEN {Time 1} {Type Sonar} {Name F1}") << QByteArray("SEN Sonar");
+    QTest::newRow("state") << QByteArray("STA {Time 1}") << QByteArray("STA");
+    QTest::newRow("command") << QByteArray("GETGEO {Type Robot}") << QByteArray("GETGEO Robot");
+    QTest::newRow("type without an end") << QByteArray("SEN {Type Son") << QByteArray("SEN Son");
+    QTest::newRow("empty line") << QByteArray("") << QByteArray("");
+    QTest::newRow("endless word") << QByteArray(500, 'x') << QByteArray(48, 'x');
+}
+
+void tst_MessageModel::typeIsTheFirstWordAndTheType() {
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, type);
+    QCOMPARE(QByteArray::fromStdString(typeOf(text.toStdString())), type);
+}
+
+void tst_MessageModel::badLineCarriesItsReason() {
+    protocol::InfoLine bad{{7}, "SEN {Type Sonar", protocol::GenericMessage{}, {}};
+    bad.diagnostics = {{Severity::Note, 0, "odd"}, {Severity::Error, 4, "no closing brace"}};
+    const MessageRow row = rowOf(bad, Seconds(2.5));
+    QCOMPARE(row.number, 7U);
+    QVERIFY(row.trouble == Severity::Error);
+    QVERIFY(row.note.find("odd") != std::string::npos);
+    QVERIFY(row.note.find("no closing brace") != std::string::npos);
+    MessageModel model;
+    model.append({row});
+    const QString tip = model.index(0, MessageModel::Text).data(Qt::ToolTipRole).toString();
+    QVERIFY(tip.contains(QStringLiteral("no closing brace")));
+}
+
+void tst_MessageModel::commandSaysWhyItWasSent() {
+    const agent::CausedCommand command{protocol::GetStartPoses{}, {"airrobot/cpp: scanning", {1234}}};
+    const MessageRow row = rowOf(command, 3, Seconds(9), protocol::Dialect::Ut2004);
+    QVERIFY(row.direction == Direction::Out);
+    QCOMPARE(row.type, std::string("GETSTARTPOSES"));
+    QCOMPARE(row.note, std::string("airrobot/cpp: scanning, on line 1234"));
+    QCOMPARE(row.number, 3U);
+}
+
+void tst_MessageModel::oldestFallOutAndItSaysHowManyWereShown() {
+    MessageModel model(nullptr, 10);
+    QCOMPARE(model.append(lines(1, 10)), 0);
+    QCOMPARE(model.append(lines(11, 4)), 4);
+    QCOMPARE(model.rowCount(), 10);
+    QCOMPARE(model.row(0).number, 5U);
+    model.setFilter({QStringLiteral("sonar"), {}});
+    QCOMPARE(model.append(lines(15, 4)), 2);
+    QCOMPARE(model.total(), 10);
+}
+
+void tst_MessageModel::batchLargerThanTheRingKeepsItsEnd() {
+    MessageModel model(nullptr, 10);
+    model.append(lines(1, 5));
+    model.append(lines(6, 25));
+    QCOMPARE(model.rowCount(), 10);
+    QCOMPARE(model.row(0).number, 21U);
+    QCOMPARE(model.row(9).number, 30U);
+}
+
+void tst_MessageModel::textIsBoundedInBytes() {
+    MessageModel model(nullptr, 1000, 100'000);
+    for (std::uint64_t i = 0; i < 50; ++i)
+        model.append({line(i, std::string(9'000, 'x'))});
+    QVERIFY(model.rowCount() >= 9 && model.rowCount() <= 11);
+    QCOMPARE(model.row(model.rowCount() - 1).number, 49U);
+    model.append({line(50, std::string(200'000, 'x'))});
+    QVERIFY(model.rowCount() <= 11);
+}
+
+void tst_MessageModel::modelIsSoundThroughAllChanges() {
+    MessageModel model(nullptr, 20);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (std::uint64_t i = 0; i < 60; i += 7)
+        model.append(lines(i, 7));
+    model.setFilter({QStringLiteral("SONAR"), {}});
+    model.append(lines(100, 9));
+    model.append({});
+    model.setFilter({QString(), Direction::Out});
+    QCOMPARE(model.rowCount(), 0);
+    model.append(lines(200, 30));
+    model.setFilter({});
+    QCOMPARE(model.rowCount(), 20);
+    model.clear();
+    model.append(lines(300, 3));
+    QCOMPARE(model.rowCount(), 3);
+}
+
+void tst_MessageModel::oneInsertionForABatch() {
+    MessageModel model;
+    QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
+    model.append(lines(1, 500));
+    QCOMPARE(inserted.count(), 1);
+    model.setFilter({QStringLiteral("no such text"), {}});
+    model.append(lines(501, 500));
+    QCOMPARE(inserted.count(), 1);
+}
+
+void tst_MessageModel::filterLooksAtTypeTextAndWay_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<int>("way"); // 0 both, 1 in, 2 out
+    QTest::addColumn<int>("rows");
+    QTest::newRow("all") << "" << 0 << 4;
+    QTest::newRow("type that is not one piece of the text") << "sen sonar" << 0 << 1;
+    QTest::newRow("text, any case") << "f1 RANGE" << 0 << 1;
+    QTest::newRow("in") << "" << 1 << 2;
+    QTest::newRow("out") << "" << 2 << 2;
+    QTest::newRow("words and way") << "drive" << 2 << 1;
+    QTest::newRow("words in the other way") << "drive" << 1 << 0;
+}
+
+void tst_MessageModel::filterLooksAtTypeTextAndWay() {
+    QFETCH(QString, words);
+    QFETCH(int, way);
+    MessageModel model;
+    model.append({line(1, "SEN {Time 1} {Type Sonar} {Name F1 Range 2}"), line(2, "STA {Time 1}"),
+                  line(1, "DRIVE {AltitudeVelocity 1}", Direction::Out),
+                  line(2, "GETGEO {Type Robot}", Direction::Out)});
+    MessageFilter filter{words, {}};
+    if (way > 0)
+        filter.direction = way == 1 ? Direction::In : Direction::Out;
+    model.setFilter(filter);
+    QTEST(model.rowCount(), "rows");
+}
+
+void tst_MessageModel::filteredRowsKeepTheirOrderWhenTheRingTurns() {
+    MessageModel model(nullptr, 50);
+    model.setFilter({QStringLiteral("sonar"), {}});
+    for (std::uint64_t i = 0; i < 400; i += 13)
+        model.append(lines(i, 13));
+    for (int i = 1; i < model.rowCount(); ++i)
+        QCOMPARE(model.row(i).number, model.row(i - 1).number + 2);
+    QVERIFY(model.rowCount() >= 24);
+}
+
+void tst_MessageModel::troubleIsColoredAndHasASign() {
+    MessageModel model;
+    MessageRow bad = line(1, "SEN {Type Sonar");
+    bad.trouble = Severity::Error;
+    model.append({bad, line(2, "STA {Time 1}")});
+    QCOMPARE(model.index(0, MessageModel::Text).data(Qt::ForegroundRole).value<QColor>(), tokens().danger);
+    QVERIFY(!model.index(0, MessageModel::Type).data(Qt::DecorationRole).isNull());
+    QVERIFY(model.index(1, MessageModel::Type).data(Qt::DecorationRole).isNull());
+}
+
+void tst_MessageModel::unknownTimeIsADash() {
+    MessageModel model;
+    MessageRow early = line(1, "NFO");
+    early.time = Seconds(std::numeric_limits<double>::quiet_NaN());
+    model.append({early});
+    QCOMPARE(model.index(0, MessageModel::Time).data().toString(), QString::fromUtf8("–"));
+}
+
+void tst_MessageModel::longLinesAreCutForTheEyeOnly() {
+    MessageModel model;
+    model.append({line(1, "SEN " + std::string(5'000, '7'))});
+    QVERIFY(model.index(0, MessageModel::Text).data().toString().size() < 1'000);
+    QCOMPARE(model.row(0).text.size(), 5'004U);
+}
+
+void tst_MessageModel::aHundredThousandLinesAreFilteredFast() {
+    MessageModel model;
+    const std::string tail = " {Time 751.20}" + std::string(150, '1');
+    std::vector<MessageRow> rows;
+    for (std::uint64_t i = 0; i < 100'000; ++i)
+        rows.push_back(line(i, (i % 10 == 0 ? "SEN {Type Sonar}" : "STA {Type Aerial}") + tail));
+    model.append(std::move(rows));
+    double best_ms = 1e9;
+    for (const char* words : {"sonar", "aerial", "zzz"}) {
+        QElapsedTimer timer;
+        timer.start();
+        model.setFilter({QString::fromLatin1(words), {}});
+        const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        qInfo("filter '%s' over %d lines: %.1f ms, %d shown", words, model.total(), ms, model.rowCount());
+        best_ms = std::min(best_ms, ms);
+    }
+    QCOMPARE(model.total(), 100'000);
+    QVERIFY(best_ms < 100.0);
+}
+
+void tst_MessageModel::appendingToAFullRingIsFast() {
+    MessageModel model;
+    model.append(lines(0, 100'000));
+    std::vector<double> times_ms;
+    for (std::uint64_t i = 0; i < 30; ++i) {
+        std::vector<MessageRow> batch = lines(100'000 + i * 330, 330);
+        QElapsedTimer timer;
+        timer.start();
+        model.append(std::move(batch));
+        times_ms.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    }
+    std::ranges::sort(times_ms);
+    qInfo("330 lines into a full ring: %.2f ms (median)", times_ms[15]);
+    QVERIFY(times_ms.front() < 16.0);
+}
+
+QTEST_MAIN(tst_MessageModel)
+#include "tst_message_model.moc"

@@ -1,0 +1,73 @@
+// Every line in and out, newest at the bottom: searched, filtered, held still, copied.
+#pragma once
+
+#include <deque>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/models/message_model.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+
+/// Takes lines at any rate and shows them with one insertion a frame; hidden or paused it only keeps them. Stays at
+/// the end until the person scrolls up. GUI thread.
+class MessageList : public QWidget {
+    Q_OBJECT
+public:
+    explicit MessageList(QWidget* parent = nullptr);
+
+    /// `time` is the protocol's clock when it came or went.
+    void takeLine(const protocol::InfoLine& line, Seconds time);
+    void takeCommand(const agent::CausedCommand& command, Seconds time,
+                     protocol::Dialect dialect = protocol::Dialect::Ut2004);
+    void setFilter(const MessageFilter& filter);
+    bool paused() const { return pause_->isChecked(); }
+
+    const MessageModel& model() const { return *model_; }
+    QTableView* view() const { return view_; }
+    EmptyState* emptyState() const { return empty_state_; }
+    QSize sizeHint() const override { return {640, 240}; }
+    QSize minimumSizeHint() const override { return {280, 120}; }
+
+public slots:
+    void setPaused(bool paused);
+    void clear();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makeTools();
+    QToolButton* makeButton(const char* icon_name, const QString& text);
+    void setUpView();
+    void setUpActions();
+    void keep(MessageRow row);
+    void flushSoon();
+    void flush();
+    void applyFilter();
+    void copySelected(bool text_only);
+    void filterLikeCurrent();
+    void updateState();
+
+    MessageModel* model_;
+    QTableView* view_;
+    QLineEdit* search_;
+    QComboBox* way_;
+    QLabel* count_;
+    QToolButton* pause_ = nullptr;
+    EmptyState* empty_state_;
+    std::deque<MessageRow> waiting_; ///< at most the model's capacity
+    std::uint64_t commands_ = 0;
+    QTimer frame_{this};
+};
+
+} // namespace usar::widgets
