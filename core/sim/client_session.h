@@ -30,8 +30,9 @@ public:
     std::string takeOutput();
 
     bool lockstep() const { return lockstep_; }
-    /// A lockstep client that has said STEP, or one without lockstep.
-    bool ready() const { return !lockstep_ || steps_waiting_ > 0; }
+    /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
+    /// could not answer them), or it has said STEP.
+    bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ > 0; }
     bool idle() const { return !robot_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }

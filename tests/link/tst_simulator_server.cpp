@@ -141,13 +141,13 @@ private slots:
         Served served(Pace::Fast);
         Client client(served.port);
         client.say("LOCKSTEP {On true}\r\n" + init);
-        QTRY_COMPARE(client.count("Lockstep True"), 1);
-        client.say("GETSTARTPOSES\r\n"); // a turn of the server's loop after the INIT
+        QTRY_COMPARE(client.count("STA {"), 1); // the tick that brings the robot needs no STEP
+        client.say("GETSTARTPOSES\r\n");        // a turn of the server's loop behind it
         QTRY_COMPARE(client.count("StartPoses"), 1);
-        QCOMPARE(served.now(), Seconds{0.0});
-        client.say("STEP\r\n");
-        QTRY_COMPARE(client.count("STA {"), 1);
         QVERIFY(std::abs(served.now().count() - 0.2) < 1e-9);
+        client.say("STEP\r\n");
+        QTRY_COMPARE(client.count("STA {"), 2);
+        QVERIFY(std::abs(served.now().count() - 0.4) < 1e-9);
     }
 
     void whilePausedAStepOfTheClientDoesNotMoveIt() {
@@ -168,11 +168,11 @@ private slots:
         Served served(Pace::Fast);
         Client staying(served.port);
         auto leaving = std::make_unique<Client>(served.port);
-        leaving->say("LOCKSTEP {On true}\r\n");
-        QTRY_COMPARE(leaving->count("Lockstep True"), 1);
-        staying.say("LOCKSTEP {On true}\r\n" + init + "STEP\r\nGETSTARTPOSES\r\n");
+        leaving->say("LOCKSTEP {On true}\r\n" + init);
+        QTRY_COMPARE(leaving->count("STA {"), 1);
+        staying.say("LOCKSTEP {On true}\r\nINIT {ClassName USARBot.AirRobot} {Location 5,5,-0.3}\r\nGETSTARTPOSES\r\n");
         QTRY_COMPARE(staying.count("StartPoses"), 1);
-        QCOMPARE(served.now(), Seconds{0.0});
+        QCOMPARE(staying.count("STA {"), 0); // the first one holds the simulation
         leaving.reset();
         QTRY_COMPARE(staying.count("STA {"), 1);
         QTRY_COMPARE(served.server.figures().clients, 1);

@@ -116,14 +116,17 @@ private slots:
         talker.say("LOCKSTEP {On true}");
         QCOMPARE(talker.hearText(), Lines{"NFO {Lockstep True}"});
         QVERIFY(simulation->hasLockstepClients());
-        QVERIFY(!simulation->readyToStep());
+        QVERIFY(simulation->readyToStep()); // without a robot it hears nothing that it could answer
         talker.say(init);
+        QVERIFY(simulation->readyToStep());
+        simulation->step();
+        QCOMPARE(kindsOf(talker.hearText()), (Lines{"SEN GroundTruth", "STA"}));
         QVERIFY(!simulation->readyToStep());
         talker.say("STEP");
         QVERIFY(simulation->readyToStep());
         simulation->step();
         QVERIFY(!simulation->readyToStep());
-        QCOMPARE(kindsOf(talker.hearText()), (Lines{"SEN GroundTruth", "STA"}));
+        talker.hearText();
         talker.say("LOCKSTEP {On false}");
         QCOMPARE(talker.hearText(), Lines{"NFO {Lockstep False}"});
         QVERIFY(simulation->readyToStep());
@@ -136,6 +139,10 @@ private slots:
         Talker viewer(*simulation); // not in lockstep
         first.say("LOCKSTEP {On true}");
         second.say("LOCKSTEP {On true}");
+        first.say(init);
+        second.say("INIT {ClassName USARBot.AirRobot} {Name R2} {Location 5,5,-0.35}");
+        simulation->step();
+        QVERIFY(!simulation->readyToStep());
         first.say("STEP");
         QVERIFY(!simulation->readyToStep());
         second.say("STEP");
