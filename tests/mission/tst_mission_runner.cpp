@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/mission/mission_runner.h"
+#include "tests/doubles/event_wait.h"
 #include "tests/doubles/fake_robot_server.h"
 
 using namespace usar;
@@ -88,7 +89,7 @@ int tst_MissionRunner::run(const Mission& mission) {
     runner_ = std::make_unique<MissionRunner>(mission, plugins_, options_);
     QSignalSpy finished(runner_.get(), &MissionRunner::finished);
     runner_->start();
-    if (!QTest::qWaitFor([&] { return !finished.isEmpty(); }, 30000))
+    if (!usar::test::waitForSignal(runner_.get(), &MissionRunner::finished, 30000))
         return -1;
     return finished.size() == 1 ? finished.at(0).at(0).toInt() : -1;
 }

@@ -1,0 +1,86 @@
+#include "app/headless_simulator.h"
+
+#include <QDir>
+
+#include "app/locations.h"
+#include "core/link/simulator_server.h"
+#include "core/sim/world_reader.h"
+
+namespace usar::app {
+
+namespace {
+
+Result<sim::World> loadWorld(const QString& name) {
+    const QString folder = worldFolder(name);
+    if (!QDir(folder).exists())
+        return failure("there is no such world", name.toStdString(),
+                       "Known are: " + worldNames().join(", ").toStdString());
+    return sim::readWorld(folder.toStdString());
+}
+
+} // namespace
+
+Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, std::uint64_t seed,
+                                                                    std::optional<double> speed_x) {
+    auto loaded = loadWorld(world);
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    return serve(*std::move(loaded), seed, speed_x);
+}
+
+Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, std::uint64_t seed,
+                                                                    std::optional<double> speed_x) {
+    sim::SimulationOptions options;
+    options.seed = seed;
+    auto simulation = sim::Simulation::make(std::move(world), options);
+    if (!simulation)
+        return tl::unexpected(simulation.error());
+    std::unique_ptr<HeadlessSimulator> host(new HeadlessSimulator);
+    host->simulation_ = simulation->get();
+    host->rays_ = std::make_unique<sim::RayCaster>(host->simulation_->world());
+    host->worker_->moveToThread(&host->thread_);
+    QObject::connect(&host->thread_, &QThread::finished, host->worker_, &QObject::deleteLater);
+    host->thread_.setObjectName("simulator");
+    host->thread_.start();
+    Result<quint16> port;
+    const auto serve = [&] { // sockets and timers are made in the thread that they live in
+        auto* server = new link::SimulatorServer(*std::move(simulation), host->worker_);
+        port = server->listen(0);
+        server->setPace(speed_x ? link::Pace::Factor : link::Pace::Fast, speed_x.value_or(1.0));
+    };
+    QMetaObject::invokeMethod(host->worker_, serve, Qt::BlockingQueuedConnection);
+    if (!port)
+        return tl::unexpected(port.error());
+    host->port_ = *port;
+    return host;
+}
+
+HeadlessSimulator::~HeadlessSimulator() {
+    if (!thread_.isRunning())
+        delete worker_;
+    thread_.quit();
+    thread_.wait();
+}
+
+Rectangle HeadlessSimulator::extent() const {
+    return simulation_->world().terrain.extent();
+}
+
+mission::Truth HeadlessSimulator::truth() const {
+    return {.surface_m = [this](const Vec2& point_m) { return rays_->surface_m(point_m); },
+            .ground_m = [this](const Vec2& point_m) { return simulation_->world().terrain.height_m(point_m); }};
+}
+
+std::optional<int> HeadlessSimulator::collisions() const {
+    int hits = 0;
+    const bool asked = QMetaObject::invokeMethod(
+        worker_,
+        [this, &hits] {
+            for (const sim::RobotTruth& robot : simulation_->robots())
+                hits += robot.collisions;
+        },
+        Qt::BlockingQueuedConnection);
+    return asked ? std::optional(hits) : std::nullopt;
+}
+
+} // namespace usar::app

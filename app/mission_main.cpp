@@ -1,0 +1,111 @@
+// usar-mission: one mission, headless.
+#include <cstdio>
+#include <memory>
+
+#include <unistd.h>
+
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QJsonDocument>
+
+#include "app/headless_simulator.h"
+#include "app/locations.h"
+#include "app/quit_signals.h"
+#include "core/mission/mission_options.h"
+#include "core/mission/progress_text.h"
+
+namespace {
+
+using namespace usar;
+
+/// A bar that redraws itself on a terminal, else a line for every tenth.
+class ProgressBar {
+public:
+    ProgressBar() { wall_.start(); }
+
+    void show(const mission::Progress& progress) {
+        const Seconds wall(static_cast<double>(wall_.elapsed()) / 1000.0);
+        const int tenth = static_cast<int>(progress.percent / 10.0);
+        if (is_terminal_) {
+            std::fprintf(stderr, "\r%s\x1b[K", mission::progressLine(progress, wall).c_str());
+            drawn_ = true;
+        } else if (tenth > last_tenth_) {
+            std::fprintf(stderr, "%s\n", mission::progressLine(progress, wall).c_str());
+            last_tenth_ = tenth;
+        }
+    }
+    /// A line of text above the bar.
+    void say(const std::string& text) {
+        std::fprintf(stderr, "%s%s\n", drawn_ ? "\r\x1b[K" : "", text.c_str());
+        drawn_ = false;
+    }
+
+private:
+    const bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
+    QElapsedTimer wall_;
+    int last_tenth_ = -1;
+    bool drawn_ = false;
+};
+
+int end(int exit_code, const QJsonObject& summary) {
+    std::printf("%s\n", QJsonDocument(summary).toJson(QJsonDocument::Compact).constData());
+    return exit_code;
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
+    return end(mission::BadInput, {{"success", false}, {"reason", QString::fromStdString(error.text())}});
+}
+
+int run(const mission::MissionOptions& options, mission::Mission plan) {
+    if (!options.behavior.isEmpty())
+        plan.behavior = options.behavior.toStdString();
+    agent::PluginLoader plugins;
+    plugins.scan(app::pluginFolders());
+    std::unique_ptr<app::HeadlessSimulator> simulator;
+    mission::RunOptions run_options;
+    run_options.seed = options.seed;
+    run_options.result_folder = options.result_folder;
+    if (options.server) {
+        run_options.host = options.server->host;
+        run_options.port = options.server->port;
+    } else {
+        auto started = app::HeadlessSimulator::start(QString::fromStdString(plan.world), options.seed, options.speed_x);
+        if (!started)
+            return refuse(started.error());
+        simulator = *std::move(started);
+        run_options.port = simulator->port();
+        run_options.truth = simulator->truth();
+        run_options.world_extent = simulator->extent();
+        run_options.collisions = [&] { return simulator->collisions(); };
+    }
+    mission::MissionRunner runner(std::move(plan), plugins, std::move(run_options));
+    ProgressBar bar;
+    QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) { bar.show(progress); });
+    QObject::connect(&runner, &mission::MissionRunner::noticed, [&](const auto& notice) { bar.say(notice.text); });
+    QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
+    app::QuitSignals signals_;
+    QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
+    runner.start();
+    const int exit_code = QCoreApplication::exec();
+    bar.say(runner.summary()["reason"].toString().toStdString());
+    return end(exit_code, runner.summary());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
+    QGuiApplication application(argc, argv);
+    QCoreApplication::setApplicationName("usar-mission");
+    const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
+    if (!options)
+        return refuse(options.error());
+    if (options->help) {
+        std::printf("%s", qPrintable(mission::missionHelp()));
+        return 0;
+    }
+    auto plan = mission::readMissionFile(options->mission_file);
+    return plan ? run(*options, *std::move(plan)) : refuse(plan.error());
+}

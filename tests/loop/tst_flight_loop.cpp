@@ -1,0 +1,146 @@
+#include <QTest>
+
+#include "app/headless_simulator.h"
+#include "core/mission/robot_session.h"
+#include "tests/doubles/event_wait.h"
+#include "tests/doubles/rough_relay.h"
+#include "tests/doubles/scripted_behavior.h"
+#include "tests/doubles/test_worlds.h"
+
+using namespace usar;
+using namespace usar::mission;
+using usar::app::HeadlessSimulator;
+using usar::test::hostOf;
+using usar::test::RoughRelay;
+using usar::test::Script;
+
+namespace {
+
+constexpr double climb_s = 3.0;
+
+/// Climbs at 1 m/s for three seconds, hovers, and ends after ten.
+std::shared_ptr<Script> climbAndHover() {
+    auto script = std::make_shared<Script>();
+    auto first = std::make_shared<std::optional<Seconds>>();
+    script->on_tick = [first](const agent::Tick& tick, agent::CommandPort& port) {
+        if (!*first)
+            *first = tick.now;
+        const double flown_s = (tick.now - **first).count();
+        protocol::AerialDrive drive{0.0, 0.0, 0.0, 0.0};
+        drive.climb_m_s = flown_s < climb_s - 0.01 ? 1.0 : 0.0;
+        port.send(drive, "climbing and hovering");
+        if (flown_s > 10.0)
+            port.publish(agent::BehaviorFinished{true, "Hovered."});
+        if (const auto* truth = tick.robot.sensors.groundTruth())
+            port.publish(agent::PoseEstimate{tick.now, truth->value.base_in_map});
+    };
+    return script;
+}
+
+/// What one flight showed.
+struct Flight {
+    bool finished = false;
+    bool success = false;
+    std::vector<std::string> lines;
+    std::vector<Vec3> path_m;
+    std::optional<int> collisions;
+};
+
+Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeout_ms = 20000) {
+    Flight flight;
+    RobotSession session;
+    const auto script = climbAndHover();
+    QObject::connect(&session, &RobotSession::startPosesKnown, &session, [&](const protocol::StartPoses& poses) {
+        session.spawn({"USARBot.AirRobot", "R1", poses.poses.front().pose_in_map});
+    });
+    QObject::connect(&session, &RobotSession::spawned, &session, [&] { session.startBehavior(hostOf(script), {}); });
+    QObject::connect(&session, &RobotSession::behaviorFinished, &session, [&](bool success) {
+        flight.success = success;
+        flight.collisions = simulator.collisions();
+        flight.path_m = session.record().path_m;
+    });
+    session.open("127.0.0.1", port, lockstep);
+    flight.finished = test::waitForSignal(&session, &RobotSession::behaviorFinished, timeout_ms);
+    session.close();
+    flight.lines = script->lines;
+    return flight;
+}
+
+Flight flyAtFullSpeed(std::uint64_t seed) {
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), seed, std::nullopt);
+    return simulator ? fly(**simulator, (*simulator)->port(), true) : Flight{};
+}
+
+} // namespace
+
+/// Controller and simulator over loopback TCP.
+class tst_FlightLoop : public QObject {
+    Q_OBJECT
+private slots:
+    void climbsAndHoversByDriveCommands();
+    void theSameSeedGivesTheSameLines();
+    void aRoughWireChangesNothing();
+    void fliesAtThePaceThatItIsGiven();
+    void fliesWithoutLockstepInRealTime();
+    void aCutWireEndsTheFlightAndKeepsThePath();
+};
+
+void tst_FlightLoop::climbsAndHoversByDriveCommands() {
+    const Flight flight = flyAtFullSpeed(1);
+    QVERIFY(flight.finished && flight.success);
+    QVERIFY(flight.path_m.size() > 5);
+    const double climbed_m = flight.path_m.back().z() - flight.path_m.front().z();
+    QVERIFY2(std::abs(climbed_m - climb_s) < 0.5, qPrintable(QString::number(climbed_m)));
+    QVERIFY((flight.path_m.back() - flight.path_m.front()).head<2>().norm() < 0.5);
+    QCOMPARE(flight.collisions, std::optional(0));
+}
+
+void tst_FlightLoop::theSameSeedGivesTheSameLines() {
+    const Flight first = flyAtFullSpeed(5);
+    const Flight second = flyAtFullSpeed(5);
+    const Flight other = flyAtFullSpeed(6);
+    QVERIFY(first.lines.size() > 200);
+    QVERIFY(first.lines == second.lines);
+    QVERIFY(first.lines != other.lines);
+}
+
+void tst_FlightLoop::aRoughWireChangesNothing() {
+    const Flight straight = flyAtFullSpeed(5);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 5, std::nullopt);
+    QVERIFY(simulator);
+    RoughRelay relay((*simulator)->port());
+    const Flight rough = fly(**simulator, relay.port(), true);
+    QVERIFY(rough.finished);
+    QVERIFY(straight.lines == rough.lines);
+}
+
+void tst_FlightLoop::fliesAtThePaceThatItIsGiven() {
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 10.0);
+    QVERIFY(simulator);
+    QElapsedTimer wall;
+    wall.start();
+    QVERIFY(fly(**simulator, (*simulator)->port(), true).success);
+    QVERIFY2(wall.elapsed() > 950, qPrintable(QString::number(wall.elapsed()))); // ten seconds at ten times real time
+}
+
+void tst_FlightLoop::fliesWithoutLockstepInRealTime() {
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 5.0);
+    QVERIFY(simulator);
+    const Flight flight = fly(**simulator, (*simulator)->port(), false);
+    QVERIFY(flight.success);
+    const double climbed_m = flight.path_m.back().z() - flight.path_m.front().z();
+    QVERIFY2(std::abs(climbed_m - climb_s) < 1.0, qPrintable(QString::number(climbed_m)));
+}
+
+void tst_FlightLoop::aCutWireEndsTheFlightAndKeepsThePath() {
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, std::nullopt);
+    QVERIFY(simulator);
+    RoughRelay relay((*simulator)->port());
+    relay.cut_after_bytes = 50000;
+    const Flight flight = fly(**simulator, relay.port(), true);
+    QVERIFY(flight.finished && !flight.success);
+    QVERIFY(!flight.path_m.empty());
+}
+
+QTEST_GUILESS_MAIN(tst_FlightLoop)
+#include "tst_flight_loop.moc"
