@@ -20,9 +20,22 @@ double bearingTo(const Vec2& from_m, const Vec2& to_m) {
     return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
 }
 
+/// What the robot cannot do is not commanded: the course filter and the stopping distance believe the command.
+Settings withinLimits(Settings settings, const SensorLayout& layout) {
+    for (double* speed : {&settings.scan_speed_m_s, &settings.transit_speed_m_s, &settings.evasion_speed_m_s})
+        *speed = std::min(*speed, layout.maximum_speed_m_s);
+    for (double* rate : {&settings.climb_speed_m_s, &settings.descent_speed_m_s})
+        *rate = std::min(*rate, layout.maximum_climb_m_s);
+    settings.turn_rate_rad_s = std::min(settings.turn_rate_rad_s, layout.maximum_turn_rad_s);
+    return settings;
+}
+
 } // namespace
 
 void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
+    settings = withinLimits(settings, layout);
+    if (settings.correct_heading)
+        reader_.tellCommand(pilot_.commandedInBase_m_s());
     senses = reader_.read(tick.now, tick.line, tick.robot, layout);
     if (airborne) {
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});

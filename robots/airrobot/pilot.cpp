@@ -64,6 +64,10 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
     port.send(drive, source);
 }
 
+Vec2 Pilot::commandedInBase_m_s() const {
+    return last_ ? Vec2(last_->forward_m_s.value_or(0.0), last_->left_m_s.value_or(0.0)) : Vec2(Vec2::Zero());
+}
+
 void Pilot::stop(agent::CommandPort& port, const std::string& source) {
     commanded_m_s_ = Vec2::Zero();
     const protocol::AerialDrive zero{0.0, 0.0, 0.0, 0.0};

@@ -33,6 +33,8 @@ public:
     void fly(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source,
              const Settings& settings);
     void stop(agent::CommandPort& port, const std::string& source);
+    /// The last command's horizontal velocity, in the robot's frame.
+    Vec2 commandedInBase_m_s() const;
 
 private:
     Vec2 commanded_m_s_ = Vec2::Zero();

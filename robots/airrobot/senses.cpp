@@ -61,18 +61,24 @@ std::optional<double> groundBelow(std::vector<Vec3> hits, const Vec3& base_m) {
 
 } // namespace
 
+void SenseReader::forgetMotion() {
+    history_.clear();
+    course_.reset();
+}
+
 Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout) {
     Senses senses;
     senses.now = now;
     senses.line = line;
-    if (const auto* ins = robot.sensors.ins()) {
-        if (ins->line != last_ins_) {
-            history_.add(now, ins->value.base_in_map);
-            ins_seen_ = now;
-            last_ins_ = ins->line;
-        }
-        senses.base_in_map = ins->value.base_in_map;
+    if (const auto* ins = robot.sensors.ins(); ins && ins->line != last_ins_) {
+        last_ins_ = ins->line;
+        ins_seen_ = now;
+        course_.update(ins->value.base_in_map, commanded_m_s_);
+        base_in_map_ = ins->value.base_in_map;
+        base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
+        history_.add(now, base_in_map_);
     }
+    senses.base_in_map = base_in_map_;
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
     for (const auto& [name, reading] : robot.sensors.sonars()) {

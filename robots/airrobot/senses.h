@@ -9,6 +9,7 @@
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/modules/robot_modules.h"
+#include "robots/airrobot/course_filter.h"
 #include "robots/airrobot/pose_history.h"
 #include "robots/airrobot/sensor_layout.h"
 
@@ -39,7 +40,7 @@ struct PlacedScan {
 struct Senses {
     Seconds now{0.0};
     LineNumber line;
-    Pose base_in_map; ///< INS
+    Pose base_in_map; ///< INS, its heading corrected by the course
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     double yaw_rate_rad_s = 0.0;
     std::vector<SonarEcho> sonars; ///< left to right; readings that are not numbers are left out
@@ -61,14 +62,19 @@ struct Senses {
 class SenseReader {
 public:
     Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout);
+    /// The robot's last command, its own frame: what the course is compared with. Never told: no correction.
+    void tellCommand(const Vec2& velocity_in_base_m_s) { commanded_m_s_ = velocity_in_base_m_s; }
     /// The estimate has jumped.
-    void forgetMotion() { history_.clear(); }
+    void forgetMotion();
 
 private:
     void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) const;
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
     PoseHistory history_;
+    CourseFilter course_;
+    Vec2 commanded_m_s_ = Vec2::Zero();
+    Pose base_in_map_;
     LineNumber last_ins_;
     LineNumber last_scan_;
     LineNumber last_sonar_;

@@ -119,6 +119,8 @@ const std::vector<Binding>& bindings() {
          "Height at which a landing becomes slow."},
         {&S::landing_radius_m, "landing_radius_m", "Landing place within", "Landing", "m", 0, 20,
          "How far from the base an even place is sought."},
+        {&S::correct_heading, "correct_heading", "Correct the heading", "Pose", "", 0, 0,
+         "Correct the drift of the INS's heading by the course flown."},
         {&S::rest_time_s, "rest_time_s", "Rest on the ground", "Pose", "s", 2, 60,
          "Time at rest before take-off and before the INS is set."},
         {&S::reset_attempts, "reset_attempts", "INS reset attempts", "Pose", "", 1, 50,

@@ -64,6 +64,7 @@ struct Settings {
     double landing_speed_m_s = 0.3;
     double landing_slow_below_m = 3.0;
     double landing_radius_m = 4.0;
+    bool correct_heading = true;
     double rest_time_s = 4.0; ///< [T] "several seconds"
     long long reset_attempts = 5;
     double sensor_timeout_s = 1.5;

@@ -54,7 +54,8 @@ void ToyAirRobot::obey(const protocol::Command& command) {
         protocol::ConfigurationInfo answer{configuration->type == "Robot" ? "AerialVehicle" : configuration->type,
                                            {{"X", {{"MaxRange", "", maximum}}}}};
         if (configuration->type == "Robot")
-            answer.items[0].settings = {{"MaxLinearVelocity", "2.0", 2.0}};
+            answer.items[0].settings = {{"MaxLinearVelocity", "", faults_.slow ? 0.7 : 2.0},
+                                        {"MaxAltitudeVelocity", "", faults_.slow ? 0.6 : 2.0}};
         answers_.push_back(answer);
     } else if (const auto* set = std::get_if<protocol::SetInsPose>(&command)) {
         if (on_ground_)

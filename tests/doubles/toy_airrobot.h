@@ -15,6 +15,7 @@ namespace usar::tests {
 
 struct ToyFaults {
     bool ins_drifts = false;
+    bool slow = false;            ///< says that it flies at most 0.7 m/s and climbs at most 0.6 m/s
     bool silent_geometry = false; ///< GETGEO is never answered
     bool no_response = false;     ///< SET is obeyed without RES, as UDK does
     std::optional<double> sonars_silent_after_s{};

@@ -70,6 +70,14 @@ private slots:
         QVERIFY(toy.events().size() <= 1); // nothing went wrong
     }
 
+    void commandsNothingThatTheRobotCannotDo() {
+        ToyFlight toy = flight({}, field_task, {{"transit_speed_m_s", 2.0}, {"climb_speed_m_s", 2.0}}, {.slow = true});
+        toy.run(Seconds(300));
+        for (const CausedCommand& caused : toy.commands())
+            if (const auto* drive = std::get_if<protocol::AerialDrive>(&caused.command))
+                QVERIFY(std::hypot(*drive->forward_m_s, *drive->left_m_s) < 0.71 && *drive->climb_m_s < 0.61);
+    }
+
     void takesOffStraightUpBeforeAnythingElse() {
         ToyFlight toy = flight({});
         while (toy.robot().position_m().z() < 5.0)

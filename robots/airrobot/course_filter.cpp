@@ -1,0 +1,52 @@
+#include "robots/airrobot/course_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// (1.1 degrees)^2 per right angle.
+constexpr double turn_variance_rad = 2.4e-4;
+/// 5 % of each step sideways, and what the autopilot leaves.
+constexpr double course_variance_rad2 = 0.0036;
+constexpr double steady_m_s = 0.12;
+constexpr int steady_ticks_needed = 6;
+constexpr double slowest_m_s = 0.5;
+constexpr double straight_rad = 0.02;
+constexpr double shortest_step_m = 0.05;
+/// More than this is no drift but something that holds the robot.
+constexpr double outlier_rad = 0.5;
+constexpr double limit_rad = 0.4;
+
+} // namespace
+
+void CourseFilter::update(const Pose& ins_in_map, const Vec2& commanded_in_base_m_s) {
+    const bool steady = (commanded_in_base_m_s - command_m_s_).norm() < steady_m_s;
+    steady_ticks_ = steady ? steady_ticks_ + 1 : 0;
+    if (!steady)
+        command_m_s_ = commanded_in_base_m_s;
+    if (last_) {
+        const double turn_rad = normalizedAngle(ins_in_map.yaw_rad - last_->yaw_rad);
+        variance_rad2_ += turn_variance_rad * std::abs(turn_rad);
+        const bool straight = std::abs(turn_rad) < straight_rad && commanded_in_base_m_s.norm() > slowest_m_s;
+        const Vec2 step_m = (ins_in_map.position_m - last_->position_m).head<2>();
+        if (straight && steady_ticks_ >= steady_ticks_needed && step_m.norm() > shortest_step_m)
+            learn(step_m,
+                  last_->yaw_rad + turn_rad / 2.0 + std::atan2(commanded_in_base_m_s.y(), commanded_in_base_m_s.x()));
+    }
+    last_ = ins_in_map;
+}
+
+void CourseFilter::learn(const Vec2& step_m, double expected_rad) {
+    const double course_rad = std::atan2(step_m.y(), step_m.x());
+    const double error_rad = normalizedAngle(course_rad - expected_rad - correction_rad_);
+    if (std::abs(error_rad) > outlier_rad)
+        return;
+    const double gain = variance_rad2_ / (variance_rad2_ + course_variance_rad2);
+    correction_rad_ = std::clamp(correction_rad_ + gain * error_rad, -limit_rad, limit_rad);
+    variance_rad2_ *= 1.0 - gain;
+}
+
+} // namespace usar::airrobot
