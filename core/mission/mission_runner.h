@@ -20,7 +20,7 @@ namespace usar::mission {
 /// When a run gives up. Wall time but for the last.
 struct RunLimits {
     SessionLimits session;
-    Seconds connect{12.0};    ///< no connection, or no start poses on it
+    Seconds connect{8.0};     ///< no connection, or no start poses on it
     Seconds stall{30.0};      ///< the protocol clock stands still
     Seconds flight{6 * 3600}; ///< protocol clock: no mission takes that long
 };

@@ -1,0 +1,179 @@
+#include <csignal>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// The program itself: what it prints, what it leaves, how it exits.
+class tst_UsarMission : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+
+    void fliesAMissionToItsEnd();
+    void equalSeedsGiveEqualMaps();
+    void rejectsTheRestAndSaysWhere_data();
+    void rejectsTheRestAndSaysWhere();
+    void helpGoesToStandardOutput();
+    void ctrlCKeepsWhatWasScanned_data();
+    void ctrlCKeepsWhatWasScanned();
+
+private:
+    struct Ended {
+        int exit_code = -1;
+        QJsonObject summary; ///< last line of standard output
+        QByteArray out;
+        QByteArray err;
+    };
+    static Ended read(QProcess& process);
+    static Ended run(const QStringList& arguments);
+    /// Writes a mission and gives its path.
+    QString missionFile(const QByteArray& json) const;
+
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+namespace {
+
+const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-mission";
+constexpr int patience_ms = 100000;
+
+const QByteArray small = R"({ "name": "Small", "area": { "x": -8, "y": -6, "width": 16, "height": 12 } })";
+
+} // namespace
+
+void tst_UsarMission::init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+}
+
+void tst_UsarMission::cleanup() {
+    folder_.reset();
+}
+
+QString tst_UsarMission::missionFile(const QByteArray& json) const {
+    QFile file(folder_->filePath("mission.json"));
+    if (file.open(QIODevice::WriteOnly))
+        file.write(json);
+    return file.fileName();
+}
+
+tst_UsarMission::Ended tst_UsarMission::read(QProcess& process) {
+    Ended ended;
+    if (!process.waitForFinished(patience_ms))
+        process.kill();
+    ended.exit_code = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+    ended.out = process.readAllStandardOutput();
+    ended.err = process.readAllStandardError();
+    ended.summary = QJsonDocument::fromJson(ended.out.trimmed().split('\n').last()).object();
+    return ended;
+}
+
+tst_UsarMission::Ended tst_UsarMission::run(const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    return read(process);
+}
+
+void tst_UsarMission::fliesAMissionToItsEnd() {
+    const QString out = folder_->filePath("results");
+    const Ended ended = run({"run", missionFile(small), "--seed", "4", "--out", out});
+    QVERIFY2(ended.exit_code == 0, ended.out + ended.err);
+    QCOMPARE(ended.summary["success"].toBool(), true);
+    QCOMPARE(ended.summary["seed"].toInt(), 4);
+    QCOMPARE(ended.summary["collisions"].toInt(-1), 0);
+    QVERIFY(ended.summary["coverage_pct"].toDouble() > 90.0);
+    QVERIFY(ended.summary["rmse_m"].isDouble());
+    QVERIFY(ended.summary["speed_x"].toDouble() > 1.0);
+    for (const QJsonValue file : ended.summary["files"].toArray())
+        QVERIFY2(file.toString().startsWith(out) && QFile::exists(file.toString()), qPrintable(file.toString()));
+    QVERIFY2(ended.err.contains("ETA"), ended.err); // the progress bar
+    QCOMPARE(ended.out.count('\n'), 1);
+}
+
+void tst_UsarMission::equalSeedsGiveEqualMaps() {
+    const auto mapOf = [&](const QString& seed) {
+        const Ended ended = run({"run", missionFile(small), "--seed", seed, "--out", folder_->filePath("results")});
+        for (const QJsonValue name : ended.summary["files"].toArray())
+            if (QFile file(name.toString()); name.toString().endsWith(".bil") && file.open(QIODevice::ReadOnly))
+                return file.readAll();
+        return QByteArray();
+    };
+    const QByteArray first = mapOf("9");
+    QVERIFY(!first.isEmpty());
+    QVERIFY(first == mapOf("9"));
+    QVERIFY(first != mapOf("10"));
+}
+
+void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
+    QTest::addColumn<QByteArray>("mission");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("broken mission file") << QByteArray("{\n  \"name\": \"x\",\n  oops }") << QStringList{} << "3:";
+    QTest::newRow("area without size") << QByteArray(
+                                              R"({ "name": "x", "area": { "x": 0, "y": 0, "width": 0, "height": 5 } })")
+                                       << QStringList{} << "area";
+    QTest::newRow("area outside the world")
+        << QByteArray(R"({ "name": "x", "area": { "x": 90, "y": 0, "width": 500, "height": 5 } })") << QStringList{}
+        << "reaches outside the world";
+    QTest::newRow("unknown world")
+        << QByteArray(R"({ "name": "x", "world": "moon", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
+        << QStringList{} << "Known are: ";
+    QTest::newRow("unknown start pose")
+        << QByteArray(R"({ "name": "x", "start": "Roof", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
+        << QStringList{} << "no start pose of this name";
+    QTest::newRow("unknown behavior") << small << QStringList{"--behavior", "airrobot/dance"} << "airrobot/dance";
+    QTest::newRow("unwritable folder") << small << QStringList{"--out", "/proc/nowhere"} << "/proc/nowhere";
+    QTest::newRow("wrong option") << small << QStringList{"--sped", "3"} << "--sped";
+    QTest::newRow("dead host") << small << QStringList{"--connect", "127.0.0.1:9"} << "Nothing listens at 127.0.0.1:9";
+}
+
+void tst_UsarMission::rejectsTheRestAndSaysWhere() {
+    QFETCH(QByteArray, mission);
+    QFETCH(QStringList, options);
+    QFETCH(QString, words);
+    const Ended ended = run(QStringList{"run", missionFile(mission)} + options);
+    QVERIFY2(ended.exit_code == 2, ended.out + ended.err);
+    QCOMPARE(ended.summary["success"].toBool(true), false);
+    QVERIFY2(ended.summary["reason"].toString().contains(words), ended.out);
+    QVERIFY2(ended.err.contains(words.toUtf8()), ended.err);
+}
+
+void tst_UsarMission::helpGoesToStandardOutput() {
+    const Ended ended = run({"--help"});
+    QCOMPARE(ended.exit_code, 0);
+    QVERIFY(ended.out.contains("--connect HOST:PORT"));
+}
+
+void tst_UsarMission::ctrlCKeepsWhatWasScanned_data() {
+    QTest::addColumn<int>("signal_number");
+    QTest::newRow("Ctrl+C") << SIGINT;
+    QTest::newRow("a polite kill") << SIGTERM;
+}
+
+void tst_UsarMission::ctrlCKeepsWhatWasScanned() {
+    QFETCH(int, signal_number);
+    const QString out = folder_->filePath("results");
+    QProcess process;
+    process.start(program,
+                  {"run", USAR_SOURCE_DIR "/resources/missions/quick_scan.json", "--speed", "30", "--out", out});
+    process.setReadChannel(QProcess::StandardError);
+    QByteArray err; // a line at each tenth: at 10 % something has been scanned
+    while (!err.contains(" 10 %") && !err.contains(" 11 %") && process.waitForReadyRead(patience_ms))
+        err += process.readAllStandardError();
+    ::kill(static_cast<pid_t>(process.processId()), signal_number);
+    const Ended ended = read(process);
+    QVERIFY2(ended.exit_code == 1, ended.out + ended.err);
+    QVERIFY2(ended.summary["reason"].toString().contains("Interrupted"), ended.out);
+    QVERIFY(ended.summary["cells"].toInt() > 0);
+    QVERIFY(QDir(out).entryList({"*.bil"}).size() == 1);
+    QVERIFY(QDir(out).entryList({"*.json"}).size() == 1);
+}
+
+QTEST_GUILESS_MAIN(tst_UsarMission)
+#include "tst_usar_mission.moc"
