@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
-#include "core/base/numbers.h"
-
 namespace usar::airrobot {
 
 namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
-
-std::string count(std::size_t number) {
-    return std::to_string(number);
-}
 
 } // namespace
 
@@ -262,66 +256,6 @@ void SurveyBehavior::finish(bool success, const std::string& reason, agent::Comm
     phase_ = Phase::Finished;
     craft_.rest(port, "finished");
     port.publish(agent::BehaviorFinished{success, reason});
-}
-
-std::string SurveyBehavior::words() const {
-    const std::string lane = "lane " + count(survey_.laneIndex() + 1) + " of " + count(survey_.laneCount());
-    switch (phase_) {
-    case Phase::Launch:
-        return checklist_.words();
-    case Phase::TakeOff:
-        return "taking off";
-    case Phase::ToLane:
-        return "flying to " + lane;
-    case Phase::Lane:
-        return "scanning " + lane;
-    case Phase::Home:
-        return errand_ == Errand::Recharge ? "returning to charge" : "returning to base";
-    case Phase::Landing:
-        return "landing";
-    case Phase::Ground:
-        return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
-                                                                                  : "at rest, setting the INS";
-    case Phase::Finished:
-        return "finished";
-    }
-    return {};
-}
-
-double SurveyBehavior::progress_pct() const {
-    if (survey_.laneCount() == 0)
-        return 0.0;
-    return 100.0 * survey_.doneLength_m() / survey_.totalLength_m();
-}
-
-std::optional<Seconds> SurveyBehavior::timeLeft() const {
-    if (survey_.laneCount() == 0)
-        return std::nullopt;
-    const Settings& settings = craft_.settings;
-    const double done_m = survey_.doneLength_m();
-    const Seconds elapsed = craft_.senses.now - *started_;
-    const Seconds planned = mapping::estimatedTime(survey_.plan(), settings.scan_speed_m_s, settings.transit_speed_m_s);
-    const double part = done_m / survey_.totalLength_m();
-    const Seconds by_plan = planned * (1.0 - part);
-    if (part < 0.05)
-        return by_plan;
-    const Seconds by_pace = elapsed * ((1.0 - part) / part);
-    return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
-}
-
-void SurveyBehavior::publishStatus(const agent::Tick& tick, agent::CommandPort& port) const {
-    agent::BehaviorStatus status;
-    status.time = tick.now;
-    status.elapsed = tick.now - *started_;
-    status.state = silent_ ? "waiting for sensors" : paused_ ? "paused, " + words() : words();
-    status.distance_to_goal_m = goal_distance_m_;
-    status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
-    status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
-    status.progress_pct = progress_pct();
-    status.time_left = timeLeft();
-    status.distance_flown_m = craft_.battery.flown_m();
-    status.charges = craft_.battery.charges();
-    port.publish(status);
 }
 
 } // namespace usar::airrobot
