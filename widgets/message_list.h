@@ -18,7 +18,9 @@ namespace usar::widgets {
 class EmptyState;
 
 /// Takes lines at any rate and shows them with one insertion a frame; hidden or paused it only keeps them. Stays at
-/// the end until the person scrolls up. GUI thread.
+/// the end until the person scrolls up; then the content stands still, also while old lines fall out. Lines with
+/// diagnostics have a sign and a color, and say the reason as tooltip; commands say who sent them and on which line.
+/// GUI thread.
 class MessageList : public QWidget {
     Q_OBJECT
 public:
@@ -26,18 +28,22 @@ public:
 
     /// `time` is the protocol's clock when it came or went.
     void takeLine(const protocol::InfoLine& line, Seconds time);
+    /// `dialect` is the one in which it was written on the wire.
     void takeCommand(const agent::CausedCommand& command, Seconds time,
                      protocol::Dialect dialect = protocol::Dialect::Ut2004);
+    /// Sets search box and direction choice as well.
     void setFilter(const MessageFilter& filter);
     bool paused() const { return pause_->isChecked(); }
 
     const MessageModel& model() const { return *model_; }
     QTableView* view() const { return view_; }
+    /// Says whether there are no lines at all or none that fits.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 120}; }
 
 public slots:
+    /// The list stands still; lines are kept, the newest 100 000 of them, and their number is shown.
     void setPaused(bool paused);
     void clear();
 
@@ -51,6 +57,7 @@ private:
     void setUpView();
     void setUpActions();
     void keep(MessageRow row);
+    /// Starts the frame timer, if there is somebody to see it.
     void flushSoon();
     void flush();
     void applyFilter();
@@ -66,7 +73,7 @@ private:
     QToolButton* pause_ = nullptr;
     EmptyState* empty_state_;
     std::deque<MessageRow> waiting_; ///< at most the model's capacity
-    std::uint64_t commands_ = 0;
+    std::uint64_t commands_ = 0;     ///< taken so far: their numbers
     QTimer frame_{this};
 };
 

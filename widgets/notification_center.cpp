@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "widgets/elided_label.h"
 #include "widgets/empty_state.h"
 #include "widgets/notification_delegate.h"
 #include "widgets/theme.h"
@@ -16,7 +17,7 @@ NotificationCenter::NotificationCenter(QWidget* parent)
     : QWidget(parent)
     , model_(new NotificationModel(this))
     , view_(new QListView(this))
-    , summary_(new QLabel(this)) {
+    , summary_(new ElidedLabel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

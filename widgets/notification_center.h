@@ -12,25 +12,30 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Owns the model; toasts are made from it (toast_stack.h). What is pushed while it is seen counts as read.
-/// GUI thread.
+/// Owns the model; toasts are made from it (toast_stack.h). What is pushed while it is seen counts as read, and opening
+/// it reads all. Nothing here is modal and nothing takes the focus. Texts are whole sentences: what happened, to what,
+/// what to do. GUI thread.
 class NotificationCenter : public QWidget {
     Q_OBJECT
 public:
     explicit NotificationCenter(QWidget* parent = nullptr);
 
     NotificationModel* model() { return model_; }
+    /// Groups, not reports: 137 lost links are one.
     int unread() const { return model_->unread(); }
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:
+    /// `key` says what it is about: the same key again is counted, not listed again. `when` is wall time.
     void push(const QString& key, usar::Severity severity, const QString& text,
               const QDateTime& when = QDateTime::currentDateTime());
+    /// The trouble with that key is over; its row stays, greyed.
     void cured(const QString& key);
     void clearAll();
 
 signals:
+    /// For the tab's title.
     void unreadChanged(int unread);
     /// Double-click or Return: show the place that it is about.
     void activated(const QString& key);

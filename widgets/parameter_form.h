@@ -18,7 +18,8 @@ class EmptyState;
 class ParameterRow;
 
 /// Values in by setters, edits out by `changed`. Values are SI and radians; angles are shown and edited in degrees.
-/// GUI thread; rows belong to the form.
+/// A modified row has a bar at its left, a bold label and a button back to the default. Search and "modified only"
+/// hide rows and never change values. GUI thread; rows belong to the form.
 class ParameterForm : public QWidget {
     Q_OBJECT
 public:
@@ -32,6 +33,7 @@ public:
     /// Those that differ from their defaults: what a mission file needs to keep.
     std::map<std::string, agent::ParameterValue> modified() const;
 
+    /// Shows rows with `words` in label, id, group or help.
     void setFilter(const QString& words);
     void setModifiedOnly(bool on);
     /// Shown while there are no specs.
@@ -39,6 +41,7 @@ public:
     QSize sizeHint() const override { return {320, 400}; }
 
 public slots:
+    /// Tells once, and not at all where nothing was modified.
     void resetAll();
 
 signals:
@@ -51,6 +54,7 @@ private:
         std::vector<ParameterRow*> rows;
     };
 
+    /// Search, "modified only", reset all.
     QWidget* makeTools();
     QToolButton* makeButton(const QString& text);
     Group& groupOf(const std::string& name);
@@ -59,11 +63,11 @@ private:
 
     QLineEdit* search_;
     QToolButton* modified_only_;
-    QToolButton* reset_all_;
+    QToolButton* reset_all_; ///< seen only while something is modified
     QScrollArea* scroll_;
-    QLabel* nothing_;
+    QLabel* nothing_; ///< says why the filter leaves no row
     EmptyState* empty_state_;
-    std::vector<std::pair<std::string, Group>> groups_;
+    std::vector<std::pair<std::string, Group>> groups_; ///< in the order of the specs
 };
 
 } // namespace usar::widgets

@@ -20,6 +20,7 @@ public:
     const agent::ParameterValue& value() const { return value_; }
     /// Shows `value` without telling; one that does not fit the spec shows the default.
     void setValue(const agent::ParameterValue& value);
+    /// Differs from the default by more than a trip through degrees can do.
     bool modified() const;
     /// Label, id, group or help contains `words`, whatever the case.
     bool matches(const QString& words) const;
@@ -30,17 +31,20 @@ signals:
 
 private:
     void build();
+    // One editor for each type of value; all have the spec's id as object name.
     QWidget* makeEditor();
     QWidget* makeSwitch();
     QWidget* makeNumber();
     QWidget* makeChoice();
     QWidget* makeText();
+    /// From the editor: keeps and tells.
     void take(const agent::ParameterValue& value);
+    /// To the editor, in silence.
     void showValue();
     void showMark();
 
     agent::ParameterSpec spec_;
-    agent::ParameterValue value_;
+    agent::ParameterValue value_; ///< exact, whatever the editor's decimals
     QWidget* mark_ = nullptr;
     QLabel* label_ = nullptr;
     QWidget* editor_ = nullptr;

@@ -17,6 +17,7 @@ class EmptyState;
 class PlotCanvas;
 
 /// Records whatever is watched, also while hidden or paused; draws at most 30 times a second and only while visible.
+/// Wheel zooms time at the cursor, over a value axis that axis; drag pans; double-click follows the newest again.
 /// Keys: Space pauses, F follows, + - zoom, left and right pan, Delete in the legend takes series off. GUI thread.
 class PlotView : public QWidget {
     Q_OBJECT
@@ -26,13 +27,17 @@ public:
     /// `path` as protocol::Field::path() gives it. Known paths are left as they are.
     void addSeries(const QString& path, const QString& unit = {});
     void removeSeries(const QString& path);
+    /// In the order in which they were added, which gives the colors.
     QStringList seriesPaths() const;
+    /// Takes all series off and forgets their samples.
     void clear();
     /// Every line of the connection; `now` is the protocol's time for messages that carry none.
     void take(const protocol::InfoLine& line, Seconds now);
 
     bool paused() const { return pause_->isChecked(); }
+    /// SI values of all that is recorded, see csvOf(). Whole or not at all.
     Result<void> exportCsv(const QString& file) const;
+    /// What is seen now with a legend, PNG at twice the size.
     Result<void> exportPicture(const QString& file) const;
     PlotCanvas* canvas() const { return canvas_; }
     const SeriesStore& store() const { return store_; }
@@ -44,6 +49,7 @@ public:
 public slots:
     /// The picture stands still; recording goes on.
     void setPaused(bool paused);
+    /// Keeps the newest sample at the right edge.
     void setFollowing(bool following);
 
 signals:
@@ -64,12 +70,14 @@ private:
     QWidget* makeLegend();
     QToolButton* makeButton(const char* icon_name, const QString& text, bool checkable);
     void fillWindowChoice();
+    /// Not modal: a robot may be moving.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
     void legendMenu(const QPoint& at);
     void removeSelected();
     void listChanged();
     void rebuildLegend();
     void updateLegendValues();
+    /// Starts the frame timer, if there is somebody to see it.
     void refreshSoon();
     void refresh();
 

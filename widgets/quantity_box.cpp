@@ -1,5 +1,8 @@
 #include "widgets/quantity_box.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QWheelEvent>
 
 #include "core/base/numbers.h"
@@ -11,7 +14,7 @@ QuantityBox::QuantityBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(QLocale::c());
     setFocusPolicy(Qt::StrongFocus);
     setKeyboardTracking(false);
-    setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
+    setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setMinimumHeight(minimum_target);
 }
@@ -27,17 +30,26 @@ QString QuantityBox::textFromValue(double value) const {
     return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
 }
 
-double QuantityBox::valueFromText(const QString& text) const {
-    QString number = text;
-    if (!suffix().isEmpty() && number.endsWith(suffix()))
-        number.chop(suffix().size());
-    number.replace(u',', u'.');
-    return readNumber(number.toStdString()).value_or(value());
+QString QuantityBox::numberIn(QString text) const {
+    if (!suffix().isEmpty() && text.endsWith(suffix()))
+        text.chop(suffix().size());
+    return text.replace(u',', u'.').trimmed();
 }
 
+double QuantityBox::valueFromText(const QString& text) const {
+    return std::clamp(readNumber(numberIn(text).toStdString()).value_or(value()), minimum(), maximum());
+}
+
+// Qt's own refuses keys that would leave the range and corrects what is left to zero: people could not type a number
+// and see it pulled in.
 QValidator::State QuantityBox::validate(QString& text, int& position) const {
-    text.replace(u',', u'.');
-    return QDoubleSpinBox::validate(text, position);
+    Q_UNUSED(position)
+    const QString number = numberIn(text);
+    if (const auto value = readNumber(number.toStdString()); value && std::isfinite(*value))
+        return QValidator::Acceptable;
+    const QString signs = QStringLiteral("+-.0123456789");
+    const bool may_become_one = std::ranges::all_of(number, [&](QChar c) { return signs.contains(c); });
+    return may_become_one ? QValidator::Intermediate : QValidator::Invalid;
 }
 
 void QuantityBox::wheelEvent(QWheelEvent* event) {

@@ -16,9 +16,11 @@ class RobotList : public QWidget {
 public:
     explicit RobotList(QWidget* parent = nullptr);
 
+    /// All there are; the selection stays with its robot.
     void setRobots(const std::vector<RobotRow>& robots);
     /// Adds a robot that is not there yet.
     void updateRobot(const RobotRow& robot);
+    /// If it was selected, its neighbor is, and that is told.
     void removeRobot(int id);
     /// Silent; an unknown id selects nobody.
     void selectRobot(int id);
@@ -44,7 +46,7 @@ private:
     RobotListModel* model_;
     QListView* view_;
     EmptyState* empty_state_;
-    bool quiet_ = false;
+    bool quiet_ = false; ///< a change of the selection is ours, not the person's
 };
 
 } // namespace usar::widgets

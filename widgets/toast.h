@@ -16,6 +16,7 @@ class Toast : public QFrame {
 public:
     Toast(const Notification& notification, int lifetime_ms, QWidget* parent);
 
+    /// Of the notification that it shows.
     const QString& key() const { return key_; }
     /// The same trouble again: new text and count, and a whole lifetime.
     void show(const Notification& notification);
@@ -34,6 +35,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Icon and word in the severity's color of the current theme.
     void paintSign();
 
     QString key_;

@@ -35,8 +35,10 @@ protected:
 
 private:
     void push(const Notification& notification);
+    /// Hides at once and deletes later, for the toast itself may be asking.
     void take(const QString& key);
     Toast* toastOf(const QString& key) const;
+    /// From the bottom right corner upward.
     void arrange();
 
     QWidget* covered_;

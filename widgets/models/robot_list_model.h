@@ -30,6 +30,7 @@ public:
     void setRobots(std::vector<RobotRow> robots);
     /// Adds a robot with an id that is not there yet. Tells nobody when nothing changed.
     void updateRobot(const RobotRow& robot);
+    /// An unknown id is no news.
     void removeRobot(int id);
 
     const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
@@ -38,7 +39,7 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
 
 private:
-    std::vector<RobotRow> rows_;
+    std::vector<RobotRow> rows_; ///< by number, then id
 };
 
 } // namespace usar::widgets
