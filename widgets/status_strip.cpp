@@ -25,7 +25,8 @@ StatusStrip::StatusStrip(QWidget* parent)
     , flown_(new Readout(tr("flown"), QStringLiteral("m"), QStringLiteral("00000"), this))
     , charges_(new Readout(tr("charges"), {}, QStringLiteral("00"), this))
     , battery_(new Meter(tr("Battery used"), this))
-    , progress_(new Meter(tr("Progress"), this)) {
+    , progress_(new Meter(tr("Progress"), this))
+    , coverage_(new Meter(tr("Coverage"), this)) {
     setAccessibleName(tr("Status"));
     elapsed_->setToolTip(tr("Protocol time since the behavior started, hours:minutes:seconds"));
     left_->setToolTip(tr("Estimated protocol time to the end"));
@@ -37,6 +38,7 @@ StatusStrip::StatusStrip(QWidget* parent)
         tr("Used part of the battery's capacity, per cent"));
     battery_->setLimits(70.0, 85.0);
     progress_->setToolTip(tr("Part of the whole task that is done, per cent"));
+    coverage_->setToolTip(tr("Part of the mission area whose height is known, per cent"));
     state_->setAccessibleName(tr("State of the behavior"));
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
@@ -57,6 +59,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     column->addLayout(figures);
     column->addWidget(battery_);
     column->addWidget(progress_);
+    column->addWidget(coverage_);
     clear(tr("No behavior runs"));
 }
 
@@ -89,6 +92,11 @@ void StatusStrip::clear(const QString& words) {
         readout->setText(figure(qQNaN(), 0));
     battery_->setValue(std::nullopt);
     progress_->setValue(std::nullopt);
+    coverage_->setValue(std::nullopt);
+}
+
+void StatusStrip::setCoverage(std::optional<double> coverage_pct) {
+    coverage_->setValue(coverage_pct);
 }
 
 } // namespace usar::widgets

@@ -22,6 +22,8 @@ public:
     /// Nothing runs: `words` says why or what to do ("Idle. Press Start."); the last figures stay, so that a finished
     /// mission can be read.
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
+    /// Of the mission area, 0..100; nothing without an area.
+    void setCoverage(std::optional<double> coverage_pct);
     /// All figures unknown.
     void clear(const QString& words);
     QString stateText() const { return state_->text(); }
@@ -40,6 +42,7 @@ private:
     Readout* charges_;
     Meter* battery_;
     Meter* progress_;
+    Meter* coverage_;
 };
 
 } // namespace usar::widgets

@@ -19,7 +19,7 @@ namespace usar::mission {
 
 namespace {
 
-const QString folder_mend = "choose another folder, or make this one writable and save again";
+const QString folder_mend = "Choose another folder, or make this one writable and save again";
 
 QString fileNamePart(const std::string& name, const QString& fallback) {
     static const QRegularExpression unwanted("[^A-Za-z0-9-]+");

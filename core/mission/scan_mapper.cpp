@@ -36,7 +36,7 @@ bool ScanMapper::place(const agent::ScanPlacement& placement) {
     last_placed_ = shelved->ordinal;
     const protocol::RangeScan& scan = shelved->scan;
     integrator_.integrate({.ranges_m = scan.ranges_m,
-                           .resolution_rad = scan.resolution_rad,
+                           .resolution_rad = scan.step_rad(),
                            .fov_rad = scan.fov_rad,
                            .maximum_m = maximumOf(scan.name)},
                           placement.scanner_in_map, placement.scan_line, map_);

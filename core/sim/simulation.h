@@ -14,6 +14,9 @@
 
 namespace usar::sim {
 
+/// A day: the thesis (4.1) sets the server's battery very high, for a server cannot charge, and lets the client count.
+inline constexpr Seconds survey_battery_life{86400.0};
+
 struct SimulationOptions {
     std::uint64_t seed = 1;
     Seconds tick{0.2};               ///< UT2004 message tick

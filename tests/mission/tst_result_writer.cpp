@@ -251,7 +251,7 @@ void tst_ResultWriter::anUnwritableFolderIsNamed() {
     const auto files = writeResults(sampleScan(20), {}, folder);
     QVERIFY(!files.has_value());
     QCOMPARE(QString::fromStdString(files.error().where), folder);
-    QVERIFY(files.error().mend.find("choose another folder") != std::string::npos);
+    QVERIFY(files.error().mend.find("Choose another folder") != std::string::npos);
 }
 
 void tst_ResultWriter::anEmptyMapStillLeavesTheSummary() {

@@ -34,9 +34,16 @@ struct RangeScan {
     double fov_rad = 0.0;
     std::vector<double> ranges_m{};
 
+    /// Angle between neighbouring beams. UT2004 cuts 0.01745 to 0.0174 on the wire, which adds up to half a degree over
+    /// 181 beams; field of view and count give the true step wherever they agree with the resolution to 2 %.
+    double step_rad() const {
+        const double even_rad = ranges_m.size() > 1 ? fov_rad / static_cast<double>(ranges_m.size() - 1) : 0.0;
+        const double difference_rad = even_rad > resolution_rad ? even_rad - resolution_rad : resolution_rad - even_rad;
+        return difference_rad <= 0.02 * resolution_rad ? even_rad : resolution_rad;
+    }
     /// Angle of a beam in the scanner's frame, counter-clockwise positive. `index` < ranges_m.size().
     double beamAngle_rad(std::size_t index) const {
-        return -fov_rad / 2.0 + static_cast<double>(index) * resolution_rad;
+        return -fov_rad / 2.0 + static_cast<double>(index) * step_rad();
     }
     bool operator==(const RangeScan&) const = default;
 };

@@ -1,0 +1,215 @@
+#include "app/main_window.h"
+
+#include <cmath>
+
+#include <QApplication>
+
+#include "app/locations.h"
+#include "widgets/escape_twice.h"
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+
+namespace usar::app {
+
+namespace {
+
+widgets::ConnectionStatus barStatus(const link::LinkStatus& status, const QString& where) {
+    using widgets::ConnectionState;
+    static const std::map<link::LinkState, ConnectionState> states{
+        {link::LinkState::Disconnected, ConnectionState::Disconnected},
+        {link::LinkState::Connecting, ConnectionState::Connecting},
+        {link::LinkState::Connected, ConnectionState::Connected},
+        {link::LinkState::Waiting, ConnectionState::Waiting}};
+    return {states.at(status.state), where, status.reason, status.retry_in};
+}
+
+} // namespace
+
+MainWindow::MainWindow(const Options& options, QWidget* parent)
+    : QMainWindow(parent)
+    , options_(options)
+    , commands_(this)
+    , views_(makeViews(*this))
+    , presenter_(control_, views_) {
+    control_.loadPlugins(pluginFolders());
+    control_.setResultFolder(options.result_folder);
+    views_.hint->setSteps(widgets::HintStrip::firstSteps());
+    views_.spawn_card->setRobots(control_.plugins().robots());
+    registerCommands();
+    makeMenus();
+    wireControl();
+    wireBars();
+    wireMap();
+    wirePanels();
+    wireMission();
+    resize(1280, 800);
+    first_layout_ = saveState(layout_version);
+    restoreSettings();
+    selectRobot(0);
+    showTitle();
+    for (const agent::PluginRecord& record : control_.plugins().records())
+        if (record.state == agent::PluginState::Rejected)
+            say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::begin() {
+    const ServerTarget& server = options_.server;
+    views_.connection->setServer(server.embedded ? widgets::ServerChoice::Embedded : widgets::ServerChoice::Real);
+    views_.connection->setAddress(server.host, server.port);
+    control_.connectTo(server);
+    if (!options_.mission_file.isEmpty())
+        openMission(options_.mission_file);
+}
+
+void MainWindow::wireControl() {
+    connect(&control_, &MissionControl::linkChanged, this, [this](const link::LinkStatus& status) {
+        views_.connection->setStatus(barStatus(status, control_.level()));
+        if (status.state != link::LinkState::Connected)
+            views_.connection->setRate(std::nullopt);
+        commands_.refresh();
+    });
+    connect(&control_, &MissionControl::worldKnown, this, &MainWindow::showWorld);
+    connect(&control_, &MissionControl::startPosesKnown, this,
+            [this](const protocol::StartPoses& poses, const QString& level) {
+                start_poses_ = poses.poses;
+                views_.map->setStartPoses(poses.poses);
+                views_.connection->setStatus({widgets::ConnectionState::Connected, level, {}, Seconds{0.0}});
+            });
+    connect(&control_, &MissionControl::robotAdded, this, [this](int id) {
+        presenter_.showRow(id);
+        selectRobot(id);
+        views_.hint->setDone(0, true);
+    });
+    connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name) {
+        views_.robots->removeRobot(id);
+        presenter_.remove(name);
+        if (id == selected_)
+            selectRobot(control_.robots().empty() ? 0 : control_.robots().front()->view().id);
+    });
+    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
+        presenter_.show(id, *update, id == selected_);
+        if (id != selected_)
+            return;
+        views_.connection->setRate(update->figures.lines_per_second);
+        views_.time->setClock(update->figures.now);
+        refreshRunState();
+        showTitle();
+    });
+    connect(&control_.simulator(), &SimulatorHost::figuresChanged, this, [this](const link::SimulatorFigures& figures) {
+        views_.time->setRealTimeFactor(figures.real_time_factor);
+        if (control_.robots().empty())
+            views_.time->setClock(figures.now);
+    });
+}
+
+void MainWindow::wireMission() {
+    connect(&control_, &MissionControl::behaviorFinished, this, [this](int id, bool, const QString&) {
+        presenter_.showRow(id);
+        refreshRunState();
+        showTitle();
+        returnToRealTime();
+    });
+    connect(&control_, &MissionControl::resultsWritten, this, [this](int, const QStringList& files) {
+        say(Severity::Note, "saved",
+            tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
+    });
+    connect(&control_, &MissionControl::exportFailed, this, &MainWindow::exportFailed);
+    connect(&control_, &MissionControl::noticed, this, [this](const QString& key, const mission::Notice& notice) {
+        say(notice.severity, key, QString::fromStdString(notice.text));
+    });
+    connect(&control_, &MissionControl::cured, views_.notifications, &widgets::NotificationCenter::cured);
+    connect(views_.notifications, &widgets::NotificationCenter::unreadChanged, this, [this](int unread) {
+        views_.notifications_dock->setWindowTitle(unread ? tr("Notifications (%1)").arg(unread) : tr("Notifications"));
+    });
+    connect(views_.toasts, &widgets::ToastStack::openRequested, this, [this] {
+        views_.notifications_dock->show();
+        views_.notifications_dock->raise();
+    });
+    connect(&control_, &MissionControl::readyToClose, this, [this] {
+        may_close_ = true;
+        close();
+    });
+    auto* escape = new widgets::EscapeTwice(this);
+    connect(escape, &widgets::EscapeTwice::pressedTwice, &control_, &MissionControl::stopAll);
+}
+
+void MainWindow::wireBars() {
+    connect(views_.connection, &widgets::ConnectionBar::connectRequested, this, &MainWindow::connectTo);
+    connect(views_.connection, &widgets::ConnectionBar::disconnectRequested, &control_,
+            &MissionControl::disconnectFromServer);
+    connect(views_.time, &widgets::TimeBar::pauseRequested, this, [this](bool paused) {
+        const double speed = views_.time->speed();
+        control_.setPace(paused              ? link::Pace::Paused
+                         : std::isinf(speed) ? link::Pace::Fast
+                                             : link::Pace::Factor,
+                         speed);
+    });
+    connect(views_.time, &widgets::TimeBar::stepRequested, &control_.simulator(), &SimulatorHost::stepOnce);
+    connect(views_.time, &widgets::TimeBar::speedRequested, this, [this](double speed) {
+        if (!views_.time->paused())
+            control_.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
+    });
+    connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
+    connect(views_.hint, &widgets::HintStrip::dismissed, this, [this] { views_.hint->hide(); });
+}
+
+void MainWindow::wireMap() {
+    connect(views_.map, &widgets::MapView::spawnRequested, this,
+            [this](int pose) { spawn(views_.spawn_card->lastChoice(pose, control_.nextRobotName())); });
+    connect(views_.map, &widgets::MapView::startPoseClicked, this, [this](int pose, const QPoint& at) {
+        const auto& start = start_poses_[static_cast<std::size_t>(pose)];
+        views_.spawn_card->openFor(pose, QString::fromStdString(start.name), control_.nextRobotName(), at);
+    });
+    connect(views_.spawn_card, &widgets::SpawnCard::spawnRequested, this, &MainWindow::spawn);
+    connect(views_.map, &widgets::MapView::areaEdited, this, [this](const Rectangle& area) {
+        views_.behavior->setArea(area);
+        showPlan();
+    });
+    connect(views_.map, &widgets::MapView::areaChanged, this, [this](const Rectangle& area) {
+        views_.behavior->setArea(area);
+        views_.map->setTool(widgets::MapTool::Pan);
+        showPlan();
+    });
+    connect(views_.map, &widgets::MapView::toolChanged, this, [this](widgets::MapTool tool) {
+        const bool drawing = tool == widgets::MapTool::Area;
+        views_.behavior->setAreaToolActive(drawing);
+        commands_.action("mission.area")->setChecked(drawing);
+    });
+    connect(views_.map, &widgets::MapView::robotClicked, this, [this](const QString& name) {
+        for (const Robot* robot : control_.robots())
+            if (name == QString::fromStdString(robot->view().spawn.robot_name))
+                selectRobot(robot->view().id);
+    });
+    connect(views_.map, &widgets::MapView::followingChanged, commands_.action("map.follow"), &QAction::setChecked);
+    connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
+}
+
+void MainWindow::wirePanels() {
+    connect(views_.robots, &widgets::RobotList::robotSelected, this, &MainWindow::selectRobot);
+    connect(views_.robots, &widgets::RobotList::removeRequested, &control_, &MissionControl::remove);
+    connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
+        if (const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId()))
+            views_.parameters->setSpecs(behavior->parameters);
+        showPlan();
+    });
+    connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, [this](const Rectangle& area) {
+        views_.map->setArea(area.empty() ? std::nullopt : std::optional(area));
+        showPlan();
+    });
+    connect(views_.behavior, &widgets::BehaviorPanel::areaToolToggled, this,
+            [this](bool active) { views_.map->setTool(active ? widgets::MapTool::Area : widgets::MapTool::Pan); });
+    connect(views_.behavior, &widgets::BehaviorPanel::startRequested, this, &MainWindow::start);
+    connect(views_.behavior, &widgets::BehaviorPanel::pauseRequested, this,
+            [this](bool pause) { give(pause ? agent::Order::Pause : agent::Order::Resume); });
+    connect(views_.behavior, &widgets::BehaviorPanel::landRequested, this, [this] { give(agent::Order::LandNow); });
+    connect(views_.behavior, &widgets::BehaviorPanel::stopRequested, this, [this] {
+        if (Robot* robot = control_.robot(selected_))
+            robot->stop();
+    });
+    connect(views_.parameters, &widgets::ParameterForm::changed, this, &MainWindow::applyParameters);
+    connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
+}
+
+} // namespace usar::app

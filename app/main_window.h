@@ -1,0 +1,89 @@
+// The window: views in docks, commands in one registry, and the wires between them and MissionControl.
+#pragma once
+
+#include <memory>
+
+#include <QMainWindow>
+
+#include "app/mission_control.h"
+#include "app/options.h"
+#include "app/robot_presenter.h"
+#include "app/window_views.h"
+#include "core/mission/mission_file.h"
+#include "widgets/command_registry.h"
+
+namespace usar::app {
+
+/// Forwards only: intent goes to MissionControl, values go to the views. GUI thread; owns both.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(const Options& options, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Connects to what the command line said. Apart from the constructor, so that the window is seen first.
+    void begin();
+
+    MissionControl& control() { return control_; }
+    const widgets::CommandRegistry& commands() const { return commands_; }
+    const WindowViews& views() const { return views_; }
+    /// 0 while there is none.
+    int selectedRobot() const { return selected_; }
+
+public slots:
+    void selectRobot(int id);
+    void openMission(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void registerCommands();
+    void registerFileCommands();
+    void registerRobotCommands();
+    void registerMapCommands();
+    void registerViewCommands();
+    void makeMenus();
+    void wireControl();
+    void wireBars();
+    void wireMap();
+    void wirePanels();
+    void wireMission();
+    void restoreSettings();
+    void saveSettings() const;
+
+    void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
+    void showWorld(const WorldPicture& world);
+    void spawn(const widgets::SpawnChoice& choice);
+    void showPlan();
+    void start();
+    void give(agent::Order order);
+    void refreshRunState();
+    void applyParameters();
+    /// A fast clock without a behavior only runs batteries down.
+    void returnToRealTime();
+    void showTitle();
+    void setTheme(widgets::Theme theme);
+    void say(Severity severity, const QString& key, const QString& text);
+    void complain(const QString& key, const Error& error);
+    void exportFailed(int id, const QString& reason);
+    void chooseMissionFile();
+    void chooseResultFolder();
+    void resetLayout();
+
+    static constexpr int layout_version = 1; ///< a layout saved by an older set of docks is not restored
+
+    Options options_;
+    MissionControl control_;
+    widgets::CommandRegistry commands_;
+    WindowViews views_;
+    RobotPresenter presenter_;
+    std::vector<protocol::StartPose> start_poses_;
+    std::optional<mission::Mission> mission_; ///< opened from a file
+    QByteArray first_layout_;
+    int selected_ = 0;
+    bool paused_ = false;
+    bool may_close_ = false;
+};
+
+} // namespace usar::app

@@ -1,0 +1,113 @@
+// The program without its window: simulator, link, robots, behaviors, results.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include "app/robot.h"
+#include "app/simulator_host.h"
+#include "core/agent/plugin_loader.h"
+
+namespace usar::app {
+
+/// Where robots live: in the simulator that comes with the program, or on a server.
+struct ServerTarget {
+    bool embedded = true;
+    QString host = "127.0.0.1";
+    quint16 port = 3000;
+    SimulatorSpec simulator;
+};
+
+/// Owns the robots' sessions, the simulator thread and the export pool; lives in the GUI thread and never waits in it.
+/// One connection speaks for one robot, so a further one is kept open for the robot that is spawned next: it learns
+/// the start poses, and its state is the state of the link.
+class MissionControl : public QObject {
+    Q_OBJECT
+public:
+    explicit MissionControl(QObject* parent = nullptr);
+    ~MissionControl() override;
+
+    void loadPlugins(const QStringList& folders) { plugins_.scan(folders); }
+    const agent::PluginLoader& plugins() const { return plugins_; }
+    SimulatorHost& simulator() { return simulator_; }
+    const ServerTarget& server() const { return target_; }
+    const QString& level() const { return level_; }
+
+    void connectTo(const ServerTarget& target);
+    void disconnectFromServer();
+
+    /// "R1": the name that the next robot gets when the person gives none.
+    QString nextRobotName() const;
+    /// Of the embedded simulator; a real server's time cannot be steered.
+    void setPace(link::Pace pace, double factor) { simulator_.setPace(pace, std::isinf(factor) ? 1.0 : factor); }
+    /// Next free key 1-9; an error where all are taken or there is no link.
+    Result<int> spawn(mission::SpawnRequest request);
+    Robot* robot(int id) const;
+    std::vector<Robot*> robots() const;
+    void remove(int id);
+    Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+                               const std::map<std::string, agent::ParameterValue>& values);
+    void stopAll();
+    /// What the behavior would do with this task, before it starts. `id` may be 0: then from the map's origin.
+    Result<agent::TaskPreview> preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+                                       const std::map<std::string, agent::ParameterValue>& values) const;
+
+    void setResultFolder(const QString& folder) { result_folder_ = folder; }
+    QString resultFolder() const;
+    bool resultFolderChosen() const { return !result_folder_.isEmpty(); }
+    bool anythingToSave() const;
+    void exportResults(int id);
+    /// Stops every robot and saves what is not saved; `readyToClose` follows, at the latest after five seconds.
+    void prepareToClose();
+    bool closing() const { return closing_; }
+    /// The person changed their mind.
+    void stayOpen() { closing_ = false; }
+    void cure(const QString& key) { emit cured(key); }
+
+signals:
+    void linkChanged(const usar::link::LinkStatus& status);
+    void worldKnown(const usar::app::WorldPicture& world);
+    void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
+    void robotAdded(int id);
+    void robotRemoved(int id, const QString& name);
+    void robotUpdated(int id, std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void behaviorFinished(int id, bool success, const QString& reason);
+    void resultsWritten(int id, const QStringList& files);
+    /// The scan is still in memory.
+    void exportFailed(int id, const QString& reason);
+    /// `key` groups repeats and lets a cure clear them.
+    void noticed(const QString& key, const usar::mission::Notice& notice);
+    void cured(const QString& key);
+    void readyToClose();
+
+private:
+    int nextId() const;
+    void openNext();
+    void connectRobot(Robot* robot);
+    void linkMoved(Robot* robot);
+    void finished(Robot* robot, bool success, const QString& reason);
+    void write(Robot* robot, const std::shared_ptr<const mission::ScanRecord>& record);
+    void exported(int id, const Result<QStringList>& files);
+    void note(Severity severity, const QString& key, const QString& text);
+
+    agent::PluginLoader plugins_;
+    SimulatorHost simulator_;
+    QThreadPool export_pool_;
+    ServerTarget target_;
+    QString host_;
+    quint16 port_ = 0;
+    QString level_;
+    QString result_folder_;
+    std::map<int, std::unique_ptr<Robot>> robots_;
+    std::unique_ptr<Robot> next_;           ///< connected, not spawned
+    std::map<int, sim::RobotTruth> truths_; ///< for the summary only
+    int exports_running_ = 0;
+    bool closing_ = false;
+};
+
+} // namespace usar::app

@@ -1,0 +1,174 @@
+#include "app/robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace usar::app {
+
+namespace {
+
+template <class... Calls>
+struct Overloaded : Calls... {
+    using Calls::operator()...;
+};
+
+} // namespace
+
+Robot::Robot(QObject* parent)
+    : QObject(parent)
+    , thread_(new QThread)
+    , session_(new mission::RobotSession(cell_size_m)) {
+    thread_->setObjectName("robot");
+    session_->moveToThread(thread_);
+    connect(thread_, &QThread::finished, session_, &QObject::deleteLater);
+    connectSession();
+    thread_->start();
+}
+
+Robot::~Robot() {
+    later([](mission::RobotSession& session) {
+        session.close();
+        session.thread()->quit();
+    });
+    if (thread_->wait(2000))
+        delete thread_;
+}
+
+void Robot::connectSession() {
+    connect(session_, &mission::RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
+        view_.link = status;
+        emit linkChanged();
+    });
+    connect(session_, &mission::RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
+    connect(session_, &mission::RobotSession::updated, this, [this](const auto& update) {
+        take(*update);
+        emit updated(update);
+    });
+    connect(session_, &mission::RobotSession::behaviorFinished, this, &Robot::behaviorFinished);
+    connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
+    connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
+}
+
+template <class Call>
+void Robot::later(Call call) {
+    QMetaObject::invokeMethod(session_, [session = session_, call = std::move(call)] { call(*session); });
+}
+
+void Robot::open(const QString& host, quint16 port, bool lockstep) {
+    later([=](mission::RobotSession& session) { session.open(host, port, lockstep); });
+}
+
+void Robot::close() {
+    later([](mission::RobotSession& session) { session.close(); });
+}
+
+void Robot::spawn(int id, const mission::SpawnRequest& request) {
+    view_.id = id;
+    view_.spawn = request;
+    later([=](mission::RobotSession& session) { session.spawn(request); });
+}
+
+Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
+                                  const Rectangle& area_in_map, const agent::ParameterSet& parameters) {
+    const auto plugin = plugins.pluginFor(behavior_id);
+    if (!plugin)
+        return tl::unexpected(plugin.error());
+    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
+    try {
+        auto behavior = (*plugin)->createBehavior(behavior_id, {task, parameters});
+        if (!behavior)
+            return tl::unexpected(behavior.error());
+        auto host = std::make_shared<agent::BehaviorHost>(std::move(*behavior), behavior_id);
+        later([=](mission::RobotSession& session) { session.startBehavior(host, task); });
+    } catch (const std::exception& problem) {
+        return failure(std::string("its plugin threw: ") + problem.what(), behavior_id, "Choose another behavior");
+    }
+    view_.behavior_id = behavior_id;
+    view_.area_in_map = area_in_map;
+    view_.finished.reset();
+    view_.covered_cells.clear();
+    for (const auto& [index, tile] : view_.tiles)
+        countCovered(*tile);
+    return {};
+}
+
+void Robot::order(agent::Order order) {
+    later([=](mission::RobotSession& session) { session.order(order); });
+}
+
+void Robot::setParameters(const agent::ParameterSet& parameters) {
+    later([=](mission::RobotSession& session) { session.setParameters(parameters); });
+}
+
+void Robot::stop() {
+    later([](mission::RobotSession& session) { session.stop(); });
+}
+
+void Robot::send(const protocol::Command& command, const std::string& source) {
+    later([=](mission::RobotSession& session) { session.sendCommand(command, source); });
+}
+
+void Robot::requestRecord() {
+    later([](mission::RobotSession& session) { session.requestRecord(); });
+}
+
+void Robot::take(const mission::SessionUpdate& update) {
+    view_.figures = update.figures;
+    for (const agent::Published& published : update.published)
+        take(published);
+    for (const auto& tile : update.tiles) {
+        view_.tiles[tile->index] = tile;
+        countCovered(*tile);
+    }
+    if (!update.tiles.empty())
+        view_.unsaved = true;
+    if (update.height_range)
+        view_.height_range = update.height_range;
+    for (const protocol::InfoLine& line : update.lines) {
+        // Until a behavior says what it believes, the robot's own estimate places it on the map.
+        if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
+            view_.base_in_map = ins->base_in_map;
+    }
+}
+
+void Robot::countCovered(const mapping::HeightTile& tile) {
+    const Rectangle& area = view_.area_in_map;
+    int covered = 0;
+    for (std::size_t i = 0; i < mapping::HeightTile::cell_count; ++i) {
+        const auto column =
+            tile.index.column * mapping::HeightTile::side + static_cast<int>(i) % mapping::HeightTile::side;
+        const auto row = tile.index.row * mapping::HeightTile::side + static_cast<int>(i) / mapping::HeightTile::side;
+        covered += !std::isnan(tile.height_m[i]) &&
+                   area.contains(Vec2((column + 0.5) * cell_size_m, (row + 0.5) * cell_size_m));
+    }
+    view_.covered_cells[tile.index] = covered;
+}
+
+std::optional<double> Robot::coverage_pct() const {
+    if (view_.area_in_map.empty())
+        return std::nullopt;
+    double cells = 0.0;
+    for (const auto& [index, covered] : view_.covered_cells)
+        cells += covered;
+    return std::min(100.0, 100.0 * cells * cell_size_m * cell_size_m / view_.area_in_map.area_m2());
+}
+
+void Robot::take(const agent::Published& published) {
+    std::visit(Overloaded{[this](const agent::BehaviorStatus& status) { view_.status = status; },
+                          [this](const agent::PoseEstimate& estimate) {
+                              view_.base_in_map = estimate.base_in_map;
+                              const Vec2 point_m = estimate.base_in_map.position_m.head<2>();
+                              if (view_.trail_m.empty() || (view_.trail_m.back() - point_m).norm() > 0.2)
+                                  view_.trail_m.push_back(point_m);
+                          },
+                          [this](const agent::MapMark& mark) { view_.marks.push_back(mark); },
+                          [this](const agent::PlannedPath& path) { view_.planned_m = path.points_in_map_m; },
+                          [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
+                          [this](const agent::BehaviorFinished& finished) { view_.finished = finished; },
+                          [](const auto&) {}},
+               published);
+}
+
+} // namespace usar::app

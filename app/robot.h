@@ -1,0 +1,87 @@
+// One robot as the window knows it: its session in a thread of its own, and the newest of what the session said.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QThread>
+
+#include "core/agent/plugin_loader.h"
+#include "core/mission/robot_session.h"
+
+namespace usar::app {
+
+/// Newest values, for a view that is shown late or switched to this robot.
+struct RobotView {
+    int id = 0; ///< 1-9, the key that selects it; 0 while no robot is spawned
+    mission::SpawnRequest spawn;
+    link::LinkStatus link;
+    mission::SessionFigures figures;
+    std::string behavior_id;
+    Rectangle area_in_map;
+    std::optional<agent::BehaviorStatus> status;
+    std::optional<agent::BehaviorFinished> finished;
+    std::optional<Pose> base_in_map;
+    std::vector<Vec2> trail_m;
+    std::vector<agent::MapMark> marks;
+    std::vector<Vec2> planned_m;
+    std::optional<Vec3> goal_m;
+    std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles;
+    std::optional<mapping::HeightRange> height_range;
+    std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
+    bool unsaved = false;                            ///< scanned since the last export
+};
+
+/// Lives in the GUI thread; the session lives in its own. Calls are queued to it and never wait.
+class Robot : public QObject {
+    Q_OBJECT
+public:
+    static constexpr double cell_size_m = 0.25; ///< of the height map
+
+    explicit Robot(QObject* parent = nullptr);
+    /// Says the safe command and closes. Waits two seconds at most: a behavior that hangs hurts only its robot.
+    ~Robot() override;
+
+    const RobotView& view() const { return view_; }
+    bool spawned() const { return view_.id != 0; }
+    /// Part of the mission area whose height is known; nothing without an area.
+    std::optional<double> coverage_pct() const;
+    bool running() const { return view_.figures.behavior_running && !view_.finished; }
+
+    void open(const QString& host, quint16 port, bool lockstep);
+    void close();
+    void spawn(int id, const mission::SpawnRequest& request);
+    /// Plugins are code of other people: what they throw or refuse comes back as an error.
+    Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
+                               const Rectangle& area_in_map, const agent::ParameterSet& parameters);
+    void order(agent::Order order);
+    void setParameters(const agent::ParameterSet& parameters);
+    void stop();
+    void send(const protocol::Command& command, const std::string& source);
+    void requestRecord();
+    void markSaved() { view_.unsaved = false; }
+
+signals:
+    void linkChanged();
+    void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
+    void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void behaviorFinished(bool success, const QString& reason);
+    void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
+    void noticed(const usar::mission::Notice& notice);
+
+private:
+    void connectSession();
+    void take(const mission::SessionUpdate& update);
+    void take(const agent::Published& published);
+    void countCovered(const mapping::HeightTile& tile);
+    template <class Call>
+    void later(Call call);
+
+    QThread* thread_;                ///< outlives this object only if a plugin hangs in it
+    mission::RobotSession* session_; ///< lives in thread_ and is deleted there
+    RobotView view_;
+};
+
+} // namespace usar::app

@@ -1,0 +1,148 @@
+#include "app/robot_presenter.h"
+
+namespace usar::app {
+
+namespace {
+
+widgets::MapRobot onMap(const RobotView& view) {
+    return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
+            view.link.state != link::LinkState::Connected};
+}
+
+QString stateText(const RobotView& view) {
+    if (view.link.state != link::LinkState::Connected)
+        return QObject::tr("no link");
+    if (view.finished)
+        return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
+    if (view.figures.behavior_running && view.status)
+        return QString::fromStdString(view.status->state);
+    return view.figures.spawned ? QObject::tr("idle") : QObject::tr("spawning…");
+}
+
+/// The newest message of a kind in this update, or nothing.
+template <class Message>
+const Message* newest(const mission::SessionUpdate& update) {
+    for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
+        if (const auto* message = std::get_if<Message>(&line->message))
+            return message;
+    return nullptr;
+}
+
+template <class Value>
+const Value* newestPublished(const mission::SessionUpdate& update) {
+    for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
+        if (const auto* found = std::get_if<Value>(&*value))
+            return found;
+    return nullptr;
+}
+
+} // namespace
+
+void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
+    const RobotView& view = control_.robot(id)->view();
+    showRow(id);
+    showOnMap(view, update, selected);
+    if (!selected)
+        return;
+    showInstruments(view, update);
+    feedPanels(update);
+}
+
+void RobotPresenter::showRow(int id) {
+    const Robot* robot = control_.robot(id);
+    if (!robot)
+        return;
+    const RobotView& view = robot->view();
+    views_.map->setRobot(onMap(view));
+    widgets::RobotRow row;
+    row.id = id;
+    row.number = id;
+    row.name = QString::fromStdString(view.spawn.robot_name);
+    row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
+    row.state = stateText(view);
+    row.stale = view.link.state != link::LinkState::Connected;
+    if (view.status && view.status->battery_used_pct)
+        row.battery_pct = 100.0 - *view.status->battery_used_pct;
+    views_.robots->updateRobot(row);
+}
+
+void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
+    const QString name = QString::fromStdString(view.spawn.robot_name);
+    // Every pose of a fast simulation belongs to the trail, not only the one that is painted.
+    for (const agent::Published& published : update.published)
+        if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
+            views_.map->setRobot({name, view.id, estimate->base_in_map, false});
+    if (newestPublished<agent::CurrentGoal>(update))
+        views_.map->setGoal(name, view.goal_m);
+    if (!update.last_hits.empty())
+        views_.map->setLaserHits(name, update.last_hits);
+    if (!selected)
+        return;
+    views_.map->takeTiles(update.tiles, update.height_range);
+    for (const agent::Published& published : update.published)
+        if (const auto* mark = std::get_if<agent::MapMark>(&published))
+            views_.map->addMark(*mark);
+    if (const auto* path = newestPublished<agent::PlannedPath>(update))
+        views_.map->setLanes(path->points_in_map_m);
+}
+
+void RobotPresenter::showInstruments(const RobotView& view, const mission::SessionUpdate& update) {
+    if (view.finished) {
+        views_.status->setIdle(QString::fromStdString(view.finished->reason),
+                               view.finished->success ? widgets::StateShape::Good : widgets::StateShape::Bad);
+    } else if (view.figures.behavior_running && view.status) {
+        views_.status->setStatus(*view.status);
+    } else {
+        views_.status->setIdle(QObject::tr("Idle. Draw an area and press Start."));
+    }
+    views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
+    if (const auto* scan = newest<protocol::RangeScan>(update))
+        views_.laser->setScan(*scan);
+    if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
+        views_.sonars->setZones(*zones);
+    } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
+        constexpr double usual_maximum_m = 5.0; // of every USARSim sonar until its CONF says otherwise
+        std::map<std::string, double> ranges_m;
+        for (const protocol::NamedRange& sonar : sonars->ranges)
+            ranges_m[sonar.name] = sonar.range_m;
+        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, usual_maximum_m));
+    }
+    const bool stale = view.link.state != link::LinkState::Connected;
+    views_.laser->setStale(stale);
+    views_.sonars->setStale(stale);
+}
+
+void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
+    for (const protocol::InfoLine& line : update.lines) {
+        views_.sensors->take(line, update.figures.now);
+        views_.plots->take(line, update.figures.now);
+        views_.messages->takeLine(line, update.figures.now);
+    }
+    for (const agent::CausedCommand& command : update.commands)
+        views_.messages->takeCommand(command, update.figures.now);
+    views_.sensors->setNow(update.figures.now);
+}
+
+void RobotPresenter::select(int id) {
+    views_.map->clearTraces();
+    views_.map->clearHeights(Robot::cell_size_m);
+    views_.sensors->clear();
+    views_.sonars->clear();
+    views_.laser->clear();
+    const Robot* robot = control_.robot(id);
+    views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
+    if (!robot)
+        return views_.status->clear(QObject::tr("No robot yet. Double-click a start pose."));
+    const RobotView& view = robot->view();
+    std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
+    for (const auto& [index, tile] : view.tiles)
+        tiles.push_back(tile);
+    views_.map->takeTiles(tiles, view.height_range);
+    for (const agent::MapMark& mark : view.marks)
+        views_.map->addMark(mark);
+    views_.status->setIdle(QObject::tr("Idle. Draw an area and press Start."));
+    if (view.figures.behavior_running && view.status)
+        views_.status->setStatus(*view.status);
+}
+
+} // namespace usar::app

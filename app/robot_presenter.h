@@ -1,0 +1,30 @@
+// What robots say, put into the views.
+#pragma once
+
+#include "app/mission_control.h"
+#include "app/window_views.h"
+
+namespace usar::app {
+
+/// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
+class RobotPresenter {
+public:
+    RobotPresenter(MissionControl& control, WindowViews& views) : control_(control), views_(views) {}
+
+    void show(int id, const mission::SessionUpdate& update, bool selected);
+    /// The row in the list and the arrow on the map, as they stand.
+    void showRow(int id);
+    /// Another robot's height map, marks and path replace those on the map; 0 clears them.
+    void select(int id);
+    void remove(const QString& name) { views_.map->removeRobot(name); }
+
+private:
+    void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
+    void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
+    void feedPanels(const mission::SessionUpdate& update);
+
+    MissionControl& control_;
+    WindowViews& views_;
+};
+
+} // namespace usar::app

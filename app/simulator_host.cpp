@@ -1,0 +1,136 @@
+#include "app/simulator_host.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/locations.h"
+#include "core/sim/world_reader.h"
+
+namespace usar::app {
+
+namespace {
+
+/// Brightness of the ground under a light from the upper left, 45 degrees high.
+int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m) {
+    const double slope_x = (terrain.height_m(point_m + Vec2(step_m, 0)) - terrain.height_m(point_m)) / step_m;
+    const double slope_y = (terrain.height_m(point_m + Vec2(0, step_m)) - terrain.height_m(point_m)) / step_m;
+    const Vec3 normal = Vec3(-slope_x, -slope_y, 1.0).normalized();
+    const Vec3 light = Vec3(1.0, 1.0, 1.4).normalized();
+    return static_cast<int>(std::lround(255.0 * std::max(0.0, normal.dot(light))));
+}
+
+WorldPicture pictureOf(const sim::World& world) {
+    constexpr int side = 512;
+    WorldPicture picture{QString::fromStdString(world.name), world.terrain.extent(), {}};
+    if (world.terrain.empty())
+        return picture;
+    picture.relief = QImage(side, side, QImage::Format_Grayscale8);
+    const Rectangle& extent = picture.extent_in_map;
+    const Vec2 cell_m((extent.max_m - extent.min_m) / side);
+    for (int row = 0; row < side; ++row) {
+        uchar* line = picture.relief.scanLine(row);
+        for (int column = 0; column < side; ++column) {
+            const Vec2 point_m(extent.min_m.x() + (column + 0.5) * cell_m.x(),
+                               extent.max_m.y() - (row + 0.5) * cell_m.y());
+            line[column] = static_cast<uchar>(reliefShade(world.terrain, point_m, cell_m.x()));
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+SimulatorHost::SimulatorHost(QObject* parent) : QObject(parent) {}
+
+SimulatorHost::~SimulatorHost() {
+    next_.reset();
+    QThread* thread = thread_;
+    retire();
+    if (thread) {
+        thread->wait();
+        delete thread;
+    }
+}
+
+void SimulatorHost::start(const SimulatorSpec& spec) {
+    if (!thread_)
+        return launch(spec);
+    next_ = spec;
+    retire();
+}
+
+void SimulatorHost::stop() {
+    next_.reset();
+    retire();
+}
+
+void SimulatorHost::launch(const SimulatorSpec& spec) {
+    thread_ = new QThread;
+    thread_->setObjectName("simulator");
+    worker_ = new QObject;
+    worker_->moveToThread(thread_);
+    connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);
+    connect(thread_, &QThread::finished, this, [this, thread = thread_] {
+        thread->deleteLater();
+        thread_ = nullptr;
+        if (next_)
+            launch(*std::exchange(next_, std::nullopt));
+    });
+    thread_->start();
+    QMetaObject::invokeMethod(worker_, [this, spec, worker = worker_] { serve(spec, worker); });
+}
+
+/// Sockets and timers end in the thread that they live in, then the thread itself.
+void SimulatorHost::retire() {
+    server_ = nullptr;
+    if (!worker_)
+        return;
+    QMetaObject::invokeMethod(worker_, [worker = worker_] {
+        qDeleteAll(worker->children());
+        worker->thread()->quit();
+    });
+    worker_ = nullptr;
+}
+
+/// Runs in the simulator's thread.
+void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
+    Result<sim::World> world = sim::readWorld(worldFolder(spec.world).toStdString());
+    if (!world)
+        return emit failed(QString::fromStdString(world.error().text()));
+    const WorldPicture picture = pictureOf(*world);
+    auto simulation =
+        sim::Simulation::make(std::move(*world), {.seed = spec.seed, .battery_life = sim::survey_battery_life});
+    if (!simulation)
+        return emit failed(QString::fromStdString(simulation.error().text()));
+    auto* server = new link::SimulatorServer(std::move(*simulation), worker);
+    Result<quint16> port = server->listen(spec.port);
+    if (!port) {
+        port = server->listen(0);
+        if (!port)
+            return emit failed(QString::fromStdString(port.error().text()));
+        emit noted(tr("Port %1 is in use by another program; the embedded simulator listens on port %2 instead.")
+                       .arg(spec.port)
+                       .arg(*port));
+    }
+    connect(server, &link::SimulatorServer::figuresChanged, this, &SimulatorHost::figuresChanged);
+    connect(server, &link::SimulatorServer::robotsChanged, this, &SimulatorHost::robotsChanged);
+    connect(server, &link::SimulatorServer::logged, this, &SimulatorHost::noted);
+    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture] {
+        if (worker != worker_)
+            return; // retired while it was loading
+        server_ = server;
+        emit ready(port, picture);
+    });
+}
+
+void SimulatorHost::setPace(link::Pace pace, double factor) {
+    if (server_)
+        QMetaObject::invokeMethod(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
+}
+
+void SimulatorHost::stepOnce() {
+    if (server_)
+        QMetaObject::invokeMethod(server_, [server = server_] { server->stepOnce(); });
+}
+
+} // namespace usar::app

@@ -1,0 +1,62 @@
+// The embedded simulator in a thread of its own.
+#pragma once
+
+#include <optional>
+
+#include <QImage>
+#include <QObject>
+#include <QThread>
+
+#include "core/base/geometry.h"
+#include "core/link/simulator_server.h"
+
+namespace usar::app {
+
+struct SimulatorSpec {
+    QString world = "tall_test"; ///< name or folder
+    quint64 seed = 1;
+    quint16 port = 3000; ///< another one is taken where it is in use
+};
+
+/// What the window may show of the embedded world before anything is scanned.
+struct WorldPicture {
+    QString name;
+    Rectangle extent_in_map;
+    QImage relief; ///< shaded terrain, row 0 = highest y
+};
+
+/// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.
+class SimulatorHost : public QObject {
+    Q_OBJECT
+public:
+    explicit SimulatorHost(QObject* parent = nullptr);
+    ~SimulatorHost() override;
+
+    /// Ends the one before, without waiting for it here. `ready` or `failed` follows.
+    void start(const SimulatorSpec& spec);
+    void stop();
+    bool running() const { return server_ != nullptr; }
+
+    void setPace(link::Pace pace, double factor);
+    void stepOnce();
+
+signals:
+    void ready(quint16 port, const usar::app::WorldPicture& world);
+    /// One sentence with the mend.
+    void failed(const QString& reason);
+    void noted(const QString& sentence);
+    void figuresChanged(const usar::link::SimulatorFigures& figures);
+    void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
+
+private:
+    void serve(const SimulatorSpec& spec, QObject* worker);
+    void launch(const SimulatorSpec& spec);
+    void retire();
+
+    QThread* thread_ = nullptr;               ///< of the simulator that runs; deletes itself when it has ended
+    QObject* worker_ = nullptr;               ///< lives in thread_: context of what runs there
+    link::SimulatorServer* server_ = nullptr; ///< lives in thread_, owned by worker_
+    std::optional<SimulatorSpec> next_;       ///< starts when the one before has let go of its port
+};
+
+} // namespace usar::app

@@ -1,0 +1,247 @@
+// What MainWindow does when it is asked: each action is a few lines that ask MissionControl and tell the views.
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "app/main_window.h"
+#include "widgets/models/figures.h"
+
+namespace usar::app {
+
+void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, quint16 port) {
+    ServerTarget target = options_.server;
+    target.embedded = choice == widgets::ServerChoice::Embedded;
+    (target.embedded ? target.simulator.port : target.port) = port;
+    target.host = host;
+    views_.map->clear();
+    start_poses_.clear();
+    views_.time->setSteerable(target.embedded);
+    control_.connectTo(target);
+}
+
+void MainWindow::showWorld(const WorldPicture& world) {
+    views_.map->setWorld(world.extent_in_map, world.name);
+    views_.map->setBackground(world.relief, world.extent_in_map);
+    views_.behavior->setAreaLimits(world.extent_in_map);
+    views_.map->fitWorld();
+    views_.time->setSpeed(1.0);
+    views_.time->setPaused(false);
+}
+
+void MainWindow::spawn(const widgets::SpawnChoice& choice) {
+    if (choice.start_pose < 0 || choice.start_pose >= static_cast<int>(start_poses_.size()))
+        return;
+    const protocol::StartPose& pose = start_poses_[static_cast<std::size_t>(choice.start_pose)];
+    const auto id =
+        control_.spawn({choice.class_name.toStdString(), choice.robot_name.toStdString(), pose.pose_in_map});
+    if (!id)
+        return complain("spawn", id.error());
+    if (!choice.behavior_id.isEmpty())
+        views_.behavior->chooseBehavior(choice.behavior_id.toStdString());
+}
+
+void MainWindow::selectRobot(int id) {
+    selected_ = control_.robot(id) ? id : 0;
+    const Robot* robot = control_.robot(selected_);
+    for (const agent::RobotDescription& description : control_.plugins().robots())
+        if (robot && description.class_name == robot->view().spawn.class_name)
+            views_.behavior->setBehaviors(description.behaviors);
+    if (!robot && !control_.plugins().robots().empty())
+        views_.behavior->setBehaviors(control_.plugins().robots().front().behaviors);
+    if (robot && !robot->view().behavior_id.empty())
+        views_.behavior->chooseBehavior(robot->view().behavior_id);
+    presenter_.select(selected_);
+    views_.robots->selectRobot(selected_);
+    refreshRunState();
+    showPlan();
+    showTitle();
+    commands_.refresh();
+}
+
+void MainWindow::showPlan() {
+    const Rectangle area = views_.behavior->area();
+    const Robot* robot = control_.robot(selected_);
+    if (robot && robot->view().figures.behavior_running)
+        return; // then the behavior itself says what it flies
+    views_.hint->setDone(1, !area.empty());
+    views_.map->setLanes(std::vector<Vec2>{});
+    if (area.empty()) {
+        views_.map->setAreaSummary({});
+        return views_.behavior->setPlanSummary(tr("Draw the area on the map, or type it."));
+    }
+    const auto preview = control_.preview(selected_, views_.behavior->behaviorId(), area, views_.parameters->values());
+    if (!preview)
+        return views_.behavior->setPlanSummary(QString::fromStdString(preview.error().text()));
+    const QString summary = tr("%1 · %2 m · %3")
+                                .arg(QString::fromStdString(preview->summary), widgets::figure(preview->length_m, 0),
+                                     widgets::durationText(preview->duration));
+    views_.map->setLanes(preview->path_in_map_m);
+    views_.map->setAreaSummary(summary);
+    views_.behavior->setPlanSummary(summary);
+}
+
+void MainWindow::start() {
+    const auto started = control_.startBehavior(selected_, views_.behavior->behaviorId(), views_.behavior->area(),
+                                                views_.parameters->values());
+    if (!started)
+        return complain("start", started.error());
+    control_.cure("start");
+    paused_ = false;
+    views_.hint->setDone(2, true);
+    views_.map->fit();
+    refreshRunState();
+}
+
+void MainWindow::give(agent::Order order) {
+    Robot* robot = control_.robot(selected_);
+    if (!robot)
+        return;
+    robot->order(order);
+    if (order != agent::Order::LandNow)
+        paused_ = order == agent::Order::Pause;
+    refreshRunState();
+}
+
+void MainWindow::refreshRunState() {
+    using widgets::RunState;
+    const Robot* robot = control_.robot(selected_);
+    RunState state = RunState::NoRobot;
+    if (robot)
+        state = !robot->running() ? RunState::Ready : paused_ ? RunState::Paused : RunState::Running;
+    if (state == RunState::Ready)
+        paused_ = false;
+    const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();
+    if (views_.behavior->setRunState(state, name))
+        commands_.refresh();
+}
+
+void MainWindow::applyParameters() {
+    if (Robot* robot = control_.robot(selected_); robot && robot->running()) {
+        const auto* behavior = control_.plugins().behavior(robot->view().behavior_id);
+        if (!behavior)
+            return;
+        const auto parameters = agent::ParameterSet::make(behavior->parameters, views_.parameters->values());
+        if (!parameters)
+            return complain("parameters", parameters.error());
+        robot->setParameters(*parameters);
+        return;
+    }
+    showPlan();
+}
+
+void MainWindow::returnToRealTime() {
+    for (const Robot* robot : control_.robots())
+        if (robot->running())
+            return;
+    if (views_.time->speed() <= 1.0 || views_.time->paused())
+        return;
+    views_.time->setSpeed(1.0);
+    control_.setPace(link::Pace::Factor, 1.0);
+}
+
+void MainWindow::showTitle() {
+    const Robot* robot = control_.robot(selected_);
+    QString title = QApplication::applicationName();
+    if (robot && robot->running() && robot->view().status) {
+        const agent::BehaviorStatus& status = *robot->view().status;
+        const QString progress = status.progress_pct ? widgets::figure(*status.progress_pct, 0) + " % · " : QString();
+        title = progress + QString::fromStdString(status.state) + " – " + title;
+    }
+    if (title != windowTitle())
+        setWindowTitle(title);
+}
+
+void MainWindow::say(Severity severity, const QString& key, const QString& text) {
+    views_.notifications->push(key, severity, text);
+}
+
+void MainWindow::complain(const QString& key, const Error& error) {
+    say(Severity::Error, key, QString::fromStdString(error.text()));
+}
+
+void MainWindow::openMission(const QString& path) {
+    const auto mission = mission::readMissionFile(path);
+    if (!mission)
+        return complain("mission", mission.error());
+    mission_ = *mission;
+    views_.behavior->chooseBehavior(mission->behavior);
+    views_.parameters->setValues(mission->parameters);
+    views_.behavior->setArea(mission->area_in_map);
+    views_.map->setArea(mission->area_in_map);
+    showPlan();
+    say(Severity::Note, "mission",
+        tr("Mission %1 is ready: spawn at %2, then start.")
+            .arg(QString::fromStdString(mission->name), QString::fromStdString(mission->start)));
+}
+
+void MainWindow::chooseMissionFile() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open mission"), {}, tr("Missions (*.json)"));
+    if (!path.isEmpty())
+        openMission(path);
+}
+
+void MainWindow::chooseResultFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for results"), control_.resultFolder());
+    if (!folder.isEmpty())
+        control_.setResultFolder(folder);
+}
+
+void MainWindow::exportFailed(int id, const QString& reason) {
+    if (!control_.closing())
+        return; // the notification says it; the scan is still there
+    QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
+    auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
+    auto* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
+    box.exec();
+    if (box.clickedButton() == other) {
+        chooseResultFolder();
+        control_.exportResults(id);
+    } else if (box.clickedButton() == discard) {
+        may_close_ = true;
+        close();
+    } else {
+        control_.stayOpen();
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    saveSettings();
+    if (may_close_ || !control_.anythingToSave())
+        return event->accept();
+    event->ignore();
+    if (control_.closing())
+        return;
+    say(Severity::Note, "closing", tr("Saving what was scanned, then closing…"));
+    control_.prepareToClose();
+}
+
+void MainWindow::restoreSettings() {
+    const QSettings settings;
+    const QString theme = settings.value("theme", "dark").toString();
+    setTheme(options_.theme.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
+    restoreGeometry(settings.value("geometry").toByteArray());
+    restoreState(settings.value("layout").toByteArray(), layout_version);
+    views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
+    if (options_.result_folder.isEmpty())
+        control_.setResultFolder(settings.value("result_folder").toString());
+}
+
+void MainWindow::saveSettings() const {
+    QSettings settings;
+    settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
+    settings.setValue("geometry", saveGeometry());
+    settings.setValue("layout", saveState(layout_version));
+    settings.setValue("hint_dismissed", views_.hint->isHidden());
+    if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
+        settings.setValue("result_folder", control_.resultFolder());
+}
+
+void MainWindow::setTheme(widgets::Theme theme) {
+    widgets::applyTheme(theme);
+    commands_.action("view.dark")->setChecked(theme == widgets::Theme::Dark);
+}
+
+} // namespace usar::app

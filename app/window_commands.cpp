@@ -1,0 +1,197 @@
+// Every command of the window, registered once; menus are made from the registry.
+#include <QApplication>
+#include <QDesktopServices>
+#include <QMenuBar>
+#include <QUrl>
+
+#include "app/main_window.h"
+#include "widgets/command_palette.h"
+#include "widgets/shortcut_sheet.h"
+
+namespace usar::app {
+
+namespace {
+
+const QList<std::pair<QString, QString>> gestures{
+    {QObject::tr("Double-click a start pose"), QObject::tr("Spawn a robot there")},
+    {QObject::tr("Click a start pose"), QObject::tr("Choose class, name and behavior first")},
+    {QObject::tr("Drag with the area tool"), QObject::tr("Draw the mission area; its handles change it")},
+    {QObject::tr("Wheel"), QObject::tr("Zoom at the cursor")},
+    {QObject::tr("Arrow keys, drag"), QObject::tr("Pan the map")},
+    {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")}};
+
+} // namespace
+
+void MainWindow::registerCommands() {
+    registerFileCommands();
+    registerRobotCommands();
+    registerMapCommands();
+    registerViewCommands();
+}
+
+void MainWindow::registerFileCommands() {
+    commands_.add({"file.open",
+                   tr("Open mission…"),
+                   tr("File"),
+                   tr("Area, behavior and parameters from a mission file"),
+                   "folder",
+                   {QKeySequence::Open}},
+                  [this](bool) { chooseMissionFile(); });
+    commands_.add(
+        {"file.export",
+         tr("Save results now"),
+         tr("File"),
+         tr("Picture, heights and raw data of the selected robot, at any time"),
+         "export",
+         {QKeySequence("Ctrl+E")}},
+        [this](bool) { control_.exportResults(selected_); }, [this] { return selected_ != 0; });
+    commands_.add({"file.folder", tr("Result folder…"), tr("File"), tr("Where results are saved"), "", {}},
+                  [this](bool) { chooseResultFolder(); });
+    commands_.add({"file.show_folder", tr("Show results"), tr("File"), tr("Opens the result folder"), "", {}},
+                  [this](bool) { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
+    commands_.add({"file.quit",
+                   tr("Quit"),
+                   tr("File"),
+                   tr("Stops the robots, saves what was scanned, and quits"),
+                   "",
+                   {QKeySequence("Ctrl+Q")}},
+                  [this](bool) { close(); });
+}
+
+void MainWindow::registerRobotCommands() {
+    const auto running = [this] {
+        const Robot* robot = control_.robot(selected_);
+        return robot && robot->running();
+    };
+    commands_.add({"mission.area",
+                   tr("Draw mission area"),
+                   tr("Mission"),
+                   tr("Drag a rectangle on the map"),
+                   "area",
+                   {QKeySequence("A")},
+                   true},
+                  [this](bool on) { views_.map->setTool(on ? widgets::MapTool::Area : widgets::MapTool::Pan); });
+    commands_.add(
+        {"mission.start",
+         tr("Start behavior"),
+         tr("Mission"),
+         tr("With this area and these parameters"),
+         "play",
+         {QKeySequence("Ctrl+Return")}},
+        [this](bool) { start(); }, [this, running] { return selected_ != 0 && !running(); });
+    commands_.add(
+        {"mission.pause",
+         tr("Pause or resume"),
+         tr("Mission"),
+         tr("The robot holds its position"),
+         "pause",
+         {QKeySequence("P")}},
+        [this](bool) { give(paused_ ? agent::Order::Resume : agent::Order::Pause); }, running);
+    commands_.add(
+        {"mission.land",
+         tr("Land now"),
+         tr("Mission"),
+         tr("Here; what was scanned is kept"),
+         "land",
+         {QKeySequence("L")}},
+        [this](bool) { give(agent::Order::LandNow); }, running);
+    commands_.add({"mission.stop_all",
+                   tr("Stop all robots"),
+                   tr("Mission"),
+                   tr("At once; Escape twice does the same"),
+                   "stop",
+                   {QKeySequence("Ctrl+.")}},
+                  [this](bool) { control_.stopAll(); });
+    for (int id = 1; id <= 9; ++id)
+        commands_.add(
+            {QString("robot.select_%1").arg(id),
+             tr("Select robot %1").arg(id),
+             tr("Robots"),
+             tr("Shows its instruments, sensors and map"),
+             "",
+             {QKeySequence(QString::number(id))}},
+            [this, id](bool) { selectRobot(id); }, [this, id] { return control_.robot(id) != nullptr; });
+    commands_.add(
+        {"robot.remove",
+         tr("Remove robot"),
+         tr("Robots"),
+         tr("Closes its connection; the server takes it away"),
+         "",
+         {}},
+        [this](bool) { control_.remove(selected_); }, [this] { return selected_ != 0; });
+}
+
+void MainWindow::registerMapCommands() {
+    commands_.add({"map.fit",
+                   tr("Fit mission"),
+                   tr("Map"),
+                   tr("Shows the area and all that was scanned"),
+                   "fit",
+                   {QKeySequence("F")}},
+                  [this](bool) { views_.map->fit(); });
+    commands_.add(
+        {"map.fit_world", tr("Fit world"), tr("Map"), tr("Shows the whole world"), "", {QKeySequence("Home")}},
+        [this](bool) { views_.map->fitWorld(); });
+    commands_.add({"map.follow",
+                   tr("Follow robot"),
+                   tr("Map"),
+                   tr("Keeps the selected robot in the middle"),
+                   "follow",
+                   {QKeySequence("Shift+F")},
+                   true},
+                  [this](bool on) { views_.map->setFollowing(on); });
+    commands_.add({"map.zoom_in", tr("Zoom in"), tr("Map"), tr("Closer"), "", {QKeySequence::ZoomIn}},
+                  [this](bool) { views_.map->zoomIn(); });
+    commands_.add({"map.zoom_out", tr("Zoom out"), tr("Map"), tr("Farther away"), "", {QKeySequence::ZoomOut}},
+                  [this](bool) { views_.map->zoomOut(); });
+}
+
+void MainWindow::registerViewCommands() {
+    commands_.add(
+        {"view.dark", tr("Dark theme"), tr("View"), tr("Dark or light"), "moon", {QKeySequence("Ctrl+T")}, true},
+        [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
+    commands_.add({"view.reset", tr("Reset layout"), tr("View"), tr("All docks where they were at first"), "", {}},
+                  [this](bool) { resetLayout(); });
+    commands_.add({"view.hint", tr("First steps"), tr("View"), tr("The three-step hint above the map"), "", {}},
+                  [this](bool) { views_.hint->show(); });
+    auto* palette = new widgets::CommandPalette(commands_, this);
+    commands_.add({"view.palette",
+                   tr("Command palette"),
+                   tr("View"),
+                   tr("Any command by a few letters"),
+                   "",
+                   {QKeySequence("Ctrl+K")}},
+                  [palette](bool) { palette->open(); });
+    commands_.add({"help.shortcuts",
+                   tr("Shortcuts"),
+                   tr("Help"),
+                   tr("All keys and gestures on one sheet"),
+                   "",
+                   {QKeySequence("F1")}},
+                  [this](bool) {
+                      auto* sheet = new widgets::ShortcutSheet(commands_, gestures, this);
+                      sheet->setAttribute(Qt::WA_DeleteOnClose);
+                      sheet->show();
+                  });
+}
+
+void MainWindow::makeMenus() {
+    commands_.fill(menuBar()->addMenu(tr("&File")),
+                   {"file.open", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
+    commands_.fill(menuBar()->addMenu(tr("&Mission")),
+                   {"mission.area", "-", "mission.start", "mission.pause", "mission.land", "-", "mission.stop_all"});
+    commands_.fill(menuBar()->addMenu(tr("&Robots")),
+                   {"robot.select_1", "robot.select_2", "robot.select_3", "-", "robot.remove"});
+    auto* view = menuBar()->addMenu(tr("&View"));
+    commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.dark",
+                          "view.hint", "view.reset", "view.palette", "-"});
+    for (QDockWidget* dock : views_.docks)
+        view->addAction(dock->toggleViewAction());
+    commands_.fill(menuBar()->addMenu(tr("&Help")), {"help.shortcuts"});
+}
+
+void MainWindow::resetLayout() {
+    restoreState(first_layout_, layout_version);
+}
+
+} // namespace usar::app

@@ -1,0 +1,101 @@
+#include "app/window_views.h"
+
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "widgets/theme.h"
+
+namespace usar::app {
+
+namespace {
+
+using namespace usar::widgets;
+
+QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& name, const QString& title,
+                     Qt::DockWidgetArea area, QWidget* content) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name); // saveState finds it by this
+    dock->setWidget(content);
+    window.addDockWidget(area, dock);
+    views.docks.push_back(dock);
+    return dock;
+}
+
+void makeTopBar(QMainWindow& window, WindowViews& views) {
+    auto* bar = window.addToolBar(QObject::tr("Link and time"));
+    bar->setObjectName("top_bar");
+    bar->setMovable(false);
+    bar->setFloatable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->addWidget(views.connection = new ConnectionBar);
+    views.connection->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(views.time = new TimeBar);
+    bar->addSeparator();
+    bar->addWidget(views.stop_all = new StopButton);
+}
+
+void makeCenter(QMainWindow& window, WindowViews& views) {
+    auto* center = new QWidget;
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(views.hint = new HintStrip);
+    layout->addWidget(views.map = new MapView, 1);
+    views.map->setOrientation(MapOrientation::YUp); // as exported pictures and GIS have it
+    views.map->setLayer(MapLayer::World, {.visible = true, .opacity = 0.4});
+    views.spawn_card = new SpawnCard(views.map);
+    window.setCentralWidget(center);
+}
+
+QWidget* makeInstruments(WindowViews& views) {
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    layout->setSpacing(gap::small);
+    layout->addWidget(views.status = new StatusStrip);
+    layout->addWidget(views.laser = new LaserFanView, 3);
+    layout->addWidget(views.sonars = new SonarColumnsView, 2);
+    return box;
+}
+
+void makeDocks(QMainWindow& window, WindowViews& views) {
+    views.parameters = new ParameterForm;
+    addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
+    addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
+            views.behavior = new BehaviorPanel(views.parameters));
+    addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea, makeInstruments(views));
+    addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
+    auto* plots =
+        addDock(window, views, "plots", QObject::tr("Plots"), Qt::BottomDockWidgetArea, views.plots = new PlotView);
+    auto* messages = addDock(window, views, "messages", QObject::tr("Messages"), Qt::BottomDockWidgetArea,
+                             views.messages = new MessageList);
+    views.notifications_dock = addDock(window, views, "notifications", QObject::tr("Notifications"),
+                                       Qt::BottomDockWidgetArea, views.notifications = new NotificationCenter);
+    views.toasts = new ToastStack(views.map, views.notifications->model());
+    auto* layers =
+        addDock(window, views, "layers", QObject::tr("Layers"), Qt::LeftDockWidgetArea, views.layers = new LayersPanel);
+    layers->hide();
+    window.tabifyDockWidget(plots, messages);
+    window.tabifyDockWidget(messages, views.notifications_dock);
+    plots->raise();
+}
+
+} // namespace
+
+WindowViews makeViews(QMainWindow& window) {
+    WindowViews views;
+    window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    // Intent and perception keep their full height; history takes from the map.
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    makeTopBar(window, views);
+    makeCenter(window, views);
+    makeDocks(window, views);
+    window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
+    window.resizeDocks({views.docks[2], views.docks[3]}, {420, 240}, Qt::Vertical);
+    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 300}, Qt::Horizontal);
+    window.resizeDocks({views.docks[4]}, {180}, Qt::Vertical);
+    return views;
+}
+
+} // namespace usar::app

@@ -1,0 +1,93 @@
+#include "tests/e2e/window_page.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QSettings>
+
+using namespace usar;
+
+WindowPage::WindowPage(const QString& result_folder) {
+    result_folder_ = result_folder.isEmpty() ? folder_.filePath("results") : result_folder;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.filePath("settings"));
+    app::Options options;
+    options.server.simulator.port = 0;
+    options.result_folder = result_folder_;
+    window_ = std::make_unique<app::MainWindow>(options);
+    window_->resize(1280, 800);
+    window_->show();
+    window_->activateWindow();
+    map().setFocus();
+    window_->begin();
+}
+
+bool WindowPage::hasStartPoses() {
+    return !map().content().start_poses.empty();
+}
+
+QPoint WindowPage::onMap(const Vec2& point_in_map_m) {
+    return map().transform().toScreen(point_in_map_m).toPoint();
+}
+
+QPoint WindowPage::startPoseOnMap(const std::string& name) {
+    for (const protocol::StartPose& pose : map().content().start_poses)
+        if (pose.name == name)
+            return onMap(pose.pose_in_map.position_m.head<2>());
+    QTest::qFail("no such start pose", __FILE__, __LINE__);
+    return {};
+}
+
+void WindowPage::doubleClickStartPose(const std::string& name) {
+    const QPoint at = startPoseOnMap(name);
+    QTest::mouseClick(&map(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(&map(), Qt::LeftButton, {}, at);
+}
+
+void WindowPage::clickStartPose(const std::string& name) {
+    QTest::mouseClick(&map(), Qt::LeftButton, {}, startPoseOnMap(name));
+}
+
+void WindowPage::drawArea(const Rectangle& area_in_map) {
+    const QPoint from = onMap(area_in_map.min_m);
+    const QPoint to = onMap(area_in_map.max_m);
+    QTest::mousePress(&map(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(&map(), (from + to) / 2);
+    QTest::mouseMove(&map(), to);
+    QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
+}
+
+/// As the window system does it: to the window, which finds shortcuts and the focus itself.
+void WindowPage::pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(window_->windowHandle(), key, modifiers);
+}
+
+void WindowPage::press(const QString& text) {
+    for (QPushButton* button : window_->findChildren<QPushButton*>())
+        if (button->isVisible() && button->isEnabled() && button->text().remove('&') == text)
+            return QTest::mouseClick(button, Qt::LeftButton);
+    QTest::qFail(qPrintable("no button says " + text), __FILE__, __LINE__);
+}
+
+void WindowPage::chooseSpeed(const QString& text) {
+    auto* speeds = window_->views().time->findChild<QComboBox*>();
+    const int index = speeds->findText(text);
+    if (index < 0)
+        return QTest::qFail(qPrintable("no speed " + text), __FILE__, __LINE__);
+    while (speeds->currentIndex() != index)
+        QTest::keyClick(speeds, speeds->currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+}
+
+void WindowPage::screenshot(const QString& name) {
+    const QDir folder(QStringLiteral(USAR_BINARY_DIR "/screenshots"));
+    QDir().mkpath(folder.path());
+    window_->grab().save(folder.filePath(name + ".png"));
+}
+
+std::size_t WindowPage::knownTiles() const {
+    const app::RobotView* view = robot(window_->selectedRobot());
+    return view ? view->tiles.size() : 0;
+}
+
+const app::RobotView* WindowPage::robot(int id) const {
+    const app::Robot* robot = window_->control().robot(id);
+    return robot ? &robot->view() : nullptr;
+}
