@@ -16,6 +16,9 @@ constexpr double stop_moving_m = 0.1;
 /// Slope of the lower rim of a sonar's 15 degree beam.
 constexpr double sonar_slope = 0.12;
 constexpr double known_enough = 0.85;
+/// What ends no lower than this is beside us, not under us, and may be a trunk below its crown: no reason to climb
+/// here.
+constexpr double beside_m = 0.3;
 constexpr double standing_m_s = 0.15;
 
 } // namespace
@@ -26,7 +29,7 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
     const Vec2 here_m = senses.position2_m();
     double goal_m = senses.ground_m ? *senses.ground_m + settings.scan_altitude_m : z_m - 1.0;
     const double ahead_m = way_ahead_m + way_ahead_s * speed_m_s;
-    if (const auto below_m = memory.highest_m(here_m, settings.footprint_radius_m))
+    if (const auto below_m = memory.highest_m(here_m, settings.footprint_radius_m, z_m - beside_m))
         goal_m = std::max(goal_m, *below_m + settings.clearance_m);
     if (const auto top_m = memory.highestAlong_m(here_m, way_bearing_rad, way_half_width_m, ahead_m))
         goal_m = std::max(goal_m, *top_m + settings.clearance_m);

@@ -9,8 +9,8 @@
 
 namespace usar::airrobot {
 
-/// The height to hold, map z: the highest of (mean of the middle rays + scan altitude), (highest thing in the footprint
-/// and along the way of the next seconds + clearance), the floor level, and `at_least_m`. With nothing in the
+/// The height to hold, map z: the highest of (mean of the middle rays + scan altitude), (highest thing below in the
+/// footprint, or along the way of the next seconds + clearance), the floor level, and `at_least_m`. With nothing in the
 /// scanner's reach below: sink, as far as the floor allows.
 double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double way_bearing_rad, double speed_m_s,
                       std::optional<double> at_least_m, const Settings& settings);

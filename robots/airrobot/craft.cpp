@@ -10,6 +10,10 @@ namespace {
 /// What rises to less than this under the base passes below it.
 constexpr double level_margin_m = 1.2;
 constexpr double look_around_m = 8.0;
+/// What the scanner's level rays and the sonars saw of a trunk ends about here.
+constexpr double trunk_margin_m = 0.3;
+/// As long as no more climb than this is wanting, flight goes on past an overhang on the same level.
+constexpr double bearable_deficit_m = 1.5;
 constexpr double body_half_width_m = 0.75;
 /// A climb over something ends this far beyond the place of the climb.
 constexpr double over_way_m = 12.0;
@@ -107,7 +111,12 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const double speed_m_s = std::min(leg.speed_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
     Motion motion = toward(senses, *bearing, speed_m_s, settings);
     motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
-    return motion;
+    if (!climb_forbidden_)
+        return motion;
+    state = FlightState::Evading; // waits here, until it backs away and climbs where there is room
+    Motion waiting = holding(senses, here_m);
+    waiting.yaw_rate_rad_s = motion.yaw_rate_rad_s;
+    return waiting;
 }
 
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
@@ -133,7 +142,17 @@ std::optional<double> Craft::heldHeight_m() {
 
 double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
     const double goal_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
-    return altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
+    const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
+    const bool overhang = rate_m_s > 0.0 && besideOverhang();
+    climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
+    return overhang ? 0.0 : rate_m_s;
+}
+
+bool Craft::besideOverhang() const {
+    const double level_m = senses.position_m().z() - trunk_margin_m;
+    return std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+        return obstacle.top_m > level_m && (obstacle.at_m - senses.position2_m()).norm() < settings.climb_standoff_m;
+    });
 }
 
 void Craft::makeSafe(Motion& motion) const {

@@ -62,6 +62,8 @@ private:
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
     double climbRate(double way_bearing_rad, double speed_m_s);
+    /// Something beside reaches our level and may be wider above: a trunk under its crown.
+    bool besideOverhang() const;
     void makeSafe(Motion& motion) const;
     std::optional<double> heldHeight_m();
 
@@ -73,6 +75,7 @@ private:
     StuckWatch stuck_;
     Pilot pilot_;
     std::vector<Obstacle> obstacles_; ///< that reach the flight level now
+    bool climb_forbidden_ = false;    ///< much climb is needed and none is safe here
     std::optional<Vec3> climbed_at_;  ///< height is kept until some way past it
 };
 

@@ -102,9 +102,12 @@ std::vector<Obstacle> ObstacleMemory::near(const Vec2& at_m, double radius_m, do
     return found;
 }
 
-std::optional<double> ObstacleMemory::highest_m(const Vec2& at_m, double radius_m) const {
+std::optional<double> ObstacleMemory::highest_m(const Vec2& at_m, double radius_m, double below_m) const {
     std::optional<double> highest;
-    const auto raise = [&](double top_m) { highest = std::max(highest.value_or(top_m), top_m); };
+    const auto raise = [&](double top_m) {
+        if (top_m < below_m)
+            highest = std::max(highest.value_or(top_m), top_m);
+    };
     visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
         if (cell)
             raise(cell->top_m);

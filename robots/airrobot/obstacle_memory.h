@@ -1,6 +1,7 @@
 // A local memory of what stands around the robot: what the belly scanner saw, and fading sonar echoes.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,8 +41,9 @@ public:
 
     /// Things within `radius_m` of `at_m` whose top is over `level_m`.
     std::vector<Obstacle> near(const Vec2& at_m, double radius_m, double level_m) const;
-    /// The highest thing in the disc, sonar echoes included; nothing where all is unknown.
-    std::optional<double> highest_m(const Vec2& at_m, double radius_m) const;
+    /// The highest thing in the disc whose top is under `below_m`, sonar echoes included; nothing where none is known.
+    std::optional<double> highest_m(const Vec2& at_m, double radius_m,
+                                    double below_m = std::numeric_limits<double>::infinity()) const;
     /// The same in a corridor of `length_m` that starts at `from_m`; scanner hits only.
     std::optional<double> highestAlong_m(const Vec2& from_m, double bearing_rad, double half_width_m,
                                          double length_m) const;

@@ -41,6 +41,14 @@ private slots:
         QCOMPARE(altitudeGoal_m(senses, memory, 0.0, 1.0, {}, settings), 5.0 + settings.clearance_m);
     }
 
+    void doesNotRiseForATrunkBesideIt() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{{1}, {}, {}, {Vec3(0, 1.5, 5.9)}};
+        memory.take(senses, spans);
+        QCOMPARE(altitudeGoal_m(senses, memory, 0.0, 1.0, {}, settings), settings.scan_altitude_m);
+    }
+
     void risesForWhatIsKnownAheadOnly_data() {
         QTest::addColumn<double>("bearing_deg");
         QTest::addColumn<bool>("rises");

@@ -117,6 +117,24 @@ private slots:
         QVERIFY(toy.marks(MarkKind::LowRisk).size() + toy.marks(MarkKind::HighRisk).size() > 0);
     }
 
+    void doesNotClimbBesideATrunkIntoItsCrown_data() {
+        QTest::addColumn<double>("aside_m");
+        for (const double aside_m : {1.6, 2.0, 2.4})
+            QTest::newRow(qPrintable(QString("%1 m beside the lane").arg(aside_m))) << aside_m;
+    }
+    void doesNotClimbBesideATrunkIntoItsCrown() {
+        QFETCH(double, aside_m);
+        ToyWorld world; // a slope under the lane calls for a climb just where a wide crown hangs over it
+        world.ground_m = [](const Vec2& at_m) { return std::clamp((at_m.x() - 15.0) * 0.4, 0.0, 8.0); };
+        world.trees.push_back({Vec2(22, 10 + aside_m), 0.25, 13.0, 2.5});
+        const Task one_lane{"R1", Pose{}, {Vec2(2, 6), Vec2(42, 14)}};
+        ToyFlight toy = flight(world, one_lane);
+        toy.run(Seconds(1000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QCOMPARE(toy.robot().collisions(), 0);
+        QVERIFY(toy.robot().lowestClearance_m() > 0.0);
+    }
+
     void chargesInTimeAndResumesWhereItStopped() {
         ToyFlight toy = flight({}, field_task, {{"battery_range_m", 150.0}}, {.ins_drifts = true});
         toy.run(Seconds(3000));

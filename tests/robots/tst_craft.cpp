@@ -1,0 +1,126 @@
+#include <QtTest>
+
+#include "robots/airrobot/craft.h"
+
+using namespace usar;
+using namespace usar::airrobot;
+
+class TestCraft : public QObject {
+    Q_OBJECT
+
+    modules::RobotModules robot;
+    agent::CommandPort port;
+    SensorLayout layout;
+    std::uint64_t line = 0;
+    double now_s = 0.0;
+    std::unique_ptr<Craft> craft;
+
+    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+
+    /// One tick over flat ground `height_m` below, with these sonars nearer than 5 m; the scanner's level rays see what
+    /// stands `left_m` and `right_m` beside.
+    void perceive(double height_m, const std::map<std::string, double>& near_m, double left_m = 20.0,
+                  double right_m = 20.0) {
+        now_s += 0.2;
+        protocol::SonarReadings sonars;
+        for (const SonarMount& mount : layout.sonars)
+            sonars.ranges.push_back({mount.name, near_m.contains(mount.name) ? near_m.at(mount.name) : 5.0});
+        tell(sonars);
+        protocol::RangeScan scan{Seconds(now_s), "Scanner1", radians(1.0), pi, std::vector<double>(181, 20.0)};
+        for (std::size_t i = 0; i < scan.ranges_m.size(); ++i)
+            if (const double down = std::cos(scan.beamAngle_rad(i)); down > height_m / 20.0)
+                scan.ranges_m[i] = (height_m - 0.1) / down;
+        scan.ranges_m.front() = right_m;
+        scan.ranges_m.back() = left_m;
+        tell(scan);
+        tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, 20), 0, 0, 0}});
+        protocol::RobotState state;
+        state.time = Seconds(now_s);
+        tell(state);
+        craft->perceive({Seconds(now_s), LineNumber{line}, robot}, layout, true, port);
+    }
+    protocol::AerialDrive fly() {
+        craft->fly({Vec2(30, 0), Vec2(5, 0), 1.0, "test"}, port);
+        const auto commands = port.takeCommands();
+        return commands.empty() ? protocol::AerialDrive{} : std::get<protocol::AerialDrive>(commands.back().command);
+    }
+
+private slots:
+    void init() {
+        robot = {};
+        port = {};
+        layout = stockLayout();
+        line = 0;
+        now_s = 100.0;
+        craft = std::make_unique<Craft>();
+    }
+
+    void climbsWhereNothingIsBeside() {
+        perceive(5.0, {});
+        QVERIFY(*fly().climb_m_s > 0.5);
+    }
+
+    void doesNotClimbBesideWhatMayBeWiderAbove_data() {
+        QTest::addColumn<double>("left_m");
+        QTest::addColumn<double>("r4_m");
+        QTest::newRow("a trunk that the scanner's level ray sees") << 1.8 << 5.0;
+        QTest::newRow("a trunk that a side sonar sees") << 20.0 << 2.3;
+    }
+    void doesNotClimbBesideWhatMayBeWiderAbove() {
+        QFETCH(double, left_m);
+        QFETCH(double, r4_m);
+        perceive(5.0, {{"R4", r4_m}}, left_m);
+        const auto drive = fly();
+        QCOMPARE(*drive.climb_m_s, 0.0);
+        QVERIFY(*drive.forward_m_s > 0.0); // but goes on: the ground is far enough
+    }
+
+    void waitsWhenMuchClimbIsWantingThere() {
+        perceive(3.0, {}, 1.8);
+        const auto drive = fly();
+        QCOMPARE(*drive.climb_m_s, 0.0);
+        QVERIFY(std::abs(*drive.forward_m_s) < 1e-9);
+    }
+
+    void sinksBesideATrunkAllTheSame() {
+        perceive(9.0, {}, 1.8);
+        QVERIFY(*fly().climb_m_s < 0.0);
+    }
+
+    void fleesFromAHighRiskWithoutAChangeOfHeight() {
+        perceive(5.0, {{"M0", 1.0}});
+        const auto drive = fly();
+        QVERIFY(*drive.forward_m_s < -0.5);
+        QCOMPARE(*drive.climb_m_s, 0.0);
+    }
+
+    void slowsDownTowardWhatItRemembers() {
+        layout.sonars.resize(5); // left half and front only
+        perceive(6.0, {{"M0", 2.4}});
+        perceive(6.0, {{"M0", 2.4}});
+        for (int i = 0; i < 10; ++i)
+            perceive(6.0, {{"M0", 2.4}});
+        QVERIFY(std::abs(*fly().forward_m_s) < 0.7);
+    }
+
+    void tellsWhenItIsTimeToGiveTheGoalUp() {
+        craft->settings.give_up_after_s = 10.0;
+        FlightState state = FlightState::Flying;
+        int ticks = 0;
+        for (; state != FlightState::Unreachable && ticks < 200; ++ticks) {
+            perceive(6.0, {}); // the INS says that it never moves
+            state = craft->fly({Vec2(30, 0), Vec2(5, 0), 1.0, "test"}, port);
+        }
+        QVERIFY(ticks > 45 && ticks < 60);
+    }
+
+    void staysWithinWhatTheRobotCanDo() {
+        layout.maximum_climb_m_s = 0.4;
+        perceive(3.0, {});
+        QCOMPARE(*fly().climb_m_s, 0.4);
+        QCOMPARE(craft->settings.climb_speed_m_s, 0.4);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCraft)
+#include "tst_craft.moc"
