@@ -110,7 +110,7 @@ void RobotSession::stop() {
 }
 
 void RobotSession::sendCommand(const protocol::Command& command, const std::string& source) {
-    d_->send({command, {source, d_->state.line()}});
+    d_->send({command, {source, d_->state->line()}});
     d_->sendDrive(false);
     d_->link.flush();
     d_->touched();

@@ -35,7 +35,7 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
 }
 
 void RobotSession::Private::opened() {
-    state = {};
+    state.emplace();
     sensors.reset();
     gate.reset();
     mapper.forgetScans();
@@ -69,8 +69,8 @@ void RobotSession::Private::closed() {
 void RobotSession::Private::takeLine(std::string_view text) {
     protocol::InfoLine line = reader.read(text);
     ++figures.lines_received;
-    state.take(line);
-    figures.now = state.now();
+    state->take(line);
+    figures.now = state->now();
     if (auto complaint = complaints.take(line))
         notice(Severity::Warning, std::move(*complaint));
     figures.lines_malformed = complaints.count();
@@ -188,13 +188,13 @@ void RobotSession::Private::makeSafe(const std::string& source) {
     if (!figures.spawned)
         return;
     gate.reset();
-    const bool rolls = state.latest() && state.latest()->kind == protocol::VehicleKind::Ground;
+    const bool rolls = state->latest() && state->latest()->kind == protocol::VehicleKind::Ground;
     if (host)
         send(host->safeCommand(source));
     else if (rolls)
-        send({protocol::SkidDrive{}, {source, state.line()}});
+        send({protocol::SkidDrive{}, {source, state->line()}});
     else
-        send({protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, {source, state.line()}});
+        send({protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, {source, state->line()}});
     sendDrive(true);
     link.flush();
 }

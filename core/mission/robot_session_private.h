@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -65,7 +66,7 @@ struct RobotSession::Private {
     SessionLimits limits;
 
     protocol::Reader reader;
-    modules::StateModule state;
+    std::optional<modules::StateModule> state{std::in_place}; ///< a new one for each connection
     ComplaintBook complaints;
     SensorWatch sensors;
     DriveGate gate;

@@ -63,7 +63,7 @@ void RobotSession::Private::watchSensors() {
         silent += (silent.empty() ? "" : ", ") + name;
     if (silent.empty())
         return;
-    const auto& latest = state.latest();
+    const auto& latest = state->latest();
     const bool flat = latest && latest->battery_left && latest->battery_left->count() <= 0.0;
     notice(Severity::Warning, "No reading from " + silent + " for " + inWords(limits.sensor_silence) +
                                   " of the robot's time; the last values stay, marked as old. " +
