@@ -10,9 +10,6 @@ namespace usar::app {
 
 namespace {
 
-// A server cannot charge robots: the thesis (4.1) gave them a huge battery and let the behavior simulate the real one.
-constexpr Seconds battery_life{24.0 * 3600.0};
-
 Result<sim::World> loadWorld(const QString& name) {
     const QString folder = worldFolder(name);
     if (!QDir(folder).exists())
@@ -35,7 +32,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
                                                                     std::optional<double> speed_x) {
     sim::SimulationOptions options;
     options.seed = seed;
-    options.battery_life = battery_life;
+    options.battery_life = sim::survey_battery_life;
     auto simulation = sim::Simulation::make(std::move(world), options);
     if (!simulation)
         return tl::unexpected(simulation.error());
