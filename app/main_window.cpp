@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QScreen>
 
 #include "app/locations.h"
 #include "widgets/escape_twice.h"
@@ -42,7 +43,8 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireMap();
     wirePanels();
     wireMission();
-    resize(1280, 800);
+    constexpr int frame_px = 40; // title bar and borders, which the size does not count
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
     restoreSettings();
     selectRobot(0);

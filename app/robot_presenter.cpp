@@ -93,7 +93,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     } else if (view.figures.behavior_running && view.status) {
         views_.status->setStatus(*view.status);
     } else {
-        views_.status->setIdle(QObject::tr("Idle. Draw an area and press Start."));
+        views_.status->setIdle(QObject::tr("Idle"));
     }
     views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
     if (const auto* scan = newest<protocol::RangeScan>(update))
@@ -132,7 +132,7 @@ void RobotPresenter::select(int id) {
     const Robot* robot = control_.robot(id);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot)
-        return views_.status->clear(QObject::tr("No robot yet. Double-click a start pose."));
+        return views_.status->clear(QObject::tr("No robot yet"));
     const RobotView& view = robot->view();
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
@@ -140,7 +140,7 @@ void RobotPresenter::select(int id) {
     views_.map->takeTiles(tiles, view.height_range);
     for (const agent::MapMark& mark : view.marks)
         views_.map->addMark(mark);
-    views_.status->setIdle(QObject::tr("Idle. Draw an area and press Start."));
+    views_.status->setIdle(QObject::tr("Idle"));
     if (view.figures.behavior_running && view.status)
         views_.status->setStatus(*view.status);
 }

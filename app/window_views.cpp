@@ -53,6 +53,7 @@ QWidget* makeInstruments(WindowViews& views) {
     layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     layout->setSpacing(gap::small);
     layout->addWidget(views.status = new StatusStrip);
+    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // figures are never squeezed
     layout->addWidget(views.laser = new LaserFanView, 3);
     layout->addWidget(views.sonars = new SonarColumnsView, 2);
     return box;
@@ -92,8 +93,8 @@ WindowViews makeViews(QMainWindow& window) {
     makeCenter(window, views);
     makeDocks(window, views);
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
-    window.resizeDocks({views.docks[2], views.docks[3]}, {420, 240}, Qt::Vertical);
-    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 300}, Qt::Horizontal);
+    window.resizeDocks({views.docks[2], views.docks[3]}, {520, 180}, Qt::Vertical);
+    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 330}, Qt::Horizontal);
     window.resizeDocks({views.docks[4]}, {180}, Qt::Vertical);
     return views;
 }

@@ -67,7 +67,7 @@ void SensorPanel::makeTree() {
                                               {SensorModel::Age, QStringLiteral("answer")},
                                               {SensorModel::Rate, QStringLiteral("00.0 Hz")}};
     for (const auto& [section, sample] : widths)
-        header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::medium);
+        header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::small);
     connect(tree_, &QTreeView::activated, this, &SensorPanel::plot);
 }
 
