@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QImageReader>
@@ -70,7 +69,7 @@ private slots:
     void anUnwritableFolderIsNamed_data();
     void anUnwritableFolderIsNamed();
     void anEmptyMapStillLeavesTheSummary();
-    void aSquareKilometreIsWrittenInReasonableTime();
+    void aSquareKilometreIsWrittenWhole();
     void theUsualFolderIsOnTheDesktop();
 };
 
@@ -269,15 +268,11 @@ void tst_ResultWriter::anEmptyMapStillLeavesTheSummary() {
     QCOMPARE(json["map"].toObject()["known_cells"].toInt(), 0);
 }
 
-void tst_ResultWriter::aSquareKilometreIsWrittenInReasonableTime() {
+void tst_ResultWriter::aSquareKilometreIsWrittenWhole() {
     QTemporaryDir folder;
     const ScanRecord record = sampleScan(4000);
-    QElapsedTimer timer;
-    timer.start();
     const auto files = writeResults(record, {}, folder.path());
-    qInfo("4000 x 4000 cells: %lld ms", timer.elapsed());
     QVERIFY2(files.has_value(), files ? "" : files.error().text().c_str());
-    QVERIFY(timer.elapsed() < 60'000); // 3 s alone on a desktop; ten builds at a time and a sanitizer are slower
     QCOMPARE(QFileInfo(ending(*files, ".bil")).size(), 4000 * 4000 * 4);
     QCOMPARE(QImageReader(ending(*files, "_height.png")).size(), QSize(4000, 4000));
 }

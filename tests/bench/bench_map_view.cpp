@@ -1,0 +1,63 @@
+// What a frame of the map costs at 1920 x 1080: 200 m x 200 m at 0.25 m, a long trail, panned and zoomed.
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QEventLoop>
+#include <QImage>
+
+#include "widgets/map_view.h"
+
+using namespace usar;
+
+namespace {
+
+/// One application for all map benches; no window system is needed to paint into a picture.
+void needApplication() {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    static int argc = 1;
+    static char name[] = "usar-bench";
+    static char* argv[] = {name, nullptr};
+    static QApplication application(argc, argv);
+}
+
+void fill(widgets::MapView& view) {
+    mapping::HeightMap map(0.25);
+    for (int column = 0; column < 800; ++column)
+        for (int row = 0; row < 800; ++row)
+            map.write({column, row}, static_cast<float>((column * 7 + row * 13) % 64), {1});
+    view.takeTiles(map.takeChangedTiles(), map.range());
+    while (view.heights().busy()) {
+        QEventLoop loop;
+        QObject::connect(&view.heights(), &widgets::HeightLayer::changed, &loop, &QEventLoop::quit);
+        loop.exec();
+    }
+    view.setArea(Rectangle{Vec2(0, 0), Vec2(200, 200)});
+    for (int lane = 0; lane < 20; ++lane)
+        for (int i = 0; i <= 500; ++i) {
+            const double along_m = lane % 2 ? 200 - i * 0.4 : i * 0.4;
+            view.setRobot({"R1", 1, {{along_m, 5 + lane * 10 + std::sin(i * 0.2), 6}, 0, 0, 0}});
+        }
+}
+
+void mapFrame(benchmark::State& state) {
+    needApplication();
+    widgets::MapView view;
+    view.resize(1920, 1080);
+    fill(view);
+    view.fit();
+    widgets::MapTransform transform = view.transform();
+    transform.pixels_per_m *= static_cast<double>(state.range(0));
+    QImage frame(view.size(), QImage::Format_ARGB32_Premultiplied);
+    double side = 1.0;
+    for ([[maybe_unused]] auto _ : state) {
+        transform.pan({side * 16.0, 0.0});
+        side = -side;
+        view.setTransform(transform);
+        view.render(&frame);
+    }
+}
+BENCHMARK(mapFrame)->Name("map frame 1080p, zoom")->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);
+
+} // namespace
