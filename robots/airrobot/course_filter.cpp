@@ -22,6 +22,13 @@ constexpr double limit_rad = 0.4;
 
 } // namespace
 
+void CourseFilter::reset() {
+    last_.reset();
+    command_m_s_ = Vec2::Zero();
+    steady_ticks_ = 0;
+    correction_rad_ = variance_rad2_ = 0.0;
+}
+
 void CourseFilter::update(const Pose& ins_in_map, const Vec2& commanded_in_base_m_s) {
     const bool steady = (commanded_in_base_m_s - command_m_s_).norm() < steady_m_s;
     steady_ticks_ = steady ? steady_ticks_ + 1 : 0;

@@ -17,7 +17,7 @@ public:
     void update(const Pose& ins_in_map, const Vec2& commanded_in_base_m_s);
     /// To be added to the INS's yaw.
     double correction_rad() const { return correction_rad_; }
-    void reset() { *this = {}; }
+    void reset();
 
 private:
     void learn(const Vec2& step_m, double expected_rad);

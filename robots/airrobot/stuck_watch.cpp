@@ -7,6 +7,12 @@ constexpr double same_goal_m = 0.5;
 constexpr double progress_m = 1.0;
 } // namespace
 
+void StuckWatch::reset() {
+    goal_m_.reset();
+    best_m_ = 0.0;
+    now_ = progress_at_ = hindered_ = Seconds(0.0);
+}
+
 void StuckWatch::update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered) {
     const double distance_m = (goal_m - position_m).norm();
     const Seconds step = goal_m_ ? now - now_ : Seconds(0.0);

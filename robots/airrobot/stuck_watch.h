@@ -13,7 +13,7 @@ class StuckWatch {
 public:
     /// `hindered`: evading, enclosed or without a way. Another goal, or a metre of progress, starts anew.
     void update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered);
-    void reset() { *this = {}; }
+    void reset();
     /// Something was done about it; progress is still to be made.
     void clearHindered() { hindered_ = Seconds(0.0); }
 
