@@ -40,6 +40,7 @@ protected:
 private:
     void registerCommands();
     void registerFileCommands();
+    void registerMissionCommands();
     void registerRobotCommands();
     void registerMapCommands();
     void registerViewCommands();

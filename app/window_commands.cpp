@@ -24,6 +24,7 @@ const QList<std::pair<QString, QString>> gestures{
 
 void MainWindow::registerCommands() {
     registerFileCommands();
+    registerMissionCommands();
     registerRobotCommands();
     registerMapCommands();
     registerViewCommands();
@@ -58,7 +59,7 @@ void MainWindow::registerFileCommands() {
                   [this](bool) { close(); });
 }
 
-void MainWindow::registerRobotCommands() {
+void MainWindow::registerMissionCommands() {
     const auto running = [this] {
         const Robot* robot = control_.robot(selected_);
         return robot && robot->running();
@@ -102,6 +103,9 @@ void MainWindow::registerRobotCommands() {
                    "stop",
                    {QKeySequence("Ctrl+.")}},
                   [this](bool) { control_.stopAll(); });
+}
+
+void MainWindow::registerRobotCommands() {
     for (int id = 1; id <= 9; ++id)
         commands_.add(
             {QString("robot.select_%1").arg(id),
