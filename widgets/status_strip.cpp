@@ -34,8 +34,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     range_->setToolTip(tr("How far it can fly before the reserve is touched, metres"));
     flown_->setToolTip(tr("Distance flown since the behavior started, metres"));
     charges_->setToolTip(tr("Times the battery was recharged"));
-    battery_->setToolTip(
-        tr("Used part of the battery's capacity, per cent"));
+    battery_->setToolTip(tr("Used part of the battery's capacity, per cent"));
     battery_->setLimits(70.0, 85.0);
     progress_->setToolTip(tr("Part of the whole task that is done, per cent"));
     coverage_->setToolTip(tr("Part of the mission area whose height is known, per cent"));

@@ -42,9 +42,7 @@ struct RangeScan {
         return difference_rad <= 0.02 * resolution_rad ? even_rad : resolution_rad;
     }
     /// Angle of a beam in the scanner's frame, counter-clockwise positive. `index` < ranges_m.size().
-    double beamAngle_rad(std::size_t index) const {
-        return -fov_rad / 2.0 + static_cast<double>(index) * step_rad();
-    }
+    double beamAngle_rad(std::size_t index) const { return -fov_rad / 2.0 + static_cast<double>(index) * step_rad(); }
     bool operator==(const RangeScan&) const = default;
 };
 
