@@ -96,7 +96,7 @@ void MissionControl::connectRobot(Robot* robot) {
     connect(robot, &Robot::recordReady, this, [this, robot](const auto& record) { write(robot, record); });
     connect(robot, &Robot::noticed, this, [this, robot](const mission::Notice& notice) {
         const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
-        emit noticed(who, {notice.severity, who.toStdString() + ": " + notice.text});
+        emit noticed(who, {notice.severity, who.toStdString() + ": " + notice.text, notice.topic, notice.over});
     });
 }
 
@@ -260,7 +260,7 @@ void MissionControl::prepareToClose() {
 }
 
 void MissionControl::note(Severity severity, const QString& key, const QString& text) {
-    emit noticed(key, {severity, text.toStdString()});
+    emit noticed(key, {.severity = severity, .text = text.toStdString()});
 }
 
 } // namespace usar::app

@@ -126,6 +126,8 @@ void Robot::take(const mission::SessionUpdate& update) {
         view_.unsaved = true;
     if (update.height_range)
         view_.height_range = update.height_range;
+    if (update.ground)
+        view_.ground = update.ground;
     for (const protocol::InfoLine& line : update.lines) {
         // Until a behavior says what it believes, the robot's own estimate places it on the map.
         if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)

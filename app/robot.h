@@ -30,6 +30,7 @@ struct RobotView {
     std::optional<Vec3> goal_m;
     std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles;
     std::optional<mapping::HeightRange> height_range;
+    std::optional<mapping::CourseProfile> ground;
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
     bool unsaved = false;                            ///< scanned since the last export
 };

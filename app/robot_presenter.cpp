@@ -98,6 +98,8 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
     if (const auto* scan = newest<protocol::RangeScan>(update))
         views_.laser->setScan(*scan);
+    if (update.ground)
+        views_.terrain->setProfile(*update.ground);
     if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
         views_.sonars->setZones(*zones);
     } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
@@ -109,6 +111,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     }
     const bool stale = view.link.state != link::LinkState::Connected;
     views_.laser->setStale(stale);
+    views_.terrain->setStale(stale);
     views_.sonars->setStale(stale);
 }
 
@@ -129,6 +132,7 @@ void RobotPresenter::select(int id) {
     views_.sensors->clear();
     views_.sonars->clear();
     views_.laser->clear();
+    views_.terrain->clear();
     const Robot* robot = control_.robot(id);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot)
@@ -140,6 +144,8 @@ void RobotPresenter::select(int id) {
     views_.map->takeTiles(tiles, view.height_range);
     for (const agent::MapMark& mark : view.marks)
         views_.map->addMark(mark);
+    if (view.ground)
+        views_.terrain->setProfile(*view.ground);
     views_.status->setIdle(QObject::tr("Idle"));
     if (view.figures.behavior_running && view.status)
         views_.status->setStatus(*view.status);

@@ -55,6 +55,7 @@ QWidget* makeInstruments(WindowViews& views) {
     layout->addWidget(views.status = new StatusStrip);
     views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // figures are never squeezed
     layout->addWidget(views.laser = new LaserFanView, 3);
+    layout->addWidget(views.terrain = new TerrainProfileView, 2);
     layout->addWidget(views.sonars = new SonarColumnsView, 2);
     return box;
 }

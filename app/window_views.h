@@ -23,6 +23,7 @@
 #include "widgets/spawn_card.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_button.h"
+#include "widgets/terrain_profile_view.h"
 #include "widgets/time_bar.h"
 #include "widgets/toast_stack.h"
 
@@ -41,6 +42,7 @@ struct WindowViews {
     widgets::ParameterForm* parameters = nullptr;
     widgets::StatusStrip* status = nullptr;
     widgets::LaserFanView* laser = nullptr;
+    widgets::TerrainProfileView* terrain = nullptr;
     widgets::SonarColumnsView* sonars = nullptr;
     widgets::SensorPanel* sensors = nullptr;
     widgets::PlotView* plots = nullptr;

@@ -4,6 +4,7 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/map_transform.h"
+#include "widgets/sheet.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -36,25 +37,21 @@ void LaserFanView::setStale(bool stale) {
 }
 
 void LaserFanView::paintEvent(QPaintEvent*) {
-    const Tokens& t = tokens();
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(t.line, 1.0));
-    painter.setBrush(t.surface);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
-    if (section_.rays.empty()) {
-        painter.setPen(t.text_muted);
-        painter.drawText(rect().adjusted(gap::small, 0, -gap::small, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No laser scan yet.\nRays and terrain appear here once a range scanner reports."));
-        return;
-    }
+    if (section_.rays.empty())
+        return paintEmptySheet(painter, *this,
+                               tr("No laser scan yet.\nRays and terrain appear here once a range scanner reports."));
+    paintSheet(painter, *this);
     const double head = fontMetrics().height() + 12.0;
     const double scale = (height() - head - gap::small) / section_.depthShown_m();
     const QPointF origin(width() / 2.0, head);
     painter.setClipRect(rect().adjusted(1, 1, -1, -1));
-    paintTerrain(painter, origin, scale);
+    std::vector<std::optional<QPointF>> ground;
+    for (const LaserRay& ray : section_.rays)
+        ground.push_back(ray.hit ? std::optional(origin + ray.end_m * scale) : std::nullopt);
+    paintGround(painter, ground, height(), stale_);
     paintRays(painter, origin, scale);
-    const QColor body = stale_ ? t.stale : t.text;
+    const QColor body = stale_ ? tokens().stale : tokens().text;
     painter.setPen(QPen(body, 2.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(origin + QPointF(-9.0, 0.0), origin + QPointF(9.0, 0.0));
     painter.setBrush(body);
@@ -73,39 +70,10 @@ void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double sc
     painter.drawLines(rays);
 }
 
-/// Hits joined where they are neighbors; a miss breaks the line, because nothing is known there.
-void LaserFanView::paintTerrain(QPainter& painter, const QPointF& origin, double scale) const {
-    const Tokens& t = tokens();
-    QColor ground = stale_ ? t.stale : t.ok;
-    QPolygonF line;
-    const auto flush = [&] {
-        if (line.size() > 1) {
-            QPolygonF below = line;
-            below << QPointF(line.last().x(), height()) << QPointF(line.first().x(), height());
-            ground.setAlphaF(0.16f);
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(ground);
-            painter.drawPolygon(below);
-            ground.setAlphaF(1.0f);
-            painter.setPen(QPen(ground, 2.0));
-            painter.setBrush(Qt::NoBrush);
-            painter.drawPolyline(line);
-        }
-        line.clear();
-    };
-    for (const LaserRay& ray : section_.rays)
-        ray.hit ? (void)(line << origin + ray.end_m * scale) : flush();
-    flush();
-}
-
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
     const Tokens& t = tokens();
-    const QRectF head(gap::small, gap::tiny, width() - 2.0 * gap::small, fontMetrics().height());
-    painter.setPen(t.text_muted);
-    painter.drawText(head, Qt::AlignLeft, stale_ ? tr("laser (stale)") : tr("laser"));
-    painter.setPen(stale_ ? t.stale : t.text);
-    painter.drawText(head, Qt::AlignRight,
-                     tr("%1 m to ground").arg(figure(section_.clearance_m.value_or(qQNaN()), 2, 5)));
+    paintSheetHead(painter, *this, tr("laser"),
+                   tr("%1 m to ground").arg(figure(section_.clearance_m.value_or(qQNaN()), 2, 5)), stale_);
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
     painter.setPen(QPen(t.text_muted, 1.5));

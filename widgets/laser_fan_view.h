@@ -30,7 +30,6 @@ protected:
 private:
     /// `scale` is pixels per metre, `origin` the scanner in pixels.
     void paintRays(QPainter& painter, const QPointF& origin, double scale) const;
-    void paintTerrain(QPainter& painter, const QPointF& origin, double scale) const;
     void paintWords(QPainter& painter, double scale) const;
 
     LaserSection section_;

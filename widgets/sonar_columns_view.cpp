@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "widgets/models/figures.h"
+#include "widgets/sheet.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -54,22 +55,12 @@ void SonarColumnsView::setStale(bool stale) {
 }
 
 void SonarColumnsView::paintEvent(QPaintEvent*) {
-    const Tokens& t = tokens();
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(t.line, 1.0));
-    painter.setBrush(t.surface);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
-    if (columns_.empty()) {
-        painter.setPen(t.text_muted);
-        painter.drawText(rect().adjusted(gap::small, 0, -gap::small, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No sonars yet.\nOne column each appears here once they report."));
-        return;
-    }
-    painter.setPen(t.text_muted);
-    painter.drawText(QRectF(gap::small, gap::tiny, width(), fontMetrics().height()), Qt::AlignLeft,
-                     stale_ ? tr("sonar, m (stale)") : tr("sonar, m"));
-    const double top = gap::tiny + fontMetrics().height() + 2.0;
+    if (columns_.empty())
+        return paintEmptySheet(painter, *this, tr("No sonars yet.\nOne column each appears here once they report."));
+    paintSheet(painter, *this);
+    paintSheetHead(painter, *this, tr("sonar, m"), {}, stale_);
+    const double top = sheetHead_px(*this);
     const double step = (width() - 2.0 * gap::tiny) / static_cast<double>(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i)
         paintColumn(painter, columns_[i],

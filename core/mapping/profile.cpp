@@ -20,4 +20,25 @@ std::vector<ProfilePoint> heightProfile(const HeightMap& map, const Vec2& start_
     return points;
 }
 
+std::optional<double> CourseProfile::groundBelow_m() const {
+    constexpr double near_m = 2.0;
+    std::optional<double> below_m;
+    double nearest_m = near_m;
+    for (const ProfilePoint& point : points)
+        if (point.height_m && std::abs(point.distance_m) <= nearest_m) {
+            nearest_m = std::abs(point.distance_m);
+            below_m = *point.height_m;
+        }
+    return below_m;
+}
+
+CourseProfile courseProfile(const HeightMap& map, const Pose& base_in_map, double reach_m) {
+    const Vec2 here_m = base_in_map.position_m.head<2>();
+    const Vec2 ahead_m = reach_m * Vec2(std::cos(base_in_map.yaw_rad), std::sin(base_in_map.yaw_rad));
+    CourseProfile profile{heightProfile(map, here_m - ahead_m, here_m + ahead_m), reach_m, base_in_map.position_m.z()};
+    for (ProfilePoint& point : profile.points)
+        point.distance_m -= reach_m;
+    return profile;
+}
+
 } // namespace usar::mapping

@@ -19,4 +19,18 @@ struct ProfilePoint {
 /// 100 001. Ends that are not finite give none.
 std::vector<ProfilePoint> heightProfile(const HeightMap& map, const Vec2& start_m, const Vec2& end_m);
 
+/// The ground along a robot's course. Distances count from the robot, negative ones lie behind it.
+struct CourseProfile {
+    std::vector<ProfilePoint> points; ///< from `-reach_m` to `reach_m`
+    double reach_m = 0.0;
+    double robot_z_m = 0.0; ///< of the robot's base, by the same datum as the heights
+    bool operator==(const CourseProfile&) const = default;
+
+    /// The nearest known height to the robot within two metres of it; nothing where the map is empty there.
+    std::optional<double> groundBelow_m() const;
+};
+
+/// Along the yaw of `base_in_map`. A pose that is not finite gives no points.
+CourseProfile courseProfile(const HeightMap& map, const Pose& base_in_map, double reach_m);
+
 } // namespace usar::mapping

@@ -223,7 +223,7 @@ void RobotSession::Private::write(const protocol::Command& command) {
 }
 
 void RobotSession::Private::notice(Severity severity, std::string text) {
-    emit q.noticed({severity, std::move(text)});
+    emit q.noticed({.severity = severity, .text = std::move(text)});
 }
 
 void RobotSession::Private::touched() {

@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
 #include "core/mapping/height_map.h"
+#include "core/mapping/profile.h"
 #include "core/protocol/info_message.h"
 
 namespace usar::mission {
@@ -36,13 +37,20 @@ struct SessionUpdate {
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     std::optional<mapping::HeightRange> height_range;
     std::vector<Vec3> last_hits; ///< of the newest placed scan, map frame, NaN = no hit
+    /// Mapped ground behind, under and ahead of the robot; absent while neither robot nor map has changed.
+    std::optional<mapping::CourseProfile> ground;
     SessionFigures figures;
 };
 
 /// A sentence or two for the person, with how bad it is.
+///
+/// `topic` names the kind of trouble ("spawn", "silence", "sensors"): the same topic of the same robot is the same
+/// trouble again. With `over` it has ended, and `text` says so or is empty.
 struct Notice {
     Severity severity = Severity::Note;
     std::string text;
+    std::string topic{};
+    bool over = false;
     bool operator==(const Notice&) const = default;
 };
 

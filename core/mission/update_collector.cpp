@@ -22,6 +22,11 @@ void UpdateCollector::addLine(protocol::InfoLine line) {
 
 void UpdateCollector::addPublished(const std::vector<agent::Published>& published) {
     update_.published.insert(update_.published.end(), published.begin(), published.end());
+    for (const agent::Published& value : published)
+        if (const auto* estimate = std::get_if<agent::PoseEstimate>(&value)) {
+            base_in_map_ = estimate->base_in_map;
+            moved_ = true;
+        }
 }
 
 std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures& figures) {
@@ -30,6 +35,8 @@ std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, S
     update_.tiles = mapper.map().takeChangedTiles();
     if (!update_.tiles.empty())
         update_.last_hits = mapper.lastHits();
+    if (base_in_map_ && (std::exchange(moved_, false) || !update_.tiles.empty()))
+        update_.ground = mapping::courseProfile(mapper.map(), *base_in_map_, profile_reach_m);
     update_.height_range = mapper.map().range();
     update_.figures = figures;
     return std::make_shared<const SessionUpdate>(std::exchange(update_, {}));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -15,6 +16,7 @@ namespace usar::mission {
 class UpdateCollector {
 public:
     static constexpr std::size_t line_limit = 1000;
+    static constexpr double profile_reach_m = 20.0; ///< of the terrain profile, ahead and behind: the belly scanner's
 
     void addLine(protocol::InfoLine line);
     void addCommand(const agent::CausedCommand& command) { update_.commands.push_back(command); }
@@ -26,6 +28,8 @@ private:
     void measureRate(SessionFigures& figures);
 
     SessionUpdate update_;
+    std::optional<Pose> base_in_map_; ///< the behavior's newest estimate
+    bool moved_ = false;              ///< since the last update
     QElapsedTimer since_measured_;
     std::uint64_t lines_at_measuring_ = 0;
 };

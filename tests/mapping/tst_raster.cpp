@@ -22,6 +22,9 @@ private slots:
     void profileFollowsTheLine_data();
     void profileFollowsTheLine();
     void profileOfNowhereIsEmpty();
+    void courseProfileCountsFromTheRobot_data();
+    void courseProfileCountsFromTheRobot();
+    void groundBelowIsUnknownOffTheMap();
 };
 
 void tst_Raster::anEmptyMapIsAnEmptyRaster() {
@@ -123,6 +126,38 @@ void tst_Raster::profileOfNowhereIsEmpty() {
     const std::vector<ProfilePoint> long_one = heightProfile(map, {0, 0}, {1e12, 0});
     QCOMPARE(long_one.size(), std::size_t(100'001));
     QVERIFY(!long_one.front().height_m);
+}
+
+void tst_Raster::courseProfileCountsFromTheRobot_data() {
+    QTest::addColumn<double>("yaw_rad");
+    QTest::addColumn<float>("behind_m");
+    QTest::addColumn<float>("ahead_m");
+    QTest::newRow("east") << 0.0 << 2.0f << 7.0f;
+    QTest::newRow("west") << M_PI << 7.0f << 2.0f;
+}
+
+void tst_Raster::courseProfileCountsFromTheRobot() {
+    QFETCH(double, yaw_rad);
+    HeightMap map(0.5);
+    for (std::int32_t column = 0; column < 10; ++column)
+        map.write({column, 4}, float(column), {1});
+    const CourseProfile profile = courseProfile(map, {.position_m = {2.4, 2.2, 9.0}, .yaw_rad = yaw_rad}, 1.25);
+    QCOMPARE(profile.points.front().distance_m, -1.25);
+    QCOMPARE(profile.points.back().distance_m, 1.25);
+    QTEST(profile.points.front().height_m.value(), "behind_m");
+    QTEST(profile.points.back().height_m.value(), "ahead_m");
+    QCOMPARE(profile.robot_z_m, 9.0);
+    QCOMPARE(profile.groundBelow_m(), std::optional(4.0));
+}
+
+void tst_Raster::groundBelowIsUnknownOffTheMap() {
+    HeightMap map(0.5);
+    map.write({0, 0}, 1.0f, {1});
+    const Pose near{.position_m = {1.5, 0.2, 5.0}};
+    const Pose far{.position_m = {4.0, 0.2, 5.0}};
+    QCOMPARE(courseProfile(map, near, 5.0).groundBelow_m(), std::optional(1.0));
+    QVERIFY(!courseProfile(map, far, 5.0).groundBelow_m());
+    QVERIFY(courseProfile(map, {.position_m = {qQNaN(), 0.0, 5.0}}, 5.0).points.empty());
 }
 
 QTEST_APPLESS_MAIN(tst_Raster)

@@ -5,6 +5,7 @@
 #include "widgets/laser_fan_view.h"
 #include "widgets/sonar_columns_view.h"
 #include "widgets/status_strip.h"
+#include "widgets/terrain_profile_view.h"
 #include "widgets/theme.h"
 
 using namespace usar;
@@ -76,6 +77,7 @@ private slots:
     void riskIsColorAndWord_data();
     void riskIsColorAndWord();
     void staleIsGrey();
+    void profileIsBrokenWhereTheMapIs();
     void emptyViewsSayWhatWillAppear();
 };
 
@@ -240,10 +242,32 @@ void tst_Instruments::staleIsGrey() {
     fan.setScan(flatGround(6.0));
     fan.setStale(true);
     QCOMPARE(pixelsNear(fan, fan.rect(), tokens().ok), 0);
+    TerrainProfileView terrain;
+    terrain.resize(300, 110);
+    terrain.setProfile({{{-1.0, 0.0f}, {0.0, 1.0f}, {1.0, 0.0f}}, 1.0, 6.0});
+    terrain.setStale(true);
+    QCOMPARE(pixelsNear(terrain, terrain.rect(), tokens().ok), 0);
+}
+
+void tst_Instruments::profileIsBrokenWhereTheMapIs() {
+    mapping::CourseProfile profile{{}, 10.0, 6.0};
+    for (int i = -10; i <= 10; ++i)
+        profile.points.push_back({double(i), i < 4 ? std::optional(1.0f) : std::nullopt});
+    TerrainProfileView view;
+    view.resize(300, 110);
+    view.setProfile(profile);
+    QVERIFY(pixelsNear(view, QRect(10, 40, 190, 62), tokens().ok) > 180);
+    QCOMPARE(pixelsNear(view, QRect(210, 40, 80, 62), tokens().ok), 0);
+    QVERIFY(view.accessibleDescription().contains(QStringLiteral("5.0 m above")));
+    profile.points.clear();
+    profile.points.push_back({0.0, std::nullopt});
+    view.setProfile(profile);
+    QCOMPARE(view.clearanceText(), QStringLiteral("unmapped here"));
 }
 
 void tst_Instruments::emptyViewsSayWhatWillAppear() {
-    for (QWidget* view : std::initializer_list<QWidget*>{new SonarColumnsView, new LaserFanView}) {
+    for (QWidget* view :
+         std::initializer_list<QWidget*>{new SonarColumnsView, new LaserFanView, new TerrainProfileView}) {
         view->resize(300, 160);
         QVERIFY(pixelsNear(*view, view->rect(), tokens().text_muted) > 100);
         delete view;

@@ -7,6 +7,7 @@
 #include "widgets/sensor_panel.h"
 #include "widgets/sonar_columns_view.h"
 #include "widgets/status_strip.h"
+#include "widgets/terrain_profile_view.h"
 #include "widgets/theme.h"
 
 namespace usar::gallery {
@@ -29,6 +30,15 @@ protocol::RangeScan roughGround() {
             }
     }
     return scan;
+}
+
+/// Mapped behind the robot and a little ahead.
+mapping::CourseProfile roughCourse() {
+    mapping::CourseProfile profile{{}, 20.0, 6.3};
+    for (double d = -20.0; d <= 20.0; d += 0.25)
+        profile.points.push_back(
+            {d, d < 3.0 ? std::optional(float(0.8 * std::sin(0.5 * d) + 0.3 * std::sin(2.1 * d))) : std::nullopt});
+    return profile;
 }
 
 agent::SonarZones zones() {
@@ -56,15 +66,18 @@ std::unique_ptr<QWidget> instrumentsPage() {
         auto* column = new QVBoxLayout;
         auto* strip = new StatusStrip;
         auto* fan = new LaserFanView;
+        auto* terrain = new TerrainProfileView;
         auto* sonars = new SonarColumnsView;
         if (live) {
             strip->setStatus({Seconds(751.0), Seconds(751.0), "scanning lane 4 of 9", 38.0, 72.0, 412.0, 42.0,
                               Seconds(980.0), 1204.0, 1});
             fan->setScan(roughGround());
+            terrain->setProfile(roughCourse());
             sonars->setZones(zones());
         }
         column->addWidget(strip);
         column->addWidget(fan, 3);
+        column->addWidget(terrain, 2);
         column->addWidget(sonars, 2);
         row->addLayout(column, 1);
     }
