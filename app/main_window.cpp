@@ -21,7 +21,7 @@ widgets::ConnectionStatus barStatus(const link::LinkStatus& status, const QStrin
         {link::LinkState::Connecting, ConnectionState::Connecting},
         {link::LinkState::Connected, ConnectionState::Connected},
         {link::LinkState::Waiting, ConnectionState::Waiting}};
-    return {states.at(status.state), where, status.reason, status.retry_in};
+    return {states.at(status.state), where, status.trouble, status.retry_in};
 }
 
 } // namespace
@@ -60,7 +60,7 @@ void MainWindow::begin() {
     const ServerTarget& server = options_.server;
     views_.connection->setServer(server.embedded ? widgets::ServerChoice::Embedded : widgets::ServerChoice::Real);
     views_.connection->setAddress(server.host, server.port);
-    control_.connectTo(server);
+    connectTo(views_.connection->server(), server.host, server.port);
     if (!options_.mission_file.isEmpty())
         openMission(options_.mission_file);
 }
@@ -87,8 +87,19 @@ void MainWindow::wireControl() {
     connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name) {
         views_.robots->removeRobot(id);
         presenter_.remove(name);
+        drafts_.erase(id);
         if (id == selected_)
             selectRobot(control_.robots().empty() ? 0 : control_.robots().front()->view().id);
+    });
+    connect(&control_, &MissionControl::robotLinkChanged, this, [this](int id) {
+        presenter_.showRow(id);
+        if (id == selected_)
+            presenter_.showLinkState(id);
+        commands_.refresh();
+    });
+    connect(&control_, &MissionControl::linkUpdated, this, [this](const auto& update) {
+        if (selected_ == 0)
+            presenter_.showLink(*update);
     });
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
         presenter_.show(id, *update, id == selected_);
@@ -117,7 +128,8 @@ void MainWindow::wireMission() {
         say(Severity::Note, "saved",
             tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
     });
-    connect(&control_, &MissionControl::exportFailed, this, &MainWindow::exportFailed);
+    connect(&control_, &MissionControl::exportFailed, this,
+            [this](int, const QString& reason) { exportFailed(reason); });
     connect(&control_, &MissionControl::noticed, this, [this](const QString& key, const mission::Notice& notice) {
         say(notice.severity, key, QString::fromStdString(notice.text));
     });
@@ -194,6 +206,9 @@ void MainWindow::wirePanels() {
     connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
         if (const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId()))
             views_.parameters->setSpecs(behavior->parameters);
+        const TaskDraft& draft = drafts_[selected_];
+        if (draft.behavior_id == views_.behavior->behaviorId())
+            views_.parameters->setValues(draft.values);
         showPlan();
     });
     connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, [this](const Rectangle& area) {
@@ -212,6 +227,8 @@ void MainWindow::wirePanels() {
     });
     connect(views_.parameters, &widgets::ParameterForm::changed, this, &MainWindow::applyParameters);
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
+    connect(views_.plots, &widgets::PlotView::failed, this,
+            [this](const QString& reason) { say(Severity::Error, "plot", reason); });
 }
 
 } // namespace usar::app

@@ -14,6 +14,13 @@
 
 namespace usar::app {
 
+/// What a person has set up for a robot and may not have started yet.
+struct TaskDraft {
+    std::string behavior_id;
+    std::optional<Rectangle> area_in_map;
+    std::map<std::string, agent::ParameterValue> values;
+};
+
 /// Forwards only: intent goes to MissionControl, values go to the views. GUI thread; owns both.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -52,6 +59,8 @@ private:
     void wireMission();
     void restoreSettings();
     void saveSettings() const;
+    void keepDraft();
+    void showDraft();
 
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
     void showWorld(const WorldPicture& world);
@@ -67,9 +76,9 @@ private:
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
     void complain(const QString& key, const Error& error);
-    void exportFailed(int id, const QString& reason);
+    void exportFailed(const QString& reason);
     void chooseMissionFile();
-    void chooseResultFolder();
+    bool chooseResultFolder();
     void resetLayout();
 
     static constexpr int layout_version = 1; ///< a layout saved by an older set of docks is not restored
@@ -80,10 +89,10 @@ private:
     WindowViews views_;
     RobotPresenter presenter_;
     std::vector<protocol::StartPose> start_poses_;
-    std::optional<mission::Mission> mission_; ///< opened from a file
+    std::map<int, TaskDraft> drafts_; ///< by robot; 0: for the robot that is spawned next
     QByteArray first_layout_;
     int selected_ = 0;
-    bool paused_ = false;
+    bool asking_ = false; ///< where else the scan should go
     bool may_close_ = false;
 };
 

@@ -1,11 +1,9 @@
 #include "app/mission_control.h"
 
+#include <algorithm>
 #include <utility>
 
-#include <QJsonArray>
-#include <QTimer>
-
-#include "core/mission/result_writer.h"
+#include "core/mission/mission_check.h"
 
 namespace usar::app {
 
@@ -13,29 +11,26 @@ namespace {
 
 constexpr int most_robots = 9; // one key each
 
-/// Figures of the robot for the summary beside the pictures.
-QJsonObject summaryOf(const RobotView& view, const sim::RobotTruth* truth) {
-    QJsonObject summary{
-        {"behavior", QString::fromStdString(view.behavior_id)},
-        {"lines_received", static_cast<qint64>(view.figures.lines_received)},
-        {"protocol_time_s", view.figures.now.count()},
-        {"success", view.finished && view.finished->success},
-        {"reason", view.finished ? QString::fromStdString(view.finished->reason) : QString("saved before the end")}};
-    if (view.status) {
-        summary["duration_s"] = view.status->elapsed.count();
-        summary["distance_m"] = view.status->distance_flown_m;
-        summary["charges"] = view.status->charges;
-    }
-    summary["collisions"] = truth ? QJsonValue(truth->collisions) : QJsonValue();
-    return summary;
-}
+constexpr std::chrono::seconds closing_patience{5};
 
 } // namespace
 
 MissionControl::MissionControl(QObject* parent) : QObject(parent) {
-    export_pool_.setMaxThreadCount(1);
+    patience_.setSingleShot(true);
+    patience_.setInterval(closing_patience);
+    connect(&patience_, &QTimer::timeout, this, [this] {
+        keeper_.giveUpWaiting();
+        emit readyToClose();
+    });
+    connect(&keeper_, &ScanKeeper::saved, this, &MissionControl::exported);
+    connect(&keeper_, &ScanKeeper::failed, this, [this](int id, const QString& reason) {
+        patience_.stop();
+        note(Severity::Error, "export", reason);
+        emit exportFailed(id, reason);
+    });
     connect(&simulator_, &SimulatorHost::ready, this, [this](quint16 port, const WorldPicture& world) {
         port_ = port;
+        world_extent_in_map_ = world.extent_in_map;
         emit worldKnown(world);
         openNext();
     });
@@ -52,9 +47,7 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
     });
 }
 
-MissionControl::~MissionControl() {
-    export_pool_.waitForDone();
-}
+MissionControl::~MissionControl() = default;
 
 void MissionControl::connectTo(const ServerTarget& target) {
     disconnectFromServer();
@@ -72,6 +65,7 @@ void MissionControl::disconnectFromServer() {
     next_.reset();
     simulator_.stop();
     level_.clear();
+    world_extent_in_map_ = {};
     emit linkChanged({});
 }
 
@@ -90,13 +84,21 @@ void MissionControl::connectRobot(Robot* robot) {
     connect(robot, &Robot::updated, this, [this, robot](const auto& update) {
         if (robot->spawned())
             emit robotUpdated(robot->view().id, update);
+        else
+            emit linkUpdated(update);
     });
     connect(robot, &Robot::behaviorFinished, this,
             [this, robot](bool success, const QString& reason) { finished(robot, success, reason); });
-    connect(robot, &Robot::recordReady, this, [this, robot](const auto& record) { write(robot, record); });
+    keeper_.watch(*robot, [this, robot]() -> std::optional<sim::RobotTruth> {
+        const auto truth = truths_.find(robot->view().id);
+        return truth == truths_.end() ? std::nullopt : std::optional(truth->second);
+    });
     connect(robot, &Robot::noticed, this, [this, robot](const mission::Notice& notice) {
         const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
-        emit noticed(who, {notice.severity, who.toStdString() + ": " + notice.text, notice.topic, notice.over});
+        const QString key = who + "/" + QString::fromStdString(notice.topic);
+        if (notice.over)
+            return emit cured(key);
+        emit noticed(key, {notice.severity, who.toStdString() + ": " + notice.text, notice.topic, false});
     });
 }
 
@@ -104,6 +106,8 @@ void MissionControl::linkMoved(Robot* robot) {
     const link::LinkStatus& status = robot->view().link;
     if (robot == next_.get())
         emit linkChanged(status);
+    else
+        emit robotLinkChanged(robot->view().id);
     if (status.state == link::LinkState::Connected)
         emit cured("link");
     else if (!status.reason.isEmpty())
@@ -124,13 +128,14 @@ QString MissionControl::nextRobotName() const {
 Result<int> MissionControl::spawn(mission::SpawnRequest request) {
     if (!next_ || next_->view().link.state != link::LinkState::Connected)
         return failure("there is no link to a server yet", request.robot_name, "Connect first, then spawn");
-    int id = 1;
-    while (robots_.contains(id))
-        ++id;
+    const int id = nextId();
     if (id > most_robots)
         return failure("nine robots are the most", request.robot_name, "Remove one first");
     if (request.robot_name.empty())
-        request.robot_name = "R" + std::to_string(id);
+        request.robot_name = nextRobotName().toStdString();
+    for (const Robot* other : robots())
+        if (other->view().spawn.robot_name == request.robot_name)
+            return failure("there is a robot of this name already", request.robot_name, "Choose another name");
     next_->spawn(id, request);
     robots_[id] = std::move(next_);
     emit robotAdded(id);
@@ -154,10 +159,22 @@ void MissionControl::remove(int id) {
     const auto found = robots_.find(id);
     if (found == robots_.end())
         return;
-    const QString name = QString::fromStdString(found->second->view().spawn.robot_name);
+    std::unique_ptr<Robot> robot = std::move(found->second);
     robots_.erase(found);
+    robot->disconnect(this);
+    const QString name = QString::fromStdString(robot->view().spawn.robot_name);
+    keeper_.takeLeave(std::move(robot));
     truths_.erase(id);
     emit robotRemoved(id, name);
+}
+
+void MissionControl::spawnAgain(int id) {
+    if (Robot* robot = this->robot(id))
+        robot->spawn(id, robot->view().spawn);
+}
+
+Result<void> MissionControl::checkArea(const Rectangle& area_in_map) const {
+    return world_extent_in_map_.empty() ? Result<void>{} : mission::checkAreaInside(area_in_map, world_extent_in_map_);
 }
 
 Result<void> MissionControl::startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
@@ -170,6 +187,8 @@ Result<void> MissionControl::startBehavior(int id, const std::string& behavior_i
         return tl::unexpected(plugins_.pluginFor(behavior_id).error());
     if (description->needs_area && area_in_map.empty())
         return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
+    if (const auto inside = checkArea(area_in_map); !inside)
+        return tl::unexpected(inside.error());
     const auto parameters = agent::ParameterSet::make(description->parameters, values);
     if (!parameters)
         return tl::unexpected(parameters.error());
@@ -189,18 +208,26 @@ Result<agent::TaskPreview> MissionControl::preview(int id, const std::string& be
     return (*plugin)->preview(behavior_id, {{"", start_in_map, area_in_map}, *parameters});
 }
 
+Result<std::map<std::string, agent::ParameterValue>>
+MissionControl::prepareMission(const mission::Mission& mission) const {
+    if (!level_.isEmpty() && mission.world != level_.toStdString())
+        return failure("this mission belongs to another world", mission.name + " (" + mission.world + ")",
+                       "Here is " + level_.toStdString() + "; connect to a server with " + mission.world);
+    if (const auto prepared = mission::prepareBehavior(mission, plugins_); !prepared)
+        return tl::unexpected(prepared.error());
+    if (const auto inside = checkArea(mission.area_in_map); !inside)
+        return tl::unexpected(inside.error());
+    return mission::withAnglesInRadians(mission.parameters, plugins_.behavior(mission.behavior)->parameters);
+}
+
 void MissionControl::stopAll() {
     for (Robot* robot : robots())
         robot->stop();
 }
 
-QString MissionControl::resultFolder() const {
-    return result_folder_.isEmpty() ? mission::defaultResultFolder() : result_folder_;
-}
-
 void MissionControl::exportResults(int id) {
     if (Robot* robot = this->robot(id))
-        robot->requestRecord();
+        keeper_.save(*robot);
 }
 
 void MissionControl::finished(Robot* robot, bool success, const QString& reason) {
@@ -208,55 +235,46 @@ void MissionControl::finished(Robot* robot, bool success, const QString& reason)
     note(success ? Severity::Note : Severity::Warning, QString("mission-%1").arg(id),
          QString("%1: %2").arg(QString::fromStdString(robot->view().spawn.robot_name), reason));
     emit behaviorFinished(id, success, reason);
-    if (robot->view().unsaved)
-        robot->requestRecord();
+    if (!robot->view().tiles.empty())
+        keeper_.save(*robot); // even where all was saved before: now the end belongs to it
+    closeWhenSaved();
 }
 
-void MissionControl::write(Robot* robot, const std::shared_ptr<const mission::ScanRecord>& record) {
-    const auto truth = truths_.find(robot->view().id);
-    const QJsonObject summary = summaryOf(robot->view(), truth == truths_.end() ? nullptr : &truth->second);
-    ++exports_running_;
-    export_pool_.start([this, id = robot->view().id, record, summary, folder = resultFolder()] {
-        const Result<QStringList> files = mission::writeResults(*record, summary, folder);
-        QMetaObject::invokeMethod(this, [this, id, files] { exported(id, files); });
-    });
+void MissionControl::exported(int id, const QStringList& files) {
+    emit cured("export");
+    emit resultsWritten(id, files);
+    closeWhenSaved();
 }
 
-void MissionControl::exported(int id, const Result<QStringList>& files) {
-    --exports_running_;
-    if (files) {
-        if (Robot* robot = this->robot(id))
-            robot->markSaved();
-        emit cured("export");
-        emit resultsWritten(id, *files);
-    } else {
-        note(Severity::Error, "export", QString::fromStdString(files.error().text()));
-        emit exportFailed(id, QString::fromStdString(files.error().text()));
-    }
-    if (closing_ && files && !anythingToSave())
-        emit readyToClose();
+void MissionControl::closeWhenSaved() {
+    if (!closing_ || anythingToSave())
+        return;
+    patience_.stop();
+    emit readyToClose();
 }
 
 bool MissionControl::anythingToSave() const {
-    for (const auto& [id, robot] : robots_)
-        if (robot->view().unsaved)
-            return true;
-    return exports_running_ > 0;
+    return keeper_.busy() || std::ranges::any_of(robots_, [](const auto& entry) {
+               return entry.second->view().unsaved || entry.second->running();
+           });
 }
 
 void MissionControl::prepareToClose() {
     closing_ = true;
+    patience_.start();
+    keeper_.retry();
     for (Robot* robot : robots()) {
         if (robot->running())
             robot->stop(); // what it scanned is saved when it has stopped
         else if (robot->view().unsaved)
-            robot->requestRecord();
+            keeper_.save(*robot);
     }
-    // A session whose behavior hangs never hands out its record; the others' are on the disk by then.
-    QTimer::singleShot(5000, this, [this] {
-        if (closing_ && exports_running_ == 0)
-            emit readyToClose();
-    });
+    closeWhenSaved();
+}
+
+void MissionControl::stayOpen() {
+    closing_ = false;
+    patience_.stop();
 }
 
 void MissionControl::note(Severity severity, const QString& key, const QString& text) {

@@ -7,11 +7,13 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
+#include <QTimer>
 
 #include "app/robot.h"
+#include "app/scan_keeper.h"
 #include "app/simulator_host.h"
 #include "core/agent/plugin_loader.h"
+#include "core/mission/mission_file.h"
 
 namespace usar::app {
 
@@ -23,8 +25,8 @@ struct ServerTarget {
     SimulatorSpec simulator;
 };
 
-/// Owns the robots' sessions, the simulator thread and the export pool; lives in the GUI thread and never waits in it.
-/// One connection speaks for one robot, so a further one is kept open for the robot that is spawned next: it learns
+/// Owns the robots' sessions, the simulator thread and the keeper of scans; lives in the GUI thread and never waits in
+/// it. One connection speaks for one robot, so a further one is kept open for the robot that is spawned next: it learns
 /// the start poses, and its state is the state of the link.
 class MissionControl : public QObject {
     Q_OBJECT
@@ -49,24 +51,31 @@ public:
     Result<int> spawn(mission::SpawnRequest request);
     Robot* robot(int id) const;
     std::vector<Robot*> robots() const;
+    /// The robot stops and its connection closes; what it scanned is saved.
     void remove(int id);
+    /// For a robot that never came, or went with a lost link: INIT anew, as it was asked for the first time.
+    void spawnAgain(int id);
     Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                                const std::map<std::string, agent::ParameterValue>& values);
+    /// Whether this mission can be flown here: plugin, parameters, area within the world, world. The parameters as the
+    /// behavior takes them.
+    Result<std::map<std::string, agent::ParameterValue>> prepareMission(const mission::Mission& mission) const;
     void stopAll();
     /// What the behavior would do with this task, before it starts. `id` may be 0: then from the map's origin.
     Result<agent::TaskPreview> preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                                        const std::map<std::string, agent::ParameterValue>& values) const;
 
-    void setResultFolder(const QString& folder) { result_folder_ = folder; }
-    QString resultFolder() const;
-    bool resultFolderChosen() const { return !result_folder_.isEmpty(); }
+    void setResultFolder(const QString& folder) { keeper_.setFolder(folder); }
+    QString resultFolder() const { return keeper_.folder(); }
+    bool resultFolderChosen() const { return keeper_.folderChosen(); }
     bool anythingToSave() const;
     void exportResults(int id);
-    /// Stops every robot and saves what is not saved; `readyToClose` follows, at the latest after five seconds.
+    /// Stops every robot and saves what is not saved; `readyToClose` follows. A session that hangs is waited for five
+    /// seconds. After `exportFailed` nothing more happens until this is called again, or `stayOpen`.
     void prepareToClose();
     bool closing() const { return closing_; }
     /// The person changed their mind.
-    void stayOpen() { closing_ = false; }
+    void stayOpen();
     void cure(const QString& key) { emit cured(key); }
 
 signals:
@@ -75,6 +84,9 @@ signals:
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void robotAdded(int id);
     void robotRemoved(int id, const QString& name);
+    void robotLinkChanged(int id);
+    /// Of the connection that waits for its robot.
+    void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void robotUpdated(int id, std::shared_ptr<const usar::mission::SessionUpdate> update);
     void behaviorFinished(int id, bool success, const QString& reason);
     void resultsWritten(int id, const QStringList& files);
@@ -91,22 +103,23 @@ private:
     void connectRobot(Robot* robot);
     void linkMoved(Robot* robot);
     void finished(Robot* robot, bool success, const QString& reason);
-    void write(Robot* robot, const std::shared_ptr<const mission::ScanRecord>& record);
-    void exported(int id, const Result<QStringList>& files);
+    void exported(int id, const QStringList& files);
+    void closeWhenSaved();
+    Result<void> checkArea(const Rectangle& area_in_map) const;
     void note(Severity severity, const QString& key, const QString& text);
 
     agent::PluginLoader plugins_;
     SimulatorHost simulator_;
-    QThreadPool export_pool_;
+    ScanKeeper keeper_;
+    QTimer patience_; ///< runs while the window waits to close
     ServerTarget target_;
     QString host_;
     quint16 port_ = 0;
     QString level_;
-    QString result_folder_;
+    Rectangle world_extent_in_map_; ///< empty on a real server
     std::map<int, std::unique_ptr<Robot>> robots_;
     std::unique_ptr<Robot> next_;           ///< connected, not spawned
     std::map<int, sim::RobotTruth> truths_; ///< for the summary only
-    int exports_running_ = 0;
     bool closing_ = false;
 };
 

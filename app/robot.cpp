@@ -46,7 +46,11 @@ void Robot::connectSession() {
         take(*update);
         emit updated(update);
     });
-    connect(session_, &mission::RobotSession::behaviorFinished, this, &Robot::behaviorFinished);
+    connect(session_, &mission::RobotSession::behaviorFinished, this, [this](bool success, const QString& reason) {
+        view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
+        view_.figures.behavior_running = view_.paused = false;
+        emit behaviorFinished(success, reason);
+    });
     connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
     connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
 }
@@ -88,6 +92,7 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
+    view_.paused = false;
     view_.covered_cells.clear();
     for (const auto& [index, tile] : view_.tiles)
         countCovered(*tile);
@@ -95,6 +100,7 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
 }
 
 void Robot::order(agent::Order order) {
+    view_.paused = order == agent::Order::Pause;
     later([=](mission::RobotSession& session) { session.order(order); });
 }
 

@@ -32,6 +32,7 @@ struct RobotView {
     std::optional<mapping::HeightRange> height_range;
     std::optional<mapping::CourseProfile> ground;
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
+    bool paused = false;                             ///< by the person; ends with the behavior
     bool unsaved = false;                            ///< scanned since the last export
 };
 
@@ -63,6 +64,7 @@ public:
     void send(const protocol::Command& command, const std::string& source);
     void requestRecord();
     void markSaved() { view_.unsaved = false; }
+    void markUnsaved() { view_.unsaved = true; }
 
 signals:
     void linkChanged();

@@ -16,7 +16,7 @@ QString stateText(const RobotView& view) {
         return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
     if (view.figures.behavior_running && view.status)
         return QString::fromStdString(view.status->state);
-    return view.figures.spawned ? QObject::tr("idle") : QObject::tr("spawning…");
+    return view.figures.spawned ? QObject::tr("idle") : QObject::tr("not spawned");
 }
 
 /// The newest message of a kind in this update, or nothing.
@@ -109,25 +109,40 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
             ranges_m[sonar.name] = sonar.range_m;
         views_.sonars->setColumns(widgets::sonarColumns(ranges_m, usual_maximum_m));
     }
-    const bool stale = view.link.state != link::LinkState::Connected;
+    showLinkState(view.id);
+}
+
+void RobotPresenter::showLinkState(int id) {
+    const Robot* robot = control_.robot(id);
+    const bool stale = robot && robot->view().link.state != link::LinkState::Connected;
     views_.laser->setStale(stale);
     views_.terrain->setStale(stale);
     views_.sonars->setStale(stale);
+    views_.sensors->setLinked(!stale);
 }
 
 void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
     for (const protocol::InfoLine& line : update.lines) {
         views_.sensors->take(line, update.figures.now);
         views_.plots->take(line, update.figures.now);
-        views_.messages->takeLine(line, update.figures.now);
     }
-    for (const agent::CausedCommand& command : update.commands)
-        views_.messages->takeCommand(command, update.figures.now);
+    feedMessages(update);
     views_.sensors->setNow(update.figures.now);
 }
 
+void RobotPresenter::feedMessages(const mission::SessionUpdate& update) {
+    for (const protocol::InfoLine& line : update.lines)
+        views_.messages->takeLine(line, update.figures.now);
+    for (const agent::CausedCommand& command : update.commands)
+        views_.messages->takeCommand(command, update.figures.now);
+}
+
+void RobotPresenter::showLink(const mission::SessionUpdate& update) {
+    feedMessages(update);
+}
+
 void RobotPresenter::select(int id) {
-    views_.map->clearTraces();
+    views_.map->clearMarks();
     views_.map->clearHeights(Robot::cell_size_m);
     views_.sensors->clear();
     views_.sonars->clear();
@@ -144,6 +159,8 @@ void RobotPresenter::select(int id) {
     views_.map->takeTiles(tiles, view.height_range);
     for (const agent::MapMark& mark : view.marks)
         views_.map->addMark(mark);
+    if (robot->running())
+        views_.map->setLanes(view.planned_m);
     if (view.ground)
         views_.terrain->setProfile(*view.ground);
     views_.status->setIdle(QObject::tr("Idle"));

@@ -12,6 +12,10 @@ public:
     RobotPresenter(MissionControl& control, WindowViews& views) : control_(control), views_(views) {}
 
     void show(int id, const mission::SessionUpdate& update, bool selected);
+    /// Of a connection that has no robot yet: its lines can be read, too.
+    void showLink(const mission::SessionUpdate& update);
+    /// Grey where the selected robot's link is gone: no update would say so.
+    void showLinkState(int id);
     /// The row in the list and the arrow on the map, as they stand.
     void showRow(int id);
     /// Another robot's height map, marks and path replace those on the map; 0 clears them.
@@ -22,6 +26,7 @@ private:
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedPanels(const mission::SessionUpdate& update);
+    void feedMessages(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     WindowViews& views_;

@@ -13,9 +13,14 @@ namespace usar::app {
 void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, quint16 port) {
     ServerTarget target = options_.server;
     target.embedded = choice == widgets::ServerChoice::Embedded;
-    (target.embedded ? target.simulator.port : target.port) = port;
-    target.host = host;
+    if (!target.embedded) {
+        target.host = host;
+        target.port = port;
+    }
     views_.map->clear();
+    views_.behavior->setArea(std::nullopt);
+    for (auto& [id, draft] : drafts_)
+        draft.area_in_map.reset(); // of another world
     start_poses_.clear();
     views_.time->setSteerable(target.embedded);
     control_.connectTo(target);
@@ -42,7 +47,25 @@ void MainWindow::spawn(const widgets::SpawnChoice& choice) {
         views_.behavior->chooseBehavior(choice.behavior_id.toStdString());
 }
 
+/// A robot's settings go with it: a new robot takes over what was set up before it came.
+void MainWindow::keepDraft() {
+    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values()};
+}
+
+void MainWindow::showDraft() {
+    const auto draft = drafts_.find(selected_);
+    if (draft == drafts_.end())
+        return keepDraft();
+    const TaskDraft shown = draft->second;
+    views_.behavior->chooseBehavior(shown.behavior_id);
+    if (views_.behavior->behaviorId() == shown.behavior_id)
+        views_.parameters->setValues(shown.values);
+    views_.behavior->setArea(shown.area_in_map);
+    views_.map->setArea(shown.area_in_map);
+}
+
 void MainWindow::selectRobot(int id) {
+    keepDraft();
     selected_ = control_.robot(id) ? id : 0;
     const Robot* robot = control_.robot(selected_);
     for (const agent::RobotDescription& description : control_.plugins().robots())
@@ -50,8 +73,7 @@ void MainWindow::selectRobot(int id) {
             views_.behavior->setBehaviors(description.behaviors);
     if (!robot && !control_.plugins().robots().empty())
         views_.behavior->setBehaviors(control_.plugins().robots().front().behaviors);
-    if (robot && !robot->view().behavior_id.empty())
-        views_.behavior->chooseBehavior(robot->view().behavior_id);
+    showDraft();
     presenter_.select(selected_);
     views_.robots->selectRobot(selected_);
     refreshRunState();
@@ -63,7 +85,7 @@ void MainWindow::selectRobot(int id) {
 void MainWindow::showPlan() {
     const Rectangle area = views_.behavior->area();
     const Robot* robot = control_.robot(selected_);
-    if (robot && robot->view().figures.behavior_running)
+    if (robot && robot->running())
         return; // then the behavior itself says what it flies
     views_.hint->setDone(1, !area.empty());
     views_.map->setLanes(std::vector<Vec2>{});
@@ -88,19 +110,14 @@ void MainWindow::start() {
     if (!started)
         return complain("start", started.error());
     control_.cure("start");
-    paused_ = false;
     views_.hint->setDone(2, true);
     views_.map->fit();
     refreshRunState();
 }
 
 void MainWindow::give(agent::Order order) {
-    Robot* robot = control_.robot(selected_);
-    if (!robot)
-        return;
-    robot->order(order);
-    if (order != agent::Order::LandNow)
-        paused_ = order == agent::Order::Pause;
+    if (Robot* robot = control_.robot(selected_))
+        robot->order(order);
     refreshRunState();
 }
 
@@ -108,10 +125,10 @@ void MainWindow::refreshRunState() {
     using widgets::RunState;
     const Robot* robot = control_.robot(selected_);
     RunState state = RunState::NoRobot;
-    if (robot)
-        state = !robot->running() ? RunState::Ready : paused_ ? RunState::Paused : RunState::Running;
-    if (state == RunState::Ready)
-        paused_ = false;
+    if (robot && robot->running())
+        state = robot->view().paused ? RunState::Paused : RunState::Running;
+    else if (robot && robot->view().figures.spawned)
+        state = RunState::Ready;
     const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();
     if (views_.behavior->setRunState(state, name))
         commands_.refresh();
@@ -165,15 +182,25 @@ void MainWindow::openMission(const QString& path) {
     const auto mission = mission::readMissionFile(path);
     if (!mission)
         return complain("mission", mission.error());
-    mission_ = *mission;
+    const auto prepared = control_.prepareMission(*mission);
+    if (!prepared)
+        return complain("mission", prepared.error());
     views_.behavior->chooseBehavior(mission->behavior);
-    views_.parameters->setValues(mission->parameters);
+    if (views_.behavior->behaviorId() != mission->behavior)
+        return complain("mission", {"the selected robot cannot fly this mission", mission->behavior,
+                                    "Select or spawn a " + mission->robot_class + " first, then open it again"});
+    views_.parameters->setValues(*prepared);
     views_.behavior->setArea(mission->area_in_map);
     views_.map->setArea(mission->area_in_map);
+    views_.map->fit();
+    keepDraft();
     showPlan();
-    say(Severity::Note, "mission",
-        tr("Mission %1 is ready: spawn at %2, then start.")
-            .arg(QString::fromStdString(mission->name), QString::fromStdString(mission->start)));
+    applyParameters();
+    control_.cure("mission");
+    say(Severity::Note, "mission-ready",
+        selected_ == 0 ? tr("Mission %1 is ready. Double-click the start pose %2, then press Start.")
+                             .arg(QString::fromStdString(mission->name), QString::fromStdString(mission->start))
+                       : tr("Mission %1 is ready. Press Start.").arg(QString::fromStdString(mission->name)));
 }
 
 void MainWindow::chooseMissionFile() {
@@ -182,23 +209,26 @@ void MainWindow::chooseMissionFile() {
         openMission(path);
 }
 
-void MainWindow::chooseResultFolder() {
+bool MainWindow::chooseResultFolder() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for results"), control_.resultFolder());
-    if (!folder.isEmpty())
-        control_.setResultFolder(folder);
+    if (folder.isEmpty())
+        return false;
+    control_.setResultFolder(folder);
+    return true;
 }
 
-void MainWindow::exportFailed(int id, const QString& reason) {
-    if (!control_.closing())
+void MainWindow::exportFailed(const QString& reason) {
+    if (!control_.closing() || asking_)
         return; // the notification says it; the scan is still there
+    asking_ = true;
     QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
     auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
     auto* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
     box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
     box.exec();
-    if (box.clickedButton() == other) {
-        chooseResultFolder();
-        control_.exportResults(id);
+    asking_ = false;
+    if (box.clickedButton() == other && chooseResultFolder()) {
+        control_.prepareToClose();
     } else if (box.clickedButton() == discard) {
         may_close_ = true;
         close();

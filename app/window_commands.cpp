@@ -79,7 +79,11 @@ void MainWindow::registerMissionCommands() {
          tr("With this area and these parameters"),
          "play",
          {QKeySequence("Ctrl+Return")}},
-        [this](bool) { start(); }, [this, running] { return selected_ != 0 && !running(); });
+        [this](bool) { start(); },
+        [this, running] {
+            const Robot* robot = control_.robot(selected_);
+            return robot && robot->view().figures.spawned && !running();
+        });
     commands_.add(
         {"mission.pause",
          tr("Pause or resume"),
@@ -87,7 +91,11 @@ void MainWindow::registerMissionCommands() {
          tr("The robot holds its position"),
          "pause",
          {QKeySequence("P")}},
-        [this](bool) { give(paused_ ? agent::Order::Resume : agent::Order::Pause); }, running);
+        [this](bool) {
+            const Robot* robot = control_.robot(selected_);
+            give(robot && robot->view().paused ? agent::Order::Resume : agent::Order::Pause);
+        },
+        running);
     commands_.add(
         {"mission.land",
          tr("Land now"),
@@ -116,10 +124,22 @@ void MainWindow::registerRobotCommands() {
              {QKeySequence(QString::number(id))}},
             [this, id](bool) { selectRobot(id); }, [this, id] { return control_.robot(id) != nullptr; });
     commands_.add(
+        {"robot.spawn_again",
+         tr("Spawn again"),
+         tr("Robots"),
+         tr("For a robot that did not come, or was lost with its link: same class, name and start pose"),
+         "",
+         {QKeySequence("Ctrl+R")}},
+        [this](bool) { control_.spawnAgain(selected_); },
+        [this] {
+            const Robot* robot = control_.robot(selected_);
+            return robot && !robot->view().figures.spawned && robot->view().link.state == link::LinkState::Connected;
+        });
+    commands_.add(
         {"robot.remove",
          tr("Remove robot"),
          tr("Robots"),
-         tr("Closes its connection; the server takes it away"),
+         tr("Saves what it scanned and closes its connection; the server takes it away"),
          "",
          {}},
         [this](bool) { control_.remove(selected_); }, [this] { return selected_ != 0; });
@@ -185,7 +205,9 @@ void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&Mission")),
                    {"mission.area", "-", "mission.start", "mission.pause", "mission.land", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
-                   {"robot.select_1", "robot.select_2", "robot.select_3", "-", "robot.remove"});
+                   {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
+                    "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "robot.spawn_again",
+                    "robot.remove"});
     auto* view = menuBar()->addMenu(tr("&View"));
     commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.dark",
                           "view.hint", "view.reset", "view.palette", "-"});

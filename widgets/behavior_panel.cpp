@@ -143,7 +143,9 @@ void BehaviorPanel::setAreaToolActive(bool active) {
 
 bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
     const bool running = state == RunState::Running || state == RunState::Paused;
-    robot_label_->setText(state == RunState::NoRobot ? tr("No robot yet: double-click a start pose") : robot_name);
+    robot_label_->setText(robot_name.isEmpty()         ? tr("No robot yet: double-click a start pose")
+                          : state == RunState::NoRobot ? tr("%1 is not spawned").arg(robot_name)
+                                                       : robot_name);
     if (std::exchange(run_state_, state) == state)
         return false;
     start_->setEnabled(state == RunState::Ready);

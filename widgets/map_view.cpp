@@ -139,6 +139,11 @@ void MapView::addMark(const agent::MapMark& mark) {
     update();
 }
 
+void MapView::clearMarks() {
+    content_.marks.clear();
+    update();
+}
+
 void MapView::clearTraces() {
     content_.marks.clear();
     for (auto& [name, robot] : content_.robots) {

@@ -58,6 +58,7 @@ public:
     /// Of its newest scan, map frame; NaN where a beam hit nothing.
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
     void addMark(const agent::MapMark& mark);
+    void clearMarks();
     /// Trails, marks, laser hits and goals of the last mission.
     void clearTraces();
     /// Draws the ring; an empty name selects nobody and ends following.
