@@ -30,7 +30,8 @@ QString complaintAboutIid(const QString& iid) {
     if (iid.section('/', 0, 0) == family)
         return QString("It was built for version %1 of the plugin interface; this program has version %2. Rebuild it.")
             .arg(iid.section('/', 1), ours.section('/', 1));
-    return QString("It is a Qt plugin, but not a robot plugin (its interface is %1).").arg(iid);
+    return QString("It is a Qt plugin, but not a robot plugin (its interface is %1). Remove it from the folder.")
+        .arg(iid);
 }
 
 bool isTextList(const QJsonValue& value) {
@@ -51,7 +52,7 @@ QString complaintAboutMetadata(const QJsonObject& metadata) {
 /// What can be said before any of the library's code runs.
 QString complaintBeforeLoading(const QJsonObject& raw) {
     if (raw.isEmpty())
-        return "It is no Qt plugin, or the file is damaged.";
+        return "It is no Qt plugin, or the file is damaged. Remove it from the folder, or build it again.";
     if (const int version = raw.value("version").toInt(); !builtForOurQt(version))
         return QString("It was built with Qt %1.%2; this program runs with Qt %3. Rebuild it.")
             .arg(version >> 16 & 0xff)
@@ -66,7 +67,7 @@ std::optional<QString> complaintAboutParameters(const BehaviorDescription& behav
     std::map<std::string, ParameterValue> defaults;
     for (const ParameterSpec& spec : behavior.parameters)
         if (!defaults.emplace(spec.id, spec.default_value).second)
-            return QString("Its behavior %1 has the parameter %2 twice.")
+            return QString("Its behavior %1 has the parameter %2 twice. Rename one of them.")
                 .arg(QString::fromStdString(behavior.id), QString::fromStdString(spec.id));
     const Result<ParameterSet> set = ParameterSet::make(behavior.parameters, defaults);
     if (!set)
@@ -113,13 +114,14 @@ QString PluginLoader::judge(PluginRecord& record) {
     try {
         instance = library->instance();
     } catch (...) {
-        return "It failed while it was being made.";
+        return "It failed while it was being made. Mend the constructor of its plugin class.";
     }
     if (!instance)
-        return "It cannot be loaded: " + library->errorString();
+        return "It cannot be loaded: " + library->errorString() + " Build it again with all the libraries it needs.";
     const auto* plugin = qobject_cast<RobotPlugin*>(instance);
     if (!plugin)
-        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing).";
+        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
+               "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
     if (const QString complaint = admit(*plugin, record.metadata); !complaint.isEmpty())
         return complaint;
     record.plugin = plugin;
@@ -132,9 +134,9 @@ QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metada
     try {
         description = plugin.description();
     } catch (const std::exception& thrown) {
-        return QString("It failed while describing itself: %1").arg(thrown.what());
+        return QString("It failed while describing itself: %1. Mend its description().").arg(thrown.what());
     } catch (...) {
-        return "It failed while describing itself.";
+        return "It failed while describing itself. Mend its description().";
     }
     std::set<QString> promised;
     for (const QJsonValue& id : metadata.value("behaviors").toArray())
@@ -148,7 +150,7 @@ QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metada
             return *complaint;
     }
     if (promised != described)
-        return QString("Its metadata promise the behaviors %1, but it describes %2.")
+        return QString("Its metadata promise the behaviors %1, but it describes %2. Make both the same.")
             .arg(listed(promised), described.empty() ? QString("none") : listed(described));
     robots_.push_back(std::move(description));
     owners_.push_back(&plugin);

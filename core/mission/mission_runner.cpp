@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
 #include "core/mission/result_writer.h"
 #include "core/mission/run_summary.h"
@@ -108,7 +109,7 @@ void MissionRunner::Private::takeRobot() {
     if (phase != Phase::Spawning)
         return;
     const agent::Task task{robot_name, start_in_map, mission.area_in_map};
-    auto made = behavior->plugin->createBehavior(mission.behavior, {task, behavior->parameters});
+    auto made = agent::makeBehavior(*behavior->plugin, mission.behavior, {task, behavior->parameters});
     if (!made) {
         conclude(false, made.error().text(), BadInput);
         return;

@@ -10,6 +10,9 @@ class TestPluginLoader : public QObject {
 
     const QString built = QString(USAR_BINARY_DIR) + "/tests/plugins/";
 
+    /// A refusal says what to do.
+    const QRegularExpression mends{"(Rebuild|Add|Remove|Mend|Build|Make|Give|Rename|Keep) [^.]+[.]$"};
+
     /// A folder with these plugins only, copied under new names so that their order is known.
     static void fill(const QTemporaryDir& folder, const QStringList& sources) {
         for (int i = 0; i < sources.size(); ++i)
@@ -69,6 +72,7 @@ private slots:
         const PluginRecord& record = loader.records().front();
         QVERIFY(record.state == PluginState::Rejected);
         QVERIFY2(record.reason.contains(reason), qPrintable(record.reason));
+        QVERIFY2(mends.match(record.reason).hasMatch(), qPrintable(record.reason));
         QVERIFY(!record.plugin);
         QVERIFY(loader.robots().empty());
     }
@@ -83,6 +87,7 @@ private slots:
         loader.scan({folder.path()});
         QCOMPARE(loader.records().size(), std::size_t(1));
         QVERIFY(loader.records().front().reason.contains("no Qt plugin"));
+        QVERIFY(mends.match(loader.records().front().reason).hasMatch());
     }
 
     void refusesAPluginThatWasCutShort() {

@@ -1,4 +1,6 @@
 // A robot plugin for tests of missions: its behavior scans for some ticks where it stands, then ends as it was told.
+#include <stdexcept>
+
 #include <QObject>
 
 #include "core/agent/robot_plugin.h"
@@ -51,12 +53,15 @@ public:
         hop.name = "Hop";
         hop.needs_area = true;
         hop.parameters = {{"ticks", "Ticks", "", "", 5LL, 1, 1000000, "How long.", {}},
+                          {"throws", "Throws", "", "", false, 0, 0, "Instead of being made.", {}},
                           {"succeeds", "Succeeds", "", "", true, 0, 0, "How it ends.", {}}};
         return {"USARBot.AirRobot", "Hopper", {}, {hop}};
     }
     Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const override {
         if (id != "test/hop")
             return failure("no such behavior", id);
+        if (context.parameters.flag("throws"))
+            throw std::runtime_error("no rotor");
         return std::make_unique<Hop>(std::move(context));
     }
 };

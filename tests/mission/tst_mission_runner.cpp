@@ -21,6 +21,7 @@ private slots:
 
     void fliesAMissionAndWritesItsResults();
     void failsWhenTheBehaviorFails();
+    void aPluginThatThrowsFailsTheMission();
     void tellsProgress();
     void refusesBeforeAnythingMoves_data();
     void refusesBeforeAnythingMoves();
@@ -125,6 +126,13 @@ void tst_MissionRunner::failsWhenTheBehaviorFails() {
     QCOMPARE(run(mission), 1);
     QCOMPARE(runner_->summary()["success"].toBool(), false);
     QCOMPARE(filesInResults().size(), 6);
+}
+
+void tst_MissionRunner::aPluginThatThrowsFailsTheMission() {
+    Mission mission = hop();
+    mission.parameters["throws"] = true;
+    QCOMPARE(run(mission), 2);
+    QVERIFY2(reason().contains("its plugin threw: no rotor"), qPrintable(reason()));
 }
 
 void tst_MissionRunner::tellsProgress() {
