@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "core/mission/stream_name.h"
 
@@ -53,16 +54,19 @@ std::string excerpt(std::string_view text) {
 
 } // namespace
 
-std::optional<std::string> ComplaintBook::take(const protocol::InfoLine& line) {
+std::optional<Complaint> ComplaintBook::take(const protocol::InfoLine& line) {
     const auto wrong = wrongIn(line);
     if (!wrong)
         return std::nullopt;
     ++count_;
     const std::string stream = isNoMessage(line.message) ? "" : streamName(line.message);
-    if (kinds_.size() >= kind_limit || !kinds_.insert(stream + '\n' + kindOf(*wrong)).second)
+    const std::string topic = "lines: " + (stream.empty() ? "" : stream + ": ") + kindOf(*wrong);
+    if (kinds_.size() >= kind_limit || !kinds_.insert(topic).second)
         return std::nullopt;
-    return "Line " + std::to_string(line.number.value) + " from the server is damaged: " + *wrong + " (\"" +
-           excerpt(line.text) + "\"). What could be read of it is used; more of this kind are only counted.";
+    std::string text = "Line " + std::to_string(line.number.value) + " from the server is damaged: " + *wrong + " (\"" +
+                       excerpt(line.text) +
+                       "\"). What could be read of it is used; more of this kind are only counted.";
+    return Complaint{topic, std::move(text)};
 }
 
 } // namespace usar::mission

@@ -10,6 +10,12 @@
 
 namespace usar::mission {
 
+/// `topic` is one word for all complaints of a kind.
+struct Complaint {
+    std::string topic;
+    std::string text;
+};
+
 /// Two complaints are of one kind when the messages are of one type and the texts differ only in numbers and quoted
 /// words. After `kind_limit` kinds new ones are counted in silence. Owned by one session.
 class ComplaintBook {
@@ -17,7 +23,7 @@ public:
     static constexpr std::size_t kind_limit = 20;
 
     /// A sentence for the person when this kind is new. Notes are not complaints.
-    std::optional<std::string> take(const protocol::InfoLine& line);
+    std::optional<Complaint> take(const protocol::InfoLine& line);
     std::uint64_t count() const { return count_; }
 
 private:

@@ -54,12 +54,14 @@ void RobotSession::close() {
     d_->stopBehavior("session: close", QStringLiteral("The connection was closed."));
     d_->figures.spawned = false;
     d_->after_reconnect.reset();
+    d_->endTroubles(true);
     d_->link.close();
 }
 
 void RobotSession::spawn(const SpawnRequest& request) {
     if (d_->link.status().state != link::LinkState::Connected) {
-        d_->notice(Severity::Warning, "There is no connection to spawn " + request.robot_name + " on. Connect first.");
+        d_->trouble(Severity::Warning, "no connection",
+                    "There is no connection to spawn " + request.robot_name + " on. Connect first.");
     } else if (d_->spawn == SpawnState::None) {
         d_->init(request);
     } else if (d_->spawn == SpawnState::Failed) {
@@ -67,15 +69,15 @@ void RobotSession::spawn(const SpawnRequest& request) {
         d_->after_reconnect = request;
         d_->link.open(status.host, status.port);
     } else {
-        d_->notice(Severity::Warning, d_->request.robot_name +
-                                          " is already spawned here, and a connection carries one robot. Reconnect to "
-                                          "spawn another.");
+        d_->say(Severity::Warning, "second robot",
+                d_->request.robot_name +
+                    " is already spawned here, and a connection carries one robot. Reconnect to spawn another.");
     }
 }
 
 void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, const agent::Task& task) {
     if (!d_->figures.spawned) {
-        d_->notice(Severity::Warning, "There is no robot to fly. Spawn one first.");
+        d_->trouble(Severity::Warning, "no robot", "There is no robot to fly. Spawn one first.");
         return;
     }
     if (d_->host)

@@ -46,6 +46,8 @@ void RobotSession::Private::opened() {
     if (lockstep_wanted)
         write(protocol::Lockstep{});
     write(protocol::GetStartPoses{});
+    over("no connection");
+    over("link", "The connection is back. Spawn " + request.robot_name + " again to go on.");
     since_opened.start();
     watch_timer.start();
     if (after_reconnect)
@@ -58,9 +60,11 @@ void RobotSession::Private::closed() {
     const bool lost_robot = std::exchange(figures.spawned, false);
     spawn = SpawnState::None;
     figures.lockstep = false;
+    endTroubles(false);
     if (lost_robot)
-        notice(Severity::Warning, "The connection is lost, and " + request.robot_name +
-                                      " with it. What was scanned is kept; spawn the robot again when connected.");
+        trouble(Severity::Warning, "link",
+                "The connection is lost, and " + request.robot_name +
+                    " with it. What was scanned is kept; spawn the robot again when connected.");
     if (host)
         finishBehavior(false, QStringLiteral("The connection to the server was lost."));
     touched();
@@ -72,7 +76,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     state->take(line);
     figures.now = state->now();
     if (auto complaint = complaints.take(line))
-        notice(Severity::Warning, std::move(*complaint));
+        say(Severity::Warning, std::move(complaint->topic), std::move(complaint->text));
     figures.lines_malformed = complaints.count();
     noteMessage(line);
     if (figures.spawned && figures.spawned_at.count() == 0.0)
@@ -88,7 +92,8 @@ void RobotSession::Private::takeLine(std::string_view text) {
 
 void RobotSession::Private::noteMessage(const protocol::InfoLine& line) {
     if (isRobotData(line.message)) {
-        sensors.saw(line.message, figures.now);
+        for (const std::string& name : sensors.saw(line.message, figures.now))
+            over("sensor: " + name, name + " speaks again.");
         noteData();
     }
     if (const auto* scan = std::get_if<protocol::RangeScan>(&line.message)) {
@@ -101,6 +106,7 @@ void RobotSession::Private::noteMessage(const protocol::InfoLine& line) {
         figures.lockstep = answer->on;
     } else if (const auto* poses = std::get_if<protocol::StartPoses>(&line.message)) {
         start_poses_settled = true;
+        over("start poses", "The start poses came after all.");
         emit q.startPosesKnown(*poses, QString::fromStdString(record.level));
     }
 }
@@ -108,12 +114,14 @@ void RobotSession::Private::noteMessage(const protocol::InfoLine& line) {
 void RobotSession::Private::noteData() {
     since_data.start();
     if (std::exchange(silence_said, false))
-        notice(Severity::Note, request.robot_name + " speaks again.");
+        over("silence", request.robot_name + " speaks again.");
     // A robot that was never asked for speaks on a proxy that shares connections; it is nobody's spawn.
     if (spawn != SpawnState::Asked && spawn != SpawnState::Failed)
         return;
     spawn = SpawnState::Done;
     figures.spawned = true;
+    over("no robot");
+    over("spawn", request.robot_name + " has spawned after all.");
     emit q.spawned(QString::fromStdString(request.robot_name));
 }
 
@@ -140,7 +148,8 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
 void RobotSession::Private::takeValue(const agent::Published& value) {
     if (const auto* placement = std::get_if<agent::ScanPlacement>(&value)) {
         if (!mapper.place(*placement) && !std::exchange(unplaced_said, true))
-            notice(Severity::Warning, "The behavior placed a scan that is too old to be known; it is left out.");
+            say(Severity::Warning, "placement",
+                "The behavior placed a scan that is too old to be known; it is left out.");
     } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
         record.status = *status;
     } else if (const auto* pose = std::get_if<agent::PoseEstimate>(&value)) {
@@ -150,7 +159,7 @@ void RobotSession::Private::takeValue(const agent::Published& value) {
     } else if (const auto* mark = std::get_if<agent::MapMark>(&value)) {
         record.marks.push_back(*mark);
     } else if (const auto* event = std::get_if<agent::BehaviorEvent>(&value)) {
-        notice(event->severity, event->text);
+        say(event->severity, "behavior: " + event->text, event->text);
     } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
         makeSafe("session: behavior finished");
         finishBehavior(finished->success, QString::fromStdString(finished->reason));
@@ -222,8 +231,26 @@ void RobotSession::Private::write(const protocol::Command& command) {
     link.send(protocol::write(command));
 }
 
-void RobotSession::Private::notice(Severity severity, std::string text) {
-    emit q.noticed({.severity = severity, .text = std::move(text)});
+void RobotSession::Private::say(Severity severity, std::string topic, std::string text) {
+    emit q.noticed({.severity = severity, .text = std::move(text), .topic = std::move(topic)});
+}
+
+void RobotSession::Private::trouble(Severity severity, const std::string& topic, std::string text) {
+    troubles.insert(topic);
+    say(severity, topic, std::move(text));
+}
+
+void RobotSession::Private::over(const std::string& topic, std::string text) {
+    if (troubles.erase(topic) > 0)
+        emit q.noticed({.severity = Severity::Note, .text = std::move(text), .topic = topic, .over = true});
+}
+
+/// A lost connection ends what was wrong on it, but not that it is lost nor that the robot would not spawn; that there
+/// is none ends only with a new one.
+void RobotSession::Private::endTroubles(bool all) {
+    for (const std::string& topic : std::set(troubles))
+        if (topic != "no connection" && (all || (topic != "link" && topic != "spawn")))
+            over(topic);
 }
 
 void RobotSession::Private::touched() {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,7 +53,13 @@ struct RobotSession::Private {
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
     void write(const protocol::Command& command);
-    void notice(Severity severity, std::string text);
+    /// A word that needs no end.
+    void say(Severity severity, std::string topic, std::string text);
+    /// Something wrong that lasts until `over` is said of the same topic.
+    void trouble(Severity severity, const std::string& topic, std::string text);
+    /// Nothing where there was no such trouble.
+    void over(const std::string& topic, std::string text = {});
+    void endTroubles(bool all);
     void touched();
     void emitFrame();
 
@@ -76,6 +83,7 @@ struct RobotSession::Private {
     SessionFigures figures;
     std::shared_ptr<agent::BehaviorHost> host;
 
+    std::set<std::string> troubles; ///< topics said and not over
     SpawnRequest request;
     std::optional<SpawnRequest> after_reconnect;
     SpawnState spawn = SpawnState::None;

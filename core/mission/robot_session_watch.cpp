@@ -24,8 +24,8 @@ void RobotSession::Private::watch() {
         sendDrive(true);
     if (const auto overlong = link.overlongCount(); overlong != figures.lines_overlong) {
         figures.lines_overlong = overlong;
-        notice(Severity::Warning,
-               "The server sent a line longer than 4 MiB. It was left out; reading goes on behind it.");
+        say(Severity::Warning, "overlong",
+            "The server sent a line longer than 4 MiB. It was left out; reading goes on behind it.");
     }
     touched();
 }
@@ -36,9 +36,10 @@ void RobotSession::Private::watchSilence() {
     };
     if (!start_poses_settled && passed(since_opened, limits.greeting)) {
         start_poses_settled = true;
-        notice(Severity::Warning, "No start poses from the server for " + inWords(limits.greeting) +
-                                      ". Is it USARSim, and is its game running? A robot can still be spawned at "
-                                      "a typed pose.");
+        trouble(Severity::Warning, "start poses",
+                "No start poses from the server for " + inWords(limits.greeting) +
+                    ". Is it USARSim, and is its game running? A robot can still be spawned at "
+                    "a typed pose.");
     }
     if (spawn == SpawnState::Asked && passed(since_init, limits.spawn)) {
         spawn = SpawnState::Failed;
@@ -47,27 +48,26 @@ void RobotSession::Private::watchSilence() {
             " after INIT. Does the server know " + request.class_name +
             ", is the start pose free and above the ground, and is the simulation not paused? Spawn "
             "again to try once more.";
-        notice(Severity::Error, reason);
+        trouble(Severity::Error, "spawn", reason);
         emit q.spawnFailed(QString::fromStdString(reason));
     }
     if (spawn == SpawnState::Done && !silence_said && passed(since_data, limits.stale)) {
         silence_said = true;
-        notice(Severity::Warning, "Nothing from " + request.robot_name + " for " + inWords(limits.stale) +
-                                      ": its values are stale. Is the simulation paused, or the network down?");
+        trouble(Severity::Warning, "silence",
+                "Nothing from " + request.robot_name + " for " + inWords(limits.stale) +
+                    ": its values are stale. Is the simulation paused, or the network down?");
     }
 }
 
 void RobotSession::Private::watchSensors() {
-    std::string silent;
-    for (const std::string& name : sensors.newlySilent(figures.now))
-        silent += (silent.empty() ? "" : ", ") + name;
-    if (silent.empty())
-        return;
-    const auto& latest = state->latest();
-    const bool flat = latest && latest->battery_left && latest->battery_left->count() <= 0.0;
-    notice(Severity::Warning, "No reading from " + silent + " for " + inWords(limits.sensor_silence) +
-                                  " of the robot's time; the last values stay, marked as old. " +
-                                  (flat ? "The battery is empty." : "Stop the robot if it needs them."));
+    for (const std::string& name : sensors.newlySilent(figures.now)) {
+        const auto& latest = state->latest();
+        const bool flat = latest && latest->battery_left && latest->battery_left->count() <= 0.0;
+        trouble(Severity::Warning, "sensor: " + name,
+                "No reading from " + name + " for " + inWords(limits.sensor_silence) +
+                    " of the robot's time; the last value stays, marked as old. " +
+                    (flat ? "The battery is empty." : "Stop the robot if it needs this sensor."));
+    }
 }
 
 } // namespace usar::mission

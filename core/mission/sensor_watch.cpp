@@ -1,40 +1,77 @@
 #include "core/mission/sensor_watch.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "core/protocol/segments.h"
 
 namespace usar::mission {
 
 namespace {
 
-constexpr std::array names{"Sonar", "RangeScanner", "INS", "GroundTruth", "Odometry", "Encoder"};
+/// Types that are silent while there is nothing to tell (usarsim-protocol 5), and those that a table knows: a line of
+/// these that stayed generic is a damaged one.
+constexpr std::array<std::string_view, 15> not_watched{
+    "RFID",         "RFIDTag", "VictRFID",    "VictSensor", "HumanMotion", "Sound",    "Helper",      "Sonar",
+    "RangeScanner", "INS",     "GroundTruth", "Odometry",   "Encoder",     "Acoustic", "ObjectSensor"};
 
-/// Place in `names`; nothing for what is not watched.
-struct Place {
-    using Index = std::optional<std::size_t>;
-    Index operator()(const protocol::SonarReadings&) const { return 0; }
-    Index operator()(const protocol::RangeScan&) const { return 1; }
-    Index operator()(const protocol::InsReading&) const { return 2; }
-    Index operator()(const protocol::GroundTruthReading&) const { return 3; }
-    Index operator()(const protocol::OdometryReading&) const { return 4; }
-    Index operator()(const protocol::EncoderReadings&) const { return 5; }
-    Index operator()(const auto&) const { return std::nullopt; }
+/// Calls `speak(type, name)` for each sensor that the message is a reading of.
+template <class Speak>
+struct Speakers {
+    const Speak& speak;
+
+    void operator()(const protocol::SonarReadings& message) const {
+        for (const protocol::NamedRange& sonar : message.ranges)
+            if (!std::isnan(sonar.range_m))
+                speak("Sonar", sonar.name);
+    }
+    void operator()(const protocol::RangeScan& message) const { speak("RangeScanner", message.name); }
+    void operator()(const protocol::InsReading&) const { speak("INS", {}); }
+    void operator()(const protocol::GroundTruthReading&) const { speak("GroundTruth", {}); }
+    void operator()(const protocol::OdometryReading&) const { speak("Odometry", {}); }
+    void operator()(const protocol::EncoderReadings& message) const {
+        for (const protocol::EncoderTicks& encoder : message.encoders)
+            speak("Encoder", encoder.name);
+    }
+    void operator()(const protocol::GenericMessage& message) const {
+        const auto isType = [&](std::string_view type) { return protocol::sameWord(message.type, type); };
+        if (protocol::sameWord(message.type_word, "SEN") && !message.type.empty() &&
+            std::ranges::none_of(not_watched, isType))
+            speak(message.type, message.name);
+    }
+    void operator()(const auto&) const {}
 };
 
 } // namespace
 
-void SensorWatch::saw(const protocol::InfoMessage& message, Seconds now) {
-    if (const auto place = std::visit(Place{}, message))
-        sensors_[*place] = Seen{.last = now};
+std::vector<std::string> SensorWatch::saw(const protocol::InfoMessage& message, Seconds now) {
+    std::vector<std::string> back;
+    const auto speak = [&](std::string_view type, std::string_view name) {
+        key_ = type;
+        if (!name.empty() && name != type)
+            (key_ += ' ') += name;
+        auto sensor = sensors_.find(key_);
+        if (sensor == sensors_.end()) {
+            if (sensors_.size() >= sensor_limit)
+                return;
+            sensor = sensors_.emplace(key_, Seen{}).first;
+        }
+        if (sensor->second.reported)
+            back.push_back(key_);
+        sensor->second = Seen{.last = now};
+    };
+    std::visit(Speakers<decltype(speak)>{speak}, message);
+    return back;
 }
 
 std::vector<std::string> SensorWatch::newlySilent(Seconds now) {
     std::vector<std::string> silent;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        auto& sensor = sensors_[i];
-        if (!sensor || sensor->reported || now - sensor->last <= limit_)
+    for (auto& [name, sensor] : sensors_) {
+        if (sensor.reported || now - sensor.last <= limit_)
             continue;
-        sensor->reported = true;
-        silent.emplace_back(names[i]);
+        sensor.reported = true;
+        silent.push_back(name);
     }
     return silent;
 }

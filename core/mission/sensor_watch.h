@@ -1,9 +1,10 @@
 // Notices sensors that used to speak and have stopped.
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -11,24 +12,32 @@
 
 namespace usar::mission {
 
-/// Watches the sensor types that speak on every tick; types that speak only when something changes (RFID, victims) are
-/// nobody's worry. Times are the protocol clock's. One robot, one connection.
+/// Watches each sensor by type and name ("Sonar F1", "RangeScanner Scanner1", "INS"), also those of types that no table
+/// knows. Types that speak only when there is something to say (RFID, victims, sound) are nobody's worry; a sonar
+/// without a number has not spoken. Names beyond `sensor_limit` are garbage and not watched. Times
+/// are the protocol clock's. One robot, one connection.
 class SensorWatch {
 public:
+    static constexpr std::size_t sensor_limit = 100;
+
     explicit SensorWatch(Seconds limit) : limit_(limit) {}
 
-    void saw(const protocol::InfoMessage& message, Seconds now);
-    /// Types silent for longer than the limit that were not reported yet; each is reported once per silence.
+    /// Names of sensors that were reported silent and speak again with this message.
+    std::vector<std::string> saw(const protocol::InfoMessage& message, Seconds now);
+    /// Names of sensors silent for longer than the limit that were not reported yet; each once per silence.
     std::vector<std::string> newlySilent(Seconds now);
-    void reset() { sensors_ = {}; }
+    void reset() { sensors_.clear(); }
 
 private:
     struct Seen {
         Seconds last{0.0};
         bool reported = false;
     };
+    using Sensors = std::map<std::string, Seen, std::less<>>;
+
     Seconds limit_;
-    std::array<std::optional<Seen>, 6> sensors_;
+    Sensors sensors_;
+    std::string key_; ///< scratch, so that a message costs no allocation
 };
 
 } // namespace usar::mission

@@ -62,6 +62,12 @@ struct SessionFixture {
             notices, [&](const mission::Notice& notice) { return notice.text.find(words) != std::string::npos; }));
     }
 
+    /// A word on this topic, at its start or at its end.
+    bool saidOn(const char* topic, bool over = false) const {
+        return std::ranges::any_of(
+            notices, [&](const mission::Notice& notice) { return notice.topic == topic && notice.over == over; });
+    }
+
     FakeRobotServer server;
     std::vector<mission::Notice> notices;
     mission::RobotSession session;

@@ -1,3 +1,6 @@
+#include <map>
+#include <set>
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -37,6 +40,7 @@ private slots:
     void aPlacementOfAnUnknownScanIsSaidOnce();
     void aBehaviorThatThrowsIsStoppedSafely();
     void foreignPortsAreTold();
+    void everyNoticeHasATopicAndDifferentOnesDiffer();
 };
 
 void tst_RobotSessionTrouble::saysSoWhenThereIsNothingToSpawnOn() {
@@ -77,8 +81,10 @@ void tst_RobotSessionTrouble::aLateRobotIsWelcomeAllTheSame() {
     QSignalSpy spawned(&f.session, &RobotSession::spawned);
     f.session.spawn({});
     QTRY_COMPARE(failed.size(), 1);
+    QVERIFY(f.saidOn("spawn") && !f.saidOn("spawn", true));
     f.server.tick();
     QTRY_COMPARE(spawned.size(), 1);
+    QVERIFY(f.saidOn("spawn", true));
 }
 
 void tst_RobotSessionTrouble::spawningAgainAfterAFailureTakesANewConnection() {
@@ -102,6 +108,9 @@ void tst_RobotSessionTrouble::aServerWithoutStartPosesIsNamed() {
     f.session.open("127.0.0.1", f.server.port(), false);
     QTRY_VERIFY(f.said("No start poses from the server for 0.2 s. Is it USARSim"));
     QCOMPARE(f.session.linkStatus().state, link::LinkState::Connected);
+    QVERIFY(f.saidOn("start poses") && !f.saidOn("start poses", true));
+    f.server.say("NFO {StartPoses 1} {PlayerStart 1.00,-2.00,-0.50 0.00,0.00,0.00}\r\n");
+    QTRY_VERIFY(f.saidOn("start poses", true));
 }
 
 void tst_RobotSessionTrouble::staleRobotsAreNamedOnceAndWelcomedBack() {
@@ -110,6 +119,7 @@ void tst_RobotSessionTrouble::staleRobotsAreNamedOnceAndWelcomedBack() {
     QTRY_COMPARE(f.countSaid("its values are stale. Is the simulation paused"), std::size_t(1));
     QVERIFY(f.tickNow());
     QVERIFY(f.said("R1 speaks again."));
+    QVERIFY(f.saidOn("silence") && f.saidOn("silence", true));
     QTRY_COMPARE(f.countSaid("its values are stale"), std::size_t(2));
 }
 
@@ -119,7 +129,13 @@ void tst_RobotSessionTrouble::aSensorThatStopsIsNamed() {
     f.server.scans = f.server.sonar = false;
     for (int i = 0; i < 17; ++i)
         f.server.tick();
-    QTRY_COMPARE(f.countSaid("No reading from Sonar, RangeScanner for 3 s"), std::size_t(1));
+    QTRY_COMPARE(f.countSaid("No reading from Sonar F1 for 3 s"), std::size_t(1));
+    QTRY_COMPARE(f.countSaid("No reading from "), std::size_t(3)); // two sonars and a scanner
+    QVERIFY(f.saidOn("sensor: RangeScanner Scanner1"));
+    f.server.scans = true;
+    QVERIFY(f.tickNow());
+    QVERIFY(f.saidOn("sensor: RangeScanner Scanner1", true));
+    QVERIFY(!f.saidOn("sensor: Sonar F1", true));
 }
 
 void tst_RobotSessionTrouble::damagedLinesAreCountedAndSaidOncePerKind() {
@@ -188,6 +204,7 @@ void tst_RobotSessionTrouble::afterAReconnectTheRobotIsSpawnedOnlyByRequest() {
     QSignalSpy known(&f.session, &RobotSession::startPosesKnown);
     f.server.hangUp();
     QTRY_COMPARE(known.size(), 1);
+    QVERIFY(f.saidOn("link") && f.saidOn("link", true));
     QVERIFY(!f.session.figures().spawned);
     QCOMPARE(f.server.heardOf("INIT").size(), 1);
     f.session.spawn({});
@@ -231,6 +248,36 @@ void tst_RobotSessionTrouble::foreignPortsAreTold() {
     f.session.open("127.0.0.1", f.server.port(), true);
     QTRY_COMPARE(f.session.linkStatus().state, link::LinkState::Waiting);
     QVERIFY(f.session.linkStatus().reason.contains("does not speak USARSim"));
+}
+
+void tst_RobotSessionTrouble::everyNoticeHasATopicAndDifferentOnesDiffer() {
+    SessionFixture f;
+    f.session.spawn(requestFor("R1"));
+    f.server.answers_init = false;
+    QVERIFY(f.connectNow());
+    f.session.startBehavior(hostOf(std::make_shared<Script>()), {});
+    f.session.spawn(requestFor("R1"));
+    QTRY_VERIFY(f.saidOn("spawn"));
+    f.server.tick();
+    QTRY_VERIFY(f.session.figures().spawned);
+    f.session.spawn(requestFor("R2"));
+    auto script = std::make_shared<Script>();
+    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+        port.publish(agent::ScanPlacement{{9999}, {}});
+        port.publish(agent::BehaviorEvent{Severity::Note, "Took off."});
+        port.publish(agent::BehaviorEvent{Severity::Note, "Charging."});
+    };
+    f.session.startBehavior(hostOf(script), {});
+    f.server.say("1.2,3.4,,} Range 2}\r\nSEN {Type Sonar} {Name F1 Range 1.#QNAN}\r\n");
+    QVERIFY(f.tickNow());
+    std::map<std::string, std::set<std::string>> texts_by_topic;
+    for (const Notice& notice : f.notices)
+        if (!notice.over)
+            texts_by_topic[notice.topic].insert(notice.text);
+    QVERIFY(!texts_by_topic.contains(""));
+    QVERIFY2(texts_by_topic.size() >= 8, qPrintable(QString::number(texts_by_topic.size())));
+    for (const auto& [topic, texts] : texts_by_topic)
+        QVERIFY2(texts.size() == 1, topic.c_str());
 }
 
 QTEST_GUILESS_MAIN(tst_RobotSessionTrouble)

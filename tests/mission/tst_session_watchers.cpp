@@ -1,3 +1,6 @@
+#include <cmath>
+#include <set>
+
 #include <QTest>
 
 #include "core/mission/complaint_book.h"
@@ -22,7 +25,13 @@ class tst_SessionWatchers : public QObject {
     Q_OBJECT
 private slots:
     void aSilentSensorIsReportedOncePerSilence();
+    void oneDeadSonarOfManyIsNamed();
+    void sensorsAreToldApartByName();
+    void unknownTypesAreWatchedToo();
+    void typesThatSpeakOnlyOnEventsAreNot_data();
+    void typesThatSpeakOnlyOnEventsAreNot();
     void onlySensorsThatSpokeAreMissed();
+    void thereIsAnEndOfSensors();
     void eachKindOfDamageIsSaidOnceAndAllAreCounted();
     void notesAreNoComplaints();
     void whatIsNoMessageAtAllIsAComplaint();
@@ -34,19 +43,72 @@ private slots:
 
 void tst_SessionWatchers::aSilentSensorIsReportedOncePerSilence() {
     SensorWatch watch(Seconds{3.0});
-    watch.saw(protocol::SonarReadings{}, Seconds{10.0});
+    watch.saw(protocol::InsReading{}, Seconds{10.0});
     watch.saw(protocol::RangeScan{}, Seconds{12.0});
     QCOMPARE(watch.newlySilent(Seconds{13.0}), std::vector<std::string>{});
-    QCOMPARE(watch.newlySilent(Seconds{13.2}), std::vector<std::string>{"Sonar"});
+    QCOMPARE(watch.newlySilent(Seconds{13.2}), std::vector<std::string>{"INS"});
     QCOMPARE(watch.newlySilent(Seconds{14.0}), std::vector<std::string>{});
-    watch.saw(protocol::SonarReadings{}, Seconds{14.0});
-    QCOMPARE(watch.newlySilent(Seconds{17.2}), (std::vector<std::string>{"Sonar", "RangeScanner"}));
+    QCOMPARE(watch.saw(protocol::InsReading{}, Seconds{14.0}), std::vector<std::string>{"INS"});
+    QCOMPARE(watch.saw(protocol::InsReading{}, Seconds{14.1}), std::vector<std::string>{});
+    QCOMPARE(watch.newlySilent(Seconds{17.2}), (std::vector<std::string>{"INS", "RangeScanner"}));
+}
+
+void tst_SessionWatchers::oneDeadSonarOfManyIsNamed() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::SonarReadings{.ranges = {{"F1", 5.0}, {"F2", 4.0}, {"F3", 3.0}}}, Seconds{10.0});
+    watch.saw(protocol::SonarReadings{.ranges = {{"F1", 5.0}, {"F2", std::nan("")}}}, Seconds{14.0});
+    QCOMPARE(watch.newlySilent(Seconds{14.0}), (std::vector<std::string>{"Sonar F2", "Sonar F3"}));
+    QCOMPARE(watch.saw(protocol::SonarReadings{.ranges = {{"F3", 3.0}}}, Seconds{15.0}),
+             std::vector<std::string>{"Sonar F3"});
+}
+
+void tst_SessionWatchers::sensorsAreToldApartByName() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::RangeScan{.name = "Belly"}, Seconds{10.0});
+    watch.saw(protocol::RangeScan{.name = "Front"}, Seconds{10.0});
+    watch.saw(protocol::RangeScan{.name = "Belly"}, Seconds{14.0});
+    QCOMPARE(watch.newlySilent(Seconds{14.0}), std::vector<std::string>{"RangeScanner Front"});
+}
+
+void tst_SessionWatchers::unknownTypesAreWatchedToo() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::GenericMessage{.type_word = "SEN", .type = "CO2Sensor", .name = "Nose"}, Seconds{1.0});
+    QCOMPARE(watch.newlySilent(Seconds{5.0}), std::vector<std::string>{"CO2Sensor Nose"});
+}
+
+void tst_SessionWatchers::typesThatSpeakOnlyOnEventsAreNot_data() {
+    QTest::addColumn<QString>("type_word");
+    QTest::addColumn<QString>("type");
+    QTest::newRow("RFID, on change") << "SEN"
+                                     << "RFID";
+    QTest::newRow("victims in any case") << "SEN"
+                                         << "victsensor";
+    QTest::newRow("a damaged line of a known sensor") << "SEN"
+                                                      << "Sonar";
+    QTest::newRow("no sensor at all") << "MISSTA"
+                                      << "MisPkg";
+    QTest::newRow("without a type") << "SEN"
+                                    << "";
+}
+
+void tst_SessionWatchers::typesThatSpeakOnlyOnEventsAreNot() {
+    QFETCH(QString, type_word);
+    QFETCH(QString, type);
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::GenericMessage{.type_word = type_word.toStdString(), .type = type.toStdString()}, Seconds{1.0});
+    QVERIFY(watch.newlySilent(Seconds{100.0}).empty());
+}
+
+void tst_SessionWatchers::thereIsAnEndOfSensors() {
+    SensorWatch watch(Seconds{3.0});
+    for (int i = 0; i < 1000; ++i)
+        watch.saw(protocol::RangeScan{.name = "x" + std::to_string(i)}, Seconds{1.0});
+    QCOMPARE(watch.newlySilent(Seconds{100.0}).size(), SensorWatch::sensor_limit);
 }
 
 void tst_SessionWatchers::onlySensorsThatSpokeAreMissed() {
     SensorWatch watch(Seconds{3.0});
     watch.saw(protocol::RobotState{}, Seconds{1.0});
-    watch.saw(protocol::GenericMessage{.type_word = "SEN", .type = "RFID"}, Seconds{1.0});
     QVERIFY(watch.newlySilent(Seconds{100.0}).empty());
     watch.saw(protocol::InsReading{}, Seconds{100.0});
     watch.reset();
@@ -57,11 +119,14 @@ void tst_SessionWatchers::eachKindOfDamageIsSaidOnceAndAllAreCounted() {
     ComplaintBook book;
     const auto first = book.take(line(7, protocol::SonarReadings{}, "Range of \"F1\" is 1.#QNAN"));
     QVERIFY(first);
-    QVERIFY2(first->find("Line 7 ") != std::string::npos, first->c_str());
-    QVERIFY2(first->find("Range of \"F1\" is 1.#QNAN") != std::string::npos, first->c_str());
+    QVERIFY2(first->text.find("Line 7 ") != std::string::npos, first->text.c_str());
+    QVERIFY2(first->text.find("Range of \"F1\" is 1.#QNAN") != std::string::npos, first->text.c_str());
     QVERIFY(!book.take(line(8, protocol::SonarReadings{}, "Range of \"F2\" is 1.#QNAN")));
-    QVERIFY(book.take(line(9, protocol::SonarReadings{}, "no closing brace")));
-    QVERIFY(book.take(line(10, protocol::RangeScan{}, "no closing brace")));
+    const auto unclosed = book.take(line(9, protocol::SonarReadings{}, "no closing brace"));
+    const auto unclosed_scan = book.take(line(10, protocol::RangeScan{}, "no closing brace"));
+    QVERIFY(unclosed && unclosed_scan);
+    const std::set<std::string> topics{first->topic, unclosed->topic, unclosed_scan->topic};
+    QCOMPARE(topics.size(), std::size_t(3));
     QVERIFY(!book.take(line(11, protocol::RangeScan{})));
     QCOMPARE(book.count(), std::uint64_t(4));
 }
@@ -97,8 +162,8 @@ void tst_SessionWatchers::excerptsStayPlainAndShort() {
     garbled.text = "STA {Ti\x01\xff" + std::string(5000, 'a');
     const auto said = book.take(garbled);
     QVERIFY(said);
-    QVERIFY(said->size() < 250);
-    QVERIFY2(said->find("STA {Ti??aaa") != std::string::npos, said->c_str());
+    QVERIFY(said->text.size() < 250);
+    QVERIFY2(said->text.find("STA {Ti??aaa") != std::string::npos, said->text.c_str());
 }
 
 void tst_SessionWatchers::streamsAreNamedInTheWordsOfTheWire() {
