@@ -1,5 +1,9 @@
 #include "widgets/area_form.h"
 
+#include <algorithm>
+#include <limits>
+
+#include <QEvent>
 #include <QGridLayout>
 #include <QSignalBlocker>
 
@@ -10,6 +14,11 @@ namespace usar::widgets {
 
 namespace {
 
+void showExactly(QDoubleSpinBox* box, double value_m) {
+    box->setRange(std::min(box->minimum(), value_m), std::max(box->maximum(), value_m));
+    box->setValue(value_m);
+}
+
 QDoubleSpinBox* metres(const QString& name, QWidget* parent) {
     auto* box = new QDoubleSpinBox(parent);
     box->setDecimals(1);
@@ -18,8 +27,8 @@ QDoubleSpinBox* metres(const QString& name, QWidget* parent) {
     box->setAlignment(Qt::AlignRight);
     box->setKeyboardTracking(false);
     box->setRange(-1e5, 1e5);
+    box->setObjectName(name);
     box->setAccessibleName(name);
-    box->setToolTip(QObject::tr("%1 of the mission area in the map frame, metres").arg(name));
     box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-000.0 m")) + 2 * gap::large);
     return box;
 }
@@ -62,21 +71,15 @@ void AreaForm::setArea(const std::optional<Rectangle>& area_in_map) {
     const Rectangle area = area_in_map.value_or(Rectangle{});
     const QSignalBlocker quiet[] = {QSignalBlocker(min_x_), QSignalBlocker(max_x_), QSignalBlocker(min_y_),
                                     QSignalBlocker(max_y_)};
-    min_x_->setValue(area.min_m.x());
-    max_x_->setValue(area.max_m.x());
-    min_y_->setValue(area.min_m.y());
-    max_y_->setValue(area.max_m.y());
+    showExactly(min_x_, area.min_m.x());
+    showExactly(max_x_, area.max_m.x());
+    showExactly(min_y_, area.min_m.y());
+    showExactly(max_y_, area.max_m.y());
     describe();
 }
 
 void AreaForm::setLimits(const Rectangle& world) {
-    const bool none = world.empty();
-    const QSignalBlocker quiet[] = {QSignalBlocker(min_x_), QSignalBlocker(max_x_), QSignalBlocker(min_y_),
-                                    QSignalBlocker(max_y_)};
-    for (QDoubleSpinBox* box : {min_x_, max_x_})
-        box->setRange(none ? -1e5 : world.min_m.x(), none ? 1e5 : world.max_m.x());
-    for (QDoubleSpinBox* box : {min_y_, max_y_})
-        box->setRange(none ? -1e5 : world.min_m.y(), none ? 1e5 : world.max_m.y());
+    world_in_map_ = world.empty() ? std::nullopt : std::optional(world);
     describe();
 }
 
@@ -88,17 +91,45 @@ Rectangle AreaForm::area() const {
 
 void AreaForm::tell() {
     describe();
-    if (!area().empty())
-        emit areaChanged(area());
+    emit areaChanged(area().empty() ? Rectangle{} : area());
+}
+
+bool AreaForm::mark(QDoubleSpinBox* box, double minimum_m, double maximum_m) {
+    const bool outside = box->value() < minimum_m || box->value() > maximum_m;
+    QString tip = tr("%1 of the mission area in the map frame, metres").arg(box->accessibleName());
+    if (outside)
+        tip += QStringLiteral("\n") +
+               tr("This is outside the world, which spans %1 … %2 m").arg(figure(minimum_m, 1), figure(maximum_m, 1));
+    box->setToolTip(tip);
+    QPalette palette = QWidget::palette();
+    if (outside)
+        palette.setColor(QPalette::Text, tokens().caution);
+    box->setPalette(palette);
+    return outside;
 }
 
 void AreaForm::describe() {
+    const double endless = std::numeric_limits<double>::infinity();
+    const Rectangle world = world_in_map_.value_or(Rectangle{Vec2(-endless, -endless), Vec2(endless, endless)});
+    bool outside = false;
+    for (QDoubleSpinBox* box : {min_x_, max_x_})
+        outside = mark(box, world.min_m.x(), world.max_m.x()) || outside;
+    for (QDoubleSpinBox* box : {min_y_, max_y_})
+        outside = mark(box, world.min_m.y(), world.max_m.y()) || outside;
     const Rectangle typed = area();
-    if (typed.empty())
-        size_->setText(tr("No area yet. Draw it on the map (A) or type its corners."));
-    else
-        size_->setText(tr("%1 × %2 m = %3 m²")
-                           .arg(figure(typed.width_m(), 1), figure(typed.height_m(), 1), figure(typed.area_m2(), 0)));
+    QString words = typed.empty()
+                        ? tr("No area yet. Draw it on the map (A) or type its corners.")
+                        : tr("%1 × %2 m = %3 m²")
+                              .arg(figure(typed.width_m(), 1), figure(typed.height_m(), 1), figure(typed.area_m2(), 0));
+    if (outside)
+        words += u' ' + tr("The colored values are outside the world.");
+    size_->setText(words);
+}
+
+void AreaForm::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange)
+        describe();
+    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

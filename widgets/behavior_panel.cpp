@@ -1,7 +1,9 @@
 #include "widgets/behavior_panel.h"
 
+#include <algorithm>
 #include <utility>
 
+#include <QAction>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -91,19 +93,84 @@ QWidget* BehaviorPanel::makeButtons() {
     land_->setIcon(icon("land"));
     stop_->setIcon(icon("stop"));
     pause_->setCheckable(true);
-    start_->setToolTip(tr("Start the behavior with this area and these parameters (Ctrl+Return)"));
-    pause_->setToolTip(tr("Hold position; press again to go on (Space)"));
-    land_->setToolTip(tr("Land here and now; what was scanned is kept (L)"));
-    stop_->setToolTip(tr("End the behavior; the robot stops where it is"));
+    start_->setStatusTip(tr("Start the behavior with this area and these parameters"));
+    pause_->setStatusTip(tr("Hold position; press again to go on"));
+    land_->setStatusTip(tr("Land here and now; what was scanned is kept"));
+    stop_->setStatusTip(tr("End the behavior; the robot stops where it is"));
+    for (QPushButton* button : buttons()) {
+        // A click leaves the focus on the map, where the arrow keys pan; Tab still comes here.
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setToolTip(button->statusTip());
+    }
     grid->addWidget(start_, 0, 0, 1, 3);
     grid->addWidget(pause_, 1, 0);
     grid->addWidget(land_, 1, 1);
     grid->addWidget(stop_, 1, 2);
-    connect(start_, &QPushButton::clicked, this, &BehaviorPanel::startRequested);
-    connect(pause_, &QPushButton::clicked, this, &BehaviorPanel::pauseRequested);
-    connect(land_, &QPushButton::clicked, this, &BehaviorPanel::landRequested);
-    connect(stop_, &QPushButton::clicked, this, &BehaviorPanel::stopRequested);
+    for (QPushButton* button : buttons())
+        connect(button, &QPushButton::clicked, this, [this, button] { press(button); });
     return box;
+}
+
+std::array<QPushButton*, 4> BehaviorPanel::buttons() const {
+    return {start_, pause_, land_, stop_};
+}
+
+void BehaviorPanel::press(QPushButton* button) {
+    const bool pause = pause_->isChecked();
+    if (const auto driver = actions_.find(button); driver != actions_.end())
+        driver->second->trigger();
+    else if (button == start_)
+        emit startRequested();
+    else if (button == pause_)
+        emit pauseRequested(pause);
+    else if (button == land_)
+        emit landRequested();
+    else
+        emit stopRequested();
+    pause_->setChecked(run_state_ == RunState::Paused); // the robot's word counts, not the click
+}
+
+void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
+    QAction* const actions[] = {start, pause, land, stop};
+    for (std::size_t i = 0; i < buttons().size(); ++i) {
+        QPushButton* button = buttons()[i];
+        QAction* action = actions[i];
+        if (!action)
+            continue;
+        actions_[button] = action;
+        const auto follow = [this, button, action] {
+            const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+            button->setToolTip(keys.isEmpty() ? button->statusTip()
+                                              : QStringLiteral("%1 (%2)").arg(button->statusTip(), keys));
+            enable(button, action->isEnabled());
+        };
+        connect(action, &QAction::changed, button, follow);
+        follow();
+    }
+}
+
+void BehaviorPanel::enable(QPushButton* button, bool on) {
+    if (on || !button->hasFocus())
+        return button->setEnabled(on);
+    // Qt would send the focus of a button that is switched off anywhere; its neighbor is switched on in this turn.
+    QMetaObject::invokeMethod(
+        button,
+        [this, button] {
+            const auto driver = actions_.find(button);
+            if (driver != actions_.end() ? driver->second->isEnabled() : mayPress(button))
+                return;
+            const auto all = buttons();
+            const auto next = std::ranges::find_if(
+                all, [&](const QPushButton* other) { return other != button && other->isEnabled(); });
+            if (next != all.end())
+                (*next)->setFocus(Qt::OtherFocusReason);
+            button->setEnabled(false);
+        },
+        Qt::QueuedConnection);
+}
+
+bool BehaviorPanel::mayPress(const QPushButton* button) const {
+    return button == start_ ? run_state_ == RunState::Ready : busy();
 }
 
 void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors) {
@@ -117,10 +184,19 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
                                        Qt::ToolTipRole);
         }
     }
-    behavior_box_->setEnabled(!behaviors.empty());
     const int index = behavior_box_->findData(QString::fromStdString(chosen));
-    behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
-    emit behavior_box_->currentIndexChanged(behavior_box_->currentIndex());
+    {
+        const QSignalBlocker blocker(behavior_box_);
+        behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
+    }
+    behavior_box_->setEnabled(!busy() && !behaviors.empty());
+    help_label_->setText(behavior_box_->currentData(Qt::ToolTipRole).toString());
+    if (behaviorId() != chosen)
+        emit behaviorChosen(QString::fromStdString(behaviorId()));
+}
+
+bool BehaviorPanel::busy() const {
+    return run_state_ == RunState::Running || run_state_ == RunState::Paused;
 }
 
 void BehaviorPanel::chooseBehavior(const std::string& id) {
@@ -142,19 +218,17 @@ void BehaviorPanel::setAreaToolActive(bool active) {
 }
 
 bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
-    const bool running = state == RunState::Running || state == RunState::Paused;
     robot_label_->setText(robot_name.isEmpty()         ? tr("No robot yet: double-click a start pose")
                           : state == RunState::NoRobot ? tr("%1 is not spawned").arg(robot_name)
                                                        : robot_name);
     if (std::exchange(run_state_, state) == state)
         return false;
-    start_->setEnabled(state == RunState::Ready);
-    pause_->setEnabled(running);
+    for (QPushButton* button : buttons())
+        if (!actions_.contains(button))
+            enable(button, mayPress(button));
     pause_->setChecked(state == RunState::Paused);
     pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
-    land_->setEnabled(running);
-    stop_->setEnabled(running);
-    behavior_box_->setEnabled(!running && behavior_box_->count() > 0);
+    behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
     return true;
 }
 

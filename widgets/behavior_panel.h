@@ -1,6 +1,8 @@
 // What the selected robot should do: behavior, mission area, parameters, and the buttons that make it so.
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "core/base/geometry.h"
 #include "widgets/area_form.h"
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -27,6 +30,7 @@ public:
     /// `parameter_form` is shown below the area; the panel becomes its parent.
     explicit BehaviorPanel(QWidget* parameter_form, QWidget* parent = nullptr);
 
+    /// Keeps the chosen one if it is among them. Emits behaviorChosen only when another one is chosen by it.
     void setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors);
     void chooseBehavior(const std::string& id);
     /// Empty when there is none.
@@ -35,15 +39,21 @@ public:
     /// Nothing: not drawn yet.
     void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
     void setAreaLimits(const Rectangle& world_in_map) { area_form_->setLimits(world_in_map); }
+    /// The extent of a real server's world is not known.
+    void clearAreaLimits() { area_form_->clearLimits(); }
     Rectangle area() const { return area_form_->area(); }
     /// "5 lanes · 312 m · 6 min 10 s", or why there are none.
     void setPlanSummary(const QString& summary);
     /// True when this changed what the buttons may do.
     bool setRunState(RunState state, const QString& robot_name);
     void setAreaToolActive(bool active);
+    /// From now on the buttons trigger these actions, follow their enabled state and name their shortcuts; the signals
+    /// of the same meaning fall silent. A null action leaves its button as it is. They outlive the panel or go with it.
+    void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
 
 signals:
     void behaviorChosen(const QString& id);
+    /// Empty where the typed values enclose nothing.
     void areaTyped(const usar::Rectangle& area_in_map);
     void areaToolToggled(bool active);
     void startRequested();
@@ -54,6 +64,12 @@ signals:
 private:
     QWidget* makeAreaBox();
     QWidget* makeButtons();
+    std::array<QPushButton*, 4> buttons() const;
+    void press(QPushButton* button);
+    bool mayPress(const QPushButton* button) const;
+    /// Hands the focus to another button before it switches off the one that has it.
+    void enable(QPushButton* button, bool on);
+    bool busy() const;
 
     QLabel* robot_label_;
     QComboBox* behavior_box_;
@@ -65,6 +81,7 @@ private:
     QPushButton* pause_;
     QPushButton* land_;
     QPushButton* stop_;
+    std::map<QPushButton*, QAction*> actions_; ///< of those buttons that an action drives
     std::optional<RunState> run_state_;
 };
 

@@ -32,7 +32,9 @@ ParameterForm::ParameterForm(QWidget* parent)
     scroll_->setFocusPolicy(Qt::NoFocus);
     empty_state_ = new EmptyState(this);
     empty_state_->setText(tr("No parameters yet"), tr("Choose a robot and a behavior; its settings appear here."));
-    setSpecs({});
+    search_->hide();
+    modified_only_->hide();
+    applyFilter();
 }
 
 QWidget* ParameterForm::makeTools() {
@@ -70,9 +72,33 @@ QToolButton* ParameterForm::makeButton(const QString& text) {
 }
 
 void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {
+    if (specs == specs_)
+        return;
+    keepModified();
+    specs_ = specs;
+    buildRows();
+    empty_state_->setVisible(specs_.empty());
+    empty_state_->raise();
+    for (QWidget* tool : {static_cast<QWidget*>(search_), static_cast<QWidget*>(modified_only_)})
+        tool->setVisible(!specs_.empty());
+    const auto known = std::ranges::find(kept_, specs_, &decltype(kept_)::value_type::first);
+    setValues(known == kept_.end() ? std::map<std::string, agent::ParameterValue>{} : known->second);
+}
+
+void ParameterForm::keepModified() {
+    if (specs_.empty())
+        return;
+    const auto known = std::ranges::find(kept_, specs_, &decltype(kept_)::value_type::first);
+    if (known != kept_.end())
+        known->second = modified();
+    else
+        kept_.emplace_back(specs_, modified());
+}
+
+void ParameterForm::buildRows() {
     groups_.clear();
     auto* page = new QWidget;
-    for (const agent::ParameterSpec& spec : specs) {
+    for (const agent::ParameterSpec& spec : specs_) {
         auto* row = new ParameterRow(spec, page);
         connect(row, &ParameterRow::edited, this, &ParameterForm::rowEdited);
         groupOf(spec.group).rows.push_back(row);
@@ -93,11 +119,6 @@ void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {
     if (QWidget* old = scroll_->takeWidget())
         old->deleteLater();
     scroll_->setWidget(page);
-    empty_state_->setVisible(specs.empty());
-    empty_state_->raise();
-    for (QWidget* tool : {static_cast<QWidget*>(search_), static_cast<QWidget*>(modified_only_)})
-        tool->setVisible(!specs.empty());
-    applyFilter();
 }
 
 ParameterForm::Group& ParameterForm::groupOf(const std::string& name) {

@@ -18,6 +18,7 @@ class EmptyState;
 class ParameterRow;
 
 /// Values in by setters, edits out by `changed`. Values are SI and radians; angles are shown and edited in degrees.
+/// What was set for one list of specs is kept while another is shown and comes back with it.
 /// A modified row has a bar at its left, a bold label and a button back to the default. Search and "modified only"
 /// hide rows and never change values. GUI thread; rows belong to the form.
 class ParameterForm : public QWidget {
@@ -25,7 +26,8 @@ class ParameterForm : public QWidget {
 public:
     explicit ParameterForm(QWidget* parent = nullptr);
 
-    /// Rebuilds the rows, all at their defaults; groups in the order in which they first appear.
+    /// Groups in the order in which they first appear. The same specs again change nothing; others are built with the
+    /// values that they had when they were last shown, else at their defaults.
     void setSpecs(const std::vector<agent::ParameterSpec>& specs);
     /// Ids without a row are ignored; values that do not fit their spec show its default. Does not emit `changed`.
     void setValues(const std::map<std::string, agent::ParameterValue>& values);
@@ -58,6 +60,8 @@ private:
     QWidget* makeTools();
     QToolButton* makeButton(const QString& text);
     Group& groupOf(const std::string& name);
+    void buildRows();
+    void keepModified();
     void applyFilter();
     void rowEdited();
 
@@ -67,7 +71,10 @@ private:
     QScrollArea* scroll_;
     QLabel* nothing_; ///< says why the filter leaves no row
     EmptyState* empty_state_;
+    std::vector<agent::ParameterSpec> specs_;
     std::vector<std::pair<std::string, Group>> groups_; ///< in the order of the specs
+    /// What differed from its default when specs were last shown; few behaviors, so a list will do.
+    std::vector<std::pair<std::vector<agent::ParameterSpec>, std::map<std::string, agent::ParameterValue>>> kept_;
 };
 
 } // namespace usar::widgets

@@ -13,6 +13,10 @@
 
 namespace usar::widgets {
 
+namespace {
+constexpr int pose_gap_px = gap::large; ///< from the pose to the corner where the map asks for the card
+}
+
 SpawnCard::SpawnCard(QWidget* over)
     : QFrame(over)
     , title_(new QLabel(this))
@@ -85,8 +89,11 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     title_->setText(tr("Spawn at %1").arg(pose_name));
     name_->setText(robot_name);
     adjustSize();
-    const QPoint corner = parentWidget()->mapFromGlobal(at);
+    QPoint corner = parentWidget()->mapFromGlobal(at);
     const QSize room = parentWidget()->size() - size();
+    // Rather on the other side than over the pose, where the second click of a double-click must arrive.
+    if (corner.x() > room.width())
+        corner.rx() -= width() + 2 * pose_gap_px;
     move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
     show();
     raise();
@@ -114,7 +121,6 @@ void SpawnCard::spawn() {
 void SpawnCard::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         hide();
-        parentWidget()->setFocus();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         spawn();
     } else {
@@ -122,8 +128,18 @@ void SpawnCard::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+void SpawnCard::hideEvent(QHideEvent* event) {
+    if (isAncestorOf(QApplication::focusWidget()))
+        parentWidget()->setFocus();
+    QFrame::hideEvent(event);
+}
+
 bool SpawnCard::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::Wheel)
+    // Qt sends a double-click instead of the second press.
+    const bool spawns_elsewhere =
+        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Return;
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
+        event->type() == QEvent::Wheel || spawns_elsewhere)
         hide();
     return QFrame::eventFilter(watched, event);
 }

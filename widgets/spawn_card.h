@@ -22,8 +22,9 @@ struct SpawnChoice {
     bool operator==(const SpawnChoice&) const = default;
 };
 
-/// A child sheet, not a popup window, so that the second click of a double-click still reaches the map. Escape or a
-/// click elsewhere closes it; Return spawns. The choice is remembered for the next pose. GUI thread.
+/// A child sheet, not a popup window, so that the second click of a double-click still reaches the map. Escape, a click
+/// elsewhere or a robot spawned elsewhere closes it, and the focus goes back to the map; Return spawns. The choice is
+/// remembered for the next pose. GUI thread.
 class SpawnCard : public QFrame {
     Q_OBJECT
 public:
@@ -44,6 +45,7 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

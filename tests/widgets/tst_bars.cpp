@@ -8,6 +8,7 @@
 #include "widgets/connection_bar.h"
 #include "widgets/layers_panel.h"
 #include "widgets/stop_button.h"
+#include "widgets/theme.h"
 #include "widgets/time_bar.h"
 
 using namespace usar;
@@ -32,8 +33,9 @@ private slots:
     void layerRowsTellEyeAndOpacity();
     void typedAreaIsTold();
     void crossedCornersAreOrdered();
-    void areaOfNoSizeIsNotTold();
-    void areaStaysInTheWorld();
+    void areaOfNoSizeIsToldAsNone();
+    void areaOutsideTheWorldIsShownAndMarked();
+    void withoutLimitsNothingIsMarked();
     void everythingHasNameAndTooltip();
 };
 
@@ -227,19 +229,40 @@ void tst_Bars::crossedCornersAreOrdered() {
     QCOMPARE(form.area(), (Rectangle{Vec2(60, 0), Vec2(80, 40)}));
 }
 
-void tst_Bars::areaOfNoSizeIsNotTold() {
+void tst_Bars::areaOfNoSizeIsToldAsNone() {
     AreaForm form;
+    form.setArea(Rectangle{Vec2(5, 0), Vec2(60, 40)});
     QSignalSpy changed(&form, &AreaForm::areaChanged);
-    form.findChildren<QDoubleSpinBox*>()[1]->setValue(20.0);
-    QCOMPARE(changed.count(), 0);
+    form.findChildren<QDoubleSpinBox*>()[1]->setValue(5.0);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed[0][0].value<Rectangle>(), Rectangle{});
     QVERIFY(form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("No area")));
 }
 
-void tst_Bars::areaStaysInTheWorld() {
+void tst_Bars::areaOutsideTheWorldIsShownAndMarked() {
     AreaForm form;
     form.setLimits({Vec2(-50, -50), Vec2(50, 50)});
-    form.setArea(Rectangle{Vec2(-200, -10), Vec2(20, 200)});
-    QCOMPARE(form.area(), (Rectangle{Vec2(-50, -10), Vec2(20, 50)}));
+    form.setArea(Rectangle{Vec2(-2e5, -10), Vec2(20, 40)});
+    QCOMPARE(form.area(), (Rectangle{Vec2(-2e5, -10), Vec2(20, 40)}));
+    const auto boxes = form.findChildren<QDoubleSpinBox*>();
+    const auto marked = [](const QDoubleSpinBox* box) {
+        return box->palette().color(QPalette::Text) == tokens().caution &&
+               box->toolTip().contains(QStringLiteral("outside the world"));
+    };
+    QVERIFY(marked(boxes[0]));
+    QVERIFY(!marked(boxes[1]));
+    boxes[3]->setValue(60.0);
+    QVERIFY(marked(boxes[3]));
+    QVERIFY(form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("outside the world")));
+}
+
+void tst_Bars::withoutLimitsNothingIsMarked() {
+    AreaForm form;
+    form.setLimits({Vec2(-50, -50), Vec2(50, 50)});
+    form.setArea(Rectangle{Vec2(-200, -10), Vec2(20, 40)});
+    form.clearLimits();
+    QVERIFY(!form.findChildren<QDoubleSpinBox*>()[0]->toolTip().contains(QStringLiteral("outside")));
+    QVERIFY(!form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("outside")));
 }
 
 void tst_Bars::everythingHasNameAndTooltip() {

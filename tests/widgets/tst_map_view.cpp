@@ -286,6 +286,5 @@ void tst_MapView::clearForgetsAllButTheLayers() {
     QCOMPARE(view_->layer(MapLayer::Grid), (LayerState{false, 0.3}));
 }
 
-/// Generous, because the machine may be shared: the point is to catch a frame that costs ten times too much.
 QTEST_MAIN(tst_MapView)
 #include "tst_map_view.moc"

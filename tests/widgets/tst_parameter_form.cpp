@@ -66,6 +66,8 @@ private slots:
     void wheelOverAnEditorWithoutFocusScrollsTheForm();
     void fitsInto280Pixels();
     void specsMayChangeInAnswerToAnEdit();
+    void sameSpecsAgainKeepTheValues();
+    void eachBehaviorKeepsItsValues();
     void emptyFormSaysSo();
 
 private:
@@ -322,6 +324,29 @@ void tst_ParameterForm::specsMayChangeInAnswerToAnEdit() {
     editor<QuantityBox>("lanes")->stepUp();
     QCOMPARE(form_->values().size(), 1U);
     QVERIFY(form_->modified().empty());
+}
+
+void tst_ParameterForm::sameSpecsAgainKeepTheValues() {
+    form_->setValues({{"lanes", 12LL}, {"tilt_rad", 0.4}});
+    const Values before = form_->values();
+    form_->setSpecs(specs);
+    QCOMPARE(form_->values(), before);
+}
+
+void tst_ParameterForm::eachBehaviorKeepsItsValues() {
+    const std::vector<ParameterSpec> other = {specs[0], specs[3]};
+    form_->setValues({{"scan_altitude_m", 8.5}, {"lanes", 12LL}});
+    const Values first = form_->values();
+    form_->setSpecs(other);
+    QCOMPARE(form_->values().at("scan_altitude_m"), specs[0].default_value);
+    form_->setValues({{"recharge", false}});
+    const Values second = form_->values();
+    form_->setSpecs({});
+    form_->setSpecs(specs);
+    QCOMPARE(form_->values(), first);
+    form_->setSpecs(other);
+    QCOMPARE(form_->values(), second);
+    QCOMPARE(tells_, 0);
 }
 
 void tst_ParameterForm::emptyFormSaysSo() {

@@ -30,7 +30,11 @@ private slots:
     void refusesNamesThatTheWireCannotCarry();
     void escapeCloses();
     void pressOnTheMapClosesAndReachesIt();
+    void doubleClickOnTheMapClosesAndLeavesTheFocusThere();
+    void closingGivesTheFocusToTheMap_data();
+    void closingGivesTheFocusToTheMap();
     void staysWithinTheMap();
+    void neverCoversThePose();
     void remembersTheLastChoice();
     void stripNamesTheNextStep();
     void stripIsDismissed();
@@ -43,6 +47,7 @@ private:
 void tst_Spawning::init() {
     map_ = std::make_unique<QWidget>();
     map_->resize(600, 400);
+    map_->setFocusPolicy(Qt::StrongFocus);
     card_ = new SpawnCard(map_.get());
     card_->setRobots(robots());
     map_->show();
@@ -92,6 +97,37 @@ void tst_Spawning::pressOnTheMapClosesAndReachesIt() {
     QVERIFY(card_->isVisible());
     QTest::mousePress(map_.get(), Qt::LeftButton, {}, QPoint(20, 20));
     QVERIFY(card_->isHidden());
+}
+
+// The first click of a double-click opens the card and focuses its Spawn button: Space would spawn a second robot.
+void tst_Spawning::doubleClickOnTheMapClosesAndLeavesTheFocusThere() {
+    QSignalSpy spawned(card_, &SpawnCard::spawnRequested);
+    QTest::mouseEvent(QTest::MouseDClick, map_.get(), Qt::LeftButton, {}, QPoint(20, 20));
+    QVERIFY(card_->isHidden());
+    QVERIFY(map_->hasFocus());
+    QTest::keyClick(map_->window()->focusWidget(), Qt::Key_Space);
+    QCOMPARE(spawned.count(), 0);
+}
+
+void tst_Spawning::closingGivesTheFocusToTheMap_data() {
+    QTest::addColumn<int>("key");
+    QTest::newRow("by Escape") << int(Qt::Key_Escape);
+    QTest::newRow("by spawning") << int(Qt::Key_Return);
+}
+
+void tst_Spawning::closingGivesTheFocusToTheMap() {
+    QFETCH(int, key);
+    QVERIFY(card_->isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key(key));
+    QVERIFY(card_->isHidden());
+    QVERIFY(map_->hasFocus());
+}
+
+void tst_Spawning::neverCoversThePose() {
+    const QPoint pose(560, 360);
+    card_->openFor(0, QStringLiteral("Edge"), QStringLiteral("R1"), map_->mapToGlobal(pose + QPoint(24, 24)));
+    QVERIFY(map_->rect().contains(card_->geometry()));
+    QVERIFY(!card_->geometry().contains(pose));
 }
 
 void tst_Spawning::staysWithinTheMap() {

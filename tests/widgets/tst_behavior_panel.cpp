@@ -1,0 +1,181 @@
+#include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include "widgets/behavior_panel.h"
+#include "widgets/parameter_form.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+agent::BehaviorDescription behavior(const std::string& id) {
+    agent::BehaviorDescription made;
+    made.id = id;
+    made.name = id;
+    made.help = "What " + id + " does.";
+    made.parameters = {{"altitude_m", "Altitude", "", "m", 6.0, 2.0, 40.0, "", {}}};
+    return made;
+}
+
+} // namespace
+
+class tst_BehaviorPanel : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void sameChoiceIsNotToldAgain();
+    void anotherChoiceIsTold();
+    void parametersSurviveSelectingARobot();
+    void listIsLockedWhileRunning();
+    void clicksLeaveTheFocusAlone();
+    void startedByKeysTheFocusStaysWithTheButtons();
+    void buttonsTriggerTheirActions();
+    void buttonsFollowTheirActions();
+    void tooltipsNameTheShortcutsOfTheActions();
+    void pauseShowsWhatTheRobotDoes();
+
+private:
+    QPushButton* button(const QString& text) const;
+
+    std::unique_ptr<QWidget> window_;
+    QLineEdit* elsewhere_ = nullptr;
+    ParameterForm* form_ = nullptr;
+    BehaviorPanel* panel_ = nullptr;
+};
+
+void tst_BehaviorPanel::init() {
+    window_ = std::make_unique<QWidget>();
+    auto* column = new QVBoxLayout(window_.get());
+    column->addWidget(elsewhere_ = new QLineEdit);
+    form_ = new ParameterForm;
+    column->addWidget(panel_ = new BehaviorPanel(form_));
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+}
+
+void tst_BehaviorPanel::cleanup() {
+    window_.reset();
+}
+
+QPushButton* tst_BehaviorPanel::button(const QString& text) const {
+    for (auto* each : panel_->findChildren<QPushButton*>())
+        if (each->text() == text)
+            return each;
+    return nullptr;
+}
+
+void tst_BehaviorPanel::sameChoiceIsNotToldAgain() {
+    panel_->setBehaviors({behavior("a"), behavior("b")});
+    panel_->chooseBehavior("b");
+    QSignalSpy chosen(panel_, &BehaviorPanel::behaviorChosen);
+    panel_->setBehaviors({behavior("b"), behavior("c")});
+    QCOMPARE(panel_->behaviorId(), "b");
+    QCOMPARE(chosen.count(), 0);
+}
+
+void tst_BehaviorPanel::anotherChoiceIsTold() {
+    QSignalSpy chosen(panel_, &BehaviorPanel::behaviorChosen);
+    panel_->setBehaviors({behavior("a")});
+    panel_->setBehaviors({behavior("b")});
+    panel_->setBehaviors({});
+    QCOMPARE(chosen.count(), 3);
+    QCOMPARE(chosen[1][0].toString(), QStringLiteral("b"));
+    QCOMPARE(chosen[2][0].toString(), QString());
+}
+
+void tst_BehaviorPanel::parametersSurviveSelectingARobot() {
+    const std::vector<agent::BehaviorDescription> known = {behavior("a"), behavior("b")};
+    connect(panel_, &BehaviorPanel::behaviorChosen, form_, [&] { form_->setSpecs(known[0].parameters); });
+    panel_->setBehaviors(known);
+    form_->setValues({{"altitude_m", 9.0}});
+    panel_->setBehaviors(known);
+    QCOMPARE(std::get<double>(form_->values().at("altitude_m")), 9.0);
+}
+
+void tst_BehaviorPanel::listIsLockedWhileRunning() {
+    panel_->setRunState(RunState::Running, QStringLiteral("R1"));
+    panel_->setBehaviors({behavior("a")});
+    QVERIFY(!panel_->findChild<QComboBox*>()->isEnabled());
+    panel_->setRunState(RunState::Ready, QStringLiteral("R1"));
+    QVERIFY(panel_->findChild<QComboBox*>()->isEnabled());
+}
+
+void tst_BehaviorPanel::clicksLeaveTheFocusAlone() {
+    panel_->setRunState(RunState::Ready, QStringLiteral("R1"));
+    connect(panel_, &BehaviorPanel::startRequested, panel_,
+            [this] { panel_->setRunState(RunState::Running, QStringLiteral("R1")); });
+    elsewhere_->setFocus();
+    QTest::mouseClick(button(QStringLiteral("Start")), Qt::LeftButton);
+    QCoreApplication::processEvents();
+    QVERIFY(!button(QStringLiteral("Start"))->isEnabled());
+    QVERIFY(elsewhere_->hasFocus());
+}
+
+void tst_BehaviorPanel::startedByKeysTheFocusStaysWithTheButtons() {
+    panel_->setRunState(RunState::Ready, QStringLiteral("R1"));
+    connect(panel_, &BehaviorPanel::startRequested, panel_,
+            [this] { panel_->setRunState(RunState::Running, QStringLiteral("R1")); });
+    button(QStringLiteral("Start"))->setFocus();
+    QTest::keyClick(button(QStringLiteral("Start")), Qt::Key_Space);
+    QTRY_VERIFY(!button(QStringLiteral("Start"))->isEnabled());
+    QVERIFY(button(QStringLiteral("Pause"))->hasFocus());
+}
+
+void tst_BehaviorPanel::buttonsTriggerTheirActions() {
+    QAction start, pause, land, stop;
+    panel_->setActions(&start, &pause, &land, &stop);
+    QSignalSpy started(panel_, &BehaviorPanel::startRequested);
+    const std::pair<QString, QAction*> pairs[] = {{QStringLiteral("Start"), &start},
+                                                  {QStringLiteral("Pause"), &pause},
+                                                  {QStringLiteral("Land now"), &land},
+                                                  {QStringLiteral("Stop"), &stop}};
+    for (const auto& [text, action] : pairs) {
+        QSignalSpy triggered(action, &QAction::triggered);
+        QTest::mouseClick(button(text), Qt::LeftButton);
+        QCOMPARE(triggered.count(), 1);
+    }
+    QCOMPARE(started.count(), 0);
+    window_.reset();
+}
+
+void tst_BehaviorPanel::buttonsFollowTheirActions() {
+    QAction start;
+    start.setEnabled(false);
+    panel_->setActions(&start, nullptr, nullptr, nullptr);
+    panel_->setRunState(RunState::Ready, QStringLiteral("R1"));
+    QVERIFY(!button(QStringLiteral("Start"))->isEnabled());
+    start.setEnabled(true);
+    QVERIFY(button(QStringLiteral("Start"))->isEnabled());
+    panel_->setRunState(RunState::Running, QStringLiteral("R1"));
+    QVERIFY(button(QStringLiteral("Stop"))->isEnabled());
+    window_.reset();
+}
+
+void tst_BehaviorPanel::tooltipsNameTheShortcutsOfTheActions() {
+    QAction pause;
+    pause.setShortcut(QKeySequence(Qt::Key_P));
+    panel_->setActions(nullptr, &pause, nullptr, nullptr);
+    QVERIFY(button(QStringLiteral("Pause"))->toolTip().endsWith(QStringLiteral("(P)")));
+    pause.setShortcut(QKeySequence(Qt::Key_F9));
+    QVERIFY(button(QStringLiteral("Pause"))->toolTip().endsWith(QStringLiteral("(F9)")));
+    QVERIFY(!button(QStringLiteral("Stop"))->toolTip().contains(u'('));
+    window_.reset();
+}
+
+void tst_BehaviorPanel::pauseShowsWhatTheRobotDoes() {
+    panel_->setRunState(RunState::Running, QStringLiteral("R1"));
+    QTest::mouseClick(button(QStringLiteral("Pause")), Qt::LeftButton);
+    QVERIFY(!button(QStringLiteral("Pause"))->isChecked());
+    panel_->setRunState(RunState::Paused, QStringLiteral("R1"));
+    QVERIFY(button(QStringLiteral("Resume"))->isChecked());
+}
+
+QTEST_MAIN(tst_BehaviorPanel)
+#include "tst_behavior_panel.moc"
