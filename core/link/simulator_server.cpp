@@ -73,7 +73,9 @@ void SimulatorServer::acceptAll() {
         const sim::ClientId client = simulation_->connect();
         sockets_[client] = socket;
         connect(socket, &QTcpSocket::readyRead, this, [=, this] { readFrom(socket, client); });
-        connect(socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); });
+        // Queued: writing to a client that has gone says so in the middle of flush(), which walks over the sockets.
+        connect(
+            socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); }, Qt::QueuedConnection);
         emit logged(tr("client %1: connected").arg(client.value));
     }
     flush();
@@ -147,22 +149,19 @@ void SimulatorServer::tick() {
 }
 
 void SimulatorServer::flush() {
-    std::vector<QTcpSocket*> deaf;
     for (const auto& [client, socket] : sockets_) {
         const std::string bytes = simulation_->takeOutput(client);
-        if (bytes.empty())
-            continue;
+        if (bytes.empty() || socket->state() != QAbstractSocket::ConnectedState)
+            continue; // one that is not connected any more is forgotten at the event loop's next turn
         socket->write(bytes.data(), static_cast<qint64>(bytes.size()));
         socket->flush();
         if (socket->bytesToWrite() > unread_limit_bytes_) {
             emit logged(tr("client %1: dropped, for it does not read: %2 MiB wait for it")
                             .arg(client.value)
                             .arg(static_cast<double>(socket->bytesToWrite()) / (1 << 20), 0, 'f', 1));
-            deaf.push_back(socket);
+            socket->abort();
         }
     }
-    for (QTcpSocket* const socket : deaf)
-        socket->abort();
 }
 
 void SimulatorServer::publishLog() {

@@ -178,6 +178,34 @@ private slots:
         QTRY_COMPARE(served.server.figures().clients, 1);
     }
 
+    void clientsThatCloseTogetherLeaveTheServerAlive() {
+        Served served(Pace::Paused);
+        std::vector<std::unique_ptr<Client>> clients;
+        for (int i = 0; i < 4; ++i) {
+            clients.push_back(std::make_unique<Client>(served.port));
+            clients.back()->say("INIT {ClassName USARBot.AirRobot} {Location " + QByteArray::number(4 * i - 8) +
+                                ",0,-0.3}\r\n");
+        }
+        QTRY_COMPARE(served.server.figures().clients, 4);
+        const auto all_fly = [&] {
+            served.server.stepOnce();
+            return std::ranges::all_of(clients, [](const auto& client) { return client->count("STA {") > 0; });
+        };
+        QTRY_VERIFY(all_fly());
+        served.server.setPace(Pace::Factor, 50.0);
+        QTRY_VERIFY(served.now() > Seconds{2.0});
+        for (const auto& client : clients)
+            client->socket().abort();
+        // The ticks notice it, before the event loop does.
+        served.server.setPace(Pace::Paused);
+        for (int i = 0; i < 5; ++i)
+            served.server.stepOnce();
+        served.server.setPace(Pace::Factor, 50.0);
+        QTRY_COMPARE(served.server.figures().clients, 0);
+        Client next(served.port);
+        QTRY_COMPARE(next.count("NFO {Gametype"), 1);
+    }
+
     void aClientThatDoesNotReadIsDropped() {
         Served served(Pace::Fast);
         served.server.setUnreadLimit(1 << 16);
