@@ -1,6 +1,7 @@
 #include "core/sim/physics.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include <btBulletDynamicsCommon.h>
@@ -90,6 +91,7 @@ public:
     void step(Seconds dt) override;
     std::span<const Contact> contacts(BodyId body) const override { return bodies_.at(body).contacts; }
     double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const override;
+    double distanceToBodies_m(const Vec3& point_m, BodyId except) const override;
 
 private:
     void collectContacts();
@@ -163,6 +165,9 @@ bool BulletPhysics::isStuck(BodyId id) {
     DeepestContact deepest;
     for (const auto& object : ground_.objects())
         dynamics_.contactPairTest(rigid, object.get(), deepest);
+    for (const auto& [other, body] : bodies_)
+        if (other != id)
+            dynamics_.contactPairTest(rigid, body.rigid.get(), deepest);
     return deepest.depth_m > stuck_depth_m;
 }
 
@@ -235,6 +240,14 @@ double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, 
             btCollisionWorld::rayTestSingle(start, end, body.rigid.get(), body.shape.get(), place, nearest);
     }
     return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
+}
+
+double BulletPhysics::distanceToBodies_m(const Vec3& point_m, BodyId except) const {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (const auto& [id, body] : bodies_)
+        if (id != except)
+            nearest_m = std::min(nearest_m, (fromBullet(body.rigid->getWorldTransform().getOrigin()) - point_m).norm());
+    return nearest_m;
 }
 
 } // namespace

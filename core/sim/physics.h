@@ -77,7 +77,7 @@ public:
     /// A body that may sleep is frozen after two seconds of rest, until something moves it: contacts alone let it creep
     /// by millimeters a minute. Forces on a sleeping body have no effect, so one that pushes must not sleep.
     virtual void letSleep(BodyId body, bool allowed) = 0;
-    /// True while the body sits inside still parts of the world, or under the ground.
+    /// True while the body sits inside still parts of the world or another body, or under the ground.
     virtual bool isStuck(BodyId body) = 0;
 
     virtual BodyState state(BodyId body) const = 0;
@@ -90,6 +90,8 @@ public:
 
     /// Distance to the first movable body but `except`; `maximum_m` on a miss. `direction` is a unit vector.
     virtual double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const = 0;
+    /// From a point to the nearest body's origin but that of `except`; infinite when there is none.
+    virtual double distanceToBodies_m(const Vec3& point_m, BodyId except) const = 0;
 };
 
 inline constexpr double gravity_m_s2 = 9.81;

@@ -75,7 +75,10 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
         return nullptr;
     }
     ++spawned;
-    log(client, "spawned " + init.class_name + " '" + init.robot_name + "'");
+    const Vec3 at_m = (*spawned_robot)->figures().base_in_map.position_m;
+    const bool beside = (at_m - robot.base_in_map.position_m).head<2>().norm() > 0.5;
+    log(client, "spawned " + init.class_name + " '" + init.robot_name +
+                    (beside ? "' beside the wanted place, where another robot is" : "'"));
     return std::move(*spawned_robot);
 }
 

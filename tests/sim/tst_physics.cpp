@@ -104,6 +104,21 @@ private slots:
         QCOMPARE(physics->isStuck(body), stuck);
     }
 
+    void aBodyInsideAnotherIsStuck() {
+        const World world = furnishedWorld();
+        const auto physics = makePhysics(world);
+        const BodyId first = physics->add(ball(), at(0.0, 0.0, 3.0));
+        QCOMPARE(physics->distanceToBodies_m({0.0, 0.0, 3.0}, first), std::numeric_limits<double>::infinity());
+        const BodyId second = physics->add(ball(), at(0.05, 0.0, 3.0));
+        QVERIFY(physics->isStuck(second));
+        QCOMPARE(physics->distanceToBodies_m({0.05, 0.0, 3.0}, second), 0.05);
+        physics->place(second, at(0.5, 0.0, 3.0));
+        QVERIFY(!physics->isStuck(second));
+        physics->remove(first);
+        physics->place(second, at(0.0, 0.0, 3.0));
+        QVERIFY(!physics->isStuck(second));
+    }
+
     void contactsSayWhatWasHitAndHowFast_data() {
         QTest::addColumn<Vec3>("from_m");
         QTest::addColumn<int>("surface");

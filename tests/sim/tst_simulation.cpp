@@ -121,6 +121,62 @@ private slots:
         QVERIFY(!simulation->robots().front().broken);
     }
 
+    void twoRobotsOnOneStartPoseStandSideBySide_data() {
+        QTest::addColumn<QString>("where");
+        QTest::newRow("a start pose") << "{Start Clearing}";
+        QTest::newRow("on the ground beside a house") << "{Location 16,-20,-0.3}";
+        QTest::newRow("in the air") << "{Location 0,0,-6}";
+        QTest::newRow("near the ground, over the first one") << "{Location 4,4,-0.9}";
+        QTest::newRow("in the ground by a foot") << "{Location 5,5,0.3}";
+    }
+    void twoRobotsOnOneStartPoseStandSideBySide() {
+        QFETCH(QString, where);
+        const std::string init = "INIT {ClassName USARBot.AirRobot} {Name R} " + where.toStdString();
+        const auto simulation = simulationOf(startWorld());
+        Talker first(*simulation);
+        first.say(init);
+        steps(*simulation, 20);
+        Talker second(*simulation);
+        second.say(init);
+        steps(*simulation, 20);
+        QVERIFY(anyContains(simulation->takeLog(), "beside the wanted place"));
+        first.say(climb);
+        second.say(climb);
+        steps(*simulation, 20);
+        const auto robots = simulation->robots();
+        QCOMPARE(robots.size(), 2u);
+        for (const RobotTruth& robot : robots) {
+            QVERIFY(!robot.broken);
+            QCOMPARE(robot.collisions, 0);
+            QVERIFY(robot.base_in_map.position_m.z() > 2.0);
+        }
+        const double apart_m = (robots[0].base_in_map.position_m - robots[1].base_in_map.position_m).norm();
+        QVERIFY2(apart_m > 1.7 && apart_m < 4.5, qPrintable(QString::number(apart_m)));
+    }
+
+    void robotsThatAppearInOneTickShareAStartPose() {
+        const auto simulation = simulationOf(startWorld());
+        std::vector<Talker> talkers;
+        for (int i = 0; i < 4; ++i)
+            talkers.emplace_back(*simulation).say("INIT {ClassName AirRobot} {Start Edge}");
+        steps(*simulation, 20);
+        const auto robots = simulation->robots();
+        QCOMPARE(robots.size(), 4u);
+        QVERIFY(std::ranges::none_of(robots, [](const RobotTruth& robot) { return robot.broken; }));
+    }
+
+    void aStartPoseWithoutRoomLeftRefusesTheNextRobot() {
+        const auto simulation = simulationOf(startWorld());
+        std::vector<Talker> talkers;
+        for (int i = 0; i < 40; ++i)
+            talkers.emplace_back(*simulation).say("INIT {ClassName AirRobot} {Start Clearing}");
+        steps(*simulation, 20);
+        const auto robots = simulation->robots();
+        QVERIFY(robots.size() > 6 && robots.size() < 40);
+        QVERIFY(std::ranges::none_of(robots, [](const RobotTruth& robot) { return robot.broken; }));
+        QVERIFY(anyContains(simulation->takeLog(), "clear of trees and of other robots"));
+    }
+
     void refusesInSilenceAndTellsTheLog_data() {
         QTest::addColumn<QString>("line");
         QTest::addColumn<QString>("logged");
@@ -249,12 +305,14 @@ private slots:
         QCOMPARE(simulation->takeOutput(first.id()), std::string());
     }
 
-    void robotsOnOneSpotBreakEachOther() {
+    void robotsThatMeetInTheAirBreakEachOther() {
         const auto simulation = simulationOf(startWorld());
         Talker first(*simulation);
         Talker second(*simulation);
         first.say(init_in_air);
-        second.say(init_in_air);
+        second.say("INIT {ClassName AirRobot} {Location -5,0,-6}");
+        steps(*simulation, 2);
+        second.say("DRIVE {LinearVelocity 2}");
         steps(*simulation, 30);
         for (const RobotTruth& robot : simulation->robots())
             QVERIFY(robot.broken);

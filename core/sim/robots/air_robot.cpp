@@ -3,32 +3,14 @@
 #include <cmath>
 
 #include "core/protocol/segments.h"
+#include "core/sim/robots/spawn_place.h"
 
 namespace usar::sim {
 
 namespace {
 
-constexpr double most_raise_m = 1.0;
-constexpr double raise_step_m = 0.05;
-constexpr double near_ground_m = 1.0;
-
-/// The spawn pose, level and raised out of the ground; nothing where there is no room.
-std::optional<Pose> freePose(const RobotSurroundings& surroundings, const Pose& wanted) {
-    Pose pose{wanted.position_m, 0.0, 0.0, wanted.yaw_rad};
-    const BodyId probe = surroundings.physics.add(bodyOf(AirRobotParameters{}), pose);
-    bool stuck = surroundings.physics.isStuck(probe);
-    for (double raised_m = 0.0; stuck && raised_m < most_raise_m; raised_m += raise_step_m) {
-        pose.position_m.z() += raise_step_m;
-        surroundings.physics.place(probe, pose);
-        stuck = surroundings.physics.isStuck(probe);
-    }
-    surroundings.physics.remove(probe);
-    return stuck ? std::nullopt : std::optional(pose);
-}
-
 AirRobotSpawn spawnOf(const RobotSurroundings& surroundings, const RobotOptions& options) {
-    const double below_m =
-        surroundings.caster.cast(options.base_in_map.position_m, -Vec3::UnitZ(), 2.0 * near_ground_m);
+    const double below_m = heightOverGround_m(surroundings, options.base_in_map.position_m);
     AirRobotSpawn spawn{options.base_in_map, below_m < near_ground_m, options.battery_life, {}};
     if (surroundings.world.water)
         spawn.water_z_m = surroundings.world.water->surface_z_m;
@@ -38,10 +20,10 @@ AirRobotSpawn spawnOf(const RobotSurroundings& surroundings, const RobotOptions&
 } // namespace
 
 Result<std::unique_ptr<Robot>> AirRobot::spawn(const RobotSurroundings& surroundings, const RobotOptions& options) {
-    const std::optional<Pose> pose = freePose(surroundings, options.base_in_map);
+    const std::optional<Pose> pose = freePose(surroundings, bodyOf(AirRobotParameters{}), options.base_in_map);
     if (!pose)
         return failure("no room to spawn a robot there", "INIT",
-                       "Choose a start pose above the ground, clear of trees");
+                       "Choose a start pose above the ground, clear of trees and of other robots");
     RobotOptions free_options = options;
     free_options.base_in_map = *pose;
     return std::make_unique<AirRobot>(surroundings, free_options);

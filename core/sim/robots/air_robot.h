@@ -14,7 +14,8 @@ namespace usar::sim {
 /// Thesis equipment (robots-and-worlds 3.1). Owned by its client's session.
 class AirRobot : public Robot {
 public:
-    /// Raises the robot by up to a meter until it is free, as the game's engine does; fails where that is not enough.
+    /// Raises the robot by up to a meter until it is free, as the game's engine does, and puts it beside another robot
+    /// that has its place; fails where that is not enough.
     static Result<std::unique_ptr<Robot>> spawn(const RobotSurroundings& surroundings, const RobotOptions& options);
 
     AirRobot(const RobotSurroundings& surroundings, const RobotOptions& options);
