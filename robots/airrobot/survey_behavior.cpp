@@ -8,10 +8,15 @@ namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
+/// A robot that stands this far from its start pose was put there, as the place was taken; farther away it was flown.
+constexpr double beside_start_m = 1.0;
+constexpr double away_from_start_m = 6.0;
 
 } // namespace
 
-SurveyBehavior::SurveyBehavior(agent::BehaviorContext context) : task_(std::move(context.task)) {
+SurveyBehavior::SurveyBehavior(agent::BehaviorContext context)
+    : task_(std::move(context.task))
+    , base_in_map_(task_.start_in_map) {
     craft_.settings = settingsFrom(context.parameters);
 }
 
@@ -28,7 +33,7 @@ bool SurveyBehavior::airborne() const {
 }
 
 double SurveyBehavior::beelineHome_m() const {
-    return (craft_.senses.position_m() - task_.start_in_map.position_m).norm();
+    return (craft_.senses.position_m() - base_in_map_.position_m).norm();
 }
 
 void SurveyBehavior::tick(const agent::Tick& tick, agent::CommandPort& port) {
@@ -109,8 +114,12 @@ void SurveyBehavior::act(const agent::Tick& tick, agent::CommandPort& port) {
 }
 
 void SurveyBehavior::takeOff(agent::CommandPort& port) {
-    if (!take_off_m_)
+    if (!take_off_m_) {
         take_off_m_ = craft_.senses.position_m(); // not before: the INS was set a tick ago
+        const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
+        if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
+            base_in_map_ = craft_.senses.base_in_map;
+    }
     const double goal_z_m = std::max(take_off_m_->z() + craft_.settings.scan_altitude_m, craft_.settings.floor_level_m);
     if (!craft_.rise(goal_z_m, take_off_m_->head<2>(), port))
         return;
@@ -174,7 +183,7 @@ void SurveyBehavior::watchBattery(agent::CommandPort& port) {
 }
 
 void SurveyBehavior::flyHome(agent::CommandPort& port) {
-    const Vec2 base_m = task_.start_in_map.position_m.head<2>();
+    const Vec2 base_m = base_in_map_.position_m.head<2>();
     const Vec2 here_m = craft_.senses.position2_m();
     goal_distance_m_ = (base_m - here_m).norm();
     if (*goal_distance_m_ < over_base_m)

@@ -66,6 +66,7 @@ private:
     bool paused_ = false;
     bool silent_ = false;
     bool had_lane_since_charge_ = true;
+    Pose base_in_map_; ///< where it took off first: the start pose, or beside it where another robot had its place
     Vec2 hold_m_ = Vec2::Zero();
     Vec2 landing_m_ = Vec2::Zero();
     std::optional<Vec3> take_off_m_;

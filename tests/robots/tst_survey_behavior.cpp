@@ -13,12 +13,12 @@ const Task field_task{"R1", Pose{}, {Vec2(5, 5), Vec2(45, 35)}};
 
 ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
                  const std::map<std::string, ParameterValue>& values = {}, ToyFaults faults = {},
-                 Seconds battery = Seconds(1e5)) {
+                 Seconds battery = Seconds(1e5), std::optional<Pose> standing_in_map = {}) {
     const auto parameters = ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters, values);
     Q_ASSERT(parameters);
     auto behavior = airrobot::makeBehavior("airrobot/cpp", {task, *parameters});
     Q_ASSERT(behavior);
-    return {ToyAirRobot(world, task.start_in_map, faults, battery), std::move(*behavior)};
+    return {ToyAirRobot(world, standing_in_map.value_or(task.start_in_map), faults, battery), std::move(*behavior)};
 }
 
 ToyWorld hills() {
@@ -76,6 +76,14 @@ private slots:
         for (const CausedCommand& caused : toy.commands())
             if (const auto* drive = std::get_if<protocol::AerialDrive>(&caused.command))
                 QVERIFY(std::hypot(*drive->forward_m_s, *drive->left_m_s) < 0.71 && *drive->climb_m_s < 0.61);
+    }
+
+    void landsWhereItStoodWhenItsStartPoseWasTaken() {
+        const Pose beside_in_map{{0.0, 4.0, 0.0}, 0.0, 0.0, 0.0};
+        ToyFlight toy = flight({}, field_task, {}, {}, Seconds(1e5), beside_in_map);
+        toy.run(Seconds(1000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY((toy.robot().position_m() - beside_in_map.position_m).head<2>().norm() < 1.5);
     }
 
     void takesOffStraightUpBeforeAnythingElse() {
