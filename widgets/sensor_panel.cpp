@@ -1,5 +1,6 @@
 #include "widgets/sensor_panel.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <QEvent>
@@ -25,6 +26,9 @@ SensorPanel::SensorPanel(QWidget* parent)
     filtered_->setRecursiveFilteringEnabled(true);
     filtered_->setAutoAcceptChildRows(true);
     filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    filtered_->setSortRole(SensorModel::SortRole);
+    filtered_->sort(SensorModel::Name);
+    setWallClock([] { return Seconds(std::chrono::steady_clock::now().time_since_epoch()); });
     search_->setPlaceholderText(tr("Filter sensors"));
     search_->setAccessibleName(tr("Filter sensors"));
     search_->setToolTip(tr("Shows only sensors and values whose name contains this"));
@@ -73,7 +77,39 @@ void SensorPanel::makeTree() {
 
 void SensorPanel::take(const protocol::InfoLine& line, Seconds now) {
     newest_.take(line, now);
+    heard(now);
+}
+
+void SensorPanel::setNow(Seconds now) {
+    if (now != now_)
+        heard(now);
+}
+
+void SensorPanel::heard(Seconds now) {
+    if (now != now_)
+        pace_ = silence();
     now_ = now;
+    heard_at_ = wall_clock_();
+}
+
+void SensorPanel::setLinked(bool linked) {
+    linked_ = linked;
+}
+
+void SensorPanel::setPaused(bool paused) {
+    if (paused_ && !paused)
+        heard_at_ = wall_clock_(); // the pause itself was no silence
+    paused_ = paused;
+}
+
+void SensorPanel::setWallClock(std::function<Seconds()> wall_clock) {
+    wall_clock_ = std::move(wall_clock);
+    heard_at_ = wall_clock_();
+}
+
+bool SensorPanel::silent() const {
+    const Seconds limit = std::clamp(2.0 * pace_, Seconds(2.0), Seconds(10.0));
+    return !linked_ || (!paused_ && silence() > limit);
 }
 
 void SensorPanel::clear() {
@@ -85,7 +121,7 @@ void SensorPanel::clear() {
 void SensorPanel::refresh() {
     for (const CountedLine& counted : newest_.takeAll())
         model_->take(counted.line, counted.now, counted.count);
-    model_->flush(now_, linked_);
+    model_->flush(silent() ? now_ + silence() : now_, !silent());
     empty_state_->setVisible(model_->rowCount() == 0);
 }
 

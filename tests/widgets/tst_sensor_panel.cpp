@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "widgets/models/figures.h"
 #include "widgets/sensor_panel.h"
 #include "widgets/theme.h"
 
@@ -45,6 +46,23 @@ QString pathEndingIn(const QAbstractItemModel& model, const QString& end) {
     return {};
 }
 
+/// A panel whose wall clock the test moves, after one scan at 1 s of the protocol's clock.
+struct TimedPanel {
+    TimedPanel() {
+        panel.setWallClock([this] { return wall; });
+        panel.take(sonar("F1", 2.0), Seconds(1.0));
+        panel.show();
+    }
+    QModelIndex range() const { return leaf(panel.model(), pathEndingIn(panel.model(), QStringLiteral("F1/range"))); }
+    bool stale() {
+        panel.refresh();
+        return range().data(SensorModel::StaleRole).toBool();
+    }
+
+    Seconds wall{100.0};
+    SensorPanel panel;
+};
+
 } // namespace
 
 class tst_SensorPanel : public QObject {
@@ -65,6 +83,12 @@ private slots:
     void unknownSensorsAppear();
     void streamsAreKeptApart();
     void newestLineOfAStreamRemains();
+    void streamsAreListedBeforeAnswers();
+    void everyValueHasItsRate();
+    void silenceIsStaleAndAgesByWallTime();
+    void pausedSimulationIsNotSilent();
+    void slowSimulationIsNotSilent();
+    void lostLinkAgesByWallTime();
     void doubleClickPlots();
     void returnPlots();
     void filterKeepsBranchesOfMatches();
@@ -229,6 +253,80 @@ void tst_SensorPanel::newestLineOfAStreamRemains() {
     QCOMPARE(lines[0].now, Seconds(1.2));
     QCOMPARE(std::get<protocol::SonarReadings>(lines[0].line.message).ranges[0].range_m, 2.0);
     QVERIFY(newest.takeAll().empty());
+}
+
+void tst_SensorPanel::streamsAreListedBeforeAnswers() {
+    SensorPanel panel;
+    panel.take(line(protocol::GameInfo{"game", "level", {}}), Seconds(0.0));
+    panel.take(line(protocol::GenericMessage{"GEO", "Arm", "A", {{"Part", "hand"}}}), Seconds(0.0));
+    panel.take(sonar("F1", 2.0), Seconds(1.0));
+    panel.take(ins(1.0, 0.0), Seconds(1.0));
+    panel.show();
+    const QAbstractItemModel* shown = panel.findChild<QTreeView*>()->model();
+    QStringList names;
+    for (int row = 0; row < shown->rowCount(); ++row)
+        names << shown->index(row, 0).data().toString().section(u' ', 0, 1);
+    QCOMPARE(names.size(), 4);
+    QCOMPARE(names[0], QStringLiteral("SEN Sonar"));
+    QCOMPARE(names[1], QStringLiteral("SEN INS"));
+    QVERIFY(names[2].startsWith(QStringLiteral("NFO")));
+    QVERIFY(names[3].startsWith(QStringLiteral("GEO")));
+}
+
+void tst_SensorPanel::everyValueHasItsRate() {
+    SensorModel model;
+    for (int i = 1; i <= 20; ++i)
+        model.take(ins(i, 0.0), Seconds(0.2 * i));
+    const QModelIndex value = model.index(0, 0, model.index(0, 0));
+    QCOMPARE(textAt(value, SensorModel::Rate), QStringLiteral("5.0 Hz"));
+    QCOMPARE(value.siblingAtColumn(SensorModel::Rate).data(Qt::ForegroundRole).value<QColor>(), tokens().text_muted);
+}
+
+void tst_SensorPanel::silenceIsStaleAndAgesByWallTime() {
+    TimedPanel timed;
+    timed.wall += Seconds(1.9);
+    QVERIFY(!timed.stale());
+    timed.wall += Seconds(0.2);
+    QVERIFY(timed.stale());
+    timed.wall += Seconds(7.9);
+    QVERIFY(timed.stale());
+    QCOMPARE(textAt(timed.range(), SensorModel::Age), ageText(Seconds(10.0)));
+    timed.panel.take(sonar("F1", 2.0), Seconds(1.2));
+    QVERIFY(!timed.stale());
+}
+
+void tst_SensorPanel::pausedSimulationIsNotSilent() {
+    TimedPanel timed;
+    timed.panel.setPaused(true);
+    timed.wall += Seconds(60.0);
+    QVERIFY(!timed.stale());
+    timed.panel.setPaused(false);
+    QVERIFY(!timed.stale());
+    timed.wall += Seconds(3.0);
+    QVERIFY(timed.stale());
+}
+
+// At a tenth of real time a server of 5 Hz speaks every two seconds.
+void tst_SensorPanel::slowSimulationIsNotSilent() {
+    TimedPanel timed;
+    for (int i = 1; i <= 5; ++i) {
+        timed.wall += Seconds(2.0);
+        timed.panel.take(sonar("F1", 2.0), Seconds(1.0 + 0.2 * i));
+    }
+    timed.wall += Seconds(2.2);
+    QVERIFY(!timed.stale());
+}
+
+void tst_SensorPanel::lostLinkAgesByWallTime() {
+    TimedPanel timed;
+    timed.panel.setLinked(false);
+    QVERIFY(timed.stale());
+    timed.wall += Seconds(5.0);
+    timed.panel.refresh();
+    QCOMPARE(textAt(timed.range(), SensorModel::Age), ageText(Seconds(5.0)));
+    timed.panel.setLinked(true);
+    timed.panel.take(sonar("F1", 2.0), Seconds(1.2));
+    QVERIFY(!timed.stale());
 }
 
 void tst_SensorPanel::doubleClickPlots() {

@@ -15,8 +15,14 @@ namespace usar::widgets {
 
 namespace {
 
+/// Sort key of the first answer: more than there will ever be streams.
+constexpr int answers_from = 1'000'000;
+
 /// Answers to a question; all else is sent again and again.
 bool isAnswer(const protocol::InfoMessage& message) {
+    if (const auto* generic = std::get_if<protocol::GenericMessage>(&message))
+        return generic->type_word == "NFO" || generic->type_word == "GEO" || generic->type_word == "CONF" ||
+               generic->type_word == "RES";
     return std::holds_alternative<protocol::GameInfo>(message) ||
            std::holds_alternative<protocol::StartPoses>(message) ||
            std::holds_alternative<protocol::LockstepInfo>(message) ||
@@ -55,20 +61,20 @@ void SensorModel::take(const protocol::InfoLine& line, Seconds now, int count) {
     Source* source = nullptr;
     for (const protocol::Field& field : protocol::fieldsOf(line.message)) {
         if (!source || source->name != QString::fromStdString(field.source)) {
-            source = &sourceNamed(field.source);
-            source->timing.repeats = repeats;
+            source = &sourceNamed(field.source, repeats);
             source->timing.arrived(now, count);
         }
         takeField(*source, field, now, count, repeats);
     }
 }
 
-SensorModel::Source& SensorModel::sourceNamed(const std::string& name) {
+SensorModel::Source& SensorModel::sourceNamed(const std::string& name, bool repeats) {
     const auto [row, is_new] = source_rows_.try_emplace(name, sources_.size());
     if (is_new) {
         const int at = static_cast<int>(sources_.size());
         beginInsertRows({}, at, at);
         sources_.push_back({QString::fromStdString(name), {}, {}});
+        sources_.back().timing.repeats = repeats; // before views see the row, for they sort by it
         endInsertRows();
     }
     return sources_[row->second];
@@ -172,7 +178,7 @@ QVariant SensorModel::text(const QModelIndex& index) const {
     case Age:
         return timing.repeats ? ageText(now_ - timing.last) : tr("answer");
     case Rate:
-        return !leaf && timing.period && timing.period->count() > 0.0
+        return timing.period && timing.period->count() > 0.0
                    ? figure(1.0 / timing.period->count(), 1) + QStringLiteral(" Hz")
                    : QString();
     default:
@@ -216,6 +222,8 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
         return leaf ? QString::fromStdString(leaf->field.unit) : QString();
     case StaleRole:
         return timingAt(index).stale(now_, linked_);
+    case SortRole:
+        return leaf ? index.row() : index.row() + (timingAt(index).repeats ? 0 : answers_from);
     case NumericRole:
         return leaf && leaf->field.number.has_value();
     default:

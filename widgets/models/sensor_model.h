@@ -18,7 +18,8 @@ class SensorModel : public QAbstractItemModel {
     Q_OBJECT
 public:
     enum Column { Name, Value, Unit, Age, Rate, ColumnCount };
-    enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole };
+    /// SortRole puts what is sent again and again before answers, each in order of first appearance.
+    enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };
 
     explicit SensorModel(QObject* parent = nullptr);
 
@@ -63,7 +64,7 @@ private:
     };
 
     /// Inserts the branch when it is new. The reference holds until the next call.
-    Source& sourceNamed(const std::string& name);
+    Source& sourceNamed(const std::string& name, bool repeats);
     void takeField(Source& source, const protocol::Field& field, Seconds now, int count, bool repeats);
     const Leaf* leafAt(const QModelIndex& index) const;
     const Timing& timingAt(const QModelIndex& index) const;
