@@ -19,7 +19,7 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) 
     close->setIcon(icon(QStringLiteral("clear")));
     close->setAutoRaise(true);
     close->setAccessibleName(tr("Dismiss the first steps"));
-    close->setToolTip(tr("Hide this strip; Help shows it again"));
+    close->setToolTip(tr("Hide this strip; First steps in the View menu shows it again"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
     text_->setTextFormat(Qt::RichText);

@@ -11,6 +11,7 @@
 #include "widgets/empty_state.h"
 #include "widgets/icons.h"
 #include "widgets/theme.h"
+#include "widgets/tool_button.h"
 
 namespace usar::widgets {
 
@@ -56,9 +57,9 @@ QWidget* MessageList::makeTools() {
     way_->setToolTip(tr("What came from the server, what was sent, or both"));
     way_->setAccessibleName(way_->toolTip());
     way_->setMinimumHeight(minimum_target);
-    pause_ = makeButton("pause", tr("Hold the list still; lines are kept and come later"));
+    pause_ = makeToolButton(tr("Hold the list still; lines are kept and come later"), tools, "pause");
     pause_->setCheckable(true);
-    auto* clear_button = makeButton("clear", tr("Take all lines away"));
+    auto* clear_button = makeToolButton(tr("Take all lines away"), tools, "clear");
     count_->setProperty("role", "muted");
     count_->setObjectName(QStringLiteral("count"));
     row->addWidget(search_, 1);
@@ -72,17 +73,6 @@ QWidget* MessageList::makeTools() {
     connect(pause_, &QToolButton::toggled, this, &MessageList::updateState);
     connect(clear_button, &QToolButton::clicked, this, &MessageList::clear);
     return tools;
-}
-
-QToolButton* MessageList::makeButton(const char* icon_name, const QString& text) {
-    auto* button = new QToolButton(this);
-    button->setIcon(icon(QString::fromLatin1(icon_name)));
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setMinimumSize(minimum_target, minimum_target);
-    return button;
 }
 
 void MessageList::setUpView() {

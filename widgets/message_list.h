@@ -53,7 +53,6 @@ protected:
 
 private:
     QWidget* makeTools();
-    QToolButton* makeButton(const char* icon_name, const QString& text);
     void setUpView();
     void setUpActions();
     void keep(MessageRow row);

@@ -10,6 +10,7 @@
 #include "widgets/empty_state.h"
 #include "widgets/notification_delegate.h"
 #include "widgets/theme.h"
+#include "widgets/tool_button.h"
 
 namespace usar::widgets {
 
@@ -59,12 +60,8 @@ QWidget* NotificationCenter::makeTools() {
     summary_->setProperty("role", "muted");
     row->addWidget(summary_, 1);
     const auto add = [&](const QString& text, const QString& tip) {
-        auto* button = new QToolButton(tools);
+        auto* button = makeToolButton(tip, tools);
         button->setText(text);
-        button->setToolTip(tip);
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setMinimumHeight(minimum_target);
         row->addWidget(button);
         return button;
     };

@@ -9,6 +9,7 @@
 #include "widgets/icons.h"
 #include "widgets/parameter_row.h"
 #include "widgets/theme.h"
+#include "widgets/tool_button.h"
 
 namespace usar::widgets {
 
@@ -47,11 +48,10 @@ QWidget* ParameterForm::makeTools() {
     search_->setClearButtonEnabled(true);
     search_->setMinimumHeight(minimum_target);
     search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-    modified_only_ = makeButton(tr("Show only what differs from its default"));
+    modified_only_ = makeToolButton(tr("Show only what differs from its default"), tools);
     modified_only_->setText(tr("Modified"));
     modified_only_->setCheckable(true);
-    reset_all_ = makeButton(tr("All parameters back to their defaults"));
-    reset_all_->setIcon(icon(QStringLiteral("reset")));
+    reset_all_ = makeToolButton(tr("All parameters back to their defaults"), tools, "reset");
     row->addWidget(search_, 1);
     row->addWidget(modified_only_);
     row->addWidget(reset_all_);
@@ -59,16 +59,6 @@ QWidget* ParameterForm::makeTools() {
     connect(modified_only_, &QToolButton::toggled, this, &ParameterForm::applyFilter);
     connect(reset_all_, &QToolButton::clicked, this, &ParameterForm::resetAll);
     return tools;
-}
-
-QToolButton* ParameterForm::makeButton(const QString& text) {
-    auto* button = new QToolButton(this);
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setMinimumSize(minimum_target, minimum_target);
-    return button;
 }
 
 void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {

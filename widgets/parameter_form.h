@@ -58,7 +58,6 @@ private:
 
     /// Search, "modified only", reset all.
     QWidget* makeTools();
-    QToolButton* makeButton(const QString& text);
     Group& groupOf(const std::string& name);
     void buildRows();
     void keepModified();

@@ -16,11 +16,11 @@
 #include <QVBoxLayout>
 
 #include "widgets/empty_state.h"
-#include "widgets/icons.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
 #include "widgets/plot_canvas.h"
 #include "widgets/theme.h"
+#include "widgets/tool_button.h"
 
 namespace usar::widgets {
 
@@ -83,11 +83,13 @@ QWidget* PlotView::makeTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
     row->setSpacing(gap::tiny);
-    pause_ = makeButton("pause", tr("Hold the picture still; recording goes on (Space)"), true);
-    follow_ = makeButton("follow", tr("Follow the newest values (F, or double-click the plot)"), true);
+    pause_ = makeToolButton(tr("Hold the picture still; recording goes on (Space)"), tools, "pause");
+    follow_ = makeToolButton(tr("Follow the newest values (F, or double-click the plot)"), tools, "follow");
+    auto* clear_button = makeToolButton(tr("Take all lines off"), tools, "clear");
+    export_ = makeToolButton(tr("Save the plot as a picture or a table"), tools, "export");
+    for (QToolButton* toggle : {pause_, follow_})
+        toggle->setCheckable(true);
     follow_->setChecked(true);
-    auto* clear_button = makeButton("clear", tr("Take all lines off"), false);
-    export_ = makeButton("export", tr("Save the plot as a picture or a table"), false);
     window_ = new QComboBox(tools);
     fillWindowChoice();
     auto* menu = new QMenu(export_);
@@ -106,18 +108,6 @@ QWidget* PlotView::makeTools() {
     connect(follow_, &QToolButton::toggled, canvas_, &PlotCanvas::setFollowing);
     connect(clear_button, &QToolButton::clicked, this, &PlotView::clear);
     return tools;
-}
-
-QToolButton* PlotView::makeButton(const char* icon_name, const QString& text, bool checkable) {
-    auto* button = new QToolButton(this);
-    button->setIcon(icon(QString::fromLatin1(icon_name)));
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    button->setCheckable(checkable);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setMinimumSize(minimum_target, minimum_target);
-    return button;
 }
 
 void PlotView::fillWindowChoice() {

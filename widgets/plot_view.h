@@ -68,7 +68,6 @@ protected:
 private:
     QWidget* makeTools();
     QWidget* makeLegend();
-    QToolButton* makeButton(const char* icon_name, const QString& text, bool checkable);
     void fillWindowChoice();
     /// Not modal: a robot may be moving.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);

@@ -1,0 +1,20 @@
+#include "widgets/tool_button.h"
+
+#include "widgets/icons.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+QToolButton* makeToolButton(const QString& help, QWidget* parent, const QString& icon_name) {
+    auto* button = new QToolButton(parent);
+    if (!icon_name.isEmpty())
+        button->setIcon(icon(icon_name));
+    button->setToolTip(help);
+    button->setAccessibleName(help);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setMinimumSize(minimum_target, minimum_target);
+    return button;
+}
+
+} // namespace usar::widgets
