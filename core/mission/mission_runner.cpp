@@ -48,6 +48,7 @@ struct MissionRunner::Private {
     RobotSession session;
     QTimer timer;
     QElapsedTimer since_start;
+    QElapsedTimer since_spawn;
     QElapsedTimer since_flight;
     QElapsedTimer since_time_moved;
     std::optional<PreparedBehavior> behavior;
@@ -101,6 +102,7 @@ void MissionRunner::Private::takeStartPoses(const protocol::StartPoses& poses) {
         return;
     }
     phase = Phase::Spawning;
+    since_spawn.start();
     start_in_map = *pose;
     session.spawn({mission.robot_class, robot_name, start_in_map});
 }
@@ -128,6 +130,11 @@ void MissionRunner::Private::look() {
         conclude(false,
                  trouble.empty() ? "The server gave no start poses. Is it USARSim, and is its game running?" : trouble,
                  BadInput);
+    } else if (phase == Phase::Spawning && elapsedOn(since_spawn) > options.limits.spawn) {
+        conclude(false,
+                 "The robot did not come. Is the start pose free, and does the server know " + mission.robot_class +
+                     "?",
+                 MissionFailed);
     } else if (phase == Phase::Flying && elapsedOn(since_time_moved) > options.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
                  MissionFailed);

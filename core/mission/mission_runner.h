@@ -21,6 +21,7 @@ namespace usar::mission {
 struct RunLimits {
     SessionLimits session;
     Seconds connect{8.0};     ///< no connection, or no start poses on it
+    Seconds spawn{20.0};      ///< no robot, and the session did not say why
     Seconds stall{30.0};      ///< the protocol clock stands still
     Seconds flight{6 * 3600}; ///< protocol clock: no mission takes that long
 };

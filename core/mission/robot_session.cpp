@@ -5,6 +5,7 @@
 
 #include "core/mapping/raster_export.h"
 #include "core/mission/robot_session_private.h"
+#include "core/protocol/command_writer.h"
 
 namespace usar::mission {
 
@@ -51,27 +52,27 @@ void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
 }
 
 void RobotSession::close() {
-    d_->stopBehavior("session: close", QStringLiteral("The connection was closed."));
-    d_->figures.spawned = false;
+    d_->stopBehavior("session: close", "The connection was closed.");
+    d_->setSpawn(SpawnState::None);
     d_->after_reconnect.reset();
     d_->endTroubles(true);
     d_->link.close();
 }
 
 void RobotSession::spawn(const SpawnRequest& request) {
-    if (d_->link.status().state != link::LinkState::Connected) {
+    if (!d_->connected()) {
         d_->trouble(Severity::Warning, "no connection",
                     "There is no connection to spawn " + request.robot_name + " on. Connect first.");
-    } else if (d_->spawn == SpawnState::None) {
+    } else if (d_->figures.spawn == SpawnState::None) {
         d_->init(request);
-    } else if (d_->spawn == SpawnState::Failed) {
+    } else if (d_->figures.spawn == SpawnState::Failed) {
         const link::LinkStatus status = d_->link.status();
         d_->after_reconnect = request;
         d_->link.open(status.host, status.port);
     } else {
         d_->say(Severity::Warning, "second robot",
-                d_->request.robot_name +
-                    " is already spawned here, and a connection carries one robot. Reconnect to spawn another.");
+                d_->request.robot_name + (d_->figures.spawned ? " is" : " is being") +
+                    " spawned here already, and a connection carries one robot. Reconnect to spawn another.");
     }
 }
 
@@ -81,7 +82,7 @@ void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, cons
         return;
     }
     if (d_->host)
-        d_->stopBehavior("session: another behavior", QStringLiteral("Another behavior was started."));
+        d_->stopBehavior("session: another behavior", "Another behavior was started.");
     d_->record.robot_name = task.robot_name;
     d_->record.behavior_id = host->behaviorId();
     d_->record.area_in_map = task.area_in_map;
@@ -107,11 +108,17 @@ void RobotSession::setParameters(const agent::ParameterSet& parameters) {
 }
 
 void RobotSession::stop() {
-    d_->stopBehavior("operator: stop", QStringLiteral("Stopped by the operator."));
+    d_->stopBehavior("operator: stop", "Stopped by the operator.");
     d_->touched();
 }
 
 void RobotSession::sendCommand(const protocol::Command& command, const std::string& source) {
+    if (!d_->connected()) {
+        if (!d_->troubles.contains("no connection")) // once, however fast a stick sends
+            d_->trouble(Severity::Warning, "no connection",
+                        "There is no connection to send " + protocol::write(command) + " on. Connect first.");
+        return;
+    }
     d_->send({command, {source, d_->state->line()}});
     d_->sendDrive(false);
     d_->link.flush();

@@ -52,7 +52,8 @@ public slots:
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
     /// Refused with a notice while the connection has a robot. After a spawn that failed the session reconnects first,
-    /// for a server takes one INIT per connection.
+    /// for a server takes one INIT per connection; after a lost connection it may be called as soon as there is a new
+    /// one. `figures().spawn` says where it stands.
     void spawn(const usar::mission::SpawnRequest& request);
     void startBehavior(std::shared_ptr<usar::agent::BehaviorHost> host, const usar::agent::Task& task);
     void order(usar::agent::Order order);
@@ -69,7 +70,8 @@ signals:
     void linkChanged(const usar::link::LinkStatus& status);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void spawned(const QString& robot_name);
-    /// Also said as a notice. Data may still come later (a paused simulator); then `spawned` follows.
+    /// Also said as a notice: silence after INIT, or the server hung up on it. Data may still come after silence (a
+    /// paused simulator); then `spawned` follows.
     void spawnFailed(const QString& reason);
     void behaviorFinished(bool success, const QString& reason);
     /// At most one every 16 ms; costs nothing while nobody is connected to it.

@@ -39,13 +39,14 @@ void RobotSession::Private::opened() {
     sensors.reset();
     gate.reset();
     mapper.forgetScans();
-    spawn = SpawnState::None;
+    setSpawn(SpawnState::None);
     start_poses_settled = silence_said = false;
-    figures.spawned = figures.lockstep = false;
+    figures.lockstep = false;
     figures.now = figures.spawned_at = Seconds{0.0};
+    lookForObservers(); // or the greeting, which comes before the first frame, would be lost to them
     if (lockstep_wanted)
-        write(protocol::Lockstep{});
-    write(protocol::GetStartPoses{});
+        send({protocol::Lockstep{}, {"session: connect", {}}});
+    send({protocol::GetStartPoses{}, {"session: connect", {}}});
     over("no connection");
     over("link", "The connection is back. Spawn " + request.robot_name + " again to go on.");
     since_opened.start();
@@ -57,16 +58,20 @@ void RobotSession::Private::opened() {
 
 void RobotSession::Private::closed() {
     watch_timer.stop();
-    const bool lost_robot = std::exchange(figures.spawned, false);
-    spawn = SpawnState::None;
+    const SpawnState lost = figures.spawn;
+    setSpawn(after_reconnect ? SpawnState::Asked : SpawnState::None);
     figures.lockstep = false;
     endTroubles(false);
-    if (lost_robot)
+    if (lost == SpawnState::Done)
         trouble(Severity::Warning, "link",
                 "The connection is lost, and " + request.robot_name +
                     " with it. What was scanned is kept; spawn the robot again when connected.");
     if (host)
-        finishBehavior(false, QStringLiteral("The connection to the server was lost."));
+        finishBehavior({false, "The connection to the server was lost."}, false);
+    if (lost == SpawnState::Asked && !after_reconnect)
+        failSpawn(SpawnState::None, "The server closed the connection before " + request.robot_name +
+                                        " said anything. Is the start pose free, and is the server full? Spawn again "
+                                        "when connected.");
     touched();
 }
 
@@ -84,9 +89,10 @@ void RobotSession::Private::takeLine(std::string_view text) {
     agent::BehaviorHost::Output output;
     if (host)
         output = host->receive(line);
-    takeOutput(output, std::holds_alternative<protocol::RobotState>(line.message));
+    const bool is_tick = std::holds_alternative<protocol::RobotState>(line.message);
     if (observed)
-        collector.addLine(std::move(line));
+        collector.addLine(std::move(line)); // first, so that the frame of a finished behavior has its last line
+    takeOutput(output, is_tick);
     touched();
 }
 
@@ -116,10 +122,9 @@ void RobotSession::Private::noteData() {
     if (std::exchange(silence_said, false))
         over("silence", request.robot_name + " speaks again.");
     // A robot that was never asked for speaks on a proxy that shares connections; it is nobody's spawn.
-    if (spawn != SpawnState::Asked && spawn != SpawnState::Failed)
+    if (figures.spawn != SpawnState::Asked && figures.spawn != SpawnState::Failed)
         return;
-    spawn = SpawnState::Done;
-    figures.spawned = true;
+    setSpawn(SpawnState::Done);
     over("no robot");
     over("spawn", request.robot_name + " has spawned after all.");
     emit q.spawned(QString::fromStdString(request.robot_name));
@@ -147,50 +152,91 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
 
 void RobotSession::Private::takeValue(const agent::Published& value) {
     if (const auto* placement = std::get_if<agent::ScanPlacement>(&value)) {
-        if (!mapper.place(*placement) && !std::exchange(unplaced_said, true))
+        if (mapper.place(*placement))
+            worthSaving();
+        else if (!std::exchange(unplaced_said, true))
             say(Severity::Warning, "placement",
                 "The behavior placed a scan that is too old to be known; it is left out.");
     } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
+        const bool news = status->state != record.status.state || status->charges != record.status.charges ||
+                          status->distance_flown_m != record.status.distance_flown_m;
         record.status = *status;
+        if (news)
+            worthSaving();
     } else if (const auto* pose = std::get_if<agent::PoseEstimate>(&value)) {
         const Vec3& point_m = pose->base_in_map.position_m;
-        if (record.path_m.empty() || (point_m - record.path_m.back()).norm() >= mapper.map().cellSize_m())
+        if (record.path_m.empty() || (point_m - record.path_m.back()).norm() >= mapper.map().cellSize_m()) {
             record.path_m.push_back(point_m);
+            worthSaving();
+        }
     } else if (const auto* mark = std::get_if<agent::MapMark>(&value)) {
         record.marks.push_back(*mark);
+        worthSaving();
     } else if (const auto* event = std::get_if<agent::BehaviorEvent>(&value)) {
         say(event->severity, "behavior: " + event->text, event->text);
     } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
         makeSafe("session: behavior finished");
-        finishBehavior(finished->success, QString::fromStdString(finished->reason));
+        finishBehavior(*finished, true);
     }
 }
 
 void RobotSession::Private::endTick() {
     sendDrive(false);
     if (figures.lockstep && figures.spawned)
-        write(protocol::Step{});
+        step();
     link.flush();
+}
+
+/// Caused by the STA that it answers; counted and not listed, or there would be as many as there are ticks.
+void RobotSession::Private::step() {
+    write(protocol::Step{});
+    ++figures.steps_sent;
 }
 
 void RobotSession::Private::init(const SpawnRequest& asked) {
     request = asked;
-    spawn = SpawnState::Asked;
+    setSpawn(SpawnState::Asked);
     since_init.start();
     send({protocol::Init{asked.class_name, asked.robot_name, asked.start_in_map}, {"session: spawn", {}}});
     link.flush();
 }
 
-void RobotSession::Private::stopBehavior(const std::string& source, const QString& reason) {
-    makeSafe(source);
-    if (host)
-        finishBehavior(false, reason);
+void RobotSession::Private::setSpawn(SpawnState now) {
+    figures.spawn = now;
+    figures.spawned = now == SpawnState::Done;
+    touched();
 }
 
-void RobotSession::Private::finishBehavior(bool success, const QString& reason) {
+void RobotSession::Private::failSpawn(SpawnState now, const std::string& reason) {
+    setSpawn(now);
+    trouble(Severity::Error, "spawn", reason);
+    emit q.spawnFailed(QString::fromStdString(reason));
+}
+
+void RobotSession::Private::stopBehavior(const std::string& source, const std::string& reason) {
+    makeSafe(source);
+    if (host)
+        finishBehavior({false, reason}, false);
+}
+
+/// A last frame goes out first, so that whoever hears the end has the figures that belong to it.
+void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finished, bool is_published) {
+    const agent::BehaviorFinished end = finished; // may live in what `host` answered
     host.reset();
     figures.behavior_running = false;
-    emit q.behaviorFinished(success, reason);
+    lookForObservers();
+    if (observed) {
+        if (!is_published)
+            collector.addPublished({end});
+        frame_timer.stop();
+        emitFrame();
+    }
+    emit q.behaviorFinished(end.success, QString::fromStdString(end.reason));
+}
+
+void RobotSession::Private::worthSaving() {
+    if (mapper.map().range())
+        figures.record_revision = ++record.revision;
 }
 
 void RobotSession::Private::makeSafe(const std::string& source) {
@@ -256,9 +302,13 @@ void RobotSession::Private::endTroubles(bool all) {
 void RobotSession::Private::touched() {
     if (frame_timer.isActive())
         return;
-    observed = q.isSignalConnected(QMetaMethod::fromSignal(&RobotSession::updated));
+    lookForObservers();
     if (observed)
         frame_timer.start();
+}
+
+void RobotSession::Private::lookForObservers() {
+    observed = q.isSignalConnected(QMetaMethod::fromSignal(&RobotSession::updated));
 }
 
 void RobotSession::Private::emitFrame() {

@@ -24,9 +24,6 @@
 
 namespace usar::mission {
 
-/// Where INIT of this connection stands.
-enum class SpawnState { None, Asked, Failed, Done };
-
 inline std::chrono::milliseconds toMilliseconds(Seconds span) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(span);
 }
@@ -44,11 +41,15 @@ struct RobotSession::Private {
     void takeValue(const agent::Published& value);
     void endTick();
     void init(const SpawnRequest& request);
+    void setSpawn(SpawnState now);
+    void failSpawn(SpawnState now, const std::string& reason);
     void watch();
     void watchSilence();
     void watchSensors();
-    void stopBehavior(const std::string& source, const QString& reason);
-    void finishBehavior(bool success, const QString& reason);
+    void stopBehavior(const std::string& source, const std::string& reason);
+    void finishBehavior(const agent::BehaviorFinished& finished, bool is_published);
+    void worthSaving();
+    void step();
     void makeSafe(const std::string& source);
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
@@ -60,6 +61,8 @@ struct RobotSession::Private {
     /// Nothing where there was no such trouble.
     void over(const std::string& topic, std::string text = {});
     void endTroubles(bool all);
+    bool connected() const { return link.status().state == link::LinkState::Connected; }
+    void lookForObservers();
     void touched();
     void emitFrame();
 
@@ -86,12 +89,11 @@ struct RobotSession::Private {
     std::set<std::string> troubles; ///< topics said and not over
     SpawnRequest request;
     std::optional<SpawnRequest> after_reconnect;
-    SpawnState spawn = SpawnState::None;
     bool lockstep_wanted = false;
     bool start_poses_settled = false; ///< they came, or their absence was said
     bool silence_said = false;
     bool unplaced_said = false;
-    bool observed = false; ///< somebody listens to `updated`; looked up once a frame
+    bool observed = false; ///< somebody listens to `updated`; looked up at connect and once a frame
 };
 
 } // namespace usar::mission

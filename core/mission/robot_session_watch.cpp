@@ -41,17 +41,13 @@ void RobotSession::Private::watchSilence() {
                     ". Is it USARSim, and is its game running? A robot can still be spawned at "
                     "a typed pose.");
     }
-    if (spawn == SpawnState::Asked && passed(since_init, limits.spawn)) {
-        spawn = SpawnState::Failed;
-        const std::string reason =
-            "Nothing from " + request.robot_name + " for " + inWords(limits.spawn) +
-            " after INIT. Does the server know " + request.class_name +
-            ", is the start pose free and above the ground, and is the simulation not paused? Spawn "
-            "again to try once more.";
-        trouble(Severity::Error, "spawn", reason);
-        emit q.spawnFailed(QString::fromStdString(reason));
-    }
-    if (spawn == SpawnState::Done && !silence_said && passed(since_data, limits.stale)) {
+    if (figures.spawn == SpawnState::Asked && passed(since_init, limits.spawn))
+        failSpawn(SpawnState::Failed,
+                  "Nothing from " + request.robot_name + " for " + inWords(limits.spawn) +
+                      " after INIT. Does the server know " + request.class_name +
+                      ", is the start pose free and above the ground, and is the simulation not paused? Spawn "
+                      "again to try once more.");
+    if (figures.spawn == SpawnState::Done && !silence_said && passed(since_data, limits.stale)) {
         silence_said = true;
         trouble(Severity::Warning, "silence",
                 "Nothing from " + request.robot_name + " for " + inWords(limits.stale) +

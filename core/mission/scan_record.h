@@ -1,6 +1,7 @@
 // All that a mission leaves: the height map, the path and the marks, and who made them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ScanRecord {
     std::vector<agent::MapMark> marks;
     std::vector<Vec3> path_m;
     agent::BehaviorStatus status;
+    /// Larger after every change worth saving: map, path, marks, and of the status its words, charges and distance.
+    /// While the map is empty nothing is, so it begins at 0 and a cleared record keeps the old one.
+    std::uint64_t revision = 0;
     mapping::Raster raster; ///< filled when the record is handed out
 };
 

@@ -16,6 +16,9 @@
 
 namespace usar::mission {
 
+/// Where INIT of this connection stands. Asked also while a new connection is made to ask on.
+enum class SpawnState { None, Asked, Failed, Done };
+
 /// Running figures of a session.
 struct SessionFigures {
     Seconds now{0.0};        ///< protocol clock
@@ -23,16 +26,22 @@ struct SessionFigures {
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     std::uint64_t lines_overlong = 0;
-    double lines_per_second = 0.0; ///< of wall time
-    bool lockstep = false;         ///< the server waits for us after each tick
-    bool spawned = false;
+    std::uint64_t lines_not_shown = 0; ///< left out of updates because too many came in a frame
+    std::uint64_t steps_sent = 0;      ///< STEP of lockstep, not listed among the commands
+    std::uint64_t record_revision = 0; ///< see ScanRecord::revision
+    double lines_per_second = 0.0;     ///< of wall time
+    bool lockstep = false;             ///< the server waits for us after each tick
+    SpawnState spawn = SpawnState::None;
+    bool spawned = false; ///< spawn is Done
     bool behavior_running = false;
 };
 
 /// Everything that changed since the last frame.
 struct SessionUpdate {
-    std::vector<protocol::InfoLine> lines;      ///< the newest ones when more than 1000 came in a frame
-    std::vector<agent::CausedCommand> commands; ///< as they were sent
+    std::vector<protocol::InfoLine> lines; ///< the newest ones when more than 1000 came in a frame
+    /// As they were sent. STEP is only counted (`steps_sent`): it answers every STA, hundreds a second, and says
+    /// nothing that the STA does not.
+    std::vector<agent::CausedCommand> commands;
     std::vector<agent::Published> published;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     std::optional<mapping::HeightRange> height_range;

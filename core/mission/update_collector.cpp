@@ -5,19 +5,18 @@
 
 namespace usar::mission {
 
-namespace {
-
-void keepNewest(std::vector<protocol::InfoLine>& lines, std::size_t count) {
-    if (lines.size() > count)
-        lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(count));
-}
-
-} // namespace
-
 void UpdateCollector::addLine(protocol::InfoLine line) {
     update_.lines.push_back(std::move(line));
     if (update_.lines.size() >= 2 * line_limit) // in one go, so that each line is moved once at most
-        keepNewest(update_.lines, line_limit);
+        keepNewestLines();
+}
+
+void UpdateCollector::keepNewestLines() {
+    if (update_.lines.size() <= line_limit)
+        return;
+    const std::size_t surplus = update_.lines.size() - line_limit;
+    update_.lines.erase(update_.lines.begin(), update_.lines.begin() + static_cast<std::ptrdiff_t>(surplus));
+    lines_not_shown_ += surplus;
 }
 
 void UpdateCollector::addPublished(const std::vector<agent::Published>& published) {
@@ -31,7 +30,8 @@ void UpdateCollector::addPublished(const std::vector<agent::Published>& publishe
 
 std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures& figures) {
     measureRate(figures);
-    keepNewest(update_.lines, line_limit);
+    keepNewestLines();
+    figures.lines_not_shown = lines_not_shown_;
     update_.tiles = mapper.map().takeChangedTiles();
     if (!update_.tiles.empty())
         update_.last_hits = mapper.lastHits();

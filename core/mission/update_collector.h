@@ -26,10 +26,12 @@ public:
 
 private:
     void measureRate(SessionFigures& figures);
+    void keepNewestLines();
 
     SessionUpdate update_;
     std::optional<Pose> base_in_map_; ///< the behavior's newest estimate
     bool moved_ = false;              ///< since the last update
+    std::uint64_t lines_not_shown_ = 0;
     QElapsedTimer since_measured_;
     std::uint64_t lines_at_measuring_ = 0;
 };

@@ -32,6 +32,8 @@ private slots:
     void aForeignServerIsNamedAfterAWhile();
     void aServerWithoutStartPosesIsNamedAfterAWhile();
     void aRobotThatNeverSpeaksFailsTheMission();
+    void aServerThatClosesBeforeTheRobotSpeaksFailsTheMission();
+    void aRobotThatDoesNotComeIsNotWaitedForEver();
     void aServerThatClosesInTheMiddleLeavesTheScan();
     void timeThatStandsStillFailsTheMission();
     void aMissionThatNeverEndsIsEnded();
@@ -240,6 +242,24 @@ void tst_MissionRunner::aRobotThatNeverSpeaksFailsTheMission() {
     QCOMPARE(run(hop()), 1);
     QVERIFY2(reason().contains("Nothing from R1"), qPrintable(reason()));
     QVERIFY(filesInResults().isEmpty());
+}
+
+void tst_MissionRunner::aServerThatClosesBeforeTheRobotSpeaksFailsTheMission() {
+    server_->answers_init = false;
+    server_->on_command = [&](const QByteArray& line) {
+        if (line.startsWith("INIT"))
+            server_->hangUp();
+    };
+    QCOMPARE(run(hop()), 1);
+    QVERIFY2(reason().contains("closed the connection before R1 said anything"), qPrintable(reason()));
+}
+
+void tst_MissionRunner::aRobotThatDoesNotComeIsNotWaitedForEver() {
+    options_.limits.session.spawn = Seconds{600.0};
+    options_.limits.spawn = Seconds{0.3};
+    server_->answers_init = false;
+    QCOMPARE(run(hop()), 1);
+    QVERIFY2(reason().contains("The robot did not come"), qPrintable(reason()));
 }
 
 void tst_MissionRunner::aServerThatClosesInTheMiddleLeavesTheScan() {

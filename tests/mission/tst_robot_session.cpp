@@ -61,6 +61,14 @@ private slots:
     void handsOutACopyOfAllThatWasScanned();
     void clearedRecordsAreEmpty();
 
+    void saysWhereTheSpawnStands();
+    void theLastFrameComesBeforeTheEnd_data();
+    void theLastFrameComesBeforeTheEnd();
+    void theFirstLineAndTheFirstQuestionsReachObservers();
+    void stepsAreCountedAndNotListed();
+    void linesLeftOutOfAFrameAreCounted();
+    void theRevisionGrowsWithWhatIsWorthSaving();
+
 private:
     std::unique_ptr<SessionFixture> f;
     std::shared_ptr<Script> script;
@@ -111,7 +119,7 @@ void tst_RobotSession::spawnsByRequestWithOneInit() {
 void tst_RobotSession::refusesASecondRobotOnTheConnection() {
     QVERIFY(f->spawnNow());
     f->session.spawn(requestFor("R2"));
-    QVERIFY(f->said("R1 is already spawned here"));
+    QVERIFY(f->said("R1 is spawned here already"));
     QVERIFY(f->tickNow());
     QCOMPARE(f->server.heardOf("INIT").size(), 1);
 }
@@ -344,6 +352,148 @@ void tst_RobotSession::clearedRecordsAreEmpty() {
     f->session.clearRecord();
     QVERIFY(f->session.snapshot().raster.empty());
     QVERIFY(f->session.record().path_m.empty() && f->session.record().marks.empty());
+}
+
+void tst_RobotSession::saysWhereTheSpawnStands() {
+    QCOMPARE(f->session.figures().spawn, SpawnState::None);
+    f->server.answers_init = false;
+    QVERIFY(f->connectNow());
+    f->session.spawn(requestFor("R1"));
+    QCOMPARE(f->session.figures().spawn, SpawnState::Asked);
+    f->server.tick();
+    QTRY_COMPARE(f->session.figures().spawn, SpawnState::Done);
+    QVERIFY(f->session.figures().spawned);
+    f->session.close();
+    QCOMPARE(f->session.figures().spawn, SpawnState::None);
+    QVERIFY(!f->session.figures().spawned);
+}
+
+void tst_RobotSession::theLastFrameComesBeforeTheEnd_data() {
+    QTest::addColumn<QString>("end");
+    QTest::newRow("finished by itself") << "itself";
+    QTest::newRow("finished after an order") << "order";
+    QTest::newRow("stopped by the operator") << "stop";
+    QTest::newRow("closed by the operator") << "close";
+    QTest::newRow("the link was lost") << "lost";
+}
+
+void tst_RobotSession::theLastFrameComesBeforeTheEnd() {
+    QFETCH(QString, end);
+    QVERIFY(f->spawnNow());
+    QStringList order;
+    int finishes_told = 0;
+    std::shared_ptr<const SessionUpdate> last;
+    connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
+        last = update;
+        for (const agent::Published& value : update->published)
+            finishes_told += std::holds_alternative<agent::BehaviorFinished>(value);
+        order << "updated";
+    });
+    connect(&f->session, &RobotSession::behaviorFinished, &f->session, [&] {
+        order << "finished";
+        QCOMPARE(order.value(order.size() - 2), QString("updated"));
+        QVERIFY(!last->figures.behavior_running);
+        QVERIFY(!last->published.empty());
+        QVERIFY(std::holds_alternative<agent::BehaviorFinished>(last->published.back()));
+    });
+    if (end == "itself")
+        script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+            port.publish(agent::BehaviorFinished{true, "Landed."});
+        };
+    script->on_order = [](agent::Order, agent::CommandPort& port) {
+        port.publish(agent::BehaviorFinished{true, "Landed."});
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QVERIFY(f->tickNow());
+    if (end == "order")
+        f->session.order(agent::Order::LandNow);
+    else if (end == "stop")
+        f->session.stop();
+    else if (end == "close")
+        f->session.close();
+    else if (end == "lost")
+        f->server.hangUp();
+    QTRY_VERIFY(order.contains("finished"));
+    QCOMPARE(last->figures.lines_received, f->session.figures().lines_received);
+    QCOMPARE(finishes_told, 1);
+    QCOMPARE(order.count("finished"), 1);
+}
+
+void tst_RobotSession::theFirstLineAndTheFirstQuestionsReachObservers() {
+    std::vector<protocol::InfoLine> lines;
+    std::vector<agent::CausedCommand> commands;
+    connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
+        lines.insert(lines.end(), update->lines.begin(), update->lines.end());
+        commands.insert(commands.end(), update->commands.begin(), update->commands.end());
+    });
+    QVERIFY(f->connectNow(true));
+    QTRY_COMPARE(lines.size(), std::size_t(3));
+    QVERIFY2(lines.front().text.starts_with("NFO {Gametype"), lines.front().text.c_str());
+    QCOMPARE(commands.size(), std::size_t(2));
+    QVERIFY(std::holds_alternative<protocol::Lockstep>(commands[0].command));
+    QVERIFY(std::holds_alternative<protocol::GetStartPoses>(commands[1].command));
+    for (const agent::CausedCommand& command : commands)
+        QCOMPARE(command.cause.source, std::string("session: connect"));
+}
+
+void tst_RobotSession::stepsAreCountedAndNotListed() {
+    QSignalSpy updates(&f->session, &RobotSession::updated);
+    QVERIFY(f->spawnNow(true));
+    QVERIFY(f->tickNow());
+    f->session.close(); // the last frame
+    QTRY_COMPARE(f->server.heardOf("STEP").size(), qsizetype(f->session.figures().steps_sent));
+    QVERIFY(f->session.figures().steps_sent >= 2);
+    for (const QList<QVariant>& update : updates)
+        for (const auto& sent : update.at(0).value<std::shared_ptr<const SessionUpdate>>()->commands)
+            QVERIFY(!std::holds_alternative<protocol::Step>(sent.command));
+}
+
+void tst_RobotSession::linesLeftOutOfAFrameAreCounted() {
+    std::uint64_t shown = 0, not_shown = 0;
+    connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
+        shown += update->lines.size();
+        not_shown = update->figures.lines_not_shown;
+    });
+    QVERIFY(f->spawnNow());
+    QByteArray flood;
+    for (int i = 0; i < 20000; ++i)
+        flood += "SEN {Type INS} {Name INS} {Location 1.00,-2.00,-3.00} {Orientation 0.00,0.00,0.00}\r\n";
+    f->server.say(flood);
+    QTRY_VERIFY(f->session.figures().lines_received > 20000);
+    QTRY_COMPARE(shown + not_shown, f->session.figures().lines_received);
+    QVERIFY(not_shown > 0);
+}
+
+void tst_RobotSession::theRevisionGrowsWithWhatIsWorthSaving() {
+    QVERIFY(f->spawnNow());
+    const auto publish = [&](const agent::Published& value) {
+        script->on_tick = [value](const agent::Tick& tick, agent::CommandPort& port) {
+            if (std::holds_alternative<agent::ScanPlacement>(value))
+                port.publish(agent::ScanPlacement{tick.robot.sensors.scan()->line,
+                                                  {.position_m = {0, 0, 5}, .pitch_rad = 1.57}});
+            else
+                port.publish(value);
+        };
+        return f->tickNow() ? f->session.record().revision : 0;
+    };
+    f->session.startBehavior(hostOf(script), task);
+    QCOMPARE(publish(lowRiskAt(Seconds{1.0})), std::uint64_t(0)); // without a map there is nothing to save
+    const auto scanned = publish(agent::ScanPlacement{});
+    QVERIFY(scanned > 0);
+    const auto marked = publish(lowRiskAt(Seconds{2.0}));
+    QVERIFY(marked > scanned);
+    const auto moved = publish(agent::PoseEstimate{Seconds{2.0}, {.position_m = {3.0, 0.0, 2.0}}});
+    QVERIFY(moved > marked);
+    const auto charged = publish(scanningWithCharges(2));
+    QVERIFY(charged > moved);
+    agent::BehaviorStatus later = scanningWithCharges(2);
+    later.elapsed = Seconds{9.0};
+    QCOMPARE(publish(later), charged);
+    QCOMPARE(f->session.figures().record_revision, charged);
+    QCOMPARE(f->session.snapshot().revision, charged);
+    f->session.clearRecord();
+    QCOMPARE(f->session.figures().record_revision, charged);
+    QVERIFY(publish(agent::ScanPlacement{}) > charged);
 }
 
 QTEST_GUILESS_MAIN(tst_RobotSession)

@@ -40,6 +40,10 @@ private slots:
     void aPlacementOfAnUnknownScanIsSaidOnce();
     void aBehaviorThatThrowsIsStoppedSafely();
     void foreignPortsAreTold();
+    void aServerThatHangsUpOnInitIsAFailedSpawn();
+    void spawnsAgainOnTheConnectionThatCameBack();
+    void spawnsAgainAfterBothFailureAndALostLink();
+    void commandsWithoutAConnectionAreSaidOnce();
     void everyNoticeHasATopicAndDifferentOnesDiffer();
 };
 
@@ -248,6 +252,68 @@ void tst_RobotSessionTrouble::foreignPortsAreTold() {
     f.session.open("127.0.0.1", f.server.port(), true);
     QTRY_COMPARE(f.session.linkStatus().state, link::LinkState::Waiting);
     QVERIFY(f.session.linkStatus().reason.contains("does not speak USARSim"));
+}
+
+void tst_RobotSessionTrouble::aServerThatHangsUpOnInitIsAFailedSpawn() {
+    SessionFixture f(SessionFixture::patientLimits());
+    f.server.answers_init = false;
+    f.server.on_command = [&](const QByteArray& line) {
+        if (line.startsWith("INIT"))
+            f.server.hangUp();
+    };
+    QVERIFY(f.connectNow());
+    QSignalSpy failed(&f.session, &RobotSession::spawnFailed);
+    f.session.spawn(requestFor("R1"));
+    QTRY_COMPARE(failed.size(), 1);
+    QCOMPARE(f.session.figures().spawn, SpawnState::None);
+    QVERIFY(f.said("closed the connection before R1 said anything"));
+    QVERIFY(f.saidOn("spawn"));
+}
+
+void tst_RobotSessionTrouble::spawnsAgainOnTheConnectionThatCameBack() {
+    SessionFixture f(SessionFixture::patientLimits());
+    QVERIFY(f.spawnNow());
+    for (int round = 2; round <= 3; ++round) {
+        f.server.hangUp();
+        QTRY_COMPARE(f.session.figures().spawn, SpawnState::None);
+        QTRY_COMPARE(f.session.linkStatus().state, link::LinkState::Connected);
+        f.session.spawn(requestFor("R1"));
+        QTRY_COMPARE(f.session.figures().spawn, SpawnState::Done);
+        QCOMPARE(f.server.heardOf("INIT").size(), round);
+        auto script = std::make_shared<Script>();
+        f.session.startBehavior(hostOf(script), {});
+        QVERIFY(f.tickNow());
+        QTRY_VERIFY(script->ticks >= 1);
+    }
+}
+
+void tst_RobotSessionTrouble::spawnsAgainAfterBothFailureAndALostLink() {
+    SessionFixture f;
+    f.server.answers_init = false;
+    QVERIFY(f.connectNow());
+    f.session.spawn(requestFor("R1"));
+    QTRY_COMPARE(f.session.figures().spawn, SpawnState::Failed);
+    f.server.hangUp();
+    QTRY_COMPARE(f.session.figures().spawn, SpawnState::None);
+    QTRY_COMPARE(f.session.linkStatus().state, link::LinkState::Connected);
+    f.session.spawn(requestFor("R1"));
+    QTRY_COMPARE(f.session.figures().spawn, SpawnState::Failed);
+    f.server.answers_init = true;
+    f.session.spawn(requestFor("R1")); // on a new connection, for the old one has had its INIT
+    QCOMPARE(f.session.figures().spawn, SpawnState::Asked);
+    QTRY_COMPARE(f.session.figures().spawn, SpawnState::Done);
+    QVERIFY(f.saidOn("spawn", true));
+    QCOMPARE(f.server.heardOf("INIT").size(), 3);
+}
+
+void tst_RobotSessionTrouble::commandsWithoutAConnectionAreSaidOnce() {
+    SessionFixture f;
+    f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "operator: stick");
+    f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, "operator: stick");
+    QCOMPARE(f.countSaid("There is no connection to send DRIVE"), std::size_t(1));
+    QVERIFY(f.connectNow());
+    QVERIFY(f.saidOn("no connection", true));
+    QVERIFY(f.server.heardOf("DRIVE").isEmpty()); // not kept for later either
 }
 
 void tst_RobotSessionTrouble::everyNoticeHasATopicAndDifferentOnesDiffer() {
