@@ -1,5 +1,6 @@
 #include "widgets/plot_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,6 +42,13 @@ QString spoken(QString path) {
     if (path.startsWith(QStringLiteral("SEN ")))
         path.remove(0, 4);
     return path.replace(u'/', u' ').simplified();
+}
+
+bool isOwnKey(const QKeyEvent& event) {
+    constexpr int keys[] = {Qt::Key_Space, Qt::Key_F,    Qt::Key_Plus, Qt::Key_Equal,
+                            Qt::Key_Minus, Qt::Key_Left, Qt::Key_Right};
+    const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    return plain && std::ranges::find(keys, event.key()) != std::end(keys);
 }
 
 Result<void> written(const QString& file, const QByteArray& bytes) {
@@ -130,6 +138,7 @@ void PlotView::fillWindowChoice() {
 QWidget* PlotView::makeLegend() {
     legend_->setColumnCount(2);
     legend_->setHeaderHidden(true);
+    legend_->installEventFilter(this);
     legend_->setRootIsDecorated(false);
     legend_->setUniformRowHeights(true);
     legend_->setFrameShape(QFrame::NoFrame);
@@ -193,6 +202,16 @@ void PlotView::clear() {
     listChanged();
 }
 
+void PlotView::restart() {
+    store_.startAgain();
+    refreshSoon();
+}
+
+void PlotView::setSource(const QString& robot_name) {
+    legend_->setHeaderLabels({robot_name, QString()});
+    legend_->setHeaderHidden(robot_name.isEmpty());
+}
+
 void PlotView::take(const protocol::InfoLine& line, Seconds now) {
     if (store_.take(line, now) && !paused())
         refreshSoon();
@@ -241,24 +260,47 @@ void PlotView::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
 }
 
-void PlotView::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-    case Qt::Key_Space:
-        return pause_->toggle();
-    case Qt::Key_F:
-        return follow_->toggle();
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-        return canvas_->zoomTime(1.25);
-    case Qt::Key_Minus:
-        return canvas_->zoomTime(0.8);
-    case Qt::Key_Left:
-        return canvas_->panTime(-0.1);
-    case Qt::Key_Right:
-        return canvas_->panTime(0.1);
-    default:
-        QWidget::keyPressEvent(event);
+bool PlotView::event(QEvent* event) {
+    // The window has shortcuts on some of these keys; with the focus in here they mean the plot.
+    if (event->type() == QEvent::ShortcutOverride && isOwnKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
     }
+    return QWidget::event(event);
+}
+
+bool PlotView::eventFilter(QObject* watched, QEvent* event) {
+    // A tree takes letters for a search.
+    if (watched == legend_ && event->type() == QEvent::KeyPress && runKey(*static_cast<QKeyEvent*>(event)))
+        return true;
+    return QWidget::eventFilter(watched, event);
+}
+
+bool PlotView::runKey(const QKeyEvent& event) {
+    if (!isOwnKey(event))
+        return false;
+    switch (event.key()) {
+    case Qt::Key_Space:
+        pause_->toggle();
+        break;
+    case Qt::Key_F:
+        follow_->toggle();
+        break;
+    case Qt::Key_Left:
+        canvas_->panTime(-0.1);
+        break;
+    case Qt::Key_Right:
+        canvas_->panTime(0.1);
+        break;
+    default:
+        canvas_->zoomTime(event.key() == Qt::Key_Minus ? 0.8 : 1.25);
+    }
+    return true;
+}
+
+void PlotView::keyPressEvent(QKeyEvent* event) {
+    if (!runKey(*event))
+        QWidget::keyPressEvent(event);
 }
 
 void PlotView::showEvent(QShowEvent* event) {

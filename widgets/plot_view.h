@@ -18,7 +18,8 @@ class PlotCanvas;
 
 /// Records whatever is watched, also while hidden or paused; draws at most 30 times a second and only while visible.
 /// Wheel zooms time at the cursor, over a value axis that axis; drag pans; double-click follows the newest again.
-/// Keys: Space pauses, F follows, + - zoom, left and right pan, Delete in the legend takes series off. GUI thread.
+/// Keys, also where the window has shortcuts on them: Space pauses, F follows, + - zoom, left and right pan, Delete in
+/// the legend takes series off. GUI thread.
 class PlotView : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +32,10 @@ public:
     QStringList seriesPaths() const;
     /// Takes all series off and forgets their samples.
     void clear();
+    /// Keeps what is watched and forgets the samples: another robot, another history.
+    void restart();
+    /// Whose values these are; the legend's heading. Empty for none.
+    void setSource(const QString& robot_name);
     /// Every line of the connection; `now` is the protocol's time for messages that carry none.
     void take(const protocol::InfoLine& line, Seconds now);
 
@@ -61,6 +66,8 @@ signals:
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -69,6 +76,8 @@ private:
     QWidget* makeTools();
     QWidget* makeLegend();
     void fillWindowChoice();
+    /// False where the key means nothing here.
+    bool runKey(const QKeyEvent& event);
     /// Not modal: a robot may be moving.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
     void legendMenu(const QPoint& at);

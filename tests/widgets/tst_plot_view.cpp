@@ -50,6 +50,10 @@ private slots:
     void wheelZoomsTimeAndStopsFollowing();
     void doubleClickFollowsAgain();
     void keysPanZoomPauseAndFollow();
+    void ownKeysComeBeforeTheWindowsShortcuts();
+    void keysWorkInTheLegendToo();
+    void restartKeepsTheSeries();
+    void legendNamesTheRobot();
     void pauseKeepsRecording();
     void hiddenPlotRecordsButDoesNotDraw();
     void clockThatBeginsAgainIsDrawnAnew();
@@ -207,6 +211,46 @@ void tst_PlotView::keysPanZoomPauseAndFollow() {
     QVERIFY(view_->canvas()->following());
     QTest::keyClick(surface(), Qt::Key_Space);
     QVERIFY(view_->paused());
+}
+
+void tst_PlotView::ownKeysComeBeforeTheWindowsShortcuts() {
+    QAction fit;
+    fit.setShortcut(QKeySequence(Qt::Key_F));
+    view_->addAction(&fit); // its context is the whole window
+    QSignalSpy fitted(&fit, &QAction::triggered);
+    view_->setFollowing(false);
+    surface()->setFocus();
+    QTest::keyClick(surface(), Qt::Key_F);
+    QVERIFY(view_->canvas()->following());
+    QCOMPARE(fitted.count(), 0);
+}
+
+void tst_PlotView::keysWorkInTheLegendToo() {
+    view_->addSeries(f1);
+    view_->setFollowing(false);
+    QTest::keyClick(view_->findChild<QTreeWidget*>(), Qt::Key_F);
+    QVERIFY(view_->canvas()->following());
+}
+
+void tst_PlotView::restartKeepsTheSeries() {
+    view_->addSeries(f1);
+    feed(5000, 1);
+    feed(5001, 1);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
+    view_->restart();
+    QCOMPARE(view_->seriesPaths(), QStringList{f1});
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 0);
+    feed(5000.5, 2); // of another robot: not older than anything here
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+}
+
+void tst_PlotView::legendNamesTheRobot() {
+    view_->addSeries(f1);
+    auto* legend = view_->findChild<QTreeWidget*>();
+    QVERIFY(legend->isHeaderHidden());
+    view_->setSource(QStringLiteral("R2"));
+    QVERIFY(!legend->isHeaderHidden());
+    QCOMPARE(legend->headerItem()->text(0), QStringLiteral("R2"));
 }
 
 void tst_PlotView::pauseKeepsRecording() {

@@ -39,6 +39,8 @@ public:
     bool add(const std::string& path, const std::string& unit = {});
     bool remove(const std::string& path);
     void clear();
+    /// Every series starts again, empty.
+    void startAgain();
     /// `now` stands in where the message has no time of its own. True if a watched field was in it.
     bool take(const protocol::InfoLine& line, Seconds now);
 
@@ -47,7 +49,6 @@ public:
     std::optional<double> oldestTime_s() const;
 
 private:
-    void startAgain();
     void append(Series& series, const protocol::Field& field, double time_s);
 
     std::size_t capacity_;
