@@ -1,5 +1,8 @@
 #include "widgets/connection_bar.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include <QEvent>
 #include <QHBoxLayout>
 
@@ -12,7 +15,7 @@ namespace usar::widgets {
 
 namespace {
 
-QString words(const ConnectionStatus& status) {
+QString words(const ConnectionStatus& status, Seconds retry_in) {
     switch (status.state) {
     case ConnectionState::Disconnected:
         return status.reason.isEmpty() ? ConnectionBar::tr("Not connected") : status.reason;
@@ -24,7 +27,9 @@ QString words(const ConnectionStatus& status) {
     case ConnectionState::Waiting:
         break;
     }
-    const QString retry = ConnectionBar::tr("Retrying in %1 s.").arg(figure(status.retry_in.count(), 0));
+    const QString retry = retry_in.count() < 0.5
+                              ? ConnectionBar::tr("Retrying now.")
+                              : ConnectionBar::tr("Retrying in %1 s.").arg(figure(retry_in.count(), 0));
     return status.reason.isEmpty() ? retry : status.reason + QStringLiteral(" ") + retry;
 }
 
@@ -91,6 +96,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
         refresh();
         emit serverChanged(server());
     });
+    second_.setInterval(std::chrono::seconds(1));
+    connect(&second_, &QTimer::timeout, this, &ConnectionBar::countDown);
     setRate(std::nullopt);
     refresh();
 }
@@ -120,7 +127,23 @@ void ConnectionBar::setStatus(const ConnectionStatus& status) {
     if (status == status_)
         return;
     status_ = status;
+    retry_in_ = status.retry_in;
+    if (status.state == ConnectionState::Waiting)
+        second_.start();
+    else
+        second_.stop();
     refresh();
+}
+
+void ConnectionBar::countDown() {
+    retry_in_ = std::max(Seconds(0.0), retry_in_ - Seconds(1.0));
+    showWords();
+}
+
+void ConnectionBar::showWords() {
+    const QString text = words(status_, retry_in_);
+    status_text_->setText(text);
+    status_text_->setToolTip(text);
 }
 
 void ConnectionBar::setRate(std::optional<double> lines_per_s) {
@@ -130,8 +153,10 @@ void ConnectionBar::setRate(std::optional<double> lines_per_s) {
 void ConnectionBar::press() {
     if (status_.state != ConnectionState::Disconnected)
         emit disconnectRequested();
-    else if (server() == ServerChoice::Embedded || !host().isEmpty())
-        emit connectRequested(server(), host(), port());
+    else if (server() == ServerChoice::Embedded)
+        emit connectRequested(ServerChoice::Embedded, {}, 0); // what was typed is for a real server
+    else if (!host().isEmpty())
+        emit connectRequested(ServerChoice::Real, host(), port());
 }
 
 void ConnectionBar::refresh() {
@@ -149,8 +174,7 @@ void ConnectionBar::refresh() {
     button_->setToolTip(off ? tr("Connects, and reconnects by itself when the link breaks")
                             : tr("Closes the link; what was scanned is kept"));
     dot_->setState(shape(status_));
-    status_text_->setText(words(status_));
-    status_text_->setToolTip(words(status_));
+    showWords();
     QPalette palette = status_text_->palette();
     palette.setColor(QPalette::WindowText, stateColor(shape(status_)));
     status_text_->setPalette(palette);

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTimer>
 #include <QWidget>
 
 #include "core/base/clock.h"
@@ -21,12 +22,13 @@ enum class ConnectionState { Disconnected, Connecting, Connected, Waiting };
 struct ConnectionStatus {
     ConnectionState state = ConnectionState::Disconnected;
     QString where;
-    QString reason;
+    QString reason;        ///< without the time to the next try, which the bar adds
     Seconds retry_in{0.0}; ///< while Waiting
     bool operator==(const ConnectionStatus&) const = default;
 };
 
-/// Choice, host and port in; connect and disconnect out. It never connects by itself. GUI thread.
+/// Choice, host and port in; connect and disconnect out. It never connects by itself. While waiting the seconds to the
+/// next try run down by wall time. GUI thread.
 class ConnectionBar : public QWidget {
     Q_OBJECT
 public:
@@ -47,7 +49,7 @@ public:
     QString statusText() const { return status_text_->text(); }
 
 signals:
-    /// The host is trimmed and not empty for a real server.
+    /// For a real server: the host is trimmed and not empty. For the embedded one host and port say nothing.
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also "give up trying" while connecting or waiting.
     void disconnectRequested();
@@ -57,11 +59,15 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void countDown();
+    void showWords();
     /// What the button means depends on the state.
     void press();
     void refresh();
 
-    ConnectionStatus status_;
+    ConnectionStatus status_; ///< as it was told
+    Seconds retry_in_{0.0};   ///< runs down from there
+    QTimer second_{this};
     QComboBox* server_;
     QLineEdit* host_;
     QSpinBox* port_;

@@ -21,6 +21,8 @@ private slots:
     void saysTheStateInWords();
     void connectsToWhatIsTyped();
     void embeddedSimulatorNeedsNoAddress();
+    void addressIsKeptForTheRealServer();
+    void secondsToTheNextTryRunDown();
     void disconnectsAndGivesUpWaiting();
     void addressIsLockedWhileConnected();
     void rateKeepsItsWidth();
@@ -89,6 +91,39 @@ void tst_Bars::embeddedSimulatorNeedsNoAddress() {
     QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted[0][0].value<ServerChoice>(), ServerChoice::Embedded);
+}
+
+void tst_Bars::addressIsKeptForTheRealServer() {
+    ConnectionBar bar;
+    QSignalSpy wanted(&bar, &ConnectionBar::connectRequested);
+    bar.setAddress(QStringLiteral("10.0.0.5"), 4321);
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(wanted[0][1].toString(), QString());
+    QCOMPARE(wanted[0][2].value<quint16>(), quint16(0));
+    bar.setServer(ServerChoice::Real);
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(wanted[1][1].toString(), QStringLiteral("10.0.0.5"));
+    QCOMPARE(wanted[1][2].value<quint16>(), quint16(4321));
+}
+
+void tst_Bars::secondsToTheNextTryRunDown() {
+    ConnectionBar bar;
+    const ConnectionStatus waiting{ConnectionState::Waiting, {}, QStringLiteral("Refused."), Seconds(2.0)};
+    bar.setStatus(waiting);
+    auto* second = bar.findChild<QTimer*>();
+    QVERIFY(second && second->isActive());
+    const auto tick = [&] {
+        QTimerEvent one(second->timerId());
+        QCoreApplication::sendEvent(second, &one);
+    };
+    tick();
+    QCOMPARE(bar.statusText(), QStringLiteral("Refused. Retrying in 1 s."));
+    bar.setStatus(waiting); // the same news does not begin anew
+    tick();
+    tick();
+    QCOMPARE(bar.statusText(), QStringLiteral("Refused. Retrying now."));
+    bar.setStatus({ConnectionState::Connecting, {}, {}, {}});
+    QVERIFY(!second->isActive());
 }
 
 void tst_Bars::disconnectsAndGivesUpWaiting() {
