@@ -72,8 +72,13 @@ QWidget* NotificationCenter::makeTools() {
     return tools;
 }
 
-void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const QDateTime& when) {
-    model_->push(key, severity, text, when);
+void NotificationCenter::push(const QString& key, Severity severity, const QString& text, bool toast) {
+    push(key, severity, text, QDateTime::currentDateTime(), toast);
+}
+
+void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
+                              std::optional<bool> toast) {
+    model_->push(key, severity, text, when, toast);
     if (isVisible())
         model_->markRead();
 }

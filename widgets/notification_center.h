@@ -27,9 +27,12 @@ public:
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:
-    /// `key` says what it is about: the same key again is counted, not listed again. `when` is wall time.
+    /// `key` says what it is about: the same key again is counted, not listed again. `when` is wall time. Warnings and
+    /// errors are toasts too, unless `toast` says otherwise.
     void push(const QString& key, usar::Severity severity, const QString& text,
-              const QDateTime& when = QDateTime::currentDateTime());
+              const QDateTime& when = QDateTime::currentDateTime(), std::optional<bool> toast = std::nullopt);
+    /// The same, now: a note that a person waits for ("Saved 5 files") is worth a toast.
+    void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
     /// The trouble with that key is over; its row stays, greyed.
     void cured(const QString& key);
     void clearAll();

@@ -30,7 +30,7 @@ void ToastStack::setBottomMargin(int margin_px) {
 }
 
 void ToastStack::push(const Notification& notification) {
-    if (notification.severity == Severity::Note)
+    if (!notification.toast)
         return;
     if (Toast* known = toastOf(notification.key)) {
         known->show(notification);
@@ -39,7 +39,8 @@ void ToastStack::push(const Notification& notification) {
     }
     if (count() == most)
         take(QString(toasts_.front()->key()));
-    auto* toast = new Toast(notification, lifetime_ms_, covered_);
+    const bool note = notification.severity == Severity::Note;
+    auto* toast = new Toast(notification, note ? std::min(note_lifetime_ms, lifetime_ms_) : lifetime_ms_, covered_);
     connect(toast, &Toast::finished, this, [this, toast] { take(QString(toast->key())); });
     connect(toast, &Toast::clicked, this, [this, toast] {
         const QString key = toast->key();

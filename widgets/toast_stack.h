@@ -11,13 +11,15 @@ namespace usar::widgets {
 
 class Toast;
 
-/// Shows what is pushed into the model as warning or error, newest at the bottom; the same key again updates its
-/// toast, and a cure takes it away. `covered` owns this and must outlive the model's signals. GUI thread.
+/// Shows what is pushed into the model as a toast (by its rule: warnings and errors), newest at the bottom; the same
+/// key again updates its toast, and a cure takes it away. `covered` owns this and must outlive the model's signals. GUI
+/// thread.
 class ToastStack : public QObject {
     Q_OBJECT
 public:
     static constexpr int most = 3;
     static constexpr int default_lifetime_ms = 8000;
+    static constexpr int note_lifetime_ms = 6000; ///< good news is read faster
 
     ToastStack(QWidget* covered, NotificationModel* model);
 

@@ -44,6 +44,7 @@ private slots:
     void emptyCenterSaysWhatComes();
     void longTextIsWrapped();
     void notesMakeNoToast();
+    void notesThatAreWaitedForMakeOne();
     void atMostThreeToastsTheNewestAtTheBottom();
     void theSameTroubleUpdatesItsToast();
     void cureTakesTheToastAway();
@@ -231,6 +232,17 @@ void tst_Notifications::notesMakeNoToast() {
     model.push(link_key, Severity::Note, QStringLiteral("fine"), noon);
     QCOMPARE(stack.count(), 0);
     model.push(link_key, Severity::Warning, QStringLiteral("not so fine"), noon);
+    QCOMPARE(stack.count(), 1);
+}
+
+void tst_Notifications::notesThatAreWaitedForMakeOne() {
+    QWidget window;
+    NotificationCenter center;
+    ToastStack stack(&window, center.model());
+    center.push(link_key, Severity::Note, QStringLiteral("Saved 5 files: /tmp"), true);
+    QCOMPARE(stack.count(), 1);
+    QCOMPARE(window.findChild<Toast*>()->findChild<QTimer*>()->interval(), ToastStack::note_lifetime_ms);
+    center.push(QStringLiteral("quiet"), Severity::Warning, QStringLiteral("known"), false);
     QCOMPARE(stack.count(), 1);
 }
 

@@ -44,8 +44,9 @@ QColor severityColor(Severity severity) {
     return tokens().accent;
 }
 
-void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when) {
-    Notification fresh{key, severity, text, when, 1, false, true};
+void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
+                             std::optional<bool> toast) {
+    Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note)};
     if (const std::optional<int> known = indexOf(key)) {
         fresh.count = row(*known).cured ? 1 : row(*known).count + 1;
         if (*known > 0) {

@@ -20,6 +20,7 @@ struct Notification {
     int count = 1;
     bool cured = false;
     bool unread = true;
+    bool toast = true; ///< shown in passing, too
 };
 
 /// "Note", "Warning", "Error".
@@ -36,8 +37,9 @@ public:
     using QAbstractListModel::QAbstractListModel;
 
     /// Moves the group of `key` to the top, with the newest text and severity, or makes one; a cured one is open again
-    /// and counts from 1.
-    void push(const QString& key, Severity severity, const QString& text, const QDateTime& when);
+    /// and counts from 1. Warnings and errors are toasts unless `toast` says otherwise.
+    void push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
+              std::optional<bool> toast = std::nullopt);
     /// The trouble is over. An unknown key is no news.
     void cure(const QString& key);
     void clear();
