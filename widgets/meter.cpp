@@ -27,6 +27,11 @@ void Meter::setLimits(double caution_pct, double danger_pct) {
     update();
 }
 
+void Meter::setStale(bool stale) {
+    stale_ = stale;
+    update();
+}
+
 QSize Meter::sizeHint() const {
     return {160, fontMetrics().height() + 12};
 }
@@ -41,10 +46,13 @@ void Meter::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF words(0, 0, width(), fontMetrics().height());
     const double value = value_pct_.value_or(qQNaN());
-    QColor ink = value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
+    const QColor ink = stale_ ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
     painter.setPen(t.text_muted);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, caption_);
-    painter.setPen(value >= caution_pct_ ? ink : t.text);
+    QFont figures = font();
+    figures.setStrikeOut(stale_);
+    painter.setFont(figures);
+    painter.setPen(stale_ || value >= caution_pct_ ? ink : t.text);
     const QString mark = value >= caution_pct_ ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, mark + figure(value, 0, 3) + QStringLiteral(" %"));
     const QRectF groove(0.5, words.bottom() + 3.5, width() - 1.0, 7.0);

@@ -19,6 +19,9 @@ public:
     std::optional<double> value() const { return value_pct_; }
     /// Rising values are bad from here on; above 100 means never.
     void setLimits(double caution_pct, double danger_pct);
+    /// Grey and struck: nobody vouches for the figure any more.
+    void setStale(bool stale);
+    bool stale() const { return stale_; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -31,6 +34,7 @@ private:
     std::optional<double> value_pct_;
     double caution_pct_ = 101.0;
     double danger_pct_ = 101.0;
+    bool stale_ = false;
 };
 
 } // namespace usar::widgets

@@ -24,6 +24,11 @@ void Readout::setText(const QString& text) {
     update();
 }
 
+void Readout::setStale(bool stale) {
+    stale_ = stale;
+    update();
+}
+
 QSize Readout::sizeHint() const {
     const QFontMetrics big(themeFont(FontRole::Big));
     const QFontMetrics small(themeFont(FontRole::Small));
@@ -34,13 +39,14 @@ QSize Readout::sizeHint() const {
 void Readout::paintEvent(QPaintEvent*) {
     const Tokens& t = tokens();
     QPainter painter(this);
-    const QFont big = themeFont(FontRole::Big);
+    QFont big = themeFont(FontRole::Big);
     const QFont small = themeFont(FontRole::Small);
     const QFontMetrics big_metrics(big);
     const QFontMetrics small_metrics(small);
     const int field = std::max(big_metrics.horizontalAdvance(sample_), small_metrics.horizontalAdvance(caption_));
+    big.setStrikeOut(stale_);
     painter.setFont(big);
-    painter.setPen(t.text);
+    painter.setPen(stale_ ? t.stale : t.text);
     painter.drawText(QRect(0, 0, field, big_metrics.height()), Qt::AlignRight | Qt::AlignVCenter, text_);
     painter.setFont(small);
     painter.setPen(t.text_muted);

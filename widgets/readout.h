@@ -15,6 +15,9 @@ public:
     /// Already formatted, without its unit; the same text again costs nothing.
     void setText(const QString& text);
     const QString& text() const { return text_; }
+    /// Grey and struck: nobody vouches for the figure any more.
+    void setStale(bool stale);
+    bool stale() const { return stale_; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -26,6 +29,7 @@ private:
     QString unit_;
     QString sample_;
     QString text_;
+    bool stale_ = false;
 };
 
 } // namespace usar::widgets

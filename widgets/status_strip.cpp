@@ -18,6 +18,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     : QWidget(parent)
     , dot_(new StateDot(this))
     , state_(new QLabel(this))
+    , stale_(new QLabel(tr("stale"), this))
     , elapsed_(new Readout(tr("elapsed"), {}, QStringLiteral("00:00:00"), this))
     , left_(new Readout(tr("time left"), {}, QStringLiteral("00:00:00"), this))
     , goal_(new Readout(tr("to goal"), QStringLiteral("m"), QStringLiteral("000.0"), this))
@@ -45,6 +46,11 @@ StatusStrip::StatusStrip(QWidget* parent)
     head->setSpacing(gap::small);
     head->addWidget(dot_);
     head->addWidget(state_, 1);
+    head->addWidget(stale_, 0, Qt::AlignTop);
+    stale_->setObjectName(QStringLiteral("stale"));
+    stale_->setProperty("role", "caution");
+    stale_->setToolTip(tr("Nothing comes from the robot; these are its last figures"));
+    stale_->hide();
     auto* figures = new QGridLayout;
     figures->setHorizontalSpacing(gap::medium);
     figures->setVerticalSpacing(gap::tiny);
@@ -77,6 +83,14 @@ void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
     charges_->setText(QString::number(status.charges));
     battery_->setValue(status.battery_used_pct);
     progress_->setValue(status.progress_pct);
+}
+
+void StatusStrip::setStale(bool stale) {
+    stale_->setVisible(stale);
+    for (Readout* readout : {elapsed_, left_, goal_, range_, flown_, charges_})
+        readout->setStale(stale);
+    for (Meter* meter : {battery_, progress_, coverage_})
+        meter->setStale(stale);
 }
 
 void StatusStrip::setIdle(const QString& words, StateShape shape) {

@@ -24,6 +24,9 @@ public:
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
     /// Of the mission area, 0..100; nothing without an area.
     void setCoverage(std::optional<double> coverage_pct);
+    /// The link is silent: figures grey and struck, and the word "stale"; new figures do not lift it.
+    void setStale(bool stale);
+    bool stale() const { return !stale_->isHidden(); }
     /// All figures unknown.
     void clear(const QString& words);
     QString stateText() const { return state_->text(); }
@@ -34,6 +37,7 @@ private:
 
     StateDot* dot_;
     QLabel* state_;
+    QLabel* stale_;
     Readout* elapsed_;
     Readout* left_;
     Readout* goal_;

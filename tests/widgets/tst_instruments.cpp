@@ -66,6 +66,7 @@ private slots:
     void unknownFiguresAreADash();
     void readoutKeepsItsWidth();
     void finishedMissionCanStillBeRead();
+    void staleStripSaysSo();
     void meterWarnsInWordAndColor();
     void raysLieWhereTheyShould();
     void missesAreNoHits();
@@ -126,6 +127,28 @@ void tst_Instruments::finishedMissionCanStillBeRead() {
     QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("–"));
     strip.clear(QStringLiteral("No behavior runs"));
     QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("–"));
+}
+
+void tst_Instruments::staleStripSaysSo() {
+    StatusStrip strip;
+    agent::BehaviorStatus status;
+    status.battery_used_pct = 90.0;
+    strip.setStatus(status);
+    strip.show();
+    auto* word = strip.findChild<QLabel*>(QStringLiteral("stale"));
+    auto* battery = strip.findChildren<Meter*>()[0];
+    const QRect whole(QPoint(), battery->size());
+    QVERIFY(!word->isVisible());
+    QVERIFY(pixelsNear(*battery, whole, tokens().danger) > 50);
+    strip.setStale(true);
+    QVERIFY(word->isVisible());
+    QCOMPARE(word->text(), QStringLiteral("stale"));
+    QCOMPARE(pixelsNear(*battery, whole, tokens().danger), 0);
+    for (const Readout* readout : strip.findChildren<Readout*>())
+        QVERIFY(readout->stale());
+    strip.setStale(false);
+    QVERIFY(!word->isVisible());
+    QVERIFY(pixelsNear(*battery, whole, tokens().danger) > 50);
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {
