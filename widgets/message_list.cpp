@@ -1,5 +1,8 @@
 #include "widgets/message_list.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
@@ -118,10 +121,22 @@ void MessageList::takeCommand(const agent::CausedCommand& command, Seconds time,
     keep(rowOf(command, ++commands_, time, dialect));
 }
 
+void MessageList::takeNotShown(std::uint64_t count) {
+    if (count == 0)
+        return;
+    if (!waiting_.empty() && waiting_.back().not_shown > 0) {
+        count += waiting_.back().not_shown;
+        waiting_.pop_back();
+    }
+    keep(gapOf(count));
+}
+
 void MessageList::keep(MessageRow row) {
     waiting_.push_back(std::move(row));
-    if (waiting_.size() > model_->capacity())
+    if (waiting_.size() > model_->capacity()) {
+        overflown_ += std::max<std::uint64_t>(1, waiting_.front().not_shown);
         waiting_.pop_front();
+    }
     flushSoon();
 }
 
@@ -139,6 +154,8 @@ void MessageList::flush() {
         std::vector<MessageRow> batch(std::make_move_iterator(waiting_.begin()),
                                       std::make_move_iterator(waiting_.end()));
         waiting_.clear();
+        if (const std::uint64_t lost = std::exchange(overflown_, 0); lost > 0)
+            batch.front() = gapOf(lost + 1); // in the place of the oldest, for the model is full
         const int before = bar->value();
         const int fallen = model_->append(std::move(batch));
         if (at_end)
@@ -170,6 +187,7 @@ void MessageList::setPaused(bool paused) {
 
 void MessageList::clear() {
     waiting_.clear();
+    overflown_ = 0;
     model_->clear();
     updateState();
 }

@@ -31,6 +31,8 @@ public:
     /// `dialect` is the one in which it was written on the wire.
     void takeCommand(const agent::CausedCommand& command, Seconds time,
                      protocol::Dialect dialect = protocol::Dialect::Ut2004);
+    /// So many lines were left out here; one row says so, and adds up while nothing comes between.
+    void takeNotShown(std::uint64_t count);
     /// Sets search box and direction choice as well.
     void setFilter(const MessageFilter& filter);
     bool paused() const { return pause_->isChecked(); }
@@ -72,6 +74,7 @@ private:
     QToolButton* pause_ = nullptr;
     EmptyState* empty_state_;
     std::deque<MessageRow> waiting_; ///< at most the model's capacity
+    std::uint64_t overflown_ = 0;    ///< lines that fell out of `waiting_`
     std::uint64_t commands_ = 0;     ///< taken so far: their numbers
     QTimer frame_{this};
 };

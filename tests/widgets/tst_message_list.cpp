@@ -31,6 +31,8 @@ private slots:
     void contentStandsStillWhileTheRingTurns();
     void pauseKeepsLinesForLater();
     void hiddenListKeepsLinesForLater();
+    void linesLeftOutAreCounted();
+    void linesThatWaitedTooLongAreCounted();
     void searchAndWayFilter();
     void copyTakesWholeLines();
     void onlyThisTypeFilters();
@@ -124,6 +126,26 @@ void tst_MessageList::hiddenListKeepsLinesForLater() {
     QCOMPARE(list_->model().rowCount(), 0);
     list_->show();
     QTRY_COMPARE(list_->model().rowCount(), 7);
+}
+
+void tst_MessageList::linesLeftOutAreCounted() {
+    list_->setFilter({QStringLiteral("no such word"), Direction::Out});
+    feed(1);
+    list_->takeNotShown(0);
+    list_->takeNotShown(1000);
+    list_->takeNotShown(234);
+    QTRY_COMPARE(list_->model().rowCount(), 1);
+    QCOMPARE(list_->model().index(0, MessageModel::Text).data().toString(), QStringLiteral("1,234 lines not shown"));
+    QCOMPARE(list_->model().index(0, MessageModel::Number).data().toString(), QString());
+}
+
+void tst_MessageList::linesThatWaitedTooLongAreCounted() {
+    list_->setPaused(true);
+    const int capacity = static_cast<int>(list_->model().capacity());
+    feed(capacity + 5);
+    list_->setPaused(false);
+    QTRY_COMPARE(list_->model().rowCount(), capacity);
+    QCOMPARE(list_->model().index(0, MessageModel::Text).data().toString(), QStringLiteral("6 lines not shown"));
 }
 
 void tst_MessageList::searchAndWayFilter() {

@@ -19,6 +19,8 @@ class Sieve {
 public:
     explicit Sieve(const MessageFilter& filter) : finder_(filter.words.toStdString()), direction_(filter.direction) {}
     bool passes(const MessageRow& row) const {
+        if (row.not_shown > 0)
+            return true; // what is left out is said, whatever is searched
         return (!direction_ || *direction_ == row.direction) && (finder_.isIn(row.type) || finder_.isIn(row.text));
     }
 
@@ -160,6 +162,8 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
 
 QVariant MessageModel::shownText(const MessageRow& row, int column) const {
     constexpr std::size_t longest = 400; // no window shows more of one line
+    if (row.not_shown > 0 && column < Type)
+        return {};
     switch (column) {
     case Number:
         return QString::number(row.number);

@@ -22,11 +22,14 @@ struct MessageRow {
     std::string text; ///< the whole line
     std::string note; ///< what was wrong with it, or why it was sent
     std::optional<Severity> trouble;
+    std::uint64_t not_shown = 0; ///< more than none: stands for so many lines that were left out here
     bool operator==(const MessageRow&) const = default;
 };
 
 MessageRow rowOf(const protocol::InfoLine& line, Seconds time);
 MessageRow rowOf(const agent::CausedCommand& command, std::uint64_t number, Seconds time, protocol::Dialect dialect);
+/// "1,234 lines not shown".
+MessageRow gapOf(std::uint64_t not_shown);
 /// First word and the value of the first "{Type …}": "SEN Sonar", "NFO", "DRIVE"; short, however long the words.
 std::string typeOf(std::string_view line);
 
