@@ -40,7 +40,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     settings = withinLimits(settings, layout);
     if (settings.correct_heading)
         reader_.tellCommand(pilot_.commandedInBase_m_s());
-    senses = reader_.read(tick.now, tick.line, tick.robot, layout);
+    senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     if (airborne) {
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});
         battery.moveTo(senses.position_m());
@@ -185,7 +185,13 @@ bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
 void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {
     Motion motion = holding(senses, place_m);
     makeSafe(motion);
+    stuck_.wait(senses.now);
     pilot_.fly(motion, senses, port, source, settings);
+}
+
+void Craft::rest(agent::CommandPort& port, const std::string& source) {
+    stuck_.wait(senses.now);
+    pilot_.stop(port, source);
 }
 
 void Craft::forgetPlaces() {

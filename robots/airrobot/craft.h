@@ -40,9 +40,10 @@ public:
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
     /// Straight down onto `place_m`; true when the ground is touched.
     bool descend(const Vec2& place_m, agent::CommandPort& port);
+    /// Waits over a place; the goal's time limit waits too.
     void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
-    /// Zero DRIVE.
-    void rest(agent::CommandPort& port, const std::string& source) { pilot_.stop(port, source); }
+    /// Zero DRIVE; the goal's time limit waits.
+    void rest(agent::CommandPort& port, const std::string& source);
 
     /// After an INS reset: everything that is bound to the old estimate.
     void forgetPlaces();

@@ -66,7 +66,8 @@ void SenseReader::forgetMotion() {
     course_.reset();
 }
 
-Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout) {
+Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
+                         Seconds time_out) {
     Senses senses;
     senses.now = now;
     senses.line = line;
@@ -81,26 +82,29 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     senses.base_in_map = base_in_map_;
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
-    for (const auto& [name, reading] : robot.sensors.sonars()) {
-        if (reading.line > last_sonar_) {
-            last_sonar_ = reading.line;
-            sonar_seen_ = now;
-        }
-    }
-    readSonars(senses, robot, layout);
+    readSonars(senses, robot, layout, time_out);
     readScan(senses, robot, layout);
     if (robot.state.latest())
         senses.robot_battery = robot.state.latest()->battery_left;
     senses.ins_age = ins_seen_ ? now - *ins_seen_ : never;
-    senses.sonar_age = sonar_seen_ && !senses.sonars.empty() ? now - *sonar_seen_ : never;
     senses.scan_age = scan_seen_ ? now - *scan_seen_ : never;
     return senses;
 }
 
-void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) const {
+void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,
+                             Seconds time_out) {
+    senses.sonar_age = layout.sonars.empty() ? never : Seconds(0.0);
     for (const SonarMount& mount : layout.sonars) {
         const auto* reading = robot.sensors.sonar(mount.name);
-        if (reading && std::isfinite(reading->value.range_m))
+        const bool number = reading && std::isfinite(reading->value.range_m);
+        auto heard = sonars_heard_.find(mount.name);
+        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line))
+            heard = sonars_heard_.insert_or_assign(mount.name, Heard{reading->line, senses.now}).first;
+        const Seconds age = heard == sonars_heard_.end() ? never : senses.now - heard->second.at;
+        senses.sonar_age = std::max(senses.sonar_age, age);
+        if (age > time_out)
+            senses.silent_sonars.push_back(mount.name);
+        else if (number)
             senses.sonars.push_back(echoOf(mount, reading->value.range_m, senses.base_in_map));
     }
 }

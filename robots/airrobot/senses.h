@@ -1,6 +1,8 @@
 // What the robot perceives at one tick, in the map frame of its own drifting estimate.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,12 +45,13 @@ struct Senses {
     Pose base_in_map; ///< INS, its heading corrected by the course
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     double yaw_rate_rad_s = 0.0;
-    std::vector<SonarEcho> sonars; ///< left to right; readings that are not numbers are left out
+    std::vector<SonarEcho> sonars;          ///< left to right, those that speak
+    std::vector<std::string> silent_sonars; ///< mounted, but without a number for longer than the time-out
     std::optional<PlacedScan> scan;
     std::optional<double> ground_m; ///< map z of what is under the belly: mean of the middle rays ([SD]: ten)
     std::optional<Seconds> robot_battery;
-    Seconds ins_age{0.0}; ///< since the last reading of each kind came; huge before the first
-    Seconds sonar_age{0.0};
+    Seconds ins_age{0.0};   ///< since the last reading of each kind came; huge before the first
+    Seconds sonar_age{0.0}; ///< of the sonar that has been silent longest
     Seconds scan_age{0.0};
 
     Vec3 position_m() const { return base_in_map.position_m; }
@@ -61,14 +64,22 @@ struct Senses {
 /// Makes senses from the modules' snapshots. Owned by one robot; fed once a tick.
 class SenseReader {
 public:
-    Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout);
+    /// A sonar without a number for longer than `time_out` is left out.
+    Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
+                Seconds time_out);
     /// The robot's last command, its own frame: what the course is compared with. Never told: no correction.
     void tellCommand(const Vec2& velocity_in_base_m_s) { commanded_m_s_ = velocity_in_base_m_s; }
     /// The estimate has jumped.
     void forgetMotion();
 
 private:
-    void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) const;
+    /// The last line of one sonar that held a number, and when it came.
+    struct Heard {
+        LineNumber line;
+        Seconds at{0.0};
+    };
+
+    void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout, Seconds time_out);
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
     PoseHistory history_;
@@ -77,10 +88,9 @@ private:
     Pose base_in_map_;
     LineNumber last_ins_;
     LineNumber last_scan_;
-    LineNumber last_sonar_;
     std::optional<Seconds> ins_seen_;
     std::optional<Seconds> scan_seen_;
-    std::optional<Seconds> sonar_seen_;
+    std::map<std::string, Heard, std::less<>> sonars_heard_;
     std::optional<double> ground_m_;
 };
 

@@ -13,6 +13,13 @@ void StuckWatch::reset() {
     now_ = progress_at_ = hindered_ = Seconds(0.0);
 }
 
+void StuckWatch::wait(Seconds now) {
+    if (!goal_m_)
+        return;
+    progress_at_ += now - now_;
+    now_ = now;
+}
+
 void StuckWatch::update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered) {
     const double distance_m = (goal_m - position_m).norm();
     const Seconds step = goal_m_ ? now - now_ : Seconds(0.0);

@@ -14,6 +14,8 @@ public:
     /// `hindered`: evading, enclosed or without a way. Another goal, or a metre of progress, starts anew.
     void update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered);
     void reset();
+    /// In place of `update` while the robot waits because it was told to: that time counts for nothing.
+    void wait(Seconds now);
     /// Something was done about it; progress is still to be made.
     void clearHindered() { hindered_ = Seconds(0.0); }
 

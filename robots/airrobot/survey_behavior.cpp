@@ -1,6 +1,7 @@
 #include "robots/airrobot/survey_behavior.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -11,6 +12,16 @@ constexpr Seconds lost_after{15.0};
 /// A robot that stands this far from its start pose was put there, as the place was taken; farther away it was flown.
 constexpr double beside_start_m = 1.0;
 constexpr double away_from_start_m = 6.0;
+
+/// "sonars" for all of them, else "sonar L4" or "sonars L4, L3".
+std::string silentSonars(const Senses& senses) {
+    if (senses.sonars.empty())
+        return "sonars";
+    std::string names;
+    for (const std::string& name : senses.silent_sonars)
+        names += (names.empty() ? " " : ", ") + name;
+    return (senses.silent_sonars.size() == 1 ? "sonar" : "sonars") + names;
+}
 
 } // namespace
 
@@ -76,9 +87,11 @@ bool SurveyBehavior::sensorsSpeak(agent::CommandPort& port) {
     const Seconds worst = std::max({senses.ins_age, senses.sonar_age, senses.scan_age});
     const bool silent = worst > Seconds(craft_.settings.sensor_timeout_s);
     if (silent && !silent_) {
-        const char* which = worst == senses.ins_age ? "INS" : worst == senses.sonar_age ? "sonars" : "range scanner";
-        port.publish(agent::BehaviorEvent{Severity::Error, std::string("The ") + which +
-                                                               " went silent; the robot waits for data where it is."});
+        const std::string which = worst == senses.ins_age     ? "INS"
+                                  : worst == senses.sonar_age ? silentSonars(senses)
+                                                              : "range scanner";
+        port.publish(agent::BehaviorEvent{Severity::Error,
+                                          "The " + which + " went silent; the robot waits for data where it is."});
     }
     if (silent_ && !silent)
         port.publish(agent::BehaviorEvent{Severity::Note, "All sensors speak again."});
@@ -155,6 +168,7 @@ void SurveyBehavior::onSurveyEvent(SurveyEvent event, agent::CommandPort& port) 
 
 void SurveyBehavior::goHome(Errand errand, const std::string& why, agent::CommandPort& port) {
     errand_ = errand;
+    endPause("the robot has to go home", port);
     survey_.interrupt();
     craft_.startAnew();
     phase_ = Phase::Home;
@@ -162,17 +176,31 @@ void SurveyBehavior::goHome(Errand errand, const std::string& why, agent::Comman
         port.publish(agent::BehaviorEvent{Severity::Note, why});
 }
 
+void SurveyBehavior::endPause(const std::string& why, agent::CommandPort& port) {
+    if (!std::exchange(paused_, false))
+        return;
+    port.publish(agent::BehaviorEvent{Severity::Warning, "The pause ends, for " + why + "."});
+}
+
+void SurveyBehavior::watchRobotBattery(agent::CommandPort& port) {
+    const Settings& settings = craft_.settings;
+    const Seconds way_home(1.3 * beelineHome_m() / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
+    if (!craft_.senses.robot_battery || *craft_.senses.robot_battery >= way_home)
+        return;
+    endPause("the robot's own battery runs out", port);
+    if (phase_ == Phase::Home)
+        return;
+    end_reason_ = "The robot's own battery runs out, and the simulator cannot charge it; raise its battery life.";
+    goHome(Errand::GivenUp, end_reason_, port);
+}
+
 void SurveyBehavior::watchBattery(agent::CommandPort& port) {
+    if (phase_ == Phase::Ground || phase_ == Phase::Landing)
+        return;
+    watchRobotBattery(port);
     if (phase_ != Phase::ToLane && phase_ != Phase::Lane)
         return;
-    const Settings& settings = craft_.settings;
-    const double home_m = beelineHome_m();
-    const Seconds way_home(1.3 * home_m / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
-    if (craft_.senses.robot_battery && *craft_.senses.robot_battery < way_home) {
-        end_reason_ = "The robot's own battery runs out, and the simulator cannot charge it; raise its battery life.";
-        return goHome(Errand::GivenUp, end_reason_, port);
-    }
-    if (craft_.battery.rangeLeft_m(home_m, settings) > 0.0)
+    if (craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings) > 0.0)
         return;
     craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position_m(), craft_.senses, port);
     if (!had_lane_since_charge_) {

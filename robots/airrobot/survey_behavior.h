@@ -47,6 +47,8 @@ private:
 
     bool sensorsSpeak(agent::CommandPort& port);
     void watchBattery(agent::CommandPort& port);
+    void watchRobotBattery(agent::CommandPort& port);
+    void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const;
     bool airborne() const;
     void publishStatus(const agent::Tick& tick, agent::CommandPort& port) const;

@@ -148,8 +148,13 @@ std::vector<protocol::InfoMessage> ToyAirRobot::step() {
     }
     const Seconds age = now_ - started_;
     std::vector<protocol::InfoMessage> messages;
-    if (!faults_.sonars_silent_after_s || age < Seconds(*faults_.sonars_silent_after_s))
-        messages.push_back(sonars());
+    const bool silent = faults_.sonars_silent_after_s && age >= Seconds(*faults_.sonars_silent_after_s);
+    if (!silent || !faults_.only_silent_sonar.empty()) {
+        protocol::SonarReadings readings = sonars();
+        std::erase_if(readings.ranges,
+                      [&](const auto& range) { return silent && range.name == faults_.only_silent_sonar; });
+        messages.push_back(std::move(readings));
+    }
     messages.push_back(scan());
     if (!faults_.ins_silent_after_s || age < Seconds(*faults_.ins_silent_after_s))
         messages.push_back(protocol::InsReading{std::nullopt, "INS", ins_});

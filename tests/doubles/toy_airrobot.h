@@ -20,6 +20,7 @@ struct ToyFaults {
     bool no_response = false;     ///< SET is obeyed without RES, as UDK does
     std::optional<double> sonars_silent_after_s{};
     std::optional<double> ins_silent_after_s{};
+    std::string only_silent_sonar{}; ///< of the sonars only this one falls silent
 };
 
 /// First-order velocities, tilt from acceleration, sensors at 5 Hz. The INS starts after two scans at rest.

@@ -10,6 +10,7 @@ class TestSenses : public QObject {
 
     modules::RobotModules robot;
     SensorLayout layout;
+    const Seconds time_out{1.5};
     std::uint64_t line = 0;
     std::unique_ptr<SenseReader> reader;
 
@@ -27,6 +28,7 @@ class TestSenses : public QObject {
             sonars.ranges.push_back({mount.name, range_m});
         tell(sonars);
     }
+    void tellSonar(const std::string& name, double range_m) { tell(protocol::SonarReadings{{}, {{name, range_m}}}); }
     void tellFlatGround(double height_m, std::optional<Seconds> time = {}) {
         protocol::RangeScan scan{time, "Scanner1", radians(1.0), pi, {}};
         scan.ranges_m.resize(181);
@@ -36,7 +38,7 @@ class TestSenses : public QObject {
         }
         tell(scan);
     }
-    Senses read() { return reader->read(robot.state.now(), LineNumber{line}, robot, layout); }
+    Senses read() { return reader->read(robot.state.now(), LineNumber{line}, robot, layout, time_out); }
 
 private slots:
     void init() {
@@ -123,6 +125,37 @@ private slots:
         const Senses senses = read();
         QCOMPARE(senses.sonars.size(), std::size_t(1));
         QVERIFY(!senses.sonars[0].hit);
+    }
+
+    void leavesOutASonarThatStopped_data() {
+        QTest::addColumn<double>("last_m");
+        QTest::newRow("says nothing more") << 0.0;
+        QTest::newRow("says what is not a number") << std::nan("");
+    }
+    void leavesOutASonarThatStopped() {
+        QFETCH(double, last_m);
+        tellIns({});
+        tellSonars(3.0);
+        tellState(10.0);
+        QCOMPARE(read().sonars.size(), std::size_t(9));
+        for (int tick = 1; tick <= 10; ++tick) {
+            for (const SonarMount& mount : layout.sonars)
+                if (mount.name != "L2")
+                    tellSonar(mount.name, 3.0);
+                else if (std::isnan(last_m))
+                    tellSonar(mount.name, last_m);
+            tellState(10.0 + 0.2 * tick);
+            const Senses senses = read();
+            const bool silent = tick >= 8;
+            QCOMPARE(senses.silent_sonars, silent ? std::vector<std::string>{"L2"} : std::vector<std::string>{});
+            QVERIFY(std::ranges::none_of(senses.sonars, [&](const SonarEcho& echo) {
+                return (silent || std::isnan(last_m)) && echo.name == "L2";
+            }));
+            QVERIFY(std::abs(senses.sonar_age.count() - 0.2 * tick) < 1e-9);
+        }
+        tellSonar("L2", 3.0);
+        tellState(12.2);
+        QVERIFY(read().silent_sonars.empty());
     }
 
     void countsTheAgeOfEachSensor() {

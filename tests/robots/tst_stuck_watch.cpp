@@ -27,6 +27,17 @@ private slots:
         QCOMPARE(watch.hindered(), Seconds(0.0));
     }
 
+    void timeThatItWaitsAsToldIsNotCounted() {
+        StuckWatch watch;
+        watch.update(Seconds(0), {0, 0}, goal_m, true);
+        watch.update(Seconds(5), {0, 0}, goal_m, true);
+        for (int i = 6; i <= 600; ++i)
+            watch.wait(Seconds(i));
+        watch.update(Seconds(601), {0, 0}, goal_m, true);
+        QCOMPARE(watch.withoutProgress(), Seconds(6.0));
+        QCOMPARE(watch.hindered(), Seconds(6.0));
+    }
+
     void countsHinderedTimeApart() {
         StuckWatch watch;
         for (int i = 0; i <= 30; ++i)

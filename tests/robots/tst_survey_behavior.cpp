@@ -43,6 +43,13 @@ ToyWorld wood(std::uint64_t seed) {
     return world;
 }
 
+/// Until some time after it entered the state.
+void runInto(ToyFlight& toy, const QString& state, Seconds then) {
+    while (!toy.finished() && toy.status().state != state.toStdString())
+        toy.tick();
+    toy.run(then);
+}
+
 bool contains(const std::vector<std::string>& texts, const std::string& part) {
     return std::ranges::any_of(texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
@@ -222,6 +229,45 @@ private slots:
         QVERIFY(toy.ending() && toy.ending()->success);
     }
 
+    void aLongPauseCostsNoGoal_data() {
+        QTest::addColumn<QString>("state");
+        for (const char* state : {"taking off", "flying to lane 1 of 4", "scanning lane 1 of 4", "returning to base"})
+            QTest::newRow(state) << state;
+    }
+    void aLongPauseCostsNoGoal() {
+        QFETCH(QString, state);
+        ToyFlight toy = flight({});
+        runInto(toy, state, Seconds(2));
+        toy.order(Order::Pause);
+        toy.run(Seconds(120));
+        QCOMPARE(toy.status().state, "paused, " + state.toStdString());
+        toy.order(Order::Resume);
+        toy.run(Seconds(1000));
+        QVERIFY(toy.ending());
+        QVERIFY2(toy.ending()->success, toy.ending()->reason.c_str());
+        QVERIFY(toy.marks(MarkKind::GoalGivenUp).empty());
+    }
+
+    void itsOwnBatteryEndsAPause_data() {
+        QTest::addColumn<QString>("state");
+        QTest::addColumn<double>("battery_s");
+        QTest::newRow("while taking off") << "taking off" << 150.0;
+        QTest::newRow("on a lane") << "scanning lane 1 of 4" << 200.0;
+        QTest::newRow("on the way home") << "returning to base" << 330.0;
+    }
+    void itsOwnBatteryEndsAPause() {
+        QFETCH(QString, state);
+        QFETCH(double, battery_s);
+        ToyFlight toy = flight({}, field_task, {}, {}, Seconds(battery_s));
+        runInto(toy, state, Seconds(2));
+        toy.order(Order::Pause);
+        toy.run(Seconds(100.0 + battery_s) - toy.robot().now()); // the toy's clock starts at 100 s
+        QVERIFY(contains(toy.events(), "pause ends"));
+        QVERIFY(toy.ending());
+        QVERIFY(toy.robot().onGround());
+        QVERIFY(toy.robot().position_m().head<2>().norm() < 3.0);
+    }
+
     void landsAtOnceWhenAsked_data() {
         QTest::addColumn<double>("after_s");
         QTest::newRow("before take-off") << 1.0;
@@ -242,14 +288,21 @@ private slots:
 
     void waitsForASilentSensorThenAsksForAHand_data() {
         QTest::addColumn<bool>("sonars");
+        QTest::addColumn<QString>("one_sonar");
         QTest::addColumn<QString>("named");
-        QTest::newRow("sonars") << true << "sonars";
-        QTest::newRow("INS") << false << "INS";
+        QTest::newRow("sonars") << true << ""
+                                << "sonars";
+        QTest::newRow("one sonar of nine") << true << "R1"
+                                           << "sonar R1";
+        QTest::newRow("INS") << false << ""
+                             << "INS";
     }
     void waitsForASilentSensorThenAsksForAHand() {
         QFETCH(bool, sonars);
+        QFETCH(QString, one_sonar);
         QFETCH(QString, named);
         ToyFaults faults;
+        faults.only_silent_sonar = one_sonar.toStdString();
         (sonars ? faults.sonars_silent_after_s : faults.ins_silent_after_s) = 60.0;
         ToyFlight toy = flight({}, field_task, {}, faults);
         toy.run(Seconds(200));
