@@ -60,6 +60,8 @@ const std::vector<Binding>& bindings() {
          "A goal counts as reached at this distance."},
         {&S::lookahead_m, "lookahead_m", "Look-ahead", "Survey", "m", 1, 20,
          "How far ahead on the lane the robot aims."},
+        {&S::most_left_out_pct, "most_left_out_pct", "Left out at most", "Survey", "%", 0, 100,
+         "Share of the lanes that may be given up in a survey that still counts as done."},
         {&S::maximum_scan_tilt_rad, "maximum_scan_tilt_rad", "Largest tilt for the map", "Survey", "rad", 0.02, 0.8,
          "Scans taken at a greater tilt are not written into the map."},
         {&S::maximum_scan_turn_rad_s, "maximum_scan_turn_rad_s", "Largest turn rate for the map", "Survey", "rad/s",

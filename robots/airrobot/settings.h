@@ -29,6 +29,7 @@ struct Settings {
     double goal_distance_m = 20.0;
     double goal_reached_m = 1.5;
     double lookahead_m = 5.0;
+    double most_left_out_pct = 10.0;
     double maximum_scan_tilt_rad = 0.2;
     double maximum_scan_turn_rad_s = 0.3;
 

@@ -88,9 +88,12 @@ SurveyEvent Survey::giveUp(const Settings& settings) {
     if (done())
         return SurveyEvent::AllDone;
     ++goals_given_up_;
-    if (on_lane_)
+    if (on_lane_) {
+        given_up_m_ += std::max(0.0, pieceEnd_m(settings) - std::max(piece_start_m_, reached_m_));
         return endPiece(settings);
+    }
     piece_start_m_ = entry_along_m_;
+    given_up_m_ += pieceEnd_m(settings) - entry_along_m_;
     entry_along_m_ = pieceEnd_m(settings);
     return entry_along_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
 }

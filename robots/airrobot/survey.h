@@ -24,6 +24,9 @@ public:
     std::size_t laneCount() const { return plan_.lanes.size(); }
     const mapping::CoveragePlan& plan() const { return plan_; }
     int goalsGivenUp() const { return goals_given_up_; }
+    /// Length of lane that was left out with the goals given up.
+    double givenUp_m() const { return given_up_m_; }
+    double givenUp_pct() const { return totalLength_m() > 0.0 ? 100.0 * given_up_m_ / totalLength_m() : 0.0; }
 
     /// Point to reach next: where the lane is entered, or the end of its present piece.
     Vec2 goal_m(const Settings& settings) const;
@@ -56,6 +59,7 @@ private:
     double piece_start_m_ = 0.0; ///< everything before it was flown or given up
     double reached_m_ = 0.0;     ///< farthest point of the lane flown
     int goals_given_up_ = 0;
+    double given_up_m_ = 0.0;
 };
 
 } // namespace usar::airrobot

@@ -1,6 +1,7 @@
 #include "robots/airrobot/survey_behavior.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace usar::airrobot {
@@ -243,12 +244,8 @@ void SurveyBehavior::land(agent::CommandPort& port) {
 }
 
 void SurveyBehavior::onGround(const agent::Tick& tick, agent::CommandPort& port) {
-    if (errand_ == Errand::Done || errand_ == Errand::GivenUp) {
-        const std::string left_out =
-            survey_.goalsGivenUp() == 0 ? "." : "; goals left out: " + std::to_string(survey_.goalsGivenUp()) + ".";
-        return finish(errand_ == Errand::Done, errand_ == Errand::Done ? "The area is scanned" + left_out : end_reason_,
-                      port);
-    }
+    if (errand_ == Errand::Done || errand_ == Errand::GivenUp)
+        return conclude(port);
     const ResetState before = ins_reset_.state();
     const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
     if (reset != before)
@@ -264,6 +261,23 @@ void SurveyBehavior::onGround(const agent::Tick& tick, agent::CommandPort& port)
     craft_.forgetPlaces();
     phase_ = Phase::TakeOff;
     take_off_m_.reset();
+}
+
+void SurveyBehavior::conclude(agent::CommandPort& port) {
+    if (errand_ != Errand::Done)
+        return finish(false, end_reason_, port);
+    if (survey_.goalsGivenUp() == 0)
+        return finish(true, "The area is scanned.", port);
+    const double share_pct = survey_.givenUp_pct();
+    const double most_pct = craft_.settings.most_left_out_pct;
+    const std::string goals = "goals left out: " + std::to_string(survey_.goalsGivenUp()) + ", " +
+                              std::to_string(std::lround(share_pct)) + " % of the lanes";
+    if (share_pct <= most_pct)
+        return finish(true, "The area is scanned; " + goals + ".", port);
+    finish(false,
+           "The area is not scanned; " + goals + ", and at most " + std::to_string(std::lround(most_pct)) +
+               " % may be. Raise the time until a goal is given up, or choose an area with room to fly.",
+           port);
 }
 
 void SurveyBehavior::onResetEnded(ResetState reset, agent::CommandPort& port) {

@@ -42,6 +42,8 @@ private:
     void onGround(const agent::Tick& tick, agent::CommandPort& port);
     void onResetEnded(ResetState reset, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
+    /// The errand's end on the ground.
+    void conclude(agent::CommandPort& port);
     void beginLanding(const Vec2& near_m);
     void finish(bool success, const std::string& reason, agent::CommandPort& port);
 

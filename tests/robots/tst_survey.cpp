@@ -106,6 +106,21 @@ private slots:
         QCOMPARE(survey.laneIndex(), std::size_t(1));
     }
 
+    void knowsTheShareThatItGaveUp() {
+        Survey survey = twoLanes();
+        survey.giveUp(settings); // the lane's first 20 m, before it is entered
+        QCOMPARE(survey.givenUp_m(), 20.0);
+        survey.update({20, 0}, settings);
+        survey.update({32, 0}, settings);
+        survey.giveUp(settings); // 8 m of the piece are left
+        QCOMPARE(survey.givenUp_m(), 28.0);
+        while (!survey.done())
+            survey.giveUp(settings);
+        QCOMPARE(survey.givenUp_m(), 108.0);
+        QCOMPARE(survey.givenUp_pct(), 90.0);
+        QCOMPARE(twoLanes().givenUp_pct(), 0.0);
+    }
+
     void endsWhenEverythingIsGivenUp() {
         Survey survey = twoLanes();
         int times = 0;

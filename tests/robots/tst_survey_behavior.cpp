@@ -201,17 +201,30 @@ private slots:
                 QVERIFY(at_m.z() > 2.5);
     }
 
+    void givesUpAGoalThatCannotBeReached_data() {
+        QTest::addColumn<double>("most_left_out_pct");
+        QTest::addColumn<bool>("success");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("more than may be left out") << 10.0 << false << "100 % of the lanes, and at most 10 % may be";
+        QTest::newRow("everything may be left out") << 100.0 << true << "goals left out: 1, 100 % of the lanes.";
+    }
     void givesUpAGoalThatCannotBeReached() {
+        QFETCH(double, most_left_out_pct);
+        QFETCH(bool, success);
+        QFETCH(QString, reason);
         ToyWorld world; // a ring of trees too tall to climb over, around a point of the second lane
         for (int i = 0; i < 40; ++i)
             world.trees.push_back(
                 {Vec2(25, 20) + 7.0 * Vec2(std::cos(i * pi / 20), std::sin(i * pi / 20)), 0.6, 80.0, 0.0});
         const Task task{"R1", Pose{}, {Vec2(24, 19), Vec2(26, 21)}};
-        ToyFlight toy = flight(world, task, {{"give_up_after_s", 40.0}, {"goal_distance_m", 50.0}});
+        ToyFlight toy =
+            flight(world, task,
+                   {{"give_up_after_s", 40.0}, {"goal_distance_m", 50.0}, {"most_left_out_pct", most_left_out_pct}});
         toy.run(Seconds(3000));
         QVERIFY(toy.ending());
         QVERIFY(!toy.marks(MarkKind::GoalGivenUp).empty());
-        QVERIFY2(toy.ending()->reason.find("left out") != std::string::npos, toy.ending()->reason.c_str());
+        QCOMPARE(toy.ending()->success, success);
+        QVERIFY2(QString::fromStdString(toy.ending()->reason).contains(reason), toy.ending()->reason.c_str());
         QCOMPARE(toy.robot().collisions(), 0);
     }
 
