@@ -32,7 +32,8 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , commands_(this)
     , views_(makeViews(*this))
     , presenter_(control_, views_) {
-    control_.loadPlugins(pluginFolders());
+    const QStringList plugin_folders = options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders;
+    control_.loadPlugins(plugin_folders);
     control_.setResultFolder(options.result_folder);
     views_.hint->setSteps(widgets::HintStrip::firstSteps());
     views_.spawn_card->setRobots(control_.plugins().robots());
@@ -49,9 +50,18 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     restoreSettings();
     selectRobot(0);
     showTitle();
+    tellPlugins(plugin_folders);
+}
+
+void MainWindow::tellPlugins(const QStringList& folders) {
     for (const agent::PluginRecord& record : control_.plugins().records())
         if (record.state == agent::PluginState::Rejected)
             say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+    if (control_.plugins().robots().empty())
+        say(Severity::Error, "plugins",
+            tr("No robot plugin was found in %1, so no robot can be spawned. Build the target usar_plugin_airrobot, "
+               "or name another folder with --plugins.")
+                .arg(folders.join(", ")));
 }
 
 MainWindow::~MainWindow() = default;

@@ -73,6 +73,7 @@ private:
     /// A fast clock without a behavior only runs batteries down.
     void returnToRealTime();
     void showTitle();
+    void tellPlugins(const QStringList& folders);
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
     void complain(const QString& key, const Error& error);

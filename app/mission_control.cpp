@@ -128,6 +128,8 @@ QString MissionControl::nextRobotName() const {
 Result<int> MissionControl::spawn(mission::SpawnRequest request) {
     if (!next_ || next_->view().link.state != link::LinkState::Connected)
         return failure("there is no link to a server yet", request.robot_name, "Connect first, then spawn");
+    if (request.class_name.empty())
+        return failure("no plugin says which robot to spawn", request.robot_name, "Start with --plugins FOLDER");
     const int id = nextId();
     if (id > most_robots)
         return failure("nine robots are the most", request.robot_name, "Remove one first");

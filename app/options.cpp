@@ -2,6 +2,8 @@
 
 #include <QCommandLineParser>
 
+#include "app/locations.h"
+
 namespace usar::app {
 
 namespace {
@@ -52,6 +54,7 @@ Result<Options> readOptions(const QStringList& arguments) {
                        {"seed", "Seed of the embedded simulator.", "number", "1"},
                        {"port", "Port of the embedded simulator.", "port", "3000"},
                        {"out", "Folder for results.", "folder"},
+                       {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
                        {"theme", "light or dark.", "theme"}});
     parser.addPositionalArgument("mission", "A mission file to open.", "[MISSION.json]");
     if (!parser.parse(arguments))
@@ -63,6 +66,8 @@ Result<Options> readOptions(const QStringList& arguments) {
 
     Options options;
     options.result_folder = parser.value("out");
+    if (parser.isSet("plugins"))
+        options.plugin_folders = pluginFolders() + parser.values("plugins");
     options.mission_file = parser.positionalArguments().value(0);
     const QString theme = parser.value("theme");
     if (theme == "light")

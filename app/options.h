@@ -15,6 +15,7 @@ struct Options {
     ServerTarget server;
     QString result_folder;               ///< empty: the default
     std::optional<widgets::Theme> theme; ///< none: the one used last
+    QStringList plugin_folders;          ///< empty: those that come with the program
     QString mission_file;                ///< opened at the start, if any
 };
 

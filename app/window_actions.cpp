@@ -19,6 +19,7 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
     }
     views_.map->clear();
     views_.behavior->setArea(std::nullopt);
+    views_.behavior->setAreaLimits({}); // until the world is known; a real server's never is
     for (auto& [id, draft] : drafts_)
         draft.area_in_map.reset(); // of another world
     start_poses_.clear();

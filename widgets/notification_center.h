@@ -20,7 +20,7 @@ class NotificationCenter : public QWidget {
 public:
     explicit NotificationCenter(QWidget* parent = nullptr);
 
-    NotificationModel* model() { return model_; }
+    NotificationModel* model() const { return model_; }
     /// Groups, not reports: 137 lost links are one.
     int unread() const { return model_->unread(); }
     EmptyState* emptyState() const { return empty_state_; }

@@ -13,13 +13,30 @@ public:
 
     bool notify(QObject* receiver, QEvent* event) override;
 
-    qint64 longestBlock_ms() const { return longest_ms_; }
-    /// Receiver and event of the longest block, for the failure's message.
-    const QString& longestWhere() const { return where_; }
+    static GuiWatchdog& instance() { return *static_cast<GuiWatchdog*>(qApp); }
+
+    /// "131 ms in QWidget map, event 12" where an event took longer than it may since the last reset.
+    QByteArray complaint() const;
     void reset();
 
 private:
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    static constexpr qint64 allowed_ms = 500; // everything is several times slower there
+#else
+    static constexpr qint64 allowed_ms = 100;
+#endif
+
     qint64 longest_ms_ = 0;
     QString where_;
     int depth_ = 0;
 };
+
+/// The program of an end-to-end test: QTEST_MAIN with the watchdog as its application.
+#define USAR_E2E_MAIN(TestClass)                                                                                       \
+    int main(int argc, char** argv) {                                                                                  \
+        GuiWatchdog application(argc, argv);                                                                           \
+        QApplication::setApplicationName("Mission Control");                                                           \
+        QApplication::setOrganizationName("USAR");                                                                     \
+        TestClass test;                                                                                                \
+        return QTest::qExec(&test, argc, argv);                                                                        \
+    }

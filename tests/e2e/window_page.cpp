@@ -2,21 +2,25 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QSettings>
+#include <QSpinBox>
 
 using namespace usar;
 
-WindowPage::WindowPage(const QString& result_folder) {
-    result_folder_ = result_folder.isEmpty() ? folder_.filePath("results") : result_folder;
+WindowPage::WindowPage(const WindowSetup& setup) {
+    result_folder_ = setup.result_folder.isEmpty() ? folder_.filePath("results") : setup.result_folder;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.filePath("settings"));
     app::Options options;
-    options.server.simulator.port = 0;
+    options.server.simulator.port = setup.simulator_port;
     options.result_folder = result_folder_;
+    options.plugin_folders = setup.plugin_folders;
+    options.mission_file = setup.mission_file;
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);
     window_->show();
     window_->activateWindow();
-    map().setFocus();
     window_->begin();
 }
 
@@ -74,6 +78,56 @@ void WindowPage::chooseSpeed(const QString& text) {
         return QTest::qFail(qPrintable("no speed " + text), __FILE__, __LINE__);
     while (speeds->currentIndex() != index)
         QTest::keyClick(speeds, speeds->currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+}
+
+void WindowPage::connectToServer(const QString& host, quint16 port) {
+    auto* bar = window_->views().connection;
+    if (bar->findChild<QPushButton*>()->text() != "Connect")
+        QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
+    auto* servers = bar->findChild<QComboBox*>();
+    while (servers->currentText() != "Real server")
+        QTest::keyClick(servers, Qt::Key_Down);
+    auto* host_edit = bar->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
+    host_edit->selectAll();
+    QTest::keyClicks(host_edit, host);
+    auto* port_box = bar->findChild<QSpinBox*>();
+    port_box->selectAll();
+    QTest::keyClicks(port_box, QString::number(port));
+    QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
+}
+
+void WindowPage::typeArea(const Rectangle& area_in_map) {
+    const auto boxes = window_->views().behavior->findChild<widgets::AreaForm*>()->findChildren<QDoubleSpinBox*>();
+    const std::pair<QString, double> fields[] = {{"Lowest x", area_in_map.min_m.x()},
+                                                 {"Highest x", area_in_map.max_m.x()},
+                                                 {"Lowest y", area_in_map.min_m.y()},
+                                                 {"Highest y", area_in_map.max_m.y()}};
+    for (const auto& [name, value_m] : fields)
+        for (QDoubleSpinBox* box : boxes)
+            if (box->accessibleName() == name) {
+                box->selectAll();
+                QTest::keyClicks(box, QString::number(value_m, 'f', 1));
+                QTest::keyClick(box, Qt::Key_Return);
+            }
+}
+
+bool WindowPage::spawnAt(const std::string& start_pose) {
+    const auto known = window_->control().robots().size();
+    doubleClickStartPose(start_pose);
+    return QTest::qWaitFor(
+        [&] {
+            const auto robots = window_->control().robots();
+            return robots.size() > known && robots.back()->view().figures.spawned;
+        },
+        15000);
+}
+
+QString WindowPage::notified(const QString& words) const {
+    const auto* model = window_->views().notifications->model();
+    for (int row = 0; row < model->rowCount(); ++row)
+        if (model->row(row).text.contains(words))
+            return model->row(row).text;
+    return {};
 }
 
 void WindowPage::screenshot(const QString& name) {

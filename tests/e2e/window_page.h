@@ -9,11 +9,22 @@
 
 #include "app/main_window.h"
 
+inline constexpr int soon_ms = 15000;    ///< sockets and threads on a busy machine
+inline constexpr int flight_ms = 120000; ///< a robot that flies at full speed
+
+/// What a window is started with.
+struct WindowSetup {
+    QString result_folder{}; ///< empty: a temporary one
+    QStringList plugin_folders{};
+    QString mission_file{};
+    quint16 simulator_port = 0; ///< 0: any free one
+};
+
 /// A window of its own with settings and results in a temporary folder, connected to an embedded simulator on a free
 /// port. Gestures go through QTest's mouse and key events only.
 class WindowPage {
 public:
-    explicit WindowPage(const QString& result_folder = {});
+    explicit WindowPage(const WindowSetup& setup = {});
 
     usar::app::MainWindow& window() { return *window_; }
     usar::widgets::MapView& map() { return *window_->views().map; }
@@ -28,6 +39,14 @@ public:
     /// A visible, enabled button with this text anywhere in the window; fails the test where there is none.
     void press(const QString& text);
     void chooseSpeed(const QString& text);
+    /// Leaves the server there is, and types the address of another.
+    void connectToServer(const QString& host, quint16 port);
+    /// Into the form's four fields.
+    void typeArea(const usar::Rectangle& area_in_map);
+    /// Over the map's start pose, and until the robot has spoken.
+    bool spawnAt(const std::string& start_pose);
+    /// The newest notification with these words, whole; empty where there is none.
+    QString notified(const QString& words) const;
     void screenshot(const QString& name);
 
     QString connectionText() { return window_->views().connection->statusText(); }

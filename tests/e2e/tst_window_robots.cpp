@@ -1,0 +1,141 @@
+// Several robots, and what belongs to each of them, in the real window.
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+QStringList filesIn(const QString& folder, const QString& ending) {
+    return QDir(folder).entryList({"*" + ending}, QDir::Files);
+}
+
+QJsonObject summaryIn(const QString& folder) {
+    QFile file(QDir(folder).filePath(filesIn(folder, ".json").value(0)));
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+}
+
+/// Up to the first piece of map.
+bool fliesAndScans(WindowPage& page, const Rectangle& area) {
+    if (!page.spawnAt("PlayerStart"))
+        return false;
+    page.pressKey(Qt::Key_A);
+    page.drawArea(area);
+    page.chooseSpeed("max");
+    page.press("Start");
+    return QTest::qWaitFor([&] { return page.knownTiles() >= 1; }, flight_ms);
+}
+
+} // namespace
+
+class tst_WindowRobots : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void parametersOfAMissionFileSurviveSpawning();
+    void eachRobotKeepsItsSettingsAndItsPause();
+    void nobodyGetsANameTwice();
+    void removingARobotSavesItsScan();
+    void disconnectingSavesEveryScan();
+    void theEndIsInTheSummaryAndTimeIsRealAgain();
+};
+
+void tst_WindowRobots::parametersOfAMissionFileSurviveSpawning() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("mission.json");
+    QFile json(file);
+    QVERIFY(json.open(QIODevice::WriteOnly));
+    json.write(R"({"name": "small", "area": {"x": -10, "y": -8, "width": 20, "height": 16},
+                   "parameters": {"scan_altitude_m": 7.5, "maximum_scan_tilt_rad": 10}})");
+    json.close();
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().openMission(file);
+    QVERIFY2(!page.notified("Mission small is ready").isEmpty(), qPrintable(page.notified({})));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    const auto values = page.window().views().parameters->values();
+    QCOMPARE(std::get<double>(values.at("scan_altitude_m")), 7.5);
+    QVERIFY(qAbs(std::get<double>(values.at("maximum_scan_tilt_rad")) - radians(10.0)) < 1e-6);
+    QVERIFY(page.map().area().has_value());
+    QVERIFY(!page.map().content().area.lanes_in_map_m.empty());
+}
+
+void tst_WindowRobots::eachRobotKeepsItsSettingsAndItsPause() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea({{-20, -15}, {20, 15}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.behavior_running, soon_ms);
+    page.pressKey(Qt::Key_P);
+    QTRY_VERIFY(page.robot(1)->paused);
+    const auto* other_pose = &page.map().content().start_poses.back();
+    QVERIFY(other_pose->name != "PlayerStart");
+    QVERIFY(page.spawnAt(other_pose->name));
+    QCOMPARE(page.window().selectedRobot(), 2);
+    QVERIFY(!page.robot(2)->paused);
+    page.typeArea({{30, 30}, {50, 40}});
+    page.pressKey(Qt::Key_1);
+    QCOMPARE(page.window().selectedRobot(), 1);
+    QCOMPARE(page.map().area()->max_m.x(), 20.0);
+    page.press("Resume");
+    QTRY_VERIFY(!page.robot(1)->paused);
+    page.pressKey(Qt::Key_2);
+    QCOMPARE(page.map().area()->max_m.x(), 50.0);
+    QCOMPARE(page.window().views().behavior->area().max_m.x(), 50.0);
+}
+
+void tst_WindowRobots::nobodyGetsANameTwice() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().connection->statusText().contains("tall_test"), soon_ms);
+    mission::SpawnRequest twin;
+    twin.robot_name = "R1";
+    const auto again = page.window().control().spawn(twin);
+    QVERIFY(!again);
+    QVERIFY(QString::fromStdString(again.error().text()).contains("R1"));
+}
+
+void tst_WindowRobots::removingARobotSavesItsScan() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(fliesAndScans(page, {{-20, -15}, {20, 15}}));
+    page.window().commands().action("robot.remove")->trigger();
+    QVERIFY(page.window().control().robots().empty());
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(page.resultFolder(), ".bil").size(), 1, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().control().anythingToSave(), soon_ms);
+}
+
+void tst_WindowRobots::disconnectingSavesEveryScan() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(fliesAndScans(page, {{-20, -15}, {20, 15}}));
+    page.press("Disconnect");
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(page.resultFolder(), ".bil").size(), 1, soon_ms);
+    page.press("Connect");
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(!page.map().area());
+}
+
+void tst_WindowRobots::theEndIsInTheSummaryAndTimeIsRealAgain() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(fliesAndScans(page, {{-8, -6}, {8, 6}}));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished.has_value(), flight_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(page.resultFolder(), ".json").size(), 1, soon_ms);
+    const QJsonObject summary = summaryIn(page.resultFolder());
+    QVERIFY(summary["success"].toBool());
+    QCOMPARE(summary["reason"].toString().toStdString(), page.robot(1)->finished->reason);
+    QVERIFY(summary["duration_s"].toDouble() > 30.0);
+    QCOMPARE(page.window().views().time->speed(), 1.0);
+}
+
+USAR_E2E_MAIN(tst_WindowRobots)
+#include "tst_window_robots.moc"

@@ -1,0 +1,292 @@
+// Bad input in the real window: each gets one clear message with the mend, the window lives, and no scan is lost.
+#include <QDir>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTcpServer>
+#include <QTest>
+#include <QTimer>
+
+#include "app/headless_simulator.h"
+#include "tests/doubles/fake_server.h"
+#include "tests/doubles/meddling_relay.h"
+#include "tests/doubles/test_files.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+constexpr double server_speed_x = 5.0;
+
+QStringList filesIn(const QString& folder, const QString& ending) {
+    return QDir(folder).entryList({"*" + ending}, QDir::Files);
+}
+
+/// A real simulator behind a relay that a test can meddle with; the window takes it for somebody's server.
+struct TroubledServer {
+    std::unique_ptr<app::HeadlessSimulator> simulator;
+    std::unique_ptr<test::MeddlingRelay> relay;
+
+    TroubledServer() {
+        auto started = app::HeadlessSimulator::start("tall_test", 1, server_speed_x);
+        if (!started)
+            qFatal("%s", started.error().text().c_str());
+        simulator = *std::move(started);
+        relay = std::make_unique<test::MeddlingRelay>(simulator->port());
+    }
+};
+
+bool connectedTo(WindowPage& page, const TroubledServer& server) {
+    page.connectToServer("127.0.0.1", server.relay->port());
+    return QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms);
+}
+
+} // namespace
+
+class tst_WindowTrouble : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void aServerThatIsNotThereIsNamed_data();
+    void aServerThatIsNotThereIsNamed();
+    void aPortThatSpeaksSomethingElseIsNamed();
+    void aServerThatClosesInTheMiddleCostsNoScan();
+    void silenceAfterInitIsSaidAndTheRobotCanBeSpawnedAgain();
+    void badLinesAreNamedAndTheRobotLives_data();
+    void badLinesAreNamedAndTheRobotLives();
+    void aSensorThatStopsIsNamed();
+    void anAreaThatCannotBeFlownIsRefused_data();
+    void anAreaThatCannotBeFlownIsRefused();
+    void aWrongMissionFileIsRefusedWithItsPlace_data();
+    void aWrongMissionFileIsRefusedWithItsPlace();
+    void aMissingPluginIsNamed();
+    void aBrokenPluginIsNamed();
+    void aPortInUseIsToldAndAnotherTaken();
+    void anUnwritableFolderAtClosingAsksForAnother();
+};
+
+void tst_WindowTrouble::aServerThatIsNotThereIsNamed_data() {
+    QTest::addColumn<QString>("host");
+    QTest::newRow("nobody listens") << "127.0.0.1";
+    QTest::newRow("no such host") << "no-such-host.invalid";
+}
+
+void tst_WindowTrouble::aServerThatIsNotThereIsNamed() {
+    QFETCH(QString, host);
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QTcpServer nobody;
+    QVERIFY(nobody.listen(QHostAddress::LocalHost));
+    const quint16 dead_port = nobody.serverPort();
+    nobody.close();
+    page.connectToServer(host, dead_port);
+    const QString place = host + ":" + QString::number(dead_port);
+    QTRY_VERIFY2_WITH_TIMEOUT(page.connectionText().contains(place), qPrintable(page.connectionText()), soon_ms);
+    QCOMPARE(page.connectionText().count("Retrying"), 1);
+    QVERIFY2(!page.notified(place).isEmpty(), qPrintable(place));
+    QVERIFY(page.window().isVisible());
+}
+
+void tst_WindowTrouble::aPortThatSpeaksSomethingElseIsNamed() {
+    test::FakeServer other;
+    QVERIFY(other.listen());
+    other.on_connect = [&] { other.say("SSH-2.0-OpenSSH_9.2p1 Debian-2\r\n"); };
+    WindowPage page;
+    page.connectToServer("127.0.0.1", other.port());
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("USARSim").isEmpty(), soon_ms);
+    QVERIFY2(page.notified("USARSim").contains(QString::number(other.port())), qPrintable(page.notified("USARSim")));
+}
+
+void tst_WindowTrouble::aServerThatClosesInTheMiddleCostsNoScan() {
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-20, -15}, {20, 15}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
+    server.relay->die();
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("What was scanned is kept").isEmpty(), soon_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(page.resultFolder(), ".bil").size(), 1, soon_ms);
+    QVERIFY(page.knownTiles() >= 1);
+    server.relay->revive();
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().commands().action("robot.spawn_again")->isEnabled(), soon_ms);
+    page.pressKey(Qt::Key_R, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.spawned, soon_ms);
+    QVERIFY(page.window().commands().action("mission.start")->isEnabled());
+}
+
+void tst_WindowTrouble::silenceAfterInitIsSaidAndTheRobotCanBeSpawnedAgain() {
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    server.relay->meddle = [](const QByteArray& line) { return line.startsWith("NFO") ? line : QByteArray(); };
+    page.doubleClickStartPose("PlayerStart");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("after INIT").isEmpty(), soon_ms);
+    QVERIFY2(page.notified("after INIT").contains("R1"), qPrintable(page.notified("after INIT")));
+    QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
+    server.relay->meddle = {};
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.spawned, soon_ms); // it was only slow to speak
+    QVERIFY(page.window().commands().action("mission.start")->isEnabled());
+}
+
+void tst_WindowTrouble::badLinesAreNamedAndTheRobotLives_data() {
+    QTest::addColumn<QByteArray>("said");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("garbled") << QByteArray("SEN {Type INS} {Name INS} {Location 1.0,2.0\r\n") << "SEN";
+    QTest::newRow("endless") << QByteArray(5 << 20, 'x') + "\r\n"
+                             << "4 MiB";
+    QTest::newRow("no number") << QByteArray("SEN {Type RangeScanner} {Name Scanner1} {Resolution 0.1} {FOV 0.2} "
+                                             "{Range 2.0,nan,2.0}\r\n")
+                               << "RangeScanner";
+}
+
+void tst_WindowTrouble::badLinesAreNamedAndTheRobotLives() {
+    QFETCH(QByteArray, said);
+    QFETCH(QString, words);
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    server.relay->say(said);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified(words).isEmpty(), soon_ms);
+    const Seconds then = page.robot(1)->figures.now;
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > then + Seconds(1.0), soon_ms);
+    QVERIFY(page.robot(1)->figures.spawned);
+}
+
+void tst_WindowTrouble::aSensorThatStopsIsNamed() {
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    server.relay->meddle = [](const QByteArray& line) { return line.contains("RangeScanner") ? QByteArray() : line; };
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("No reading from").isEmpty(), soon_ms);
+    QVERIFY(page.notified("No reading from").contains("Scanner"));
+    server.relay->meddle = {};
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().notifications->model()->openCount() == 0, soon_ms);
+}
+
+void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused_data() {
+    QTest::addColumn<Rectangle>("area");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("no size") << Rectangle{{5, 5}, {5, 9}} << "needs a mission area";
+    QTest::newRow("outside the world") << Rectangle{{80, 80}, {200, 90}} << "outside the world";
+}
+
+void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused() {
+    QFETCH(Rectangle, area);
+    QFETCH(QString, words);
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea(area);
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified(words).isEmpty(), soon_ms);
+    QVERIFY(!page.robot(1)->figures.behavior_running);
+}
+
+void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace_data() {
+    QTest::addColumn<QString>("json");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("broken") << "{\n  \"name\": \"x\",\n  \"area\" {}\n}"
+                            << "mission.json:3:";
+    QTest::newRow("unknown key") << "{\n  \"name\": \"x\",\n  \"aera\": {}\n}"
+                                 << "mission.json:3:";
+    QTest::newRow("outside the world")
+        << "{\n  \"name\": \"x\",\n  \"area\": {\"x\": 0, \"y\": 0, \"width\": 900, \"height\": 20}\n}"
+        << "outside the world";
+    QTest::newRow("unknown parameter")
+        << "{\n \"name\": \"x\",\n \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9},\n"
+           " \"parameters\": {\"scan_altitude\": 6}\n}"
+        << "scan_altitude";
+    QTest::newRow("another world") << "{\n \"name\": \"x\",\n \"world\": \"volcano\",\n"
+                                      " \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9}\n}"
+                                   << "volcano";
+}
+
+void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace() {
+    QFETCH(QString, json);
+    QFETCH(QString, words);
+    QTemporaryDir folder;
+    const QString file = folder.filePath("mission.json");
+    doubles::writeAll(file.toStdString(), json.toStdString());
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().openMission(file);
+    QVERIFY2(!page.notified(words).isEmpty(), qPrintable(page.notified({})));
+    QVERIFY(!page.map().area());
+}
+
+void tst_WindowTrouble::aMissingPluginIsNamed() {
+    QTemporaryDir empty;
+    WindowPage page({.plugin_folders = {empty.path()}});
+    QVERIFY(page.notified(empty.path()).contains("No robot plugin"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.doubleClickStartPose("PlayerStart");
+    QVERIFY(page.window().control().robots().empty());
+    QVERIFY(!page.notified("--plugins FOLDER").isEmpty());
+}
+
+void tst_WindowTrouble::aBrokenPluginIsNamed() {
+    QTemporaryDir folder;
+    const QString built = QStringLiteral(USAR_BINARY_DIR "/tests/plugins/");
+    QVERIFY(QFile::copy(built + "throws_when_made.so", folder.filePath("throws_when_made.so")));
+    doubles::writeAll(folder.filePath("cut_off.so").toStdString(), "\x7f"
+                                                                   "ELF");
+    WindowPage page({.plugin_folders = {folder.path(), QStringLiteral(USAR_BINARY_DIR "/robots")}});
+    QVERIFY(!page.notified("throws_when_made.so").isEmpty());
+    QVERIFY(!page.notified("cut_off.so").isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart")); // the good one works all the same
+}
+
+void tst_WindowTrouble::aPortInUseIsToldAndAnotherTaken() {
+    QTcpServer other;
+    QVERIFY(other.listen(QHostAddress::LocalHost));
+    WindowPage page({.simulator_port = other.serverPort()});
+    const QString words = QString("Port %1 is in use").arg(other.serverPort());
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified(words).isEmpty(), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+}
+
+void tst_WindowTrouble::anUnwritableFolderAtClosingAsksForAnother() {
+    QTemporaryDir elsewhere;
+    const QString taken = elsewhere.filePath("taken");
+    doubles::writeAll(taken.toStdString(), "a file where the folder should be");
+    WindowPage page({.result_folder = taken});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-20, -15}, {20, 15}});
+    page.chooseSpeed("max");
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
+    page.window().close();
+    const auto question = [] { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); };
+    QString asked;
+    QTimer answer;
+    connect(&answer, &QTimer::timeout, this, [&] {
+        if (QMessageBox* box = question()) {
+            asked = box->text();
+            answer.stop();
+            for (QAbstractButton* button : box->buttons())
+                if (button->text().remove('&') == "Keep the window open")
+                    QTest::mouseClick(button, Qt::LeftButton);
+        }
+    });
+    answer.start(20);
+    QTRY_VERIFY_WITH_TIMEOUT(asked.contains("taken"), soon_ms);
+    QVERIFY(page.window().isVisible());
+    QVERIFY(page.robot(1)->unsaved);
+    page.window().control().setResultFolder(elsewhere.filePath("free"));
+    page.window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
+    QCOMPARE(filesIn(elsewhere.filePath("free"), ".bil").size(), 1);
+}
+
+USAR_E2E_MAIN(tst_WindowTrouble)
+#include "tst_window_trouble.moc"
