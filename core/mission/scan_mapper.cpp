@@ -6,12 +6,20 @@
 
 namespace usar::mission {
 
+ScanMapper::Scanner& ScanMapper::scannerNamed(const std::string& name) {
+    const auto found = scanners_.find(name);
+    if (found != scanners_.end())
+        return found->second;
+    return scanners_[scanners_.size() < scanner_limit ? name : std::string()];
+}
+
 void ScanMapper::takeScan(const protocol::RangeScan& scan, LineNumber line) {
-    ++scans_taken_;
-    Shelved& place = shelf_[scans_taken_ % shelf_size];
+    Scanner& scanner = scannerNamed(scan.name);
+    ++scanner.scans_taken;
+    Shelved& place = scanner.shelf[scanner.scans_taken % shelf_size];
     place.scan = scan;
     place.line = line;
-    place.ordinal = scans_taken_;
+    place.ordinal = scanner.scans_taken;
 }
 
 void ScanMapper::takeConfiguration(const protocol::ConfigurationInfo& configuration) {
@@ -28,32 +36,34 @@ double ScanMapper::maximumOf(const std::string& scanner) const {
 }
 
 bool ScanMapper::place(const agent::ScanPlacement& placement) {
-    const auto shelved = std::ranges::find(shelf_, placement.scan_line, &Shelved::line);
-    if (shelved == shelf_.end() || shelved->ordinal == 0)
-        return false;
-    if (shelved->ordinal != last_placed_ + 1)
-        integrator_.breakStrip();
-    last_placed_ = shelved->ordinal;
-    const protocol::RangeScan& scan = shelved->scan;
-    integrator_.integrate({.ranges_m = scan.ranges_m,
-                           .resolution_rad = scan.step_rad(),
-                           .fov_rad = scan.fov_rad,
-                           .maximum_m = maximumOf(scan.name)},
-                          placement.scanner_in_map, placement.scan_line, map_);
-    return true;
+    for (auto& [name, scanner] : scanners_) {
+        const auto shelved = std::ranges::find(scanner.shelf, placement.scan_line, &Shelved::line);
+        if (shelved == scanner.shelf.end() || shelved->ordinal == 0)
+            continue;
+        if (shelved->ordinal != scanner.last_placed + 1)
+            scanner.integrator.breakStrip();
+        scanner.last_placed = shelved->ordinal;
+        const protocol::RangeScan& scan = shelved->scan;
+        scanner.integrator.integrate({.ranges_m = scan.ranges_m,
+                                      .resolution_rad = scan.step_rad(),
+                                      .fov_rad = scan.fov_rad,
+                                      .maximum_m = maximumOf(scan.name)},
+                                     placement.scanner_in_map, placement.scan_line, map_);
+        last_hits_ = scanner.integrator.lastHits();
+        return true;
+    }
+    return false;
 }
 
 void ScanMapper::forgetScans() {
-    shelf_ = {};
-    scans_taken_ = 0;
-    last_placed_ = 0;
+    scanners_.clear();
     maximum_m_.clear();
-    integrator_.breakStrip();
 }
 
 void ScanMapper::clearMap() {
     map_ = mapping::HeightMap(map_.cellSize_m());
-    integrator_.breakStrip();
+    for (auto& [name, scanner] : scanners_)
+        scanner.integrator.breakStrip();
 }
 
 } // namespace usar::mission

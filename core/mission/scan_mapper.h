@@ -13,10 +13,13 @@
 
 namespace usar::mission {
 
-/// A behavior places a scan in the tick that follows it or soon after, so a few scans are enough. Owned by one session.
+/// A behavior places a scan in the tick that follows it or soon after, so a few scans of each scanner are enough.
+/// Strips are joined scanner by scanner. Scanners beyond `scanner_limit` (garbled names) share one place. Owned by one
+/// session.
 class ScanMapper {
 public:
     static constexpr std::size_t shelf_size = 8;
+    static constexpr std::size_t scanner_limit = 16;
 
     explicit ScanMapper(double cell_size_m) : map_(cell_size_m) {}
 
@@ -31,22 +34,28 @@ public:
 
     mapping::HeightMap& map() { return map_; }
     const mapping::HeightMap& map() const { return map_; }
-    const std::vector<Vec3>& lastHits() const { return integrator_.lastHits(); }
+    /// Of the newest placed scan, whichever scanner took it.
+    const std::vector<Vec3>& lastHits() const { return last_hits_; }
 
 private:
     struct Shelved {
         protocol::RangeScan scan;
         LineNumber line;
-        std::uint64_t ordinal = 0; ///< scans of a connection counted from 1
+        std::uint64_t ordinal = 0; ///< scans of a scanner on a connection counted from 1
     };
+    struct Scanner {
+        mapping::ScanIntegrator integrator;
+        std::array<Shelved, shelf_size> shelf;
+        std::uint64_t scans_taken = 0;
+        std::uint64_t last_placed = 0;
+    };
+    Scanner& scannerNamed(const std::string& name);
     double maximumOf(const std::string& scanner) const;
 
     mapping::HeightMap map_;
-    mapping::ScanIntegrator integrator_;
-    std::array<Shelved, shelf_size> shelf_;
+    std::map<std::string, Scanner> scanners_;
     std::map<std::string, double> maximum_m_;
-    std::uint64_t scans_taken_ = 0;
-    std::uint64_t last_placed_ = 0;
+    std::vector<Vec3> last_hits_;
 };
 
 } // namespace usar::mission

@@ -32,6 +32,8 @@ private slots:
     void forgetsScansThatAreTooOld();
     void joinsOnlyScansThatFollowOneAnother_data();
     void joinsOnlyScansThatFollowOneAnother();
+    void joinsTheScansOfEachScannerApart();
+    void thereIsAnEndOfScanners();
     void takesTheMaximumRangeFromTheConfiguration();
     void survivesANanRange();
     void aNewConnectionKeepsTheMapAndForgetsTheScans();
@@ -76,6 +78,29 @@ void tst_ScanMapper::joinsOnlyScansThatFollowOneAnother() {
         mapper.takeScan(scanOf(2.0), {3});
     QVERIFY(mapper.place(downFrom(1.2, one_is_skipped ? 3 : 2)));
     QCOMPARE(mapper.map().height_m(mapper.map().cellAt({0.6, 0.0})).has_value(), !one_is_skipped);
+}
+
+void tst_ScanMapper::joinsTheScansOfEachScannerApart() {
+    ScanMapper mapper(0.25);
+    mapper.takeScan(scanOf(2.0, "Belly"), {1});
+    mapper.takeScan(scanOf(2.0, "Front"), {2});
+    QVERIFY(mapper.place(downFrom(0.0, 1)));
+    QVERIFY(mapper.place(downFrom(-1.2, 2)));
+    mapper.takeScan(scanOf(2.0, "Belly"), {3});
+    mapper.takeScan(scanOf(2.0, "Front"), {4}); // never placed, which breaks nothing for the other
+    QVERIFY(mapper.place(downFrom(1.2, 3)));
+    const auto known = [&](double x_m) { return mapper.map().height_m(mapper.map().cellAt({x_m, 0.0})).has_value(); };
+    QVERIFY(known(0.6));
+    QVERIFY(!known(-0.6));
+}
+
+void tst_ScanMapper::thereIsAnEndOfScanners() {
+    ScanMapper mapper(0.25);
+    for (std::uint64_t line = 1; line <= 1000; ++line)
+        mapper.takeScan(scanOf(2.0, "garbled" + std::to_string(line)), {line});
+    QVERIFY(mapper.place(downFrom(0.0, 1)));
+    QVERIFY(mapper.place(downFrom(0.0, 1000)));
+    QVERIFY(!mapper.place(downFrom(0.0, 500)));
 }
 
 void tst_ScanMapper::takesTheMaximumRangeFromTheConfiguration() {
