@@ -15,13 +15,22 @@ public:
     /// Nothing until the first STA.
     const std::optional<protocol::RobotState>& latest() const { return latest_; }
     LineNumber line() const { return line_; }
-    /// Time of the newest STA; zero before it. Never runs backward.
+    /// Time of the newest STA; zero before it. Never runs backward, but for a first time that the next two STA deny. A
+    /// jump of more than `jump_limit` is believed when the next STA goes on from it: a damaged time must not stop the
+    /// clock until the world has caught up.
     Seconds now() const { return now_; }
 
+    static constexpr Seconds jump_limit{10.0};
+
 private:
+    enum class Trust { None, First, Confirmed };
+    void takeTime(Seconds time);
+
     std::optional<protocol::RobotState> latest_;
     LineNumber line_;
     Seconds now_{0.0};
+    std::optional<Seconds> doubted_; ///< a far time that nothing has confirmed yet
+    Trust trust_ = Trust::None;      ///< in `now_`
 };
 
 } // namespace usar::modules

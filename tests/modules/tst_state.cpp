@@ -11,6 +11,9 @@ private slots:
     void knowsNothingBeforeTheFirstState();
     void theNewestStateReplacesTheOld();
     void theClockNeverRunsBackward();
+    void oneDamagedTimeDoesNotStopTheClock();
+    void aJumpThatTheNextStateConfirmsIsBelieved();
+    void aDamagedFirstTimeIsTakenBack();
     void otherLinesChangeNothing_data();
     void otherLinesChangeNothing();
 };
@@ -41,6 +44,38 @@ void tst_State::theClockNeverRunsBackward() {
     state.take(reader.read("STA {Battery 3}"));
     QCOMPARE(state.now().count(), 10.0);
     QCOMPARE(state.latest()->battery_left->count(), 3.0);
+}
+
+namespace {
+
+/// The clock after a state of each time.
+std::vector<double> clockAfter(const std::vector<double>& times_s) {
+    protocol::Reader reader;
+    modules::StateModule state;
+    std::vector<double> clock_s;
+    for (const double time_s : times_s) {
+        state.take(reader.read("STA {Time " + std::to_string(time_s) + "}"));
+        clock_s.push_back(state.now().count());
+    }
+    return clock_s;
+}
+
+} // namespace
+
+void tst_State::oneDamagedTimeDoesNotStopTheClock() {
+    QCOMPARE(clockAfter({10.0, 10.5, 1050.0, 11.0, 11.5}), (std::vector<double>{10.0, 10.5, 10.5, 11.0, 11.5}));
+    QCOMPARE(clockAfter({10.0, 500.0, 900.0, 11.0}), (std::vector<double>{10.0, 10.0, 10.0, 11.0}));
+    QCOMPARE(clockAfter({10.0, 500.0, 11.0, 500.0, 12.0}), (std::vector<double>{10.0, 10.0, 11.0, 11.0, 12.0}));
+}
+
+void tst_State::aJumpThatTheNextStateConfirmsIsBelieved() {
+    QCOMPARE(clockAfter({10.0, 75.0, 75.5, 76.0}), (std::vector<double>{10.0, 10.0, 75.5, 76.0}));
+    QCOMPARE(clockAfter({10.0, 19.5}), (std::vector<double>{10.0, 19.5})); // no jump at all
+}
+
+void tst_State::aDamagedFirstTimeIsTakenBack() {
+    QCOMPARE(clockAfter({5000.0, 10.0, 10.5, 11.0}), (std::vector<double>{5000.0, 5000.0, 10.5, 11.0}));
+    QCOMPARE(clockAfter({50.0, 50.5, 10.0, 10.5}), (std::vector<double>{50.0, 50.5, 50.5, 50.5})); // it was confirmed
 }
 
 void tst_State::otherLinesChangeNothing_data() {
