@@ -68,6 +68,9 @@ CausedCommand BehaviorHost::safeCommand(const std::string& source) const {
     try {
         return {behavior_->safeCommand(), cause};
     } catch (...) {
+        const auto& state = modules_.state.latest();
+        if (state && state->kind == protocol::VehicleKind::Ground)
+            return {protocol::SkidDrive{0.0, 0.0}, cause};
         return {protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, cause};
     }
 }

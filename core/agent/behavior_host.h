@@ -28,7 +28,8 @@ public:
     Output order(Order order);
     /// What the behavior threw, if it did, comes out of the next call.
     void setParameters(const ParameterSet& parameters);
-    /// The safe command, with `source` as its cause; a zero aerial DRIVE where the behavior cannot even say that.
+    /// The safe command, with `source` as its cause; a DRIVE of zeros, for a robot on the ground or in the air,
+    /// where the behavior cannot even say that.
     CausedCommand safeCommand(const std::string& source) const;
     bool finished() const { return finished_; }
     const std::string& behaviorId() const { return behavior_id_; }

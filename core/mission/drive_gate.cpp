@@ -6,15 +6,30 @@ namespace usar::mission {
 
 namespace {
 
+void keep(std::optional<double>& term, const std::optional<double>& old) {
+    if (!term)
+        term = old;
+}
+
 void keepAbsentTerms(protocol::AerialDrive& newer, const protocol::AerialDrive& older) {
-    const auto keep = [](auto& term, const auto& old) {
-        if (!term)
-            term = old;
-    };
     keep(newer.climb_m_s, older.climb_m_s);
     keep(newer.forward_m_s, older.forward_m_s);
     keep(newer.left_m_s, older.left_m_s);
     keep(newer.yaw_rate_rad_s, older.yaw_rate_rad_s);
+}
+
+void keepAbsentTerms(protocol::SkidDrive& newer, const protocol::SkidDrive& older) {
+    keep(newer.left_rad_s, older.left_rad_s);
+    keep(newer.right_rad_s, older.right_rad_s);
+}
+
+/// Where both are of this kind and unit.
+template <class Drive>
+void merge(protocol::Command& newer, const protocol::Command& older) {
+    auto* to = std::get_if<Drive>(&newer);
+    const auto* from = std::get_if<Drive>(&older);
+    if (to && from && to->normalized == from->normalized)
+        keepAbsentTerms(*to, *from);
 }
 
 } // namespace
@@ -25,10 +40,10 @@ bool DriveGate::isDrive(const protocol::Command& command) {
 }
 
 void DriveGate::offer(agent::CausedCommand drive) {
-    auto* newer = std::get_if<protocol::AerialDrive>(&drive.command);
-    const auto* older = held_ ? std::get_if<protocol::AerialDrive>(&held_->command) : nullptr;
-    if (newer && older && newer->normalized == older->normalized)
-        keepAbsentTerms(*newer, *older);
+    if (held_) {
+        merge<protocol::AerialDrive>(drive.command, held_->command);
+        merge<protocol::SkidDrive>(drive.command, held_->command);
+    }
     held_ = std::move(drive);
 }
 

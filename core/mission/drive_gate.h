@@ -9,7 +9,7 @@
 namespace usar::mission {
 
 /// At most one DRIVE per 50 ms of protocol time (usarsim-protocol 9.2: about 20 Hz); the newest is kept. Terms that a
-/// newer aerial DRIVE leaves out are taken from the one that it replaces, because a server keeps them too.
+/// newer DRIVE of the same kind leaves out are taken from the one that it replaces, because a server keeps them too.
 class DriveGate {
 public:
     static constexpr Seconds spacing{0.05};

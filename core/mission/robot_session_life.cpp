@@ -247,7 +247,7 @@ void RobotSession::Private::makeSafe(const std::string& source) {
     if (host)
         send(host->safeCommand(source));
     else if (rolls)
-        send({protocol::SkidDrive{}, {source, state->line()}});
+        send({protocol::SkidDrive{0.0, 0.0}, {source, state->line()}});
     else
         send({protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, {source, state->line()}});
     sendDrive(true);

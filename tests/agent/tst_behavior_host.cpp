@@ -179,6 +179,14 @@ private slots:
         QCOMPARE(safe.cause.source, std::string("operator"));
         QCOMPARE(safe.cause.trigger.value, std::uint64_t(9));
     }
+
+    void theLastResortStopsBothSidesOfAGroundRobot() {
+        protocol::InfoLine on_wheels = state(9, 1.0);
+        std::get<protocol::RobotState>(on_wheels.message).kind = protocol::VehicleKind::Ground;
+        host->receive(on_wheels);
+        script.safe_throws = true;
+        QVERIFY(host->safeCommand("operator").command == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestBehaviorHost)

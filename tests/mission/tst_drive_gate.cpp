@@ -24,6 +24,7 @@ private slots:
     void letsEveryTickOfASimulatorPass();
     void keepsToTwentyPerSecond();
     void keepsTheNewestAndTheTermsItLeavesOut();
+    void keepsTheSideThatANewerSkidDriveLeavesOut();
     void neverMixesPercentWithMetres();
     void opensForAClockThatRanBackward();
     void canBeToldNotToWait();
@@ -65,6 +66,22 @@ void tst_DriveGate::keepsTheNewestAndTheTermsItLeavesOut() {
     QCOMPARE(released(command), (protocol::AerialDrive{.climb_m_s = 1.0, .forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}));
     QCOMPARE(command->cause.source, std::string("newer"));
     QVERIFY(!gate.release(Seconds{2.0}));
+}
+
+void tst_DriveGate::keepsTheSideThatANewerSkidDriveLeavesOut() {
+    const auto releasedSkid = [](DriveGate& gate) {
+        return std::get<protocol::SkidDrive>(gate.releaseNow(Seconds{1.0}).value().command);
+    };
+    DriveGate gate;
+    gate.offer({protocol::SkidDrive{.left_rad_s = 1.0}, {"left", {}}});
+    gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {"right", {}}});
+    QCOMPARE(releasedSkid(gate), (protocol::SkidDrive{.left_rad_s = 1.0, .right_rad_s = 2.0}));
+    gate.offer({protocol::SkidDrive{.left_rad_s = 100.0, .normalized = true}, {"per cent", {}}});
+    gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {"radians", {}}});
+    QCOMPARE(releasedSkid(gate), (protocol::SkidDrive{.right_rad_s = 2.0}));
+    gate.offer({protocol::AerialDrive{.climb_m_s = 1.0}, {"in the air", {}}});
+    gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {"on the ground", {}}});
+    QCOMPARE(releasedSkid(gate), (protocol::SkidDrive{.right_rad_s = 2.0}));
 }
 
 void tst_DriveGate::neverMixesPercentWithMetres() {

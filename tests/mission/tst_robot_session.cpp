@@ -55,6 +55,7 @@ private slots:
     void finishedBehaviorLeavesASafeRobot();
     void stopSendsTheSafeCommandAtOnce();
     void closeStopsTheRobotFirst();
+    void aGroundRobotIsStoppedOnBothSides();
     void ordersAndParametersReachTheBehavior();
     void operatorCommandsAreSentAsTheyAre();
     void updatesAreCoalescedAndBounded();
@@ -284,6 +285,17 @@ void tst_RobotSession::closeStopsTheRobotFirst() {
     QCOMPARE(f->server.heardOf("DRIVE").size(), 1);
     QVERIFY(!f->session.figures().spawned);
     QVERIFY(!f->said("lost"));
+}
+
+void tst_RobotSession::aGroundRobotIsStoppedOnBothSides() {
+    QVERIFY(f->spawnNow());
+    f->server.say("STA {Type GroundVehicle} {Time 0.40} {FrontSteer 0.0000} {RearSteer 0.0000} {LightToggle False} "
+                  "{LightIntensity 0} {Battery 1200}\r\n");
+    QTRY_COMPARE(f->session.figures().now.count(), 0.4);
+    f->session.stop();
+    QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 1);
+    const QByteArray drive = f->server.heardOf("DRIVE").at(0);
+    QVERIFY2(drive.contains("{Left 0}") && drive.contains("{Right 0}"), drive);
 }
 
 void tst_RobotSession::ordersAndParametersReachTheBehavior() {
