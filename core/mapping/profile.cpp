@@ -35,9 +35,13 @@ std::optional<double> CourseProfile::groundBelow_m() const {
 CourseProfile courseProfile(const HeightMap& map, const Pose& base_in_map, double reach_m) {
     const Vec2 here_m = base_in_map.position_m.head<2>();
     const Vec2 ahead_m = reach_m * Vec2(std::cos(base_in_map.yaw_rad), std::sin(base_in_map.yaw_rad));
-    CourseProfile profile{heightProfile(map, here_m - ahead_m, here_m + ahead_m), reach_m, base_in_map.position_m.z()};
+    CourseProfile profile{heightProfile(map, here_m, here_m - ahead_m), reach_m, base_in_map.position_m.z()};
+    std::ranges::reverse(profile.points);
     for (ProfilePoint& point : profile.points)
-        point.distance_m -= reach_m;
+        point.distance_m = -point.distance_m;
+    const std::vector<ProfilePoint> ahead = heightProfile(map, here_m, here_m + ahead_m);
+    if (!ahead.empty()) // the point below the robot is there already
+        profile.points.insert(profile.points.end(), ahead.begin() + 1, ahead.end());
     return profile;
 }
 
