@@ -13,6 +13,7 @@
 #include "app/quit_signals.h"
 #include "core/mission/mission_options.h"
 #include "core/mission/progress_text.h"
+#include "core/mission/run_summary.h"
 
 namespace {
 
@@ -52,9 +53,18 @@ int end(int exit_code, const QJsonObject& summary) {
     return exit_code;
 }
 
-int refuse(const Error& error) {
+/// `known` is what can be told of a run that never began.
+int refuse(const Error& error, mission::RunSummary known = {}) {
     std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    return end(mission::BadInput, {{"success", false}, {"reason", QString::fromStdString(error.text())}});
+    known.reason = error.text();
+    return end(mission::BadInput, mission::toJson(known));
+}
+
+mission::RunSummary knownOf(const mission::MissionOptions& options) {
+    mission::RunSummary known;
+    known.behavior = options.behavior.toStdString();
+    known.seed = options.seed;
+    return known;
 }
 
 int run(const mission::MissionOptions& options, mission::Mission plan) {
@@ -71,8 +81,12 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         run_options.port = options.server->port;
     } else {
         auto started = app::HeadlessSimulator::start(QString::fromStdString(plan.world), options.seed, options.speed_x);
-        if (!started)
-            return refuse(started.error());
+        if (!started) {
+            mission::RunSummary known = knownOf(options);
+            known.mission = plan.name;
+            known.behavior = plan.behavior;
+            return refuse(started.error(), known);
+        }
         simulator = *std::move(started);
         run_options.port = simulator->port();
         run_options.truth = simulator->truth();
@@ -107,5 +121,5 @@ int main(int argc, char** argv) {
         return 0;
     }
     auto plan = mission::readMissionFile(options->mission_file);
-    return plan ? run(*options, *std::move(plan)) : refuse(plan.error());
+    return plan ? run(*options, *std::move(plan)) : refuse(plan.error(), knownOf(*options));
 }

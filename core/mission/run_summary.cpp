@@ -21,15 +21,23 @@ QJsonValue number(const std::optional<Value>& value, int decimals) {
     return value ? number(static_cast<double>(*value), decimals) : QJsonValue(QJsonValue::Null);
 }
 
+QJsonValue text(const std::string& text) {
+    return text.empty() ? QJsonValue(QJsonValue::Null) : QString::fromStdString(text);
+}
+
+QJsonValue seedOf(const RunSummary& summary) {
+    return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
+}
+
 } // namespace
 
 QJsonObject toJson(const RunSummary& summary) {
     const double wall_s = summary.wall.count();
     return {{"success", summary.success},
             {"reason", QString::fromStdString(summary.reason)},
-            {"mission", QString::fromStdString(summary.mission)},
-            {"behavior", QString::fromStdString(summary.behavior)},
-            {"seed", static_cast<qint64>(summary.seed)},
+            {"mission", text(summary.mission)},
+            {"behavior", text(summary.behavior)},
+            {"seed", seedOf(summary)},
             {"duration_s", number(summary.duration.count(), 2)},
             {"wall_s", number(wall_s, 3)},
             {"speed_x", wall_s > 0.0 ? number(summary.duration.count() / wall_s, 1) : QJsonValue(QJsonValue::Null)},

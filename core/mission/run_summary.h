@@ -13,13 +13,14 @@
 
 namespace usar::mission {
 
-/// Keys of the JSON are the field names; what is unknown is null. `speed_x` is protocol seconds a wall second.
+/// Keys of the JSON are the field names, every one of them there however the run ended; what is unknown is null.
+/// `speed_x` is protocol seconds a wall second. As it is made it is a run that was refused before it began.
 struct RunSummary {
     bool success = false;
     std::string reason;
-    std::string mission;
-    std::string behavior;
-    std::uint64_t seed = 0;
+    std::string mission;  ///< empty: unknown
+    std::string behavior; ///< empty: unknown
+    std::optional<std::uint64_t> seed;
     Seconds duration{0.0}; ///< of the behavior, protocol clock; key duration_s
     Seconds wall{0.0};     ///< the same by the clock on the wall; key wall_s
     double distance_m = 0.0;

@@ -20,6 +20,8 @@ private slots:
     void equalSeedsGiveEqualMaps();
     void rejectsTheRestAndSaysWhere_data();
     void rejectsTheRestAndSaysWhere();
+    void aRefusalTellsWhatIsKnown_data();
+    void aRefusalTellsWhatIsKnown();
     void helpGoesToStandardOutput();
     void ctrlCKeepsWhatWasScanned_data();
     void ctrlCKeepsWhatWasScanned();
@@ -45,6 +47,10 @@ const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-mission";
 constexpr int patience_ms = 100000;
 
 const QByteArray small = R"({ "name": "Small", "area": { "x": -8, "y": -6, "width": 16, "height": 12 } })";
+
+constexpr const char* promised_keys[] = {"success",  "reason",         "duration_s", "distance_m", "charges",
+                                         "cells",    "coverage_pct",   "rmse_m",     "collisions", "mission",
+                                         "behavior", "lines_received", "seed",       "files"};
 
 } // namespace
 
@@ -142,6 +148,40 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere() {
     QCOMPARE(ended.summary["success"].toBool(true), false);
     QVERIFY2(ended.summary["reason"].toString().contains(words), ended.out);
     QVERIFY2(ended.err.contains(words.toUtf8()), ended.err);
+    for (const char* key : promised_keys)
+        QVERIFY2(ended.summary.contains(key), key);
+}
+
+void tst_UsarMission::aRefusalTellsWhatIsKnown_data() {
+    QTest::addColumn<QByteArray>("mission");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QJsonValue>("behavior");
+    QTest::addColumn<QJsonValue>("seed");
+    const QJsonValue unknown = QJsonValue::Null;
+    QTest::newRow("options that cannot be read")
+        << small << QStringList{"--seed", "5", "--sped", "3"} << unknown << unknown;
+    QTest::newRow("a mission that cannot be read")
+        << QByteArray("{") << QStringList{"--seed", "5"} << unknown << QJsonValue(5);
+    QTest::newRow("the same with a behavior") << QByteArray("{") << QStringList{"--behavior", "airrobot/dance"}
+                                              << QJsonValue("airrobot/dance") << QJsonValue(1);
+    QTest::newRow("an unknown world")
+        << QByteArray(R"({ "name": "x", "world": "moon", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
+        << QStringList{} << QJsonValue("airrobot/cpp") << QJsonValue(1);
+    QTest::newRow("an unknown behavior") << small << QStringList{"--behavior", "airrobot/dance"}
+                                         << QJsonValue("airrobot/dance") << QJsonValue(1);
+}
+
+void tst_UsarMission::aRefusalTellsWhatIsKnown() {
+    QFETCH(QByteArray, mission);
+    QFETCH(QStringList, options);
+    QFETCH(QJsonValue, behavior);
+    QFETCH(QJsonValue, seed);
+    const Ended ended = run(QStringList{"run", missionFile(mission)} + options);
+    QCOMPARE(ended.exit_code, 2);
+    QCOMPARE(ended.summary["behavior"], behavior);
+    QCOMPARE(ended.summary["seed"], seed);
+    QCOMPARE(ended.summary["cells"], QJsonValue(0));
+    QVERIFY(ended.summary["rmse_m"].isNull() && ended.summary["collisions"].isNull());
 }
 
 void tst_UsarMission::helpGoesToStandardOutput() {
