@@ -44,7 +44,7 @@ AreaForm::AreaForm(QWidget* parent)
     , size_(new QLabel(this)) {
     setAccessibleName(tr("Mission area"));
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(gap::small);
     grid->setVerticalSpacing(gap::tiny);
     grid->addWidget(new QLabel(QStringLiteral("x"), this), 0, 0);
@@ -111,18 +111,23 @@ bool AreaForm::mark(QDoubleSpinBox* box, double minimum_m, double maximum_m) {
 void AreaForm::describe() {
     const double endless = std::numeric_limits<double>::infinity();
     const Rectangle world = world_in_map_.value_or(Rectangle{Vec2(-endless, -endless), Vec2(endless, endless)});
-    bool outside = false;
+    QStringList outside;
     for (QDoubleSpinBox* box : {min_x_, max_x_})
-        outside = mark(box, world.min_m.x(), world.max_m.x()) || outside;
+        if (mark(box, world.min_m.x(), world.max_m.x()))
+            outside << box->accessibleName();
     for (QDoubleSpinBox* box : {min_y_, max_y_})
-        outside = mark(box, world.min_m.y(), world.max_m.y()) || outside;
+        if (mark(box, world.min_m.y(), world.max_m.y()))
+            outside << box->accessibleName();
     const Rectangle typed = area();
     QString words = typed.empty()
                         ? tr("No area yet. Draw it on the map (A) or type its corners.")
                         : tr("%1 × %2 m = %3 m²")
                               .arg(figure(typed.width_m(), 1), figure(typed.height_m(), 1), figure(typed.area_m2(), 0));
-    if (outside)
-        words += u' ' + tr("The colored values are outside the world.");
+    if (!outside.empty())
+        words += u'\n' + tr("%1: outside the world, which spans x\u00a0%2\u00a0…\u00a0%3\u00a0m and "
+                            "y\u00a0%4\u00a0…\u00a0%5\u00a0m.")
+                             .arg(outside.join(QStringLiteral(", ")), figure(world.min_m.x(), 1),
+                                  figure(world.max_m.x(), 1), figure(world.min_m.y(), 1), figure(world.max_m.y(), 1));
     size_->setText(words);
 }
 

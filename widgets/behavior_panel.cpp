@@ -44,6 +44,7 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     layout->setSpacing(gap::small);
     robot_label_->setProperty("role", "title");
+    robot_label_->setWordWrap(true);
     behavior_box_->setAccessibleName(tr("Behavior"));
     behavior_box_->setToolTip(tr("What the selected robot should do"));
     layout->addWidget(robot_label_);
@@ -51,6 +52,7 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     layout->addWidget(help_label_);
     layout->addWidget(makeAreaBox());
     layout->addWidget(summary_label_);
+    summary_label_->hide();
     layout->addWidget(parameter_form, 1);
     layout->addWidget(makeButtons());
     connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -211,6 +213,7 @@ std::string BehaviorPanel::behaviorId() const {
 
 void BehaviorPanel::setPlanSummary(const QString& summary) {
     summary_label_->setText(summary);
+    summary_label_->setVisible(!summary.isEmpty());
 }
 
 void BehaviorPanel::setAreaToolActive(bool active) {

@@ -15,7 +15,14 @@ namespace usar::widgets {
 
 namespace {
 
-QString words(const ConnectionStatus& status, Seconds retry_in) {
+QString retryWords(const ConnectionStatus& status, Seconds retry_in) {
+    if (status.state != ConnectionState::Waiting)
+        return {};
+    return retry_in.count() < 0.5 ? ConnectionBar::tr("Retrying now.")
+                                  : ConnectionBar::tr("Retrying in %1 s.").arg(figure(retry_in.count(), 0));
+}
+
+QString words(const ConnectionStatus& status) {
     switch (status.state) {
     case ConnectionState::Disconnected:
         return status.reason.isEmpty() ? ConnectionBar::tr("Not connected") : status.reason;
@@ -27,10 +34,7 @@ QString words(const ConnectionStatus& status, Seconds retry_in) {
     case ConnectionState::Waiting:
         break;
     }
-    const QString retry = retry_in.count() < 0.5
-                              ? ConnectionBar::tr("Retrying now.")
-                              : ConnectionBar::tr("Retrying in %1 s.").arg(figure(retry_in.count(), 0));
-    return status.reason.isEmpty() ? retry : status.reason + QStringLiteral(" ") + retry;
+    return status.reason;
 }
 
 StateShape shape(const ConnectionStatus& status) {
@@ -57,38 +61,18 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     , button_(new QPushButton(this))
     , dot_(new StateDot(this))
     , status_text_(new ElidedLabel(this))
+    , retry_(new QLabel(this))
     , rate_(new QLabel(this)) {
     setAccessibleName(tr("Connection"));
-    server_->addItem(icon(QStringLiteral("robot")), tr("Embedded simulator"));
-    server_->addItem(icon(QStringLiteral("plug")), tr("Real server"));
-    server_->setAccessibleName(tr("Server"));
-    server_->setToolTip(tr("The simulator inside this program, or a USARSim server in the network"));
-    host_->setAccessibleName(tr("Host"));
-    host_->setToolTip(tr("Name or address of the USARSim server"));
-    host_->setMinimumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("000.000.000")));
-    host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
-    port_->setRange(1, 65535);
-    port_->setValue(3000);
-    port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    port_->setAccessibleName(tr("Port"));
-    port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
-    status_text_->setAccessibleName(tr("State of the connection"));
-    status_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
-    rate_->setAccessibleName(tr("Info lines per second"));
-    rate_->setToolTip(tr("Info lines received per second of wall time"));
-    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    rate_->setProperty("role", "muted");
-    rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
+    setUpAddress();
+    setUpStatus();
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
     row->setSpacing(gap::small);
-    row->addWidget(server_);
-    row->addWidget(host_);
-    row->addWidget(port_);
-    row->addWidget(button_);
-    row->addWidget(dot_);
+    for (QWidget* widget : std::initializer_list<QWidget*>{server_, host_, port_, button_, dot_})
+        row->addWidget(widget);
     row->addWidget(status_text_, 1);
+    row->addWidget(retry_);
     row->addWidget(rate_);
     connect(button_, &QPushButton::clicked, this, &ConnectionBar::press);
     connect(host_, &QLineEdit::returnPressed, this, &ConnectionBar::press);
@@ -100,6 +84,39 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     connect(&second_, &QTimer::timeout, this, &ConnectionBar::countDown);
     setRate(std::nullopt);
     refresh();
+}
+
+void ConnectionBar::setUpAddress() {
+    server_->addItem(icon(QStringLiteral("robot")), tr("Embedded simulator"));
+    server_->addItem(icon(QStringLiteral("plug")), tr("Real server"));
+    server_->setAccessibleName(tr("Server"));
+    server_->setToolTip(tr("The simulator inside this program, or a USARSim server in the network"));
+    host_->setAccessibleName(tr("Host"));
+    host_->setToolTip(tr("Name or address of the USARSim server"));
+    host_->setMinimumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("000.000.000")));
+    host_->setTextMargins(2, 0, 2, 0); // as far from the frame as in the port's box
+    host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
+    port_->setRange(1, 65535);
+    port_->setValue(3000);
+    port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    port_->setAccessibleName(tr("Port"));
+    port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
+    button_->setIcon(icon(QStringLiteral("plug")));
+    button_->setText(tr("Disconnect")); // its longest word: what stands beside it must not jump
+    button_->setMinimumWidth(button_->sizeHint().width());
+}
+
+void ConnectionBar::setUpStatus() {
+    status_text_->setAccessibleName(tr("State of the connection"));
+    status_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
+    retry_->setAccessibleName(tr("Next try"));
+    retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
+    rate_->setAccessibleName(tr("Info lines per second"));
+    rate_->setToolTip(tr("Info lines received per second of wall time"));
+    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    rate_->setProperty("role", "muted");
+    rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
 }
 
 void ConnectionBar::setServer(ServerChoice choice) {
@@ -141,9 +158,16 @@ void ConnectionBar::countDown() {
 }
 
 void ConnectionBar::showWords() {
-    const QString text = words(status_, retry_in_);
-    status_text_->setText(text);
-    status_text_->setToolTip(text);
+    status_text_->setText(words(status_));
+    retry_->setText(retryWords(status_, retry_in_));
+    retry_->setVisible(!retry_->text().isEmpty());
+    for (QLabel* label : {status_text_, retry_})
+        label->setToolTip(statusText());
+}
+
+QString ConnectionBar::statusText() const {
+    const QStringList sentences{status_text_->text(), retry_->text()};
+    return sentences.join(u' ').trimmed();
 }
 
 void ConnectionBar::setRate(std::optional<double> lines_per_s) {
@@ -178,6 +202,7 @@ void ConnectionBar::refresh() {
     QPalette palette = status_text_->palette();
     palette.setColor(QPalette::WindowText, stateColor(shape(status_)));
     status_text_->setPalette(palette);
+    retry_->setPalette(palette);
 }
 
 void ConnectionBar::changeEvent(QEvent* event) {

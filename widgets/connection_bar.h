@@ -45,8 +45,8 @@ public:
     void setStatus(const ConnectionStatus& status);
     /// Info lines per second of wall time; nothing hides the figure.
     void setRate(std::optional<double> lines_per_s);
-    /// The sentence that is shown now.
-    QString statusText() const { return status_text_->text(); }
+    /// All that is said now, also where there is no room to show it.
+    QString statusText() const;
 
 signals:
     /// For a real server: the host is trimmed and not empty. For the embedded one host and port say nothing.
@@ -59,6 +59,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void setUpAddress();
+    void setUpStatus();
     void countDown();
     void showWords();
     /// What the button means depends on the state.
@@ -73,7 +75,8 @@ private:
     QSpinBox* port_;
     QPushButton* button_;
     StateDot* dot_;
-    QLabel* status_text_;
+    QLabel* status_text_; ///< ends in "…" where there is no room
+    QLabel* retry_;       ///< never does: it is what changes
     QLabel* rate_;
 };
 

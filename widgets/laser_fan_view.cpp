@@ -71,15 +71,14 @@ void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double sc
 }
 
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
-    const Tokens& t = tokens();
     paintSheetHead(painter, *this, tr("laser"),
                    tr("%1 m to ground").arg(figure(section_.clearance_m.value_or(qQNaN()), 2, 5)), stale_);
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
-    painter.setPen(QPen(t.text_muted, 1.5));
+    painter.setPen(QPen(tokens().text_muted, 1.5));
     painter.drawLine(QPointF(gap::small, y), QPointF(gap::small + bar_m * scale, y));
-    painter.setFont(themeFont(FontRole::Small));
-    painter.drawText(QPointF(gap::small + bar_m * scale + gap::tiny, y + 4.0), QStringLiteral("%1 m").arg(bar_m));
+    paintSheetNote(painter, QPointF(gap::small + bar_m * scale + gap::tiny, y + 4.0),
+                   QStringLiteral("%1 m").arg(bar_m));
 }
 
 } // namespace usar::widgets

@@ -53,8 +53,10 @@ void Meter::paintEvent(QPaintEvent*) {
     figures.setStrikeOut(stale_);
     painter.setFont(figures);
     painter.setPen(stale_ || value >= caution_pct_ ? ink : t.text);
-    const QString mark = value >= caution_pct_ ? QStringLiteral("! ") : QString();
-    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, mark + figure(value, 0, 3) + QStringLiteral(" %"));
+    // The strike runs through spaces too, so a stale figure has none in front of it.
+    const QString mark = value >= caution_pct_ && !stale_ ? QStringLiteral("! ") : QString();
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
+                     mark + figure(value, 0, stale_ ? 0 : 3) + QStringLiteral(" %"));
     const QRectF groove(0.5, words.bottom() + 3.5, width() - 1.0, 7.0);
     painter.setPen(QPen(t.line, 1.0));
     painter.setBrush(value_pct_ ? QBrush(t.raised) : QBrush(t.line, Qt::BDiagPattern));

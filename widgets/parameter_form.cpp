@@ -19,7 +19,7 @@ ParameterForm::ParameterForm(QWidget* parent)
     , scroll_(new QScrollArea(this))
     , nothing_(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, 0, 0);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap::small);
     column->addWidget(makeTools());
     column->addWidget(nothing_);
@@ -41,7 +41,7 @@ ParameterForm::ParameterForm(QWidget* parent)
 QWidget* ParameterForm::makeTools() {
     auto* tools = new QWidget(this);
     auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(0, 0, gap::small, 0);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap::tiny);
     search_->setPlaceholderText(tr("Search parameters"));
     search_->setAccessibleName(tr("Search parameters"));

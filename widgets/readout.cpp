@@ -29,11 +29,15 @@ void Readout::setStale(bool stale) {
     update();
 }
 
+int Readout::fieldWidth_px() const {
+    return std::max(QFontMetrics(themeFont(FontRole::Big)).horizontalAdvance(sample_),
+                    QFontMetrics(themeFont(FontRole::Small)).horizontalAdvance(caption_));
+}
+
 QSize Readout::sizeHint() const {
     const QFontMetrics big(themeFont(FontRole::Big));
     const QFontMetrics small(themeFont(FontRole::Small));
-    const int field = std::max(big.horizontalAdvance(sample_), small.horizontalAdvance(caption_));
-    return {field + gap::tiny + small.horizontalAdvance(unit_) + 2, big.height() + small.height()};
+    return {fieldWidth_px() + gap::tiny + small.horizontalAdvance(unit_) + 2, big.height() + small.height()};
 }
 
 void Readout::paintEvent(QPaintEvent*) {
@@ -43,7 +47,7 @@ void Readout::paintEvent(QPaintEvent*) {
     const QFont small = themeFont(FontRole::Small);
     const QFontMetrics big_metrics(big);
     const QFontMetrics small_metrics(small);
-    const int field = std::max(big_metrics.horizontalAdvance(sample_), small_metrics.horizontalAdvance(caption_));
+    const int field = fieldWidth_px();
     big.setStrikeOut(stale_);
     painter.setFont(big);
     painter.setPen(stale_ ? t.stale : t.text);

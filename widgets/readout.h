@@ -18,6 +18,8 @@ public:
     /// Grey and struck: nobody vouches for the figure any more.
     void setStale(bool stale);
     bool stale() const { return stale_; }
+    /// Of the figure alone: readouts above each other line up where theirs are equal.
+    int fieldWidth_px() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

@@ -30,6 +30,18 @@ void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& nam
     painter.drawText(head, Qt::AlignRight, value);
 }
 
+void paintSheetNote(QPainter& painter, const QPointF& baseline, const QString& text) {
+    painter.setFont(themeFont(FontRole::Small));
+    QColor back = tokens().surface;
+    back.setAlphaF(0.85f);
+    const QFontMetricsF metrics(painter.font());
+    const QRectF box(baseline - QPointF(2.0, metrics.ascent()),
+                     QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height()));
+    painter.fillRect(box, back);
+    painter.setPen(tokens().text_muted);
+    painter.drawText(baseline, text);
+}
+
 void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& line, double bottom_px, bool stale) {
     const QColor ink = stale ? tokens().stale : tokens().ok;
     QColor fill = ink;

@@ -20,6 +20,8 @@ void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& nam
 /// The ground in a cross-section: neighbors are joined and filled down to `bottom_px`; a point that is absent breaks
 /// the line, because nothing is known there.
 void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& line, double bottom_px, bool stale);
+/// A small note within the drawing, on a backing of its own: lines may pass under it. Ink and font stay set.
+void paintSheetNote(QPainter& painter, const QPointF& baseline, const QString& text);
 /// Where the drawing begins: under the head, in pixels from the top.
 double sheetHead_px(const QWidget& widget);
 

@@ -32,6 +32,7 @@ SpawnCard::SpawnCard(QWidget* over)
     class_->setToolTip(tr("Which robot the server makes"));
     name_->setAccessibleName(tr("Robot name"));
     name_->setToolTip(tr("Letters, digits, - and _; every robot needs its own"));
+    name_->setTextMargins(2, 0, 2, 0);
     // The wire has no quotes: a space or a brace in a name would end it.
     name_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));

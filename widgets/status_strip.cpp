@@ -9,9 +9,15 @@
 namespace usar::widgets {
 
 namespace {
+
+/// One for each column, so that its figures end on one line.
+const QString left_sample = QStringLiteral("00:00:00");
+const QString right_sample = QStringLiteral("000000");
+
 QString orDash(const std::optional<double>& value, int decimals) {
     return figure(value.value_or(qQNaN()), decimals);
 }
+
 } // namespace
 
 StatusStrip::StatusStrip(QWidget* parent)
@@ -19,12 +25,12 @@ StatusStrip::StatusStrip(QWidget* parent)
     , dot_(new StateDot(this))
     , state_(new QLabel(this))
     , stale_(new QLabel(tr("stale"), this))
-    , elapsed_(new Readout(tr("elapsed"), {}, QStringLiteral("00:00:00"), this))
-    , left_(new Readout(tr("time left"), {}, QStringLiteral("00:00:00"), this))
-    , goal_(new Readout(tr("to goal"), QStringLiteral("m"), QStringLiteral("000.0"), this))
-    , range_(new Readout(tr("range left"), QStringLiteral("m"), QStringLiteral("00000"), this))
-    , flown_(new Readout(tr("flown"), QStringLiteral("m"), QStringLiteral("00000"), this))
-    , charges_(new Readout(tr("charges"), {}, QStringLiteral("00"), this))
+    , elapsed_(new Readout(tr("elapsed"), {}, left_sample, this))
+    , left_(new Readout(tr("time left"), {}, left_sample, this))
+    , goal_(new Readout(tr("to goal"), QStringLiteral("m"), right_sample, this))
+    , range_(new Readout(tr("range left"), QStringLiteral("m"), right_sample, this))
+    , flown_(new Readout(tr("flown"), QStringLiteral("m"), left_sample, this))
+    , charges_(new Readout(tr("charges"), {}, right_sample, this))
     , battery_(new Meter(tr("Battery used"), this))
     , progress_(new Meter(tr("Progress"), this))
     , coverage_(new Meter(tr("Coverage"), this)) {
@@ -69,7 +75,8 @@ StatusStrip::StatusStrip(QWidget* parent)
 }
 
 void StatusStrip::setState(const QString& words, StateShape shape) {
-    dot_->setState(shape);
+    shape_ = shape;
+    dot_->setState(stale() ? StateShape::Off : shape_);
     state_->setText(words);
 }
 
@@ -87,6 +94,7 @@ void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
 
 void StatusStrip::setStale(bool stale) {
     stale_->setVisible(stale);
+    dot_->setState(stale ? StateShape::Off : shape_);
     for (Readout* readout : {elapsed_, left_, goal_, range_, flown_, charges_})
         readout->setStale(stale);
     for (Meter* meter : {battery_, progress_, coverage_})

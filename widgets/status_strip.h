@@ -35,6 +35,7 @@ private:
     /// Word and shape together, so that neither can lag behind.
     void setState(const QString& words, StateShape shape);
 
+    StateShape shape_ = StateShape::Off; ///< hollow on the screen while stale
     StateDot* dot_;
     QLabel* state_;
     QLabel* stale_;

@@ -11,7 +11,7 @@ QMainWindow::separator:hover { background: %accent; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 QDockWidget::title { background: %background; color: %text_muted; padding: 4px 8px; text-align: left; }
 QHeaderView::section { background: %surface; color: %text_muted; border: none; border-bottom: 1px solid %line;
-    padding: 4px 8px; }
+    padding: 4px 3px; }
 QStatusBar::item { border: none; }
 QLabel[role="muted"] { color: %text_muted; }
 QLabel[role="title"] { color: %text; font-weight: 600; }

@@ -10,6 +10,12 @@
 
 namespace usar::widgets {
 
+namespace {
+QString heightText(double height_m) {
+    return TerrainProfileView::tr("%1 m").arg(figure(height_m, 0));
+}
+} // namespace
+
 TerrainProfileView::TerrainProfileView(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Terrain profile"));
     setToolTip(tr("Mapped heights along the robot's course: behind it on the left, ahead on the right. Metres, "
@@ -64,9 +70,9 @@ void TerrainProfileView::paintEvent(QPaintEvent*) {
         return paintEmptySheet(painter, *this, tr("No terrain profile yet.\nIt appears here as the map grows."));
     paintSheet(painter, *this);
     paintSheetHead(painter, *this, tr("mapped terrain"), clearanceText(), stale_);
-    const QRectF plot(gap::small, sheetHead_px(*this), width() - 2.0 * gap::small,
-                      height() - sheetHead_px(*this) - gap::small);
     const Span heights = span();
+    const QRectF plot =
+        QRectF(rect()).adjusted(gap::small + scaleWidth_px(heights), sheetHead_px(*this), -gap::small, -gap::small);
     std::vector<std::optional<QPointF>> ground(profile_.points.size());
     std::ranges::transform(profile_.points, ground.begin(), [&](const mapping::ProfilePoint& point) {
         return point.height_m ? std::optional(place(point.distance_m, *point.height_m, plot, heights)) : std::nullopt;
@@ -88,14 +94,19 @@ void TerrainProfileView::paintRobot(QPainter& painter, const QRectF& plot, const
     painter.drawPolygon(QPolygonF{robot + QPointF(8.0, 0.0), robot + QPointF(-6.0, -4.5), robot + QPointF(-6.0, 4.5)});
 }
 
+double TerrainProfileView::scaleWidth_px(const Span& span) {
+    const QFontMetricsF metrics(themeFont(FontRole::Small));
+    return gap::tiny + std::max(metrics.horizontalAdvance(heightText(span.low_m)),
+                                metrics.horizontalAdvance(heightText(span.high_m)));
+}
+
 void TerrainProfileView::paintScale(QPainter& painter, const QRectF& plot, const Span& span) const {
-    painter.setFont(themeFont(FontRole::Small));
-    painter.setPen(tokens().text_muted);
-    const QFontMetricsF metrics(painter.font());
-    painter.drawText(QPointF(plot.left(), plot.top() + metrics.ascent()), tr("%1 m").arg(figure(span.high_m, 0)));
-    painter.drawText(QPointF(plot.left(), plot.bottom()), tr("%1 m").arg(figure(span.low_m, 0)));
+    const QFontMetricsF metrics(themeFont(FontRole::Small));
     const QString reach = tr("%1 m ahead").arg(figure(profile_.reach_m, 0));
-    painter.drawText(QPointF(plot.right() - metrics.horizontalAdvance(reach), plot.bottom()), reach);
+    paintSheetNote(painter, QPointF(plot.right() - metrics.horizontalAdvance(reach), plot.bottom()), reach);
+    const QRectF scale(gap::small, plot.top(), plot.left() - gap::small - gap::tiny, plot.height());
+    painter.drawText(scale, Qt::AlignRight | Qt::AlignTop, heightText(span.high_m));
+    painter.drawText(scale, Qt::AlignRight | Qt::AlignBottom, heightText(span.low_m));
 }
 
 } // namespace usar::widgets

@@ -36,6 +36,8 @@ private:
         double high_m = 1.0;
     };
     Span span() const;
+    /// Room for the two written heights, beside the drawing and never under it.
+    static double scaleWidth_px(const Span& span);
     QPointF place(double distance_m, double height_m, const QRectF& plot, const Span& span) const;
     void paintRobot(QPainter& painter, const QRectF& plot, const Span& span) const;
     void paintScale(QPainter& painter, const QRectF& plot, const Span& span) const;

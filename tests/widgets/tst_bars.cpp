@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QLineEdit>
@@ -23,6 +24,7 @@ private slots:
     void embeddedSimulatorNeedsNoAddress();
     void addressIsKeptForTheRealServer();
     void secondsToTheNextTryRunDown();
+    void countdownIsSeenBesideALongReason();
     void disconnectsAndGivesUpWaiting();
     void addressIsLockedWhileConnected();
     void rateKeepsItsWidth();
@@ -124,6 +126,22 @@ void tst_Bars::secondsToTheNextTryRunDown() {
     QCOMPARE(bar.statusText(), QStringLiteral("Refused. Retrying now."));
     bar.setStatus({ConnectionState::Connecting, {}, {}, {}});
     QVERIFY(!second->isActive());
+}
+
+void tst_Bars::countdownIsSeenBesideALongReason() {
+    ConnectionBar bar;
+    bar.setServer(ServerChoice::Real);
+    bar.resize(720, 40);
+    bar.show();
+    bar.setStatus({ConnectionState::Waiting, {}, QString(200, u'x'), Seconds(4.0)});
+    QCoreApplication::sendPostedEvents();
+    const auto labels = bar.findChildren<QLabel*>();
+    const auto retry = std::ranges::find(labels, QStringLiteral("Retrying in 4 s."), &QLabel::text);
+    QVERIFY(retry != labels.end());
+    QVERIFY((*retry)->width() >= (*retry)->sizeHint().width());
+    QVERIFY(bar.rect().contains((*retry)->geometry()));
+    bar.setStatus({ConnectionState::Connected, {}, {}, {}});
+    QVERIFY((*retry)->isHidden());
 }
 
 void tst_Bars::disconnectsAndGivesUpWaiting() {
@@ -288,7 +306,10 @@ void tst_Bars::areaOutsideTheWorldIsShownAndMarked() {
     QVERIFY(!marked(boxes[1]));
     boxes[3]->setValue(60.0);
     QVERIFY(marked(boxes[3]));
-    QVERIFY(form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("outside the world")));
+    const QString words =
+        form.findChild<QLabel*>(QStringLiteral("size"))->text().replace(QChar(QChar::Nbsp), QChar(u' '));
+    QVERIFY2(words.contains(QStringLiteral("Lowest x, Highest y: outside the world, which spans x −50.0 … 50.0 m")),
+             qPrintable(words));
 }
 
 void tst_Bars::withoutLimitsNothingIsMarked() {

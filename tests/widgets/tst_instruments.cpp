@@ -56,6 +56,14 @@ QString readout(const StatusStrip& strip, const QString& caption) {
     return QStringLiteral("no such readout");
 }
 
+/// Width of the field that its figure is right-aligned in, without the unit.
+int field(const StatusStrip& strip, const QString& caption) {
+    for (const Readout* one : strip.findChildren<Readout*>())
+        if (one->accessibleName() == caption)
+            return one->fieldWidth_px();
+    return -1;
+}
+
 } // namespace
 
 class tst_Instruments : public QObject {
@@ -67,6 +75,7 @@ private slots:
     void readoutKeepsItsWidth();
     void finishedMissionCanStillBeRead();
     void staleStripSaysSo();
+    void figuresOfAColumnEndOnOneLine();
     void meterWarnsInWordAndColor();
     void raysLieWhereTheyShould();
     void missesAreNoHits();
@@ -143,12 +152,24 @@ void tst_Instruments::staleStripSaysSo() {
     strip.setStale(true);
     QVERIFY(word->isVisible());
     QCOMPARE(word->text(), QStringLiteral("stale"));
+    QCOMPARE(strip.findChild<StateDot*>()->state(), StateShape::Off);
+    strip.setStatus(status);
+    QCOMPARE(strip.findChild<StateDot*>()->state(), StateShape::Off);
     QCOMPARE(pixelsNear(*battery, whole, tokens().danger), 0);
     for (const Readout* readout : strip.findChildren<Readout*>())
         QVERIFY(readout->stale());
     strip.setStale(false);
     QVERIFY(!word->isVisible());
+    QCOMPARE(strip.findChild<StateDot*>()->state(), StateShape::Good);
     QVERIFY(pixelsNear(*battery, whole, tokens().danger) > 50);
+}
+
+void tst_Instruments::figuresOfAColumnEndOnOneLine() {
+    StatusStrip strip;
+    for (const char* caption : {"elapsed", "time left", "flown"})
+        QCOMPARE(field(strip, QString::fromLatin1(caption)), field(strip, QStringLiteral("elapsed")));
+    for (const char* caption : {"to goal", "range left", "charges"})
+        QCOMPARE(field(strip, QString::fromLatin1(caption)), field(strip, QStringLiteral("charges")));
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {

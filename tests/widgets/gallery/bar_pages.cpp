@@ -26,7 +26,8 @@ QWidget* topBar(ServerChoice choice, const ConnectionStatus& status) {
     auto* connection = new ConnectionBar;
     connection->setServer(choice);
     connection->setStatus(status);
-    connection->setRate(48.0);
+    if (status.state == ConnectionState::Connected)
+        connection->setRate(48.0);
     auto* time = new TimeBar;
     time->setClock(Seconds(751.0));
     time->setRealTimeFactor(1.0);

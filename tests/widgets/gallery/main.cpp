@@ -38,6 +38,10 @@ const std::vector<Page> pages = {
     {QStringLiteral("sheet"), gallery::sheetPage},
     {QStringLiteral("instruments"), gallery::instrumentsPage},
     {QStringLiteral("sensors"), gallery::sensorsPage},
+    {QStringLiteral("empty_sensors"), gallery::emptySensorsPage},
+    {QStringLiteral("behaviors"), gallery::behaviorsPage},
+    {QStringLiteral("stale"), gallery::stalePage},
+    {QStringLiteral("spawned"), gallery::spawnedPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

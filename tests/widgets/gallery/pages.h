@@ -24,5 +24,9 @@ std::unique_ptr<QWidget> palettePage();
 std::unique_ptr<QWidget> sheetPage();
 std::unique_ptr<QWidget> instrumentsPage();
 std::unique_ptr<QWidget> sensorsPage();
+std::unique_ptr<QWidget> emptySensorsPage();
+std::unique_ptr<QWidget> behaviorsPage();
+std::unique_ptr<QWidget> stalePage();
+std::unique_ptr<QWidget> spawnedPage();
 
 } // namespace usar::gallery
