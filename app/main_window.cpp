@@ -77,6 +77,7 @@ void MainWindow::begin() {
 
 void MainWindow::wireControl() {
     connect(&control_, &MissionControl::linkChanged, this, [this](const link::LinkStatus& status) {
+        link_state_ = status.state;
         views_.connection->setStatus(barStatus(status, control_.level()));
         if (status.state != link::LinkState::Connected)
             views_.connection->setRate(std::nullopt);
@@ -135,8 +136,9 @@ void MainWindow::wireMission() {
         returnToRealTime();
     });
     connect(&control_, &MissionControl::resultsWritten, this, [this](int, const QStringList& files) {
-        say(Severity::Note, "saved",
-            tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
+        views_.notifications->push("saved", Severity::Note,
+                                   tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)),
+                                   true);
     });
     connect(&control_, &MissionControl::exportFailed, this,
             [this](int, const QString& reason) { exportFailed(reason); });
@@ -163,18 +165,9 @@ void MainWindow::wireBars() {
     connect(views_.connection, &widgets::ConnectionBar::connectRequested, this, &MainWindow::connectTo);
     connect(views_.connection, &widgets::ConnectionBar::disconnectRequested, &control_,
             &MissionControl::disconnectFromServer);
-    connect(views_.time, &widgets::TimeBar::pauseRequested, this, [this](bool paused) {
-        const double speed = views_.time->speed();
-        control_.setPace(paused              ? link::Pace::Paused
-                         : std::isinf(speed) ? link::Pace::Fast
-                                             : link::Pace::Factor,
-                         speed);
-    });
+    connect(views_.time, &widgets::TimeBar::pauseRequested, this, &MainWindow::pauseTime);
     connect(views_.time, &widgets::TimeBar::stepRequested, &control_.simulator(), &SimulatorHost::stepOnce);
-    connect(views_.time, &widgets::TimeBar::speedRequested, this, [this](double speed) {
-        if (!views_.time->paused())
-            control_.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
-    });
+    connect(views_.time, &widgets::TimeBar::speedRequested, this, &MainWindow::setSpeed);
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
     connect(views_.hint, &widgets::HintStrip::dismissed, this, [this] { views_.hint->hide(); });
 }
@@ -227,14 +220,8 @@ void MainWindow::wirePanels() {
     });
     connect(views_.behavior, &widgets::BehaviorPanel::areaToolToggled, this,
             [this](bool active) { views_.map->setTool(active ? widgets::MapTool::Area : widgets::MapTool::Pan); });
-    connect(views_.behavior, &widgets::BehaviorPanel::startRequested, this, &MainWindow::start);
-    connect(views_.behavior, &widgets::BehaviorPanel::pauseRequested, this,
-            [this](bool pause) { give(pause ? agent::Order::Pause : agent::Order::Resume); });
-    connect(views_.behavior, &widgets::BehaviorPanel::landRequested, this, [this] { give(agent::Order::LandNow); });
-    connect(views_.behavior, &widgets::BehaviorPanel::stopRequested, this, [this] {
-        if (Robot* robot = control_.robot(selected_))
-            robot->stop();
-    });
+    views_.behavior->setActions(commands_.action("mission.start"), commands_.action("mission.pause"),
+                                commands_.action("mission.land"), commands_.action("mission.stop"));
     connect(views_.parameters, &widgets::ParameterForm::changed, this, &MainWindow::applyParameters);
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,

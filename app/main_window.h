@@ -19,6 +19,7 @@ struct TaskDraft {
     std::string behavior_id;
     std::optional<Rectangle> area_in_map;
     std::map<std::string, agent::ParameterValue> values;
+    double cell_size_m = mission::Mission{}.cell_size_m;
 };
 
 /// Forwards only: intent goes to MissionControl, values go to the views. GUI thread; owns both.
@@ -40,6 +41,8 @@ public:
 public slots:
     void selectRobot(int id);
     void openMission(const QString& path);
+    /// What the selected robot is set up to do.
+    void saveMission(const QString& path);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -51,6 +54,9 @@ private:
     void registerRobotCommands();
     void registerMapCommands();
     void registerViewCommands();
+    void registerLinkCommands();
+    void registerTimeCommands();
+    void registerLayoutCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -79,8 +85,15 @@ private:
     void complain(const QString& key, const Error& error);
     void exportFailed(const QString& reason);
     void chooseMissionFile();
+    void chooseWhereToSaveMission();
+    /// Of the start pose that the selected robot was spawned on, or the first one.
+    std::string startName() const;
     bool chooseResultFolder();
-    void resetLayout();
+    /// One of the built-in layouts: the first one, with the bottom dock `raised` and this part of the height given to
+    /// the bottom docks.
+    void arrange(const QString& raised, double bottom_part);
+    void pauseTime(bool paused);
+    void setSpeed(double speed);
 
     static constexpr int layout_version = 1; ///< a layout saved by an older set of docks is not restored
 
@@ -90,9 +103,11 @@ private:
     WindowViews views_;
     RobotPresenter presenter_;
     std::vector<protocol::StartPose> start_poses_;
-    std::map<int, TaskDraft> drafts_; ///< by robot; 0: for the robot that is spawned next
+    std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
+    double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up
     QByteArray first_layout_;
     int selected_ = 0;
+    link::LinkState link_state_ = link::LinkState::Disconnected;
     bool asking_ = false; ///< where else the scan should go
     bool may_close_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
 
 namespace usar::app {
@@ -39,6 +40,8 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
     });
     connect(&simulator_, &SimulatorHost::noted, this,
             [this](const QString& sentence) { note(Severity::Note, "simulator-log", sentence); });
+    connect(&simulator_, &SimulatorHost::movedPort, this,
+            [this](const QString& sentence) { note(Severity::Warning, "simulator-port", sentence); });
     connect(&simulator_, &SimulatorHost::robotsChanged, this, [this](const std::vector<sim::RobotTruth>& truths) {
         for (const auto& [id, robot] : robots_)
             for (const sim::RobotTruth& truth : truths)
@@ -207,7 +210,7 @@ Result<agent::TaskPreview> MissionControl::preview(int id, const std::string& be
         return tl::unexpected(parameters.error());
     const Robot* robot = this->robot(id);
     const Pose start_in_map = robot ? robot->view().spawn.start_in_map : Pose{};
-    return (*plugin)->preview(behavior_id, {{"", start_in_map, area_in_map}, *parameters});
+    return agent::previewTask(**plugin, behavior_id, {{"", start_in_map, area_in_map}, *parameters});
 }
 
 Result<std::map<std::string, agent::ParameterValue>>

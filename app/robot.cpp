@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
+
+#include "core/agent/guarded_plugin.h"
 
 namespace usar::app {
 
@@ -19,7 +20,7 @@ struct Overloaded : Calls... {
 Robot::Robot(QObject* parent)
     : QObject(parent)
     , thread_(new QThread)
-    , session_(new mission::RobotSession(cell_size_m)) {
+    , session_(new mission::RobotSession(RobotView{}.cell_size_m)) {
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);
     connect(thread_, &QThread::finished, session_, &QObject::deleteLater);
@@ -80,15 +81,11 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
     if (!plugin)
         return tl::unexpected(plugin.error());
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
-    try {
-        auto behavior = (*plugin)->createBehavior(behavior_id, {task, parameters});
-        if (!behavior)
-            return tl::unexpected(behavior.error());
-        auto host = std::make_shared<agent::BehaviorHost>(std::move(*behavior), behavior_id);
-        later([=](mission::RobotSession& session) { session.startBehavior(host, task); });
-    } catch (const std::exception& problem) {
-        return failure(std::string("its plugin threw: ") + problem.what(), behavior_id, "Choose another behavior");
-    }
+    auto behavior = agent::makeBehavior(**plugin, behavior_id, {task, parameters});
+    if (!behavior)
+        return tl::unexpected(behavior.error());
+    auto host = std::make_shared<agent::BehaviorHost>(*std::move(behavior), behavior_id);
+    later([=](mission::RobotSession& session) { session.startBehavior(host, task); });
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
@@ -99,8 +96,19 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
     return {};
 }
 
+bool Robot::setCellSize(double cell_size_m) {
+    if (view_.cell_size_m == cell_size_m)
+        return false;
+    later([=](mission::RobotSession& session) { session.setCellSize(cell_size_m); });
+    if (!view_.tiles.empty())
+        return false;
+    view_.cell_size_m = cell_size_m;
+    return true;
+}
+
 void Robot::order(agent::Order order) {
     view_.paused = order == agent::Order::Pause;
+    pause_confirmed_ = false;
     later([=](mission::RobotSession& session) { session.order(order); });
 }
 
@@ -149,7 +157,7 @@ void Robot::countCovered(const mapping::HeightTile& tile) {
             tile.index.column * mapping::HeightTile::side + static_cast<int>(i) % mapping::HeightTile::side;
         const auto row = tile.index.row * mapping::HeightTile::side + static_cast<int>(i) / mapping::HeightTile::side;
         covered += !std::isnan(tile.height_m[i]) &&
-                   area.contains(Vec2((column + 0.5) * cell_size_m, (row + 0.5) * cell_size_m));
+                   area.contains(Vec2((column + 0.5) * view_.cell_size_m, (row + 0.5) * view_.cell_size_m));
     }
     view_.covered_cells[tile.index] = covered;
 }
@@ -160,11 +168,15 @@ std::optional<double> Robot::coverage_pct() const {
     double cells = 0.0;
     for (const auto& [index, covered] : view_.covered_cells)
         cells += covered;
-    return std::min(100.0, 100.0 * cells * cell_size_m * cell_size_m / view_.area_in_map.area_m2());
+    return std::min(100.0, 100.0 * cells * view_.cell_size_m * view_.cell_size_m / view_.area_in_map.area_m2());
 }
 
 void Robot::take(const agent::Published& published) {
-    std::visit(Overloaded{[this](const agent::BehaviorStatus& status) { view_.status = status; },
+    std::visit(Overloaded{[this](const agent::BehaviorStatus& status) {
+                              view_.status = status;
+                              view_.paused = view_.paused && (status.paused || !pause_confirmed_);
+                              pause_confirmed_ = status.paused;
+                          },
                           [this](const agent::PoseEstimate& estimate) {
                               view_.base_in_map = estimate.base_in_map;
                               const Vec2 point_m = estimate.base_in_map.position_m.head<2>();

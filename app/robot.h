@@ -31,8 +31,9 @@ struct RobotView {
     std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles;
     std::optional<mapping::HeightRange> height_range;
     std::optional<mapping::CourseProfile> ground;
+    double cell_size_m = 0.25;                       ///< of the height map
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
-    bool paused = false;                             ///< by the person; ends with the behavior
+    bool paused = false;                             ///< by the person, or until the behavior ends it
     bool unsaved = false;                            ///< scanned since the last export
 };
 
@@ -40,8 +41,6 @@ struct RobotView {
 class Robot : public QObject {
     Q_OBJECT
 public:
-    static constexpr double cell_size_m = 0.25; ///< of the height map
-
     explicit Robot(QObject* parent = nullptr);
     /// Says the safe command and closes. Waits two seconds at most: a behavior that hangs hurts only its robot.
     ~Robot() override;
@@ -58,6 +57,8 @@ public:
     /// Plugins are code of other people: what they throw or refuse comes back as an error.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
                                const Rectangle& area_in_map, const agent::ParameterSet& parameters);
+    /// True where the cells change by it. A map that has heights keeps its cells; a notice says so.
+    bool setCellSize(double cell_size_m);
     void order(agent::Order order);
     void setParameters(const agent::ParameterSet& parameters);
     void stop();
@@ -85,6 +86,7 @@ private:
     QThread* thread_;                ///< outlives this object only if a plugin hangs in it
     mission::RobotSession* session_; ///< lives in thread_ and is deleted there
     RobotView view_;
+    bool pause_confirmed_ = false; ///< the behavior has said that it pauses
 };
 
 } // namespace usar::app

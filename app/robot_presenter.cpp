@@ -16,7 +16,9 @@ QString stateText(const RobotView& view) {
         return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
     if (view.figures.behavior_running && view.status)
         return QString::fromStdString(view.status->state);
-    return view.figures.spawned ? QObject::tr("idle") : QObject::tr("not spawned");
+    if (view.figures.spawned)
+        return QObject::tr("idle");
+    return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
 }
 
 /// The newest message of a kind in this update, or nothing.
@@ -36,6 +38,12 @@ const Value* newestPublished(const mission::SessionUpdate& update) {
     return nullptr;
 }
 
+/// Five messages of the slowest server missed.
+bool silent(const std::optional<Seconds>& heard, Seconds now) {
+    constexpr Seconds patience{1.0};
+    return heard && now - *heard > patience;
+}
+
 } // namespace
 
 void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
@@ -44,6 +52,7 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     showOnMap(view, update, selected);
     if (!selected)
         return;
+    noteHeard(update);
     showInstruments(view, update);
     feedPanels(update);
 }
@@ -115,10 +124,19 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
 void RobotPresenter::showLinkState(int id) {
     const Robot* robot = control_.robot(id);
     const bool stale = robot && robot->view().link.state != link::LinkState::Connected;
-    views_.laser->setStale(stale);
+    const Seconds now = robot ? robot->view().figures.now : Seconds(0.0);
+    views_.status->setStale(stale && robot->view().status);
+    views_.laser->setStale(stale || silent(scan_heard_, now));
     views_.terrain->setStale(stale);
-    views_.sonars->setStale(stale);
+    views_.sonars->setStale(stale || silent(sonar_heard_, now));
     views_.sensors->setLinked(!stale);
+}
+
+void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
+    if (newest<protocol::RangeScan>(update))
+        scan_heard_ = update.figures.now;
+    if (newest<protocol::SonarReadings>(update))
+        sonar_heard_ = update.figures.now;
 }
 
 void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
@@ -131,6 +149,10 @@ void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
 }
 
 void RobotPresenter::feedMessages(const mission::SessionUpdate& update) {
+    const std::uint64_t not_shown = update.figures.lines_not_shown;
+    if (not_shown > not_shown_)
+        views_.messages->takeNotShown(not_shown - not_shown_);
+    not_shown_ = not_shown;
     for (const protocol::InfoLine& line : update.lines)
         views_.messages->takeLine(line, update.figures.now);
     for (const agent::CausedCommand& command : update.commands)
@@ -143,16 +165,22 @@ void RobotPresenter::showLink(const mission::SessionUpdate& update) {
 
 void RobotPresenter::select(int id) {
     views_.map->clearMarks();
-    views_.map->clearHeights(Robot::cell_size_m);
     views_.sensors->clear();
     views_.sonars->clear();
     views_.laser->clear();
     views_.terrain->clear();
+    views_.plots->restart();
+    views_.plots->setSource({});
+    scan_heard_ = sonar_heard_ = std::nullopt;
+    not_shown_ = 0;
     const Robot* robot = control_.robot(id);
+    views_.map->clearHeights(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot)
         return views_.status->clear(QObject::tr("No robot yet"));
     const RobotView& view = robot->view();
+    views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
+    not_shown_ = view.figures.lines_not_shown;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
         tiles.push_back(tile);

@@ -14,7 +14,8 @@ public:
     void show(int id, const mission::SessionUpdate& update, bool selected);
     /// Of a connection that has no robot yet: its lines can be read, too.
     void showLink(const mission::SessionUpdate& update);
-    /// Grey where the selected robot's link is gone: no update would say so.
+    /// Grey what is no longer true of the selected robot: all of it without a link, else each instrument whose sensor
+    /// is silent. Without a link no update would say so.
     void showLinkState(int id);
     /// The row in the list and the arrow on the map, as they stand.
     void showRow(int id);
@@ -27,9 +28,14 @@ private:
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedPanels(const mission::SessionUpdate& update);
     void feedMessages(const mission::SessionUpdate& update);
+    void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     WindowViews& views_;
+    // Of the selected robot:
+    std::optional<Seconds> scan_heard_; ///< by the protocol's clock
+    std::optional<Seconds> sonar_heard_;
+    std::uint64_t not_shown_ = 0; ///< lines that were left out of updates so far
 };
 
 } // namespace usar::app

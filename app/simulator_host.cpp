@@ -108,9 +108,10 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
         port = server->listen(0);
         if (!port)
             return emit failed(QString::fromStdString(port.error().text()));
-        emit noted(tr("Port %1 is in use by another program; the embedded simulator listens on port %2 instead.")
-                       .arg(spec.port)
-                       .arg(*port));
+        emit movedPort(tr("Port %1 is in use by another program; the embedded simulator listens on port %2 instead. "
+                          "Programs that join it must use that one.")
+                           .arg(spec.port)
+                           .arg(*port));
     }
     connect(server, &link::SimulatorServer::figuresChanged, this, &SimulatorHost::figuresChanged);
     connect(server, &link::SimulatorServer::robotsChanged, this, &SimulatorHost::robotsChanged);

@@ -1,11 +1,14 @@
 // What MainWindow does when it is asked: each action is a few lines that ask MissionControl and tell the views.
+#include <cmath>
+
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
-#include <QSettings>
 
 #include "app/main_window.h"
+#include "core/mission/mission_writer.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {
@@ -19,7 +22,7 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
     }
     views_.map->clear();
     views_.behavior->setArea(std::nullopt);
-    views_.behavior->setAreaLimits({}); // until the world is known; a real server's never is
+    views_.behavior->clearAreaLimits(); // until the world is known; a real server's never is
     for (auto& [id, draft] : drafts_)
         draft.area_in_map.reset(); // of another world
     start_poses_.clear();
@@ -34,6 +37,8 @@ void MainWindow::showWorld(const WorldPicture& world) {
     views_.map->fitWorld();
     views_.time->setSpeed(1.0);
     views_.time->setPaused(false);
+    views_.sensors->setPaused(false);
+    commands_.refresh();
 }
 
 void MainWindow::spawn(const widgets::SpawnChoice& choice) {
@@ -50,7 +55,7 @@ void MainWindow::spawn(const widgets::SpawnChoice& choice) {
 
 /// A robot's settings go with it: a new robot takes over what was set up before it came.
 void MainWindow::keepDraft() {
-    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values()};
+    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values(), cell_size_m_};
 }
 
 void MainWindow::showDraft() {
@@ -63,6 +68,7 @@ void MainWindow::showDraft() {
         views_.parameters->setValues(shown.values);
     views_.behavior->setArea(shown.area_in_map);
     views_.map->setArea(shown.area_in_map);
+    cell_size_m_ = shown.cell_size_m;
 }
 
 void MainWindow::selectRobot(int id) {
@@ -84,6 +90,7 @@ void MainWindow::selectRobot(int id) {
 }
 
 void MainWindow::showPlan() {
+    commands_.refresh();
     const Rectangle area = views_.behavior->area();
     const Robot* robot = control_.robot(selected_);
     if (robot && robot->running())
@@ -106,6 +113,8 @@ void MainWindow::showPlan() {
 }
 
 void MainWindow::start() {
+    if (Robot* robot = control_.robot(selected_); robot && robot->setCellSize(cell_size_m_))
+        views_.map->clearHeights(cell_size_m_);
     const auto started = control_.startBehavior(selected_, views_.behavior->behaviorId(), views_.behavior->area(),
                                                 views_.parameters->values());
     if (!started)
@@ -149,14 +158,29 @@ void MainWindow::applyParameters() {
     showPlan();
 }
 
+void MainWindow::pauseTime(bool paused) {
+    views_.time->setPaused(paused);
+    views_.sensors->setPaused(paused);
+    if (paused)
+        control_.setPace(link::Pace::Paused, 1.0);
+    else
+        setSpeed(views_.time->speed());
+    commands_.refresh();
+}
+
+void MainWindow::setSpeed(double speed) {
+    views_.time->setSpeed(speed);
+    if (!views_.time->paused())
+        control_.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
+}
+
 void MainWindow::returnToRealTime() {
     for (const Robot* robot : control_.robots())
         if (robot->running())
             return;
     if (views_.time->speed() <= 1.0 || views_.time->paused())
         return;
-    views_.time->setSpeed(1.0);
-    control_.setPace(link::Pace::Factor, 1.0);
+    setSpeed(1.0);
 }
 
 void MainWindow::showTitle() {
@@ -194,6 +218,7 @@ void MainWindow::openMission(const QString& path) {
     views_.behavior->setArea(mission->area_in_map);
     views_.map->setArea(mission->area_in_map);
     views_.map->fit();
+    cell_size_m_ = mission->cell_size_m;
     keepDraft();
     showPlan();
     applyParameters();
@@ -208,6 +233,43 @@ void MainWindow::chooseMissionFile() {
     const QString path = QFileDialog::getOpenFileName(this, tr("Open mission"), {}, tr("Missions (*.json)"));
     if (!path.isEmpty())
         openMission(path);
+}
+
+std::string MainWindow::startName() const {
+    const Robot* robot = control_.robot(selected_);
+    for (const protocol::StartPose& pose : start_poses_)
+        if (robot && pose.pose_in_map.position_m.isApprox(robot->view().spawn.start_in_map.position_m))
+            return pose.name;
+    return start_poses_.empty() ? mission::Mission{}.start : start_poses_.front().name;
+}
+
+void MainWindow::saveMission(const QString& path) {
+    const std::string behavior_id = views_.behavior->behaviorId();
+    const auto* behavior = control_.plugins().behavior(behavior_id);
+    if (!behavior || views_.behavior->area().empty())
+        return say(Severity::Warning, "mission", tr("There is no mission area to save. Draw one on the map first."));
+    mission::Mission mission;
+    mission.name = QFileInfo(path).completeBaseName().toStdString();
+    mission.world = control_.level().toStdString();
+    if (const Robot* robot = control_.robot(selected_))
+        mission.robot_class = robot->view().spawn.class_name;
+    mission.start = startName();
+    mission.behavior = behavior_id;
+    mission.area_in_map = views_.behavior->area();
+    mission.parameters = views_.parameters->values();
+    mission.cell_size_m = cell_size_m_;
+    if (const auto saved = mission::writeMissionFile(mission, behavior->parameters, path); !saved)
+        return complain("mission", saved.error());
+    control_.cure("mission");
+    views_.notifications->push("mission-saved", Severity::Note,
+                               tr("Saved the mission %1; usar-mission run flies it, too.").arg(path), true);
+}
+
+void MainWindow::chooseWhereToSaveMission() {
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"));
+    if (!path.isEmpty())
+        saveMission(QFileInfo(path).suffix().isEmpty() ? path + ".json" : path);
 }
 
 bool MainWindow::chooseResultFolder() {
@@ -247,27 +309,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     say(Severity::Note, "closing", tr("Saving what was scanned, then closing…"));
     control_.prepareToClose();
-}
-
-void MainWindow::restoreSettings() {
-    const QSettings settings;
-    const QString theme = settings.value("theme", "dark").toString();
-    setTheme(options_.theme.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
-    restoreGeometry(settings.value("geometry").toByteArray());
-    restoreState(settings.value("layout").toByteArray(), layout_version);
-    views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
-    if (options_.result_folder.isEmpty())
-        control_.setResultFolder(settings.value("result_folder").toString());
-}
-
-void MainWindow::saveSettings() const {
-    QSettings settings;
-    settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
-    settings.setValue("geometry", saveGeometry());
-    settings.setValue("layout", saveState(layout_version));
-    settings.setValue("hint_dismissed", views_.hint->isHidden());
-    if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
-        settings.setValue("result_folder", control_.resultFolder());
 }
 
 void MainWindow::setTheme(widgets::Theme theme) {

@@ -28,6 +28,9 @@ void MainWindow::registerCommands() {
     registerRobotCommands();
     registerMapCommands();
     registerViewCommands();
+    registerLinkCommands();
+    registerTimeCommands();
+    registerLayoutCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -35,9 +38,17 @@ void MainWindow::registerFileCommands() {
                    tr("Open mission…"),
                    tr("File"),
                    tr("Area, behavior and parameters from a mission file"),
-                   "folder",
+                   "open",
                    {QKeySequence::Open}},
                   [this](bool) { chooseMissionFile(); });
+    commands_.add(
+        {"file.save",
+         tr("Save mission as…"),
+         tr("File"),
+         tr("Area, behavior and parameters of the selected robot as a mission file"),
+         "",
+         {QKeySequence::SaveAs}},
+        [this](bool) { chooseWhereToSaveMission(); }, [this] { return !views_.behavior->area().empty(); });
     commands_.add(
         {"file.export",
          tr("Save results now"),
@@ -104,6 +115,18 @@ void MainWindow::registerMissionCommands() {
          "land",
          {QKeySequence("L")}},
         [this](bool) { give(agent::Order::LandNow); }, running);
+    commands_.add(
+        {"mission.stop",
+         tr("Stop this robot"),
+         tr("Mission"),
+         tr("Ends its behavior with its safe command; what was scanned is kept"),
+         "stop",
+         {QKeySequence("Ctrl+Backspace")}},
+        [this](bool) {
+            if (Robot* robot = control_.robot(selected_))
+                robot->stop();
+        },
+        running);
     commands_.add({"mission.stop_all",
                    tr("Stop all robots"),
                    tr("Mission"),
@@ -174,8 +197,6 @@ void MainWindow::registerViewCommands() {
     commands_.add(
         {"view.dark", tr("Dark theme"), tr("View"), tr("Dark or light"), "moon", {QKeySequence("Ctrl+T")}, true},
         [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
-    commands_.add({"view.reset", tr("Reset layout"), tr("View"), tr("All docks where they were at first"), "", {}},
-                  [this](bool) { resetLayout(); });
     commands_.add({"view.hint", tr("First steps"), tr("View"), tr("The three-step hint above the map"), "", {}},
                   [this](bool) { views_.hint->show(); });
     auto* palette = new widgets::CommandPalette(commands_, this);
@@ -201,23 +222,22 @@ void MainWindow::registerViewCommands() {
 
 void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
-                   {"file.open", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
-    commands_.fill(menuBar()->addMenu(tr("&Mission")),
-                   {"mission.area", "-", "mission.start", "mission.pause", "mission.land", "-", "mission.stop_all"});
+                   {"file.open", "file.save", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
+    commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
+                                                        "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
                    {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
                     "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "robot.spawn_again",
                     "robot.remove"});
+    commands_.fill(menuBar()->addMenu(tr("&Server")),
+                   {"link.connect", "link.disconnect", "-", "time.pause", "time.step", "time.faster", "time.slower",
+                    "time.real", "time.max"});
     auto* view = menuBar()->addMenu(tr("&View"));
-    commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.dark",
-                          "view.hint", "view.reset", "view.palette", "-"});
-    for (QDockWidget* dock : views_.docks)
+    commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.operate",
+                          "view.analyse", "view.debug", "-", "view.dark", "view.hint", "view.palette", "-"});
+    for (const QDockWidget* dock : views_.docks)
         view->addAction(dock->toggleViewAction());
     commands_.fill(menuBar()->addMenu(tr("&Help")), {"help.shortcuts"});
-}
-
-void MainWindow::resetLayout() {
-    restoreState(first_layout_, layout_version);
 }
 
 } // namespace usar::app

@@ -11,23 +11,32 @@ CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(win
 CommandRegistry::~CommandRegistry() = default;
 
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
-    Q_ASSERT_X(!contains(spec.id), "CommandRegistry::add", "the id is taken");
-    for ([[maybe_unused]] const auto& other : commands_)
-        for ([[maybe_unused]] const QKeySequence& keys : spec.shortcuts)
-            Q_ASSERT_X(!other->spec.shortcuts.contains(keys), "CommandRegistry::add", "the shortcut is taken");
     auto* action = new QAction(icon(spec.icon), spec.text, this);
-    action->setObjectName(spec.id);
-    action->setShortcuts(spec.shortcuts);
     action->setCheckable(spec.checkable);
-    action->setToolTip(tooltipText(spec));
-    action->setStatusTip(spec.help);
     if (run)
         connect(action, &QAction::triggered, this, std::move(run));
+    list(spec, action, std::move(enabled));
+    return action;
+}
+
+void CommandRegistry::adopt(const CommandSpec& spec, QAction* action) {
+    action->setText(spec.text);
+    list(spec, action, {});
+}
+
+void CommandRegistry::list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled) {
+    Q_ASSERT_X(!contains(spec.id), "CommandRegistry::list", "the id is taken");
+    for ([[maybe_unused]] const auto& other : commands_)
+        for ([[maybe_unused]] const QKeySequence& keys : spec.shortcuts)
+            Q_ASSERT_X(!other->spec.shortcuts.contains(keys), "CommandRegistry::list", "the shortcut is taken");
+    action->setObjectName(spec.id);
+    action->setShortcuts(spec.shortcuts);
+    action->setToolTip(tooltipText(spec));
+    action->setStatusTip(spec.help);
     window_->addAction(action);
     commands_.push_back(std::make_unique<Command>(Command{spec, action, std::move(enabled)}));
     if (const auto& rule = commands_.back()->enabled)
         action->setEnabled(rule());
-    return action;
 }
 
 const CommandRegistry::Command* CommandRegistry::find(const QString& id) const {

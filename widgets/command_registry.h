@@ -36,6 +36,9 @@ public:
     /// Registers and makes the action. `run` is called with the checked state; `enabled` is asked by refresh(). An id
     /// or a shortcut that is taken is a bug (assertion).
     QAction* add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled = {});
+    /// Lists an action that somebody else made and runs (a dock's own toggle); its text and shortcut become the spec's.
+    /// It lives as long as the window.
+    void adopt(const CommandSpec& spec, QAction* action);
     /// The action; asking for an unknown id is a bug (assertion).
     QAction* action(const QString& id) const;
     bool contains(const QString& id) const;
@@ -55,6 +58,7 @@ public:
     void fill(QToolBar* bar, const QStringList& ids) const;
 
 private:
+    void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
     const Command* find(const QString& id) const;
 
     QWidget* window_;

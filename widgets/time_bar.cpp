@@ -1,5 +1,6 @@
 #include "widgets/time_bar.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QHBoxLayout>
@@ -84,6 +85,11 @@ void TimeBar::setSpeed(double speed) {
             nearest = i;
     }
     speed_->setCurrentIndex(nearest);
+}
+
+void TimeBar::changeSpeed(int entries) {
+    speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + entries, 0, speed_->count() - 1));
+    emit speedRequested(speed());
 }
 
 double TimeBar::speed() const {

@@ -27,6 +27,8 @@ public:
     void setSpeed(double speed);
     /// Times real time; infinity for "max".
     double speed() const;
+    /// So many entries up or down the list, as the person would: the wish is emitted.
+    void changeSpeed(int entries);
     /// Protocol clock; nothing while unknown.
     void setClock(std::optional<Seconds> now);
     /// Protocol seconds per second of wall time.

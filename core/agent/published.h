@@ -25,6 +25,7 @@ struct BehaviorStatus {
     std::optional<Seconds> time_left;       ///< estimate on the protocol clock
     double distance_flown_m = 0.0;
     int charges = 0;
+    bool paused = false; ///< by an order; a behavior may end its pause itself
     bool operator==(const BehaviorStatus&) const = default;
 };
 

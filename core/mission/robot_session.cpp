@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/numbers.h"
 #include "core/mapping/raster_export.h"
 #include "core/mission/robot_session_private.h"
 #include "core/protocol/command_writer.h"
@@ -127,6 +128,17 @@ void RobotSession::sendCommand(const protocol::Command& command, const std::stri
 
 void RobotSession::requestRecord() {
     emit recordReady(std::make_shared<const ScanRecord>(snapshot()));
+}
+
+void RobotSession::setCellSize(double cell_size_m) {
+    if (d_->mapper.map().cellSize_m() == cell_size_m)
+        return;
+    if (d_->mapper.map().tileCount() == 0)
+        return d_->mapper.clearMap(cell_size_m);
+    d_->say(Severity::Warning, "cell size",
+            "The height map keeps its cells of " + fixed(d_->mapper.map().cellSize_m(), 2) +
+                " m, for it has heights already. Remove the robot and spawn it anew to map with cells of " +
+                fixed(cell_size_m, 2) + " m.");
 }
 
 void RobotSession::clearRecord() {

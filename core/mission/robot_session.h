@@ -63,6 +63,8 @@ public slots:
     void sendCommand(const usar::protocol::Command& command, const std::string& source);
     /// Hands out a copy of all that was scanned, for the export pool.
     void requestRecord();
+    /// Of the height map, 0.02 .. 10 m. Before anything is scanned: a map keeps its cells.
+    void setCellSize(double cell_size_m);
     /// An empty map, without path and marks.
     void clearRecord();
 

@@ -60,8 +60,8 @@ void ScanMapper::forgetScans() {
     maximum_m_.clear();
 }
 
-void ScanMapper::clearMap() {
-    map_ = mapping::HeightMap(map_.cellSize_m());
+void ScanMapper::clearMap(std::optional<double> cell_size_m) {
+    map_ = mapping::HeightMap(cell_size_m.value_or(map_.cellSize_m()));
     for (auto& [name, scanner] : scanners_)
         scanner.integrator.breakStrip();
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/agent/published.h"
@@ -30,7 +31,8 @@ public:
     bool place(const agent::ScanPlacement& placement);
     /// A new connection: line numbers of the old one mean nothing now. The map stays.
     void forgetScans();
-    void clearMap();
+    /// An empty map; `cell_size_m` of its cells stays as it is where it is not given.
+    void clearMap(std::optional<double> cell_size_m = {});
 
     mapping::HeightMap& map() { return map_; }
     const mapping::HeightMap& map() const { return map_; }

@@ -61,6 +61,7 @@ void SurveyBehavior::publishStatus(const agent::Tick& tick, agent::CommandPort& 
     status.time_left = timeLeft();
     status.distance_flown_m = craft_.battery.flown_m();
     status.charges = craft_.battery.charges();
+    status.paused = paused_;
     port.publish(status);
 }
 

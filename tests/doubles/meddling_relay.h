@@ -17,6 +17,7 @@ class MeddlingRelay : public QObject {
     Q_OBJECT
 public:
     explicit MeddlingRelay(quint16 server_port, QObject* parent = nullptr);
+    ~MeddlingRelay() override { die(); } // a socket that closes later than the map would look into it
 
     quint16 port() const { return server_.serverPort(); }
     /// Each line of the server with its terminator; what is returned goes on to the client. Unset: all goes on.

@@ -20,6 +20,7 @@ private slots:
     void shortcutRunsTheCommand();
     void tooltipSaysWhatAndShortcut();
     void enabledRulesAreAskedOnRefresh();
+    void anAdoptedActionIsListedAndKeepsItsWork();
     void menusAndBarsAreMadeFromIds();
     void scoresMatches_data();
     void scoresMatches();
@@ -89,6 +90,22 @@ void tst_CommandRegistry::enabledRulesAreAskedOnRefresh() {
     QVERIFY(land->isEnabled());
     QTest::keyClick(window_.get(), Qt::Key_L);
     QCOMPARE(ran_, QStringList{QStringLiteral("robot.land")});
+}
+
+void tst_CommandRegistry::anAdoptedActionIsListedAndKeepsItsWork() {
+    QAction other(QStringLiteral("Layers"));
+    other.setCheckable(true);
+    registry_->adopt({QStringLiteral("view.layers"),
+                      QStringLiteral("Layers"),
+                      QStringLiteral("View"),
+                      QStringLiteral("Shows or hides them."),
+                      {},
+                      {QKeySequence(QStringLiteral("Ctrl+Y"))}},
+                     &other);
+    QVERIFY(registry_->action(QStringLiteral("view.layers")) == &other);
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
+    QVERIFY(other.isChecked());
 }
 
 void tst_CommandRegistry::menusAndBarsAreMadeFromIds() {

@@ -1,0 +1,160 @@
+// What a person does from the menus and the palette: server, time, layouts, missions on the disk.
+#include <cmath>
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include "tests/doubles/test_files.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+void run(WindowPage& page, const QString& command) {
+    QAction* action = page.window().commands().action(command);
+    QVERIFY2(action->isEnabled(), qPrintable(command));
+    action->trigger();
+}
+
+bool enabled(WindowPage& page, const QString& command) {
+    return page.window().commands().action(command)->isEnabled();
+}
+
+} // namespace
+
+class tst_WindowCommands : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void theServerIsLeftAndJoinedByCommand();
+    void timeIsPausedSteppedAndRunByCommand();
+    void speedIsChangedByCommand();
+    void builtInLayoutsPutTheirDockFirst();
+    void aDockIsHiddenAndShownByCommand();
+    void aSavedMissionIsOpenedAgain();
+    void anUnwritableMissionFileIsNamed();
+    void cellsOfAMissionAreThoseOfTheMap();
+};
+
+void tst_WindowCommands::theServerIsLeftAndJoinedByCommand() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(!enabled(page, "link.connect"));
+    run(page, "link.disconnect");
+    QTRY_VERIFY_WITH_TIMEOUT(enabled(page, "link.connect"), soon_ms);
+    QVERIFY(!enabled(page, "link.disconnect"));
+    QVERIFY(!enabled(page, "time.pause"));
+    run(page, "link.connect");
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+}
+
+void tst_WindowCommands::timeIsPausedSteppedAndRunByCommand() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(!enabled(page, "time.step"));
+    run(page, "time.pause");
+    QTest::qWait(300); // what was on its way arrives
+    const Seconds stood = page.robot(1)->figures.now;
+    QTest::qWait(600);
+    QCOMPARE(page.robot(1)->figures.now.count(), stood.count());
+    run(page, "time.step");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > stood, soon_ms);
+    QTest::qWait(300);
+    QVERIFY(page.robot(1)->figures.now < stood + Seconds(0.25));
+    run(page, "time.pause");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > stood + Seconds(1.0), soon_ms);
+}
+
+void tst_WindowCommands::speedIsChangedByCommand() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const auto* time = page.window().views().time;
+    run(page, "time.faster");
+    QCOMPARE(time->speed(), 2.0);
+    run(page, "time.slower");
+    run(page, "time.slower");
+    QCOMPARE(time->speed(), 0.5);
+    run(page, "time.max");
+    QVERIFY(std::isinf(time->speed()));
+    run(page, "time.real");
+    QCOMPARE(time->speed(), 1.0);
+}
+
+void tst_WindowCommands::builtInLayoutsPutTheirDockFirst() {
+    WindowPage page;
+    const auto* messages = page.window().findChild<QDockWidget*>("messages");
+    const auto* plots = page.window().findChild<QDockWidget*>("plots");
+    run(page, "view.debug");
+    QTRY_VERIFY(!messages->visibleRegion().isEmpty());
+    QTRY_VERIFY2(messages->height() > page.map().height(), qPrintable(QString::number(messages->height())));
+    run(page, "view.analyse");
+    QTRY_VERIFY(!plots->visibleRegion().isEmpty());
+    run(page, "view.operate");
+    QTRY_VERIFY(page.map().height() > plots->height());
+}
+
+void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
+    WindowPage page;
+    const auto* layers = page.window().findChild<QDockWidget*>("layers");
+    QVERIFY(layers->isHidden());
+    run(page, "view.dock.layers");
+    QTRY_VERIFY(layers->isVisible());
+    run(page, "view.dock.layers");
+    QTRY_VERIFY(layers->isHidden());
+}
+
+void tst_WindowCommands::aSavedMissionIsOpenedAgain() {
+    const Rectangle area{{-20, -15}, {20, 15}};
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("north field.json");
+    {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(!enabled(page, "file.save"));
+        page.typeArea(area);
+        QVERIFY(enabled(page, "file.save"));
+        page.window().saveMission(file);
+        QVERIFY(!page.notified("north field.json").isEmpty());
+    }
+    WindowPage page({.mission_file = file});
+    QTRY_VERIFY_WITH_TIMEOUT(page.map().area().has_value(), soon_ms);
+    QVERIFY(page.map().area()->min_m.isApprox(area.min_m) && page.map().area()->max_m.isApprox(area.max_m));
+    QVERIFY(!page.notified("north field is ready").isEmpty());
+}
+
+void tst_WindowCommands::anUnwritableMissionFileIsNamed() {
+    const QTemporaryDir folder;
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.typeArea({{-20, -15}, {20, 15}});
+    page.window().saveMission(folder.filePath("nowhere/field.json"));
+    QVERIFY(!page.notified("nowhere/field.json").isEmpty());
+}
+
+void tst_WindowCommands::cellsOfAMissionAreThoseOfTheMap() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("coarse.json");
+    doubles::writeAll(file.toStdString(), R"({"name": "coarse", "cell_size_m": 0.5,
+        "area": {"x": -20, "y": -15, "width": 40, "height": 30}})");
+    WindowPage page({.mission_file = file});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
+    QCOMPARE(page.robot(1)->cell_size_m, 0.5);
+    run(page, "mission.stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!QDir(page.resultFolder()).entryList({"*.hdr"}).isEmpty(), soon_ms);
+    QFile header(QDir(page.resultFolder()).filePath(QDir(page.resultFolder()).entryList({"*.hdr"}).front()));
+    QVERIFY(header.open(QIODevice::ReadOnly));
+    QVERIFY(QString(header.readAll()).contains(QRegularExpression("XDIM\\s+0\\.5\\b")));
+}
+
+USAR_E2E_MAIN(tst_WindowCommands)
+#include "tst_window_commands.moc"
