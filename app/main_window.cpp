@@ -187,8 +187,11 @@ void MainWindow::wireMap() {
     connect(views_.map, &widgets::MapView::areaChanged, this, [this](const Rectangle& area) {
         views_.behavior->setArea(area);
         views_.map->setTool(widgets::MapTool::Pan);
+        views_.notifications->cured("area");
         showPlan();
     });
+    connect(views_.map, &widgets::MapView::areaRefused, this,
+            [this](const QString& reason) { say(Severity::Warning, "area", reason); });
     connect(views_.map, &widgets::MapView::toolChanged, this, [this](widgets::MapTool tool) {
         const bool drawing = tool == widgets::MapTool::Area;
         views_.behavior->setAreaToolActive(drawing);

@@ -14,10 +14,6 @@ Vec2 flat(const Vec3& point) {
     return point.head<2>();
 }
 
-/// A start pose is at least this far across on the screen, and robots this long, whatever the scale.
-constexpr double diamond_px = 8.0;
-constexpr double robot_px = 11.0;
-
 QColor faded(QColor color, double alpha) {
     color.setAlphaF(static_cast<float>(alpha));
     return color;
@@ -31,7 +27,8 @@ MapPainter::MapPainter(QPainter& painter, const MapContent& content, const Heigh
     , content_(content)
     , heights_(heights)
     , transform_(transform)
-    , tokens_(tokens()) {}
+    , tokens_(tokens())
+    , labels_(placeMapLabels(content, transform)) {}
 
 void MapPainter::paintLayers() {
     for (std::size_t i = 0; i < map_layer_count; ++i) {
@@ -226,26 +223,30 @@ void MapPainter::paintMarks() {
 
 void MapPainter::paintStartPoses() {
     painter_.setRenderHint(QPainter::Antialiasing);
-    for (std::size_t i = 0; i < content_.start_poses.size(); ++i) {
-        const protocol::StartPose& pose = content_.start_poses[i];
-        const bool hot = content_.hot_start_pose == i;
-        const double r = hot ? diamond_px + 2.0 : diamond_px;
-        const QPointF at = transform_.toScreen(flat(pose.pose_in_map.position_m));
-        painter_.save();
-        painter_.translate(at);
-        painter_.save();
-        painter_.rotate(degrees(transform_.screenRotation_rad(pose.pose_in_map.yaw_rad)));
-        painter_.setPen(QPen(tokens_.text, 1.5));
-        painter_.drawLine(QPointF(0.0, -r), QPointF(0.0, -r - 11.0));
-        painter_.setBrush(tokens_.text);
-        painter_.drawPolygon(QPolygonF({{0.0, -r - 15.0}, {-3.5, -r - 8.0}, {3.5, -r - 8.0}}));
-        painter_.restore();
-        painter_.setPen(QPen(tokens_.text, 1.5));
-        painter_.setBrush(hot ? tokens_.accent : tokens_.raised);
-        painter_.drawPolygon(QPolygonF({{0.0, -r}, {r, 0.0}, {0.0, r}, {-r, 0.0}}));
-        painter_.restore();
-        paintLabel(at + QPointF(0.0, r + 4.0), QString::fromStdString(pose.name), tokens_.text, hot);
-    }
+    for (std::size_t i = 0; i < content_.start_poses.size(); ++i)
+        paintStartPose(i);
+}
+
+void MapPainter::paintStartPose(std::size_t start_pose) {
+    const protocol::StartPose& pose = content_.start_poses[start_pose];
+    const bool hot = content_.hot_start_pose == start_pose;
+    const double r = symbol::diamond_px + (hot ? 2.0 : 0.0);
+    const double tip = r + symbol::arrow_px;
+    painter_.save();
+    painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
+    painter_.save();
+    painter_.rotate(degrees(transform_.screenRotation_rad(pose.pose_in_map.yaw_rad)));
+    painter_.setPen(QPen(tokens_.text, 1.5));
+    painter_.drawLine(QPointF(0.0, -r), QPointF(0.0, -tip + 4.0));
+    painter_.setBrush(tokens_.text);
+    painter_.drawPolygon(QPolygonF({{0.0, -tip}, {-3.5, -tip + 7.0}, {3.5, -tip + 7.0}}));
+    painter_.restore();
+    painter_.setPen(QPen(tokens_.text, 1.5));
+    painter_.setBrush(hot ? tokens_.accent : tokens_.raised);
+    painter_.drawPolygon(QPolygonF({{0.0, -r}, {r, 0.0}, {0.0, r}, {-r, 0.0}}));
+    painter_.restore();
+    if (const auto& box = labels_.start_poses[start_pose])
+        paintLabel(*box, QString::fromStdString(pose.name), hot);
 }
 
 void MapPainter::paintLaser() {
@@ -293,27 +294,23 @@ void MapPainter::paintRobot(const RobotOnMap& on_map) {
     if (selected) {
         painter_.setPen(QPen(tokens_.text, 2.0));
         painter_.setBrush(faded(tokens_.background, 0.35));
-        painter_.drawEllipse(QPointF(), robot_px + 7.0, robot_px + 7.0);
+        painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
     }
     painter_.rotate(degrees(transform_.screenRotation_rad(robot.base_in_map.yaw_rad)));
     painter_.setPen(robot.stale ? QPen(fill, 1.5) : QPen(inkOn(fill), 1.5));
     painter_.setBrush(robot.stale ? tokens_.background : fill);
-    const double r = robot_px;
+    const double r = symbol::robot_px;
     painter_.drawPolygon(QPolygonF({{0.0, -r}, {0.75 * r, 0.8 * r}, {0.0, 0.4 * r}, {-0.75 * r, 0.8 * r}}));
     painter_.restore();
-    const QString text = robot.stale ? robot.name + QStringLiteral(" (stale)") : robot.name;
-    paintLabel(at + QPointF(0.0, r + (selected ? 10.0 : 4.0)), text, tokens_.text, selected);
+    paintLabel(labels_.robots.at(robot.name), robotLabel(robot), selected);
 }
 
-void MapPainter::paintLabel(const QPointF& at_px, const QString& text, const QColor& ink, bool bold) {
+void MapPainter::paintLabel(const QRectF& box, const QString& text, bool bold) {
     painter_.setFont(themeFont(FontRole::Small, bold ? QFont::DemiBold : QFont::Normal));
-    const QFontMetricsF metrics(painter_.font());
-    const double width = metrics.horizontalAdvance(text) + gap::small;
-    const QRectF box(at_px.x() - width / 2.0, at_px.y(), width, metrics.height() + 2.0);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(faded(tokens_.background, 0.72));
     painter_.drawRoundedRect(box, 3.0, 3.0);
-    painter_.setPen(ink);
+    painter_.setPen(tokens_.text);
     painter_.drawText(box, Qt::AlignCenter, text);
 }
 

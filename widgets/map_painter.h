@@ -5,6 +5,7 @@
 
 #include "widgets/height_layer.h"
 #include "widgets/map_content.h"
+#include "widgets/map_labels.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -35,17 +36,19 @@ private:
     void paintLaser();
     void paintGoals();
     void paintRobots();
+    void paintStartPose(std::size_t start_pose);
     /// An arrowhead along the yaw; hollow and grey when stale.
     void paintRobot(const RobotOnMap& robot);
     /// Separate segments through the points, without those that are shorter than a pixel or out of sight.
     void paintSegments(const std::vector<Vec2>& points_m);
-    void paintLabel(const QPointF& at_px, const QString& text, const QColor& ink, bool bold = false);
+    void paintLabel(const QRectF& box_px, const QString& text, bool bold);
 
     QPainter& painter_;
     const MapContent& content_;
     const HeightLayer& heights_;
     const MapTransform& transform_;
     const Tokens& tokens_;
+    const MapLabels labels_;
 };
 
 /// The mark's picture, for the map and its legend: shapes differ, so that color is never alone.

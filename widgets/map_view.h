@@ -98,6 +98,8 @@ signals:
     /// While the area is dragged, many times; and once when it is let go.
     void areaEdited(const usar::Rectangle& area_in_map);
     void areaChanged(const usar::Rectangle& area_in_map);
+    /// A drawn area of no size, or wholly outside the world: a sentence with the mend. The area stays what it was.
+    void areaRefused(const QString& reason);
     /// The ground under the cursor.
     void probed(const usar::Vec2& point_in_map_m, std::optional<usar::widgets::HeightProbe> height);
     void followingChanged(bool following);
@@ -125,6 +127,11 @@ private:
     void panBy(const QPointF& by_px);
     void beginAreaGesture(const QPointF& point_px);
     void dragArea(const QPointF& point_px);
+    void finishAreaGesture(Gesture gesture, const QPointF& point_px);
+    /// Why no area can be drawn from the pressed point to this one; empty where it can.
+    QString refusal(const Vec2& to_m) const;
+    /// As if it had not begun.
+    void restoreArea();
     void cancelGesture();
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose);

@@ -82,8 +82,8 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
     const Gesture gesture = std::exchange(gesture_, Gesture::None);
     if (gesture == Gesture::Pressed)
         click(event->position());
-    if ((gesture == Gesture::DrawingArea || gesture == Gesture::DraggingGrip) && content_.area.area_in_map)
-        emit areaChanged(*content_.area.area_in_map);
+    else if (gesture == Gesture::DrawingArea || gesture == Gesture::DraggingGrip)
+        finishAreaGesture(gesture, event->position());
     updateCursor();
     update();
 }
@@ -136,11 +136,36 @@ void MapView::dragArea(const QPointF& point_px) {
     emit areaEdited(area);
 }
 
-void MapView::cancelGesture() {
-    if (gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip) {
-        content_.area.area_in_map = area_before_;
-        emit areaEdited(area_before_.value_or(Rectangle{}));
+void MapView::finishAreaGesture(Gesture gesture, const QPointF& point_px) {
+    const QString reason = gesture == Gesture::DrawingArea ? refusal(transform_.toMap(point_px)) : QString();
+    if (!reason.isEmpty()) {
+        restoreArea();
+        emit areaRefused(reason);
+    } else if (content_.area.area_in_map) {
+        emit areaChanged(*content_.area.area_in_map);
     }
+}
+
+QString MapView::refusal(const Vec2& to_m) const {
+    if (spanned(pressed_m_, to_m, std::nullopt).empty())
+        return tr("The drawn area has no size. Drag from one corner to the opposite one.");
+    const auto& world = content_.world_in_map;
+    if (!world || !spanned(pressed_m_, to_m, world).empty())
+        return {};
+    return tr("The drawn area lies outside the world, which spans x %1 … %2 m and y %3 … %4 m. Draw it inside the "
+              "world's frame.")
+        .arg(figure(world->min_m.x(), 1), figure(world->max_m.x(), 1), figure(world->min_m.y(), 1),
+             figure(world->max_m.y(), 1));
+}
+
+void MapView::restoreArea() {
+    content_.area.area_in_map = area_before_;
+    emit areaEdited(area_before_.value_or(Rectangle{}));
+}
+
+void MapView::cancelGesture() {
+    if (gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip)
+        restoreArea();
     gesture_ = Gesture::None;
     updateCursor();
     update();

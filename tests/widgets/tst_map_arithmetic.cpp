@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "widgets/models/area_grip.h"
+#include "widgets/models/label_places.h"
 #include "widgets/models/map_transform.h"
 #include "widgets/models/trail.h"
 
@@ -30,6 +31,10 @@ private slots:
     void dragBeyondTheOtherSideSwaps();
     void middleDragMovesAndStaysInTheWorld();
     void spanSnapsAndStaysInTheWorld();
+    void namesMoveAside_data();
+    void namesMoveAside();
+    void nameWithoutRoomIsLeftOutUnlessItMustShow();
+    void earlierNamesWin();
     void straightTrailCostsTwoPoints();
     void trailKeepsBends();
     void trailIgnoresNonsense();
@@ -193,6 +198,44 @@ void tst_MapArithmetic::middleDragMovesAndStaysInTheWorld() {
 void tst_MapArithmetic::spanSnapsAndStaysInTheWorld() {
     const Rectangle world{Vec2(-30, -30), Vec2(30, 30)};
     QCOMPARE(spanned(Vec2(9.9, -99), Vec2(-5.2, 3.3), world), (Rectangle{Vec2(-5, -30), Vec2(10, 3.5)}));
+}
+
+void tst_MapArithmetic::namesMoveAside_data() {
+    QTest::addColumn<std::vector<QRectF>>("taken");
+    QTest::addColumn<QPointF>("middle");
+    const QRectF below(80, 110, 40, 16);
+    const QRectF right(110, 90, 40, 20);
+    const QRectF left(50, 90, 40, 20);
+    const QRectF above(80, 70, 40, 20);
+    using Boxes = std::vector<QRectF>;
+    QTest::newRow("below when it is free") << Boxes{} << QPointF(100, 117);
+    QTest::newRow("right of what is below") << Boxes{below} << QPointF(130, 100);
+    QTest::newRow("left of what is right") << Boxes{below, right} << QPointF(70, 100);
+    QTest::newRow("above the rest") << Boxes{below, right, left} << QPointF(100, 83);
+    QTest::newRow("farther where all is taken nearby") << Boxes{below, right, left, above} << QPointF(100, 133);
+}
+
+void tst_MapArithmetic::namesMoveAside() {
+    QFETCH(std::vector<QRectF>, taken);
+    const auto places = placeLabels({{QPointF(100, 100), 12.0, QSizeF(36, 10), false}}, taken);
+    QVERIFY(places[0]);
+    QTEST(places[0]->center(), "middle");
+}
+
+void tst_MapArithmetic::nameWithoutRoomIsLeftOutUnlessItMustShow() {
+    LabelWish wish{QPointF(100, 100), 12.0, QSizeF(36, 10), false};
+    const std::vector<QRectF> everything{QRectF(0, 0, 200, 200)};
+    QVERIFY(!placeLabels({wish}, everything)[0]);
+    wish.must_show = true;
+    QCOMPARE(placeLabels({wish}, everything)[0]->center(), QPointF(100, 117));
+}
+
+void tst_MapArithmetic::earlierNamesWin() {
+    const LabelWish first{QPointF(100, 100), 12.0, QSizeF(36, 10), false};
+    const LabelWish second{QPointF(104, 100), 12.0, QSizeF(36, 10), false};
+    const auto places = placeLabels({first, second}, {});
+    QCOMPARE(places[0]->center(), QPointF(100, 117));
+    QCOMPARE(places[1]->center(), QPointF(134, 100));
 }
 
 void tst_MapArithmetic::straightTrailCostsTwoPoints() {

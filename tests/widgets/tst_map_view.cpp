@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 
 #include "core/mapping/height_map.h"
+#include "widgets/map_labels.h"
 #include "widgets/map_view.h"
 #include "widgets/theme.h"
 
@@ -54,6 +55,10 @@ private slots:
     void escapeGivesADragUp();
     void clickOnARobotSelectsIt();
     void followKeepsTheRobotInTheMiddleUntilPanned();
+    void robotOnAStartPoseCoversNoName();
+    void crowdedStartPoseGivesItsNameUp();
+    void areaWithoutGroundIsRefused_data();
+    void areaWithoutGroundIsRefused();
     void hoverProbesTheGround();
     void fitShowsTheMissionBeforeTheWorld();
     void layersCanBeHidden();
@@ -227,6 +232,61 @@ void tst_MapView::followKeepsTheRobotInTheMiddleUntilPanned() {
     QTest::keyClick(view_.get(), Qt::Key_Left);
     QVERIFY(!view_->following());
     QCOMPARE(following.count(), 2);
+}
+
+void tst_MapView::robotOnAStartPoseCoversNoName() {
+    for (const double yaw_rad : {0.0, 1.57, 3.1, -1.57})
+        for (const bool selected : {true, false}) {
+            view_->setRobot({QStringLiteral("R1"), 1, {{0, 0, 0}, 0, 0, yaw_rad}});
+            view_->setStartPoses({{"PlayerStart", {{0, 0, 0}, 0, 0, yaw_rad}}});
+            view_->selectRobot(selected ? QStringLiteral("R1") : QString());
+            const MapLabels labels = placeMapLabels(view_->content(), view_->transform());
+            const QRectF robot = labels.robots.at(QStringLiteral("R1"));
+            QVERIFY(labels.start_poses[0]);
+            QVERIFY(!robot.intersects(*labels.start_poses[0]));
+            const QPointF at = view_->transform().toScreen(Vec2(0, 0));
+            QVERIFY(!labels.start_poses[0]->contains(at) && !robot.contains(at));
+        }
+}
+
+void tst_MapView::crowdedStartPoseGivesItsNameUp() {
+    view_->setStartPoses({{"PlayerStart", {{0, 0, 0}, 0, 0, 0}}});
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            view_->setRobot({QStringLiteral("R%1%2").arg(x).arg(y), 1, {{5.0 * x, 5.0 * y, 0}, 0, 0, 0}});
+    MapLabels labels = placeMapLabels(view_->content(), view_->transform());
+    QCOMPARE(labels.robots.size(), std::size_t(9));
+    QVERIFY(!labels.start_poses[0]);
+    view_->setLayer(MapLayer::Robots, {false, 1.0});
+    labels = placeMapLabels(view_->content(), view_->transform());
+    QVERIFY2(labels.robots.empty() && labels.start_poses[0], "a hidden robot takes no room");
+}
+
+void tst_MapView::areaWithoutGroundIsRefused_data() {
+    QTest::addColumn<QPointF>("from_m");
+    QTest::addColumn<QPointF>("to_m");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("left of the world") << QPointF(-60, -10) << QPointF(-52, 10) << QStringLiteral("outside the world");
+    QTest::newRow("beyond a corner") << QPointF(52, 52) << QPointF(60, 60) << QStringLiteral("outside the world");
+    QTest::newRow("a line") << QPointF(0, 10) << QPointF(20, 10) << QStringLiteral("no size");
+}
+
+void tst_MapView::areaWithoutGroundIsRefused() {
+    QFETCH(QPointF, from_m);
+    QFETCH(QPointF, to_m);
+    QFETCH(QString, words);
+    const Rectangle before{Vec2(-40, -40), Vec2(-30, -30)};
+    view_->setTransform({{}, Vec2::Zero(), 4.0, {}});
+    view_->setArea(before);
+    view_->setTool(MapTool::Area);
+    QSignalSpy refused(view_.get(), &MapView::areaRefused);
+    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    drag(*view_, screen(*view_, from_m.x(), from_m.y()), screen(*view_, to_m.x(), to_m.y()));
+    QCOMPARE(refused.count(), 1);
+    QVERIFY2(refused[0][0].toString().contains(words), qPrintable(refused[0][0].toString()));
+    QCOMPARE(changed.count(), 0);
+    QCOMPARE(*view_->area(), before);
+    QCOMPARE(view_->tool(), MapTool::Area);
 }
 
 void tst_MapView::hoverProbesTheGround() {
