@@ -1,7 +1,5 @@
 #include "app/headless_simulator.h"
 
-#include <QDir>
-
 #include "app/locations.h"
 #include "core/link/simulator_server.h"
 #include "core/sim/world_reader.h"
@@ -11,11 +9,10 @@ namespace usar::app {
 namespace {
 
 Result<sim::World> loadWorld(const QString& name) {
-    const QString folder = worldFolder(name);
-    if (!QDir(folder).exists())
-        return failure("there is no such world", name.toStdString(),
-                       "Known are: " + worldNames().join(", ").toStdString());
-    return sim::readWorld(folder.toStdString());
+    const auto folder = findWorld(name);
+    if (!folder)
+        return tl::unexpected(folder.error());
+    return sim::readWorld(folder->toStdString());
 }
 
 } // namespace

@@ -22,14 +22,22 @@ QString worldsFolder() {
 
 } // namespace
 
-QString worldFolder(const QString& name_or_folder) {
-    const QDir worlds(worldsFolder());
-    const bool is_name = !name_or_folder.contains('/') && worlds.exists(name_or_folder);
-    return is_name || !QDir(name_or_folder).exists() ? worlds.absoluteFilePath(name_or_folder) : name_or_folder;
+Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder) {
+    const QDir worlds(worlds_folder);
+    if (!name_or_folder.isEmpty() && !name_or_folder.contains('/') && worlds.exists(name_or_folder))
+        return worlds.absoluteFilePath(name_or_folder);
+    if (QDir(name_or_folder).exists() && !name_or_folder.isEmpty())
+        return name_or_folder;
+    const QStringList names = worlds.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    const QString mend = names.isEmpty() ? "There is none at all in %1; build or install the program again, or give "
+                                           "the path of a world folder"
+                                         : "Known in %1 are: " + names.join(", ");
+    return failure("there is no such world", "world " + name_or_folder.toStdString(),
+                   mend.arg(worlds.absolutePath()).toStdString());
 }
 
-QStringList worldNames() {
-    return QDir(worldsFolder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+Result<QString> findWorld(const QString& name_or_folder) {
+    return findWorldIn(worldsFolder(), name_or_folder);
 }
 
 QStringList pluginFolders() {

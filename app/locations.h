@@ -4,12 +4,15 @@
 #include <QString>
 #include <QStringList>
 
+#include "core/base/result.h"
+
 namespace usar::app {
 
-/// A folder with this name under the worlds that come with the program, or the text itself where it names a folder.
-QString worldFolder(const QString& name_or_folder);
-/// Names of the worlds that come with the program.
-QStringList worldNames();
+/// The folder of this name among the worlds that come with the program, or the text itself where it names a folder.
+/// The error lists the names that are there, or says what to do where there are none.
+Result<QString> findWorld(const QString& name_or_folder);
+/// The same with another folder for the worlds.
+Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder);
 /// Folders that hold behavior plugins, most specific first.
 QStringList pluginFolders();
 

@@ -179,7 +179,7 @@ void MissionControl::spawnAgain(int id) {
 }
 
 Result<void> MissionControl::checkArea(const Rectangle& area_in_map) const {
-    return world_extent_in_map_.empty() ? Result<void>{} : mission::checkAreaInside(area_in_map, world_extent_in_map_);
+    return mission::checkAreaInside(area_in_map, world_extent_in_map_);
 }
 
 Result<void> MissionControl::startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
@@ -220,7 +220,7 @@ MissionControl::prepareMission(const mission::Mission& mission) const {
                        "Here is " + level_.toStdString() + "; connect to a server with " + mission.world);
     if (const auto prepared = mission::prepareBehavior(mission, plugins_); !prepared)
         return tl::unexpected(prepared.error());
-    if (const auto inside = checkArea(mission.area_in_map); !inside)
+    if (const auto inside = mission::checkAreaInside(mission, world_extent_in_map_); !inside)
         return tl::unexpected(inside.error());
     return mission::withAnglesInRadians(mission.parameters, plugins_.behavior(mission.behavior)->parameters);
 }

@@ -68,8 +68,10 @@ mission::RunSummary knownOf(const mission::MissionOptions& options) {
 }
 
 int run(const mission::MissionOptions& options, mission::Mission plan) {
-    if (!options.behavior.isEmpty())
+    if (!options.behavior.isEmpty()) {
         plan.behavior = options.behavior.toStdString();
+        plan.places.erase("behavior"); // it is not the file that would be wrong
+    }
     agent::PluginLoader plugins;
     plugins.scan(app::pluginFolders());
     std::unique_ptr<app::HeadlessSimulator> simulator;
@@ -85,7 +87,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
             mission::RunSummary known = knownOf(options);
             known.mission = plan.name;
             known.behavior = plan.behavior;
-            return refuse(started.error(), known);
+            return refuse(mission::atValue(plan, "world", started.error()), known);
         }
         simulator = *std::move(started);
         run_options.port = simulator->port();

@@ -94,7 +94,10 @@ void SimulatorHost::retire() {
 
 /// Runs in the simulator's thread.
 void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
-    Result<sim::World> world = sim::readWorld(worldFolder(spec.world).toStdString());
+    const Result<QString> folder = findWorld(spec.world);
+    if (!folder)
+        return emit failed(QString::fromStdString(folder.error().text()));
+    Result<sim::World> world = sim::readWorld(folder->toStdString());
     if (!world)
         return emit failed(QString::fromStdString(world.error().text()));
     const WorldPicture picture = pictureOf(*world);

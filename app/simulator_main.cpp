@@ -87,7 +87,10 @@ int complain(const usar::Error& error) {
 }
 
 usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settings& settings) {
-    auto world = usar::sim::readWorld(usar::app::worldFolder(settings.world).toStdString());
+    const auto folder = usar::app::findWorld(settings.world);
+    if (!folder)
+        return tl::unexpected(folder.error());
+    auto world = usar::sim::readWorld(folder->toStdString());
     if (!world)
         return tl::unexpected(world.error());
     usar::sim::SimulationOptions options;

@@ -3,39 +3,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "core/base/numbers.h"
+#include "core/base/spelling.h"
 
 namespace usar::agent {
 
 namespace {
 
-std::size_t editDistance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({replaced, row[j] + 1, row[j - 1] + 1}));
-        }
-    }
-    return row.back();
-}
-
 std::string nearestId(const std::vector<ParameterSpec>& specs, const std::string& id) {
-    std::string nearest;
-    std::size_t best = std::numeric_limits<std::size_t>::max();
-    for (const ParameterSpec& spec : specs) {
-        const std::size_t distance = editDistance(spec.id, id);
-        if (distance < best) {
-            best = distance;
-            nearest = spec.id;
-        }
-    }
-    return nearest;
+    std::vector<std::string> ids;
+    for (const ParameterSpec& spec : specs)
+        ids.push_back(spec.id);
+    return nearestWord(id, ids);
 }
 
 std::string typeName(const ParameterValue& value) {

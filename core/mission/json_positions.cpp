@@ -91,10 +91,21 @@ std::vector<JsonKey> jsonKeys(const QByteArray& valid_json) {
     return Walker(valid_json).take();
 }
 
+QString LineWalk::at(qsizetype offset) {
+    for (; at_ < std::min(offset, text_.size()); ++at_) {
+        const auto byte = static_cast<unsigned char>(text_[at_]);
+        if (byte == '\n') {
+            ++line_;
+            column_ = 1;
+        } else if ((byte & 0xc0) != 0x80) { // not the middle of a character
+            column_ += byte >= 0xf0 ? 2 : 1;
+        }
+    }
+    return QString("%1:%2").arg(line_).arg(column_);
+}
+
 QString lineAndColumn(const QByteArray& text, qsizetype offset) {
-    const QByteArray before = text.left(std::clamp(offset, qsizetype(0), text.size()));
-    const QByteArray line = before.mid(before.lastIndexOf('\n') + 1);
-    return QString("%1:%2").arg(before.count('\n') + 1).arg(QString::fromUtf8(line).size() + 1);
+    return LineWalk(text).at(offset);
 }
 
 } // namespace usar::mission

@@ -20,7 +20,21 @@ struct JsonKey {
 /// Every key in the order of the text, double ones too. The text must be one that QJsonDocument has taken.
 std::vector<JsonKey> jsonKeys(const QByteArray& valid_json);
 
-/// "line:column" of a byte, both from 1; columns count characters, not bytes.
+/// "line:column" of bytes that are asked for in the order of the text, both from 1, in one walk over it. Columns count
+/// characters (of UTF-16), not bytes. The text outlives it.
+class LineWalk {
+public:
+    explicit LineWalk(const QByteArray& text) : text_(text) {}
+    QString at(qsizetype offset);
+
+private:
+    const QByteArray& text_;
+    qsizetype at_ = 0;
+    int line_ = 1;
+    int column_ = 1;
+};
+
+/// The same for a single byte.
 QString lineAndColumn(const QByteArray& text, qsizetype offset);
 
 } // namespace usar::mission

@@ -1,6 +1,8 @@
 #include "core/mission/mission_check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include <QDir>
 #include <QTemporaryFile>
@@ -17,13 +19,42 @@ std::string inWords(const Rectangle& area) {
            ".." + fixed(area.max_m.y(), 1) + " m";
 }
 
+/// As people write it in a file: angles in degrees.
+agent::ParameterSpec asWritten(agent::ParameterSpec spec) {
+    if (spec.unit != "rad")
+        return spec;
+    const auto whole_nano = [](double angle_deg) { return std::round(angle_deg * 1e9) / 1e9; }; // 90, not 89.99..9
+    spec.unit = "deg";
+    spec.minimum = whole_nano(degrees(spec.minimum));
+    spec.maximum = whole_nano(degrees(spec.maximum));
+    return spec;
+}
+
+/// Each by itself and in the units of the file, so that the first wrong one can be shown where it stands.
+Result<void> checkParameters(const Mission& mission, const std::vector<agent::ParameterSpec>& specs) {
+    std::vector<agent::ParameterSpec> written;
+    std::ranges::transform(specs, std::back_inserter(written), asWritten);
+    for (const auto& parameter : mission.parameters) {
+        const std::string path = "parameters." + parameter.first;
+        if (const auto made = agent::ParameterSet::make(written, {parameter}); made)
+            continue;
+        else if (std::ranges::find(specs, parameter.first, &agent::ParameterSpec::id) == specs.end())
+            return tl::unexpected(atKey(mission, path, made.error()));
+        else
+            return tl::unexpected(atValue(mission, path, made.error()));
+    }
+    return {};
+}
+
 } // namespace
 
 Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins) {
     const auto plugin = plugins.pluginFor(mission.behavior);
     if (!plugin)
-        return tl::unexpected(plugin.error());
+        return tl::unexpected(atValue(mission, "behavior", plugin.error()));
     const agent::BehaviorDescription* description = plugins.behavior(mission.behavior);
+    if (const auto good = checkParameters(mission, description->parameters); !good)
+        return tl::unexpected(good.error());
     auto parameters = agent::ParameterSet::make(description->parameters,
                                                 withAnglesInRadians(mission.parameters, description->parameters));
     if (!parameters)
@@ -35,10 +66,15 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
 }
 
 Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map) {
-    if (area_in_map.empty() || world_in_map.contains(area_in_map))
+    if (area_in_map.empty() || world_in_map.empty() || world_in_map.contains(area_in_map))
         return {};
     return failure("the mission area (" + inWords(area_in_map) + ") reaches outside the world", "area",
                    "The world spans " + inWords(world_in_map) + "; move or shrink the area");
+}
+
+Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map) {
+    const auto inside = checkAreaInside(mission.area_in_map, world_in_map);
+    return inside ? inside : tl::unexpected(atValue(mission, "area", inside.error()));
 }
 
 Result<void> checkFolderIsWritable(const QString& folder) {
@@ -49,16 +85,17 @@ Result<void> checkFolderIsWritable(const QString& folder) {
                    "Choose a folder that you may write to, with --out DIR");
 }
 
-Result<Pose> startPoseNamed(const std::string& name, const protocol::StartPoses& poses) {
+Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses) {
     const auto found = std::ranges::find_if(
-        poses.poses, [&](const protocol::StartPose& pose) { return protocol::sameWord(pose.name, name); });
+        poses.poses, [&](const protocol::StartPose& pose) { return protocol::sameWord(pose.name, mission.start); });
     if (found != poses.poses.end())
         return found->pose_in_map;
     std::string names;
     for (const protocol::StartPose& pose : poses.poses)
         names += (names.empty() ? "" : ", ") + pose.name;
-    return failure("the server knows no start pose of this name", name,
-                   names.empty() ? "It has none at all" : "It has " + names);
+    const Error error{"the server knows no start pose of this name", mission.start,
+                      names.empty() ? "It has none at all" : "It has " + names};
+    return tl::unexpected(atValue(mission, "start", error));
 }
 
 } // namespace usar::mission

@@ -18,16 +18,18 @@ struct PreparedBehavior {
     agent::ParameterSet parameters;
 };
 
-/// Fails on an unknown behavior, a wrong parameter, an area without size where one is needed.
+/// Fails on an unknown behavior, a wrong parameter, an area without size where one is needed. Like all errors about a
+/// mission that was read from a file, these name line and column.
 Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins);
 
-/// Fails on an area that is not wholly inside the world.
+/// Fails on an area that is not wholly inside the world; an empty world is one whose size nobody knows.
 Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map);
+Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map);
 
 /// Makes the folder if it is missing and writes a file of no bytes there to try.
 Result<void> checkFolderIsWritable(const QString& folder);
 
-/// The pose with this name, compared without regard to case; the error lists the names that are there.
-Result<Pose> startPoseNamed(const std::string& name, const protocol::StartPoses& poses);
+/// The pose that the mission names, compared without regard to case; the error lists the names that are there.
+Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses);
 
 } // namespace usar::mission

@@ -7,39 +7,20 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSet>
 #include <QStringList>
 
+#include "core/base/spelling.h"
 #include "core/mission/json_positions.h"
 
 namespace usar::mission {
 
 namespace {
 
-const QStringList mission_keys{"name", "world", "robot", "start", "behavior", "area", "parameters", "cell_size_m"};
-const QStringList area_keys{"x", "y", "width", "height"};
+const std::vector<std::string> mission_keys{"name",     "world", "robot",      "start",
+                                            "behavior", "area",  "parameters", "cell_size_m"};
+const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
-
-/// Letters to change, put in or take out to make one word of the other.
-qsizetype editDistance(const QString& a, const QString& b) {
-    std::vector<qsizetype> row(static_cast<std::size_t>(b.size()) + 1);
-    for (std::size_t j = 0; j < row.size(); ++j)
-        row[j] = static_cast<qsizetype>(j);
-    for (qsizetype i = 0; i < a.size(); ++i) {
-        qsizetype diagonal = row[0]++;
-        for (std::size_t j = 1; j < row.size(); ++j) {
-            const qsizetype changed = diagonal + (a[i] == b[static_cast<qsizetype>(j) - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-QString nearest(const QString& word, const QStringList& known) {
-    return *std::min_element(known.begin(), known.end(), [&word](const QString& a, const QString& b) {
-        return editDistance(word, a) < editDistance(word, b);
-    });
-}
 
 /// Reads one file's keys; the first trouble is kept and the rest then means nothing.
 class Reading {
@@ -50,11 +31,13 @@ public:
         , keys_(jsonKeys(json)) {}
 
     void checkKeys() {
-        for (auto key = keys_.begin(); key != keys_.end(); ++key) {
-            if (key->parent.isEmpty() || key->parent == "area")
-                checkName(*key, key->parent.isEmpty() ? mission_keys : area_keys);
-            if (std::any_of(keys_.begin(), key, [key](const JsonKey& other) { return other.path() == key->path(); }))
-                fail(key->key_offset, QString("\"%1\" is given twice").arg(key->path()), "keep one of the two");
+        QSet<QString> paths;
+        for (const JsonKey& key : keys_) {
+            if (key.parent.isEmpty() || key.parent == "area")
+                checkName(key, key.parent.isEmpty() ? mission_keys : area_keys);
+            if (paths.contains(key.path()))
+                fail(key.key_offset, QString("\"%1\" is given twice").arg(key.path()), "keep one of the two");
+            paths.insert(key.path());
         }
     }
 
@@ -99,17 +82,38 @@ public:
 
     void fail(qsizetype offset, const QString& what, const QString& mend) {
         if (!error_)
-            error_ = Error{what.toStdString(), (file_name_ + ':' + lineAndColumn(json_, offset)).toStdString(),
-                           mend.toStdString()};
+            error_ = Error{what.toStdString(), placeOf(offset), mend.toStdString()};
+    }
+
+    /// Where every key and its value stand.
+    std::map<std::string, KeyPlace> places() const {
+        std::map<std::string, KeyPlace> places;
+        LineWalk walk(json_);
+        for (const JsonKey& key : keys_) {
+            const QString of_key = file_name_ + ':' + walk.at(key.key_offset);
+            const QString of_value = file_name_ + ':' + walk.at(key.value_offset);
+            places[key.path().toStdString()] = {of_key.toStdString(), of_value.toStdString()};
+        }
+        return places;
     }
 
     const std::optional<Error>& error() const { return error_; }
 
 private:
-    void checkName(const JsonKey& key, const QStringList& known) {
-        if (!known.contains(key.name))
-            fail(key.key_offset, QString("unknown key \"%1\"").arg(key.name),
-                 QString("did you mean \"%1\"? Known here: %2").arg(nearest(key.name, known), known.join(", ")));
+    std::string placeOf(qsizetype offset) const {
+        return (file_name_ + ':' + lineAndColumn(json_, offset)).toStdString();
+    }
+
+    void checkName(const JsonKey& key, const std::vector<std::string>& known) {
+        const std::string name = key.name.toStdString();
+        if (std::ranges::find(known, name) != known.end())
+            return;
+        QStringList all;
+        for (const std::string& word : known)
+            all += QString::fromStdString(word);
+        fail(key.key_offset, QString("unknown key \"%1\"").arg(key.name),
+             QString("did you mean \"%1\"? Known here: %2")
+                 .arg(QString::fromStdString(nearestWord(name, known)), all.join(", ")));
     }
 
     void failMissing(const QString& key, const QString& parent) {
@@ -196,6 +200,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())
         return tl::unexpected(*reading.error());
+    mission.places = reading.places();
     return mission;
 }
 
@@ -209,6 +214,25 @@ Result<Mission> readMissionFile(const QString& path) {
     if (json.size() > maximum_bytes)
         return failure("this is larger than any mission", path.toStdString(), "choose a mission file (JSON)");
     return readMission(json, path);
+}
+
+namespace {
+
+/// What the error was about goes into the sentence, for the place takes its seat.
+Error at(const std::string& place, const Error& error) {
+    return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
+}
+
+} // namespace
+
+Error atKey(const Mission& mission, const std::string& path, const Error& error) {
+    const auto found = mission.places.find(path);
+    return found == mission.places.end() ? error : at(found->second.key, error);
+}
+
+Error atValue(const Mission& mission, const std::string& path, const Error& error) {
+    const auto found = mission.places.find(path);
+    return found == mission.places.end() ? error : at(found->second.value, error);
 }
 
 std::map<std::string, agent::ParameterValue>

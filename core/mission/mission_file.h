@@ -14,6 +14,13 @@
 
 namespace usar::mission {
 
+/// "FILE:LINE:COLUMN" of a key in the file and of its value.
+struct KeyPlace {
+    std::string key;
+    std::string value;
+    bool operator==(const KeyPlace&) const = default;
+};
+
 /// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, area {x, y, width, height}
 /// (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m. Only
 /// name and area must be there. Angles in the file are degrees where the parameter's unit is rad.
@@ -26,12 +33,19 @@ struct Mission {
     Rectangle area_in_map;
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
     double cell_size_m = 0.25;                               ///< 0.02 .. 10
+    /// By path ("area.width", "parameters.scan_altitude_m"), for what is found wrong only later. Empty where no file
+    /// was read; whoever puts another value in takes the place of the old one out.
+    std::map<std::string, KeyPlace> places;
 };
 
 /// Errors name file, line and column: broken JSON, an unknown key (with the nearest known one), a key given twice or
 /// missing, a wrong type, an area without size.
 Result<Mission> readMission(const QByteArray& json, const QString& file_name);
 Result<Mission> readMissionFile(const QString& path);
+
+/// The error with the place in the file of this key, or of its value, put before it; unchanged where that is unknown.
+Error atKey(const Mission& mission, const std::string& path, const Error& error);
+Error atValue(const Mission& mission, const std::string& path, const Error& error);
 
 /// The file's parameters as a behavior takes them: those whose spec says "rad" turned from degrees to radians.
 std::map<std::string, agent::ParameterValue>

@@ -88,7 +88,7 @@ Result<void> MissionRunner::Private::prepare() {
         return tl::unexpected(prepared.error());
     behavior = *std::move(prepared);
     if (options.world_extent)
-        if (auto inside = checkAreaInside(mission.area_in_map, *options.world_extent); !inside)
+        if (auto inside = checkAreaInside(mission, *options.world_extent); !inside)
             return inside;
     return checkFolderIsWritable(options.result_folder);
 }
@@ -96,7 +96,7 @@ Result<void> MissionRunner::Private::prepare() {
 void MissionRunner::Private::takeStartPoses(const protocol::StartPoses& poses) {
     if (phase != Phase::Connecting)
         return;
-    const auto pose = startPoseNamed(mission.start, poses);
+    const auto pose = startPoseOf(mission, poses);
     if (!pose) {
         conclude(false, pose.error().text(), BadInput);
         return;

@@ -126,14 +126,18 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
                                        << QStringList{} << "area";
     QTest::newRow("area outside the world")
         << QByteArray(R"({ "name": "x", "area": { "x": 90, "y": 0, "width": 500, "height": 5 } })") << QStringList{}
-        << "reaches outside the world";
+        << "mission.json:1:24: area: the mission area (x 90.0..590.0 m, y 0.0..5.0 m) reaches outside the world";
     QTest::newRow("unknown world")
         << QByteArray(R"({ "name": "x", "world": "moon", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
-        << QStringList{} << "Known are: ";
+        << QStringList{} << "mission.json:1:25: world moon: there is no such world. Known in ";
     QTest::newRow("unknown start pose")
         << QByteArray(R"({ "name": "x", "start": "Roof", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
-        << QStringList{} << "no start pose of this name";
+        << QStringList{} << "mission.json:1:25: Roof: the server knows no start pose of this name";
     QTest::newRow("unknown behavior") << small << QStringList{"--behavior", "airrobot/dance"} << "airrobot/dance";
+    QTest::newRow("unknown parameter")
+        << QByteArray("{ \"name\": \"x\", \"area\": { \"x\": 0, \"y\": 0, \"width\": 5, \"height\": 5 },\n"
+                      "  \"parameters\": { \"scan_altitud_m\": 5 } }")
+        << QStringList{} << "mission.json:2:19: parameter scan_altitud_m: there is no such parameter. Did you mean ";
     QTest::newRow("unwritable folder") << small << QStringList{"--out", "/proc/nowhere"} << "/proc/nowhere";
     QTest::newRow("wrong option") << small << QStringList{"--sped", "3"} << "--sped";
     QTest::newRow("dead host") << small << QStringList{"--connect", "127.0.0.1:9"} << "Nothing listens at 127.0.0.1:9";

@@ -53,6 +53,7 @@ public:
         hop.name = "Hop";
         hop.needs_area = true;
         hop.parameters = {{"ticks", "Ticks", "", "", 5LL, 1, 1000000, "How long.", {}},
+                          {"lean_rad", "Lean", "", "rad", 0.0, 0.0, pi / 4, "Only to be checked.", {}},
                           {"throws", "Throws", "", "", false, 0, 0, "Instead of being made.", {}},
                           {"succeeds", "Succeeds", "", "", true, 0, 0, "How it ends.", {}}};
         return {"USARBot.AirRobot", "Hopper", {}, {hop}};

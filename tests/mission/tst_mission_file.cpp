@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -60,6 +61,8 @@ private slots:
     void theMissionsThatComeWithTheProgramAreGood();
     void columnsCountCharacters();
     void keysAreFoundInEveryCorner();
+    void everyKeyKeepsItsPlace();
+    void aHundredThousandKeysAreReadAtOnce();
 };
 
 void tst_MissionFile::takesTheSmallestFileAndFillsInTheRest() {
@@ -220,6 +223,35 @@ void tst_MissionFile::keysAreFoundInEveryCorner() {
     QCOMPARE(paths, QStringList({"a", "a[0].b", "cA", "cA.d", "e"}));
     QVERIFY(jsonKeys("{}").empty());
     QVERIFY(jsonKeys("[]").empty());
+}
+
+void tst_MissionFile::everyKeyKeepsItsPlace() {
+    const auto mission =
+        readMission("{ \"name\": \"\xc3\xa4\",\n  " + area + ",\n\"parameters\":\n {\"lanes\":  3}}", "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->places.at("name").key, std::string("m.json:1:3"));
+    QCOMPARE(mission->places.at("name").value, std::string("m.json:1:11"));
+    QCOMPARE(mission->places.at("area").key, std::string("m.json:2:3"));
+    QCOMPARE(mission->places.at("area.y").value, std::string("m.json:2:25"));
+    QCOMPARE(mission->places.at("parameters.lanes").key, std::string("m.json:4:3"));
+    QCOMPARE(mission->places.at("parameters.lanes").value, std::string("m.json:4:13"));
+    const Error wrong{"it is wrong", "parameter lanes", "Mend it"};
+    QCOMPARE(atKey(*mission, "parameters.lanes", wrong).text(),
+             std::string("m.json:4:3: parameter lanes: it is wrong. Mend it."));
+    QCOMPARE(atValue(*mission, "parameters.lanes", wrong).where, std::string("m.json:4:13"));
+    QCOMPARE(atValue(*mission, "start", wrong), wrong); // not in the file
+}
+
+void tst_MissionFile::aHundredThousandKeysAreReadAtOnce() {
+    QByteArray json = "{\"name\": \"a\", " + area + ", \"parameters\": {\"first\": 0";
+    for (int i = 0; i < 100000; ++i)
+        json += ",\"" + QByteArray::number(i, 36) + "\":" + QByteArray::number(i % 10);
+    QElapsedTimer timer;
+    timer.start();
+    const auto mission = readMission(json + "}}", "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->parameters.size(), std::size_t(100001));
+    QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed()))); // it was minutes
 }
 
 QTEST_APPLESS_MAIN(tst_MissionFile)

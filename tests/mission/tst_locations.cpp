@@ -1,0 +1,55 @@
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/locations.h"
+
+using namespace usar;
+
+class tst_Locations : public QObject {
+    Q_OBJECT
+private slots:
+    void findsAWorldByItsName();
+    void findsAWorldByItsFolder();
+    void anUnknownWorldListsTheKnownOnes();
+    void whereThereIsNoWorldAtAllTheMendIsTold_data();
+    void whereThereIsNoWorldAtAllTheMendIsTold();
+};
+
+void tst_Locations::findsAWorldByItsName() {
+    QTemporaryDir worlds;
+    QVERIFY(QDir(worlds.path()).mkdir("marsh"));
+    QCOMPARE(app::findWorldIn(worlds.path(), "marsh").value_or(""), worlds.filePath("marsh"));
+}
+
+void tst_Locations::findsAWorldByItsFolder() {
+    QTemporaryDir elsewhere;
+    QCOMPARE(app::findWorldIn("/no/worlds", elsewhere.path()).value_or(""), elsewhere.path());
+}
+
+void tst_Locations::anUnknownWorldListsTheKnownOnes() {
+    QTemporaryDir worlds;
+    QVERIFY(QDir(worlds.path()).mkdir("marsh") && QDir(worlds.path()).mkdir("hill"));
+    const auto found = app::findWorldIn(worlds.path(), "moon");
+    QVERIFY(!found);
+    QCOMPARE(QString::fromStdString(found.error().text()),
+             QString("world moon: there is no such world. Known in %1 are: hill, marsh.").arg(worlds.path()));
+}
+
+void tst_Locations::whereThereIsNoWorldAtAllTheMendIsTold_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("a name") << "moon";
+    QTest::newRow("a path") << "/no/moon";
+    QTest::newRow("nothing") << "";
+}
+
+void tst_Locations::whereThereIsNoWorldAtAllTheMendIsTold() {
+    QFETCH(QString, name);
+    const auto found = app::findWorldIn("/no/worlds", name);
+    QVERIFY(!found);
+    const QString text = QString::fromStdString(found.error().text());
+    QVERIFY2(text.contains("There is none at all in /no/worlds; build or install"), qPrintable(text));
+}
+
+QTEST_GUILESS_MAIN(tst_Locations)
+#include "tst_locations.moc"
