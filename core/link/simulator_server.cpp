@@ -53,6 +53,7 @@ void SimulatorServer::setPace(Pace pace, double factor) {
     pace_ = pace;
     factor_ = std::isfinite(factor) && factor > 0.0 ? factor : 1.0;
     owed_ = Seconds{0.0};
+    held_up_ = {};
     steps_asked_ = 0;
     samples_.clear();
     last_advance_ms_ = wall_.elapsed();
@@ -144,6 +145,7 @@ void SimulatorServer::arm(int milliseconds) {
 
 void SimulatorServer::tick() {
     simulation_->step();
+    held_up_ = {};
     publishLog();
     flush();
 }
@@ -180,7 +182,31 @@ SimulatorFigures SimulatorServer::figures() const {
     return figures;
 }
 
+void SimulatorServer::watchLockstep() {
+    // Where this thread itself was held up (a debugger, a laptop asleep) the clients could not be heard.
+    const qint64 since_ms =
+        std::min<qint64>(wall_.elapsed() - std::exchange(last_watch_ms_, wall_.elapsed()), 2 * report_interval_ms);
+    if (pace_ == Pace::Paused || sockets_.size() < 2 || simulation_->readyToStep()) {
+        held_up_ = {};
+        return;
+    }
+    held_up_ += std::chrono::milliseconds(since_ms);
+    if (held_up_ < lockstep_patience_)
+        return;
+    for (const sim::ClientId client : simulation_->awaited()) {
+        simulation_->releaseFromLockstep(client);
+        emit logged(tr("client %1: taken out of lockstep, for it has said no STEP for %2 s while others waited; "
+                       "LOCKSTEP {On true} takes it in again")
+                        .arg(client.value)
+                        .arg(static_cast<double>(held_up_.count()) / 1000.0, 0, 'f', 1));
+    }
+    held_up_ = {};
+    flush();
+    advance();
+}
+
 void SimulatorServer::report() {
+    watchLockstep();
     samples_.push_back({wall_.elapsed(), simulation_->now()});
     while (samples_.size() > 2 && samples_.back().wall_ms - samples_[1].wall_ms >= rtf_window_ms)
         samples_.pop_front();

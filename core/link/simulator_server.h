@@ -1,6 +1,7 @@
 // Serves a simulation on loopback TCP and paces its time.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <memory>
@@ -31,7 +32,8 @@ struct SimulatorFigures {
 
 /// Owns a Simulation and the sockets; lives in the simulator's thread. With lockstep clients each tick waits for their
 /// STEP, whatever the pace, and no timer stands between the last STEP and the tick. Fast stands still while nobody has
-/// a robot. A client that does not read is dropped once 8 MiB wait for it.
+/// a robot. A client that does not read is dropped once 8 MiB wait for it; one that says no STEP for ten seconds while
+/// others are connected is not waited for any more, and told so. Alone it may take its time: somebody debugs it.
 class SimulatorServer : public QObject {
     Q_OBJECT
 public:
@@ -43,6 +45,7 @@ public:
     quint16 port() const { return server_.serverPort(); }
     SimulatorFigures figures() const;
     void setUnreadLimit(qint64 bytes) { unread_limit_bytes_ = bytes; }
+    void setLockstepPatience(std::chrono::milliseconds patience) { lockstep_patience_ = patience; }
 
 public slots:
     void setPace(usar::link::Pace pace, double factor = 1.0);
@@ -72,6 +75,7 @@ private:
     void tick();
     void flush();
     void publishLog();
+    void watchLockstep();
     void report();
 
     std::unique_ptr<sim::Simulation> simulation_;
@@ -83,6 +87,9 @@ private:
     Pace pace_ = Pace::Factor;
     double factor_ = 1.0;
     qint64 unread_limit_bytes_ = 8 << 20;
+    std::chrono::milliseconds lockstep_patience_{10000};
+    std::chrono::milliseconds held_up_{0}; ///< so long others have waited for the STEP of a client
+    qint64 last_watch_ms_ = 0;
     int steps_asked_ = 0;
     qint64 last_advance_ms_ = 0;
     Seconds tick_;

@@ -53,6 +53,11 @@ void ClientSession::take(std::string_view line, const Log& log) {
     }
 }
 
+void ClientSession::leaveLockstep() {
+    lockstep_ = false;
+    send(protocol::LockstepInfo{false});
+}
+
 std::string ClientSession::takeOutput() {
     return std::exchange(output_, {});
 }

@@ -30,6 +30,8 @@ public:
     std::string takeOutput();
 
     bool lockstep() const { return lockstep_; }
+    /// Tells the client that nobody waits for its STEP any more; it may ask for lockstep again.
+    void leaveLockstep();
     /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
     /// could not answer them), or it has said STEP.
     bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ > 0; }

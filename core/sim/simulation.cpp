@@ -165,6 +165,20 @@ bool Simulation::hasLockstepClients() const {
                        [](const auto& one) { return one.second.lockstep(); });
 }
 
+std::vector<ClientId> Simulation::awaited() const {
+    std::vector<ClientId> clients;
+    for (const auto& [client, session] : state_->sessions)
+        if (!session.ready())
+            clients.push_back(client);
+    return clients;
+}
+
+void Simulation::releaseFromLockstep(ClientId client) {
+    const auto found = state_->sessions.find(client);
+    if (found != state_->sessions.end())
+        found->second.leaveLockstep();
+}
+
 bool Simulation::idle() const {
     return std::all_of(state_->sessions.begin(), state_->sessions.end(),
                        [](const auto& one) { return one.second.idle(); });

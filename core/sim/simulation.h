@@ -59,6 +59,10 @@ public:
     /// False while a lockstep client has not said STEP since the last tick.
     bool readyToStep() const;
     bool hasLockstepClients() const;
+    /// The clients whose STEP is missing.
+    std::vector<ClientId> awaited() const;
+    /// For a client that has hung: it is told, and not waited for any more.
+    void releaseFromLockstep(ClientId client);
     /// True while nothing would happen but the passing of time: no robot and no command that waits.
     bool idle() const;
     /// One message tick: physics, sensors, lines for every client.

@@ -1,3 +1,6 @@
+#include <chrono>
+#include <optional>
+
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTcpSocket>
@@ -176,6 +179,70 @@ private slots:
         leaving.reset();
         QTRY_COMPARE(staying.count("STA {"), 1);
         QTRY_COMPARE(served.server.figures().clients, 1);
+    }
+
+    void aClientThatHangsInLockstepHoldsNobodyUpForEver() {
+        Served served(Pace::Fast);
+        served.server.setLockstepPatience(std::chrono::milliseconds(300));
+        QSignalSpy log(&served.server, &SimulatorServer::logged);
+        Client hung(served.port);
+        hung.say("LOCKSTEP {On true}\r\n" + init);
+        QTRY_COMPARE(hung.count("STA {"), 1);
+        Client other(served.port);
+        other.say("INIT {ClassName USARBot.AirRobot} {Location 5,5,-0.3}\r\n");
+        QTRY_VERIFY(other.count("STA {") > 3);
+        QTRY_COMPARE(hung.count("NFO {Lockstep False}"), 1);
+        QVERIFY(std::any_of(log.begin(), log.end(), [](const QList<QVariant>& one) {
+            return one.first().toString().contains("client 1: taken out of lockstep");
+        }));
+        hung.say("STEP\r\nLOCKSTEP {On true}\r\n"); // it has come to itself
+        QTRY_COMPARE(hung.count("NFO {Lockstep True}"), 2);
+        const auto held = [&] {
+            const Seconds before = served.now();
+            QCoreApplication::processEvents();
+            return served.now() == before;
+        };
+        QTRY_VERIFY(held());
+    }
+
+    void onlyTheOneThatHangsIsTakenOutOfLockstep() {
+        Served served(Pace::Fast);
+        served.server.setLockstepPatience(std::chrono::milliseconds(300));
+        Client hung(served.port);
+        hung.say("LOCKSTEP {On true}\r\n" + init);
+        QTRY_COMPARE(hung.count("STA {"), 1);
+        Client answering(served.port);
+        answering.say("LOCKSTEP {On true}\r\nINIT {ClassName USARBot.AirRobot} {Location 5,5,-0.3}\r\nSTEP\r\n");
+        QObject::connect(&answering.socket(), &QTcpSocket::readyRead, &answering.socket(),
+                         [&] { answering.say("STEP\r\n"); });
+        QTRY_VERIFY(answering.count("STA {") > 20);
+        QCOMPARE(hung.count("NFO {Lockstep False}"), 1);
+        QCOMPARE(answering.count("NFO {Lockstep False}"), 0);
+    }
+
+    void aClientMayTakeItsTime_data() {
+        QTest::addColumn<bool>("paused");
+        QTest::newRow("while it is alone") << false;
+        QTest::newRow("while the simulation is paused") << true;
+    }
+
+    void aClientMayTakeItsTime() {
+        QFETCH(bool, paused);
+        Served served(Pace::Fast);
+        served.server.setLockstepPatience(std::chrono::milliseconds(1));
+        Client client(served.port);
+        client.say("LOCKSTEP {On true}\r\n" + init);
+        QTRY_COMPARE(client.count("STA {"), 1);
+        std::optional<Client> other;
+        if (paused) {
+            served.server.setPace(Pace::Paused);
+            other.emplace(served.port);
+            QTRY_COMPARE(served.server.figures().clients, 2);
+        }
+        QSignalSpy reports(&served.server, &SimulatorServer::figuresChanged);
+        QTRY_VERIFY(reports.size() >= 3);
+        QCOMPARE(client.count("NFO {Lockstep False}"), 0);
+        QVERIFY(std::abs(served.now().count() - 0.2) < 1e-9);
     }
 
     void clientsThatCloseTogetherLeaveTheServerAlive() {
