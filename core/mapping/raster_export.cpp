@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/base/numbers.h"
 
@@ -19,22 +21,51 @@ std::int32_t middle(std::vector<std::int32_t> values) {
     return *half;
 }
 
-/// Tiles that lie within half the longest side of the middle one.
-std::vector<const HeightTile*> tilesWithinReach(const HeightMap& map) {
-    const std::vector<GridIndex> indices = map.tileIndices();
+/// Bounds of tiles as they are added, in tiles.
+struct TileBounds {
+    std::int64_t first_column = std::numeric_limits<std::int32_t>::max();
+    std::int64_t last_column = std::numeric_limits<std::int32_t>::min();
+    std::int64_t first_row = first_column;
+    std::int64_t last_row = last_column;
+
+    void add(const GridIndex& index) {
+        first_column = std::min<std::int64_t>(first_column, index.column);
+        last_column = std::max<std::int64_t>(last_column, index.column);
+        first_row = std::min<std::int64_t>(first_row, index.row);
+        last_row = std::max<std::int64_t>(last_row, index.row);
+    }
+    bool fits(std::size_t tile_count) const {
+        const std::int64_t columns = (last_column - first_column + 1) * side;
+        const std::int64_t rows = (last_row - first_row + 1) * side;
+        const std::int64_t room = std::max(roomy_raster_cells, 4 * std::int64_t(tile_count) * side * side);
+        return columns <= maximum_raster_side && rows <= maximum_raster_side && columns * rows <= room;
+    }
+};
+
+/// Takes out of `indices` (not empty) those for one raster: the ones nearest to the middle tile, as many as fit.
+std::vector<const HeightTile*> takeTilesForOne(const HeightMap& map, std::vector<GridIndex>& indices) {
     std::vector<std::int32_t> columns, rows;
     for (const GridIndex& index : indices) {
         columns.push_back(index.column);
         rows.push_back(index.row);
     }
-    std::vector<const HeightTile*> tiles;
-    const GridIndex center = indices.empty() ? GridIndex{} : GridIndex{middle(columns), middle(rows)};
-    constexpr std::int64_t reach = maximum_raster_side / side / 2 - 1;
-    for (const GridIndex& index : indices) {
-        if (std::abs(std::int64_t(index.column) - center.column) <= reach &&
-            std::abs(std::int64_t(index.row) - center.row) <= reach)
-            tiles.push_back(map.tile(index));
+    const GridIndex center{middle(columns), middle(rows)};
+    std::ranges::stable_sort(indices, {}, [center](const GridIndex& index) {
+        return std::max(std::abs(std::int64_t(index.column) - center.column),
+                        std::abs(std::int64_t(index.row) - center.row));
+    });
+    TileBounds bounds;
+    std::size_t fitting = 1;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        bounds.add(indices[i]);
+        if (bounds.fits(i + 1))
+            fitting = i + 1;
     }
+    std::vector<const HeightTile*> tiles;
+    const auto rest = indices.begin() + static_cast<std::ptrdiff_t>(fitting);
+    std::transform(indices.begin(), rest, std::back_inserter(tiles),
+                   [&map](GridIndex index) { return map.tile(index); });
+    indices.erase(indices.begin(), rest);
     return tiles;
 }
 
@@ -59,28 +90,8 @@ std::optional<CellBounds> knownBounds(const std::vector<const HeightTile*>& tile
     return bounds;
 }
 
-} // namespace
-
-std::optional<HeightRange> Raster::range() const {
-    std::optional<HeightRange> range;
-    for (const float height_m : heights_m) {
-        if (std::isnan(height_m))
-            continue;
-        if (!range)
-            range = HeightRange{height_m, height_m};
-        range->minimum_m = std::min(range->minimum_m, height_m);
-        range->maximum_m = std::max(range->maximum_m, height_m);
-    }
-    return range;
-}
-
-std::size_t Raster::knownCellCount() const {
-    return static_cast<std::size_t>(
-        std::count_if(heights_m.begin(), heights_m.end(), [](float height_m) { return !std::isnan(height_m); }));
-}
-
-Raster rasterOf(const HeightMap& map) {
-    const std::vector<const HeightTile*> tiles = tilesWithinReach(map);
+/// Cropped to the known cells.
+Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>& tiles) {
     const std::optional<CellBounds> bounds = knownBounds(tiles);
     Raster raster;
     raster.cell_size_m = map.cellSize_m();
@@ -102,6 +113,44 @@ Raster rasterOf(const HeightMap& map) {
         }
     }
     return raster;
+}
+
+} // namespace
+
+std::optional<HeightRange> Raster::range() const {
+    std::optional<HeightRange> range;
+    for (const float height_m : heights_m) {
+        if (std::isnan(height_m))
+            continue;
+        if (!range)
+            range = HeightRange{height_m, height_m};
+        range->minimum_m = std::min(range->minimum_m, height_m);
+        range->maximum_m = std::max(range->maximum_m, height_m);
+    }
+    return range;
+}
+
+std::size_t Raster::knownCellCount() const {
+    return static_cast<std::size_t>(
+        std::count_if(heights_m.begin(), heights_m.end(), [](float height_m) { return !std::isnan(height_m); }));
+}
+
+std::vector<Raster> rastersOf(const HeightMap& map, std::size_t most) {
+    std::vector<GridIndex> indices = map.tileIndices();
+    std::vector<Raster> rasters;
+    while (!indices.empty() && rasters.size() < most) {
+        Raster raster = rasterOfTiles(map, takeTilesForOne(map, indices));
+        if (!raster.empty())
+            rasters.push_back(std::move(raster));
+    }
+    return rasters;
+}
+
+Raster rasterOf(const HeightMap& map) {
+    Raster empty;
+    empty.cell_size_m = map.cellSize_m();
+    std::vector<Raster> rasters = rastersOf(map, 1);
+    return rasters.empty() ? empty : std::move(rasters.front());
 }
 
 std::vector<char> bilBytes(const Raster& raster) {

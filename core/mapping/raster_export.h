@@ -23,11 +23,18 @@ struct Raster {
     std::size_t knownCellCount() const;
 };
 
-/// Longest side of a raster. A stray scan (a garbled position) can put a tile a thousand kilometres away: what lies
-/// further than half of this from the middle tile is left out instead of filling the memory with nothing.
+/// A stray scan (a garbled position) can put a tile a thousand kilometres away, and a raster of all would fill memory
+/// and disk with nothing. So no raster has a longer side than this, nor more cells than `roomy_raster_cells` unless a
+/// quarter of them lies in tiles that are there.
 inline constexpr std::int64_t maximum_raster_side = 16384;
+inline constexpr std::int64_t roomy_raster_cells = std::int64_t(1) << 26;
 
-/// Cropped to the known cells; empty for an empty map.
+/// All known cells: first the raster around the middle tile, as large as may be, then in the same way what lies too far
+/// from it, and so on. No more than `most`, though garbled positions be many. Each is cropped to its known cells; empty
+/// for an empty map.
+std::vector<Raster> rastersOf(const HeightMap& map, std::size_t most = 64);
+
+/// The first of them; an empty one for an empty map.
 Raster rasterOf(const HeightMap& map);
 
 /// NoData value of the raw file, as its header says.

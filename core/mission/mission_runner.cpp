@@ -207,7 +207,7 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     figures.charges = record.status.charges;
     figures.collisions = flew && options.collisions ? options.collisions() : std::nullopt;
     figures.score = score(record.raster, mission.area_in_map, options.truth ? &*options.truth : nullptr);
-    figures.cells = record.raster.knownCellCount();
+    figures.cells = knownCellCount(record);
     figures.lines_received = session_figures.lines_received;
     figures.lines_malformed = session_figures.lines_malformed;
     figures.lockstep = session_figures.lockstep;
@@ -218,6 +218,8 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
 Result<QStringList> MissionRunner::Private::save(const ScanRecord& record, const RunSummary& figures) {
     if (record.raster.empty())
         return QStringList{};
+    if (const std::string notice = farPartsNotice(record); !notice.empty())
+        emit q.noticed({Severity::Warning, notice});
     const QJsonObject json = toJson(figures);
     auto files = writeResults(record, json, options.result_folder);
     if (files)

@@ -12,6 +12,7 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "core/base/numbers.h"
 #include "core/mission/map_picture.h"
 #include "core/mission/scan_metadata.h"
 
@@ -129,6 +130,9 @@ QByteArray summaryBytes(const ScanRecord& record, QJsonObject summary, const QSt
     map["columns"] = double(record.raster.columns);
     map["rows"] = double(record.raster.rows);
     map["known_cells"] = double(record.raster.knownCellCount());
+    map["far_parts"] = double(record.far_rasters.size());
+    map["far_known_cells"] = double(knownCellCount(record) - record.raster.knownCellCount());
+    map["cells_left_out"] = double(record.cells_left_out);
     map["no_data_m"] = double(mapping::no_data_m);
     const Rectangle& area = record.area_in_map;
     map["area"] = QJsonObject{
@@ -155,10 +159,16 @@ QByteArray worldFile(const mapping::Raster& raster) {
         .toLatin1();
 }
 
+void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster) {
+    const std::vector<char> heights = mapping::bilBytes(raster);
+    writing.bytes(part + ".bil", heights.data(), static_cast<qsizetype>(heights.size()));
+    writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
+}
+
 void writeMap(Writing& writing, const ScanRecord& record) {
-    const std::vector<char> heights = mapping::bilBytes(record.raster);
-    writing.bytes(".bil", heights.data(), static_cast<qsizetype>(heights.size()));
-    writing.bytes(".hdr", QByteArray::fromStdString(mapping::bilHeader(record.raster)));
+    writeRaw(writing, {}, record.raster);
+    for (std::size_t i = 0; i < record.far_rasters.size(); ++i)
+        writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
     QImage height_image = heightImage(record.raster);
     for (const auto& [key, value] : metadataOf(record))
         height_image.setText(key, value);
@@ -196,6 +206,21 @@ Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& su
                        "let the robot fly over the area first; the summary is in " +
                            QFileInfo(writing.pathOf(".json")).fileName().toStdString());
     return writing.files();
+}
+
+std::string farPartsNotice(const ScanRecord& record) {
+    if (record.far_rasters.empty())
+        return {};
+    const std::size_t far_cells = knownCellCount(record) - record.raster.knownCellCount();
+    const double cell_m = record.raster.cell_size_m;
+    std::string text = "Some of the map lies too far from the rest for one picture, which shows the middle " +
+                       fixed(double(record.raster.columns) * cell_m, 0) + " m x " +
+                       fixed(double(record.raster.rows) * cell_m, 0) + " m: " + std::to_string(far_cells) +
+                       " cells in " + std::to_string(record.far_rasters.size()) +
+                       " places are saved as raw heights of their own (_far1.bil and so on).";
+    if (record.cells_left_out > 0)
+        text += " " + std::to_string(record.cells_left_out) + " more cells in still other places are not saved.";
+    return text + " Was a position garbled? For a truly large area choose larger cells.";
 }
 
 } // namespace usar::mission

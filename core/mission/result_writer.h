@@ -1,6 +1,8 @@
 // The files that a mission leaves on the disk.
 #pragma once
 
+#include <string>
+
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
@@ -17,8 +19,12 @@ QString defaultResultFolder();
 /// _height.pgw, <stem>_picture.png (with the thesis's marks), <stem>.json (the summary, and under "map" and "marks"
 /// what the files contain): the raw heights first, each under a temporary name, then renamed; never over an older scan.
 /// The stem is USAR_Scan_<level>_<robot>_<number>, with the first free number. Returns the files' full paths.
+/// Parts of the map that are too far away for one raster with the rest come as _far1.bil and .hdr, _far2 and so on.
 /// Called off the GUI thread; several calls at a time, from several programs too, get numbers of their own.
 /// An unwritable folder is an error that names it. So is an empty map; its summary is written all the same.
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder);
+
+/// What the person should know of a map that is not in one piece; empty where it is.
+std::string farPartsNotice(const ScanRecord& record);
 
 } // namespace usar::mission

@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mapping/raster_export.h"
+#include "core/mission/result_writer.h"
 #include "core/mission/robot_session_private.h"
 #include "core/protocol/command_writer.h"
 
@@ -34,7 +35,13 @@ const ScanRecord& RobotSession::record() const {
 
 ScanRecord RobotSession::snapshot() const {
     ScanRecord copy = d_->record;
-    copy.raster = mapping::rasterOf(d_->mapper.map());
+    copy.raster.cell_size_m = d_->mapper.map().cellSize_m();
+    copy.far_rasters = mapping::rastersOf(d_->mapper.map());
+    if (!copy.far_rasters.empty()) {
+        copy.raster = std::move(copy.far_rasters.front());
+        copy.far_rasters.erase(copy.far_rasters.begin());
+    }
+    copy.cells_left_out = d_->mapper.map().knownCellCount() - knownCellCount(copy);
     return copy;
 }
 
@@ -127,7 +134,10 @@ void RobotSession::sendCommand(const protocol::Command& command, const std::stri
 }
 
 void RobotSession::requestRecord() {
-    emit recordReady(std::make_shared<const ScanRecord>(snapshot()));
+    const auto record = std::make_shared<const ScanRecord>(snapshot());
+    if (const std::string notice = farPartsNotice(*record); !notice.empty())
+        d_->say(Severity::Warning, "far parts", notice);
+    emit recordReady(record);
 }
 
 void RobotSession::setCellSize(double cell_size_m) {

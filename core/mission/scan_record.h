@@ -24,6 +24,17 @@ struct ScanRecord {
     /// While the map is empty nothing is, so it begins at 0 and a cleared record keeps the old one.
     std::uint64_t revision = 0;
     mapping::Raster raster; ///< filled when the record is handed out
+    /// Parts of the map too far from the rest to be in one raster with it: saved as raw heights, in no picture.
+    std::vector<mapping::Raster> far_rasters;
+    std::size_t cells_left_out = 0; ///< known, but in too many far places to be saved
 };
+
+/// Of the raster and the far ones.
+inline std::size_t knownCellCount(const ScanRecord& record) {
+    std::size_t count = record.raster.knownCellCount();
+    for (const mapping::Raster& far : record.far_rasters)
+        count += far.knownCellCount();
+    return count;
+}
 
 } // namespace usar::mission

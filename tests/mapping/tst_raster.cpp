@@ -16,6 +16,8 @@ private slots:
     void anEmptyMapIsAnEmptyRaster();
     void isCroppedToTheKnownCellsAndNorthUp();
     void aStrayTileDoesNotFillTheMemory();
+    void whatIsTooFarForOneRasterComesInOthers_data();
+    void whatIsTooFarForOneRasterComesInOthers();
     void rawBytesAreLittleEndianFloatsWithNoData();
     void headerSaysWhatGdalAsksFor_data();
     void headerSaysWhatGdalAsksFor();
@@ -60,6 +62,43 @@ void tst_Raster::aStrayTileDoesNotFillTheMemory() {
     QCOMPARE(raster.columns, 200);
     QCOMPARE(raster.rows, 200);
     QCOMPARE(raster.knownCellCount(), std::size_t(200));
+    const std::vector<Raster> all = rastersOf(map);
+    QCOMPARE(all.size(), std::size_t(2));
+    QCOMPARE(all[1].heights_m, std::vector<float>{5.0f});
+    QCOMPARE(all[1].upper_left_center_m, map.center_m(map.cellAt({1e9, -1e9})));
+}
+
+void tst_Raster::whatIsTooFarForOneRasterComesInOthers_data() {
+    QTest::addColumn<std::vector<GridIndex>>("strays");
+    QTest::addColumn<int>("rasters");
+    using Cells = std::vector<GridIndex>;
+    QTest::newRow("nothing astray") << Cells{} << 1;
+    QTest::newRow("beside it, along a row") << Cells{{16000, 0}} << 1;
+    QTest::newRow("diagonally, within the side but mostly nothing") << Cells{{12000, 12000}} << 2;
+    QTest::newRow("beyond the longest side") << Cells{{17000, 0}} << 2;
+    QTest::newRow("two in one place") << Cells{{20000, 20000}, {20100, 20100}} << 2;
+    QTest::newRow("all around") << Cells{{20000, 0}, {-20000, 0}, {0, 20000}, {0, -20000}} << 5;
+}
+
+void tst_Raster::whatIsTooFarForOneRasterComesInOthers() {
+    QFETCH(std::vector<GridIndex>, strays);
+    QFETCH(int, rasters);
+    HeightMap map(0.25);
+    for (std::int32_t i = 0; i < 400; ++i)
+        map.write({i, i / 2}, 1.0f, {1});
+    for (const GridIndex& stray : strays)
+        map.write(stray, 2.0f, {2});
+    const std::vector<Raster> all = rastersOf(map);
+    QCOMPARE(static_cast<int>(all.size()), rasters);
+    std::size_t known = 0;
+    for (const Raster& raster : all) {
+        known += raster.knownCellCount();
+        QVERIFY(raster.columns <= maximum_raster_side && raster.rows <= maximum_raster_side);
+        QVERIFY(raster.columns * raster.rows <= roomy_raster_cells);
+    }
+    QCOMPARE(known, map.knownCellCount()); // nothing is lost
+    QVERIFY(all.front().columns >= 400 && all.front().rows >= 200);
+    QCOMPARE(rastersOf(map, 1).size(), std::size_t(1));
 }
 
 void tst_Raster::rawBytesAreLittleEndianFloatsWithNoData() {

@@ -58,6 +58,7 @@ class tst_ResultWriter : public QObject {
 private slots:
     void leavesAllFilesAndNothingElse();
     void gdalOpensTheRawHeights();
+    void farPartsAreSavedAsRawHeightsOfTheirOwn();
     void gdalPlacesTheHeightImage();
     void pngcheckIsContent_data();
     void pngcheckIsContent();
@@ -112,6 +113,26 @@ void tst_ResultWriter::gdalOpensTheRawHeights() {
     const double value = run("gdallocationinfo", {"-valonly", raw, "40", "10"}).trimmed().toDouble();
     QVERIFY(std::abs(value - double(record.raster.heights_m[10 * 64 + 40])) < 1e-4);
     QCOMPARE(run("gdallocationinfo", {"-valonly", raw, "0", "63"}).trimmed(), QByteArray("-9999"));
+}
+
+void tst_ResultWriter::farPartsAreSavedAsRawHeightsOfTheirOwn() {
+    QTemporaryDir folder;
+    ScanRecord record = sampleScan(64, 0.5);
+    QCOMPARE(farPartsNotice(record), std::string());
+    record.far_rasters = {{1, 2, 0.5, {9000.25, 50.25}, {7.0f, 8.0f}}, {1, 1, 0.5, {-9000.25, 50.25}, {9.0f}}};
+    const auto files = writeResults(record, {}, folder.path());
+    QVERIFY(files.has_value());
+    QVERIFY(!ending(*files, "_far1.hdr").isEmpty() && !ending(*files, "_far2.hdr").isEmpty());
+    QCOMPARE(
+        run("gdallocationinfo", {"-valonly", "-geoloc", ending(*files, "_far1.bil"), "9000.25", "49.75"}).trimmed(),
+        QByteArray("8"));
+    const QJsonObject map = readJson(ending(*files, ".json"))["map"].toObject();
+    QCOMPARE(map["far_parts"].toInt(), 2);
+    QCOMPARE(map["far_known_cells"].toInt(), 3);
+    const QString notice = QString::fromStdString(farPartsNotice(record));
+    QVERIFY2(notice.contains("the middle 32 m x 32 m: 3 cells in 2 places") && notice.contains("larger cells"),
+             qPrintable(notice));
+    QVERIFY(!notice.contains("not saved"));
 }
 
 void tst_ResultWriter::gdalPlacesTheHeightImage() {
