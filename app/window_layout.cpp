@@ -117,6 +117,7 @@ void MainWindow::restoreSettings() {
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
+    views_.layers->restoreState(settings.value("layers").toByteArray());
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }
@@ -127,6 +128,7 @@ void MainWindow::saveSettings() const {
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
+    settings.setValue("layers", views_.layers->saveState());
     if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }

@@ -28,6 +28,10 @@ struct LayerState {
     bool operator==(const LayerState&) const = default;
 };
 
+using LayerStates = std::array<LayerState, map_layer_count>;
+/// What map and layers panel begin with: all visible, the world's picture thin under what is measured.
+LayerStates firstLayers();
+
 /// A robot as the map needs it. `number` 1..9 chooses color and key.
 struct MapRobot {
     QString name;
@@ -65,7 +69,7 @@ struct MapContent {
     std::map<QString, RobotOnMap> robots;
     QString selected_robot;
     std::vector<agent::MapMark> marks;
-    std::array<LayerState, map_layer_count> layers;
+    LayerStates layers = firstLayers();
 
     const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }
 };

@@ -33,6 +33,12 @@ QString layerName(MapLayer layer) {
     return QStringLiteral("Robots");
 }
 
+LayerStates firstLayers() {
+    LayerStates layers;
+    layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
+    return layers;
+}
+
 namespace {
 
 QPainterPath markShape(agent::MarkKind kind, double r) {
@@ -80,6 +86,32 @@ void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px
     painter.setPen(QPen(QColor(0, 0, 0, 200), 1.0));
     painter.setBrush(markColor(kind));
     painter.drawPath(markShape(kind, size_px / 2.0));
+    painter.restore();
+}
+
+void paintStartPoseSymbol(QPainter& painter, double turn_rad, bool hot) {
+    const Tokens& t = tokens();
+    const double r = symbol::diamond_px + (hot ? 2.0 : 0.0);
+    const double tip = r + symbol::arrow_px;
+    painter.save();
+    painter.rotate(degrees(turn_rad));
+    painter.setPen(QPen(t.text, 1.5));
+    painter.drawLine(QPointF(0.0, -r), QPointF(0.0, -tip + 4.0));
+    painter.setBrush(t.text);
+    painter.drawPolygon(QPolygonF({{0.0, -tip}, {-3.5, -tip + 7.0}, {3.5, -tip + 7.0}}));
+    painter.restore();
+    painter.setPen(QPen(t.text, 1.5));
+    painter.setBrush(hot ? t.accent : t.raised);
+    painter.drawPolygon(QPolygonF({{0.0, -r}, {r, 0.0}, {0.0, r}, {-r, 0.0}}));
+}
+
+void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, bool stale) {
+    const double r = symbol::robot_px;
+    painter.save();
+    painter.rotate(degrees(turn_rad));
+    painter.setPen(QPen(stale ? tokens().stale : inkOn(color), 1.5));
+    painter.setBrush(stale ? tokens().background : color);
+    painter.drawPolygon(QPolygonF({{0.0, -r}, {0.75 * r, 0.8 * r}, {0.0, 0.4 * r}, {-0.75 * r, 0.8 * r}}));
     painter.restore();
 }
 

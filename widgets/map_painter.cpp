@@ -73,6 +73,7 @@ void MapPainter::paintWorld() {
         const QRectF world = transform_.toScreen(*content_.world_in_map);
         painter_.fillRect(world, tokens_.ground);
         paintBackgroundImage();
+        painter_.setOpacity(1.0); // however thin the picture is, its frame and name can be read
         painter_.setPen(QPen(tokens_.text_muted, 1.0));
         painter_.setBrush(Qt::NoBrush);
         painter_.drawRect(world);
@@ -230,20 +231,9 @@ void MapPainter::paintStartPoses() {
 void MapPainter::paintStartPose(std::size_t start_pose) {
     const protocol::StartPose& pose = content_.start_poses[start_pose];
     const bool hot = content_.hot_start_pose == start_pose;
-    const double r = symbol::diamond_px + (hot ? 2.0 : 0.0);
-    const double tip = r + symbol::arrow_px;
     painter_.save();
     painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
-    painter_.save();
-    painter_.rotate(degrees(transform_.screenRotation_rad(pose.pose_in_map.yaw_rad)));
-    painter_.setPen(QPen(tokens_.text, 1.5));
-    painter_.drawLine(QPointF(0.0, -r), QPointF(0.0, -tip + 4.0));
-    painter_.setBrush(tokens_.text);
-    painter_.drawPolygon(QPolygonF({{0.0, -tip}, {-3.5, -tip + 7.0}, {3.5, -tip + 7.0}}));
-    painter_.restore();
-    painter_.setPen(QPen(tokens_.text, 1.5));
-    painter_.setBrush(hot ? tokens_.accent : tokens_.raised);
-    painter_.drawPolygon(QPolygonF({{0.0, -r}, {r, 0.0}, {0.0, r}, {-r, 0.0}}));
+    paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
     painter_.restore();
     if (const auto& box = labels_.start_poses[start_pose])
         paintLabel(*box, QString::fromStdString(pose.name), hot);
@@ -287,7 +277,6 @@ void MapPainter::paintRobots() {
 void MapPainter::paintRobot(const RobotOnMap& on_map) {
     const MapRobot& robot = on_map.robot;
     const QPointF at = transform_.toScreen(flat(robot.base_in_map.position_m));
-    const QColor fill = robot.stale ? tokens_.stale : robotColor(robot.number);
     const bool selected = robot.name == content_.selected_robot;
     painter_.save();
     painter_.translate(at);
@@ -296,11 +285,8 @@ void MapPainter::paintRobot(const RobotOnMap& on_map) {
         painter_.setBrush(faded(tokens_.background, 0.35));
         painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
     }
-    painter_.rotate(degrees(transform_.screenRotation_rad(robot.base_in_map.yaw_rad)));
-    painter_.setPen(robot.stale ? QPen(fill, 1.5) : QPen(inkOn(fill), 1.5));
-    painter_.setBrush(robot.stale ? tokens_.background : fill);
-    const double r = symbol::robot_px;
-    painter_.drawPolygon(QPolygonF({{0.0, -r}, {0.75 * r, 0.8 * r}, {0.0, 0.4 * r}, {-0.75 * r, 0.8 * r}}));
+    paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad), robotColor(robot.number),
+                     robot.stale);
     painter_.restore();
     paintLabel(labels_.robots.at(robot.name), robotLabel(robot), selected);
 }

@@ -54,6 +54,10 @@ private:
 /// The mark's picture, for the map and its legend: shapes differ, so that color is never alone.
 void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px, double size_px);
 
+/// The symbols of the map, around the painter's origin, turned clockwise from "up".
+void paintStartPoseSymbol(QPainter& painter, double turn_rad, bool hot);
+void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, bool stale);
+
 /// Text on a raised chip; `at_px` is the chip's corner or middle named by `alignment`. Returns the chip.
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment);
 

@@ -7,6 +7,7 @@
 
 #include "widgets/area_form.h"
 #include "widgets/connection_bar.h"
+#include "widgets/layer_swatch.h"
 #include "widgets/layers_panel.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme.h"
@@ -14,6 +15,17 @@
 
 using namespace usar;
 using namespace usar::widgets;
+
+namespace {
+
+template <class Widget>
+Widget* named(const QWidget& panel, const QString& accessible_name) {
+    const auto all = panel.findChildren<Widget*>();
+    const auto found = std::ranges::find(all, accessible_name, &QWidget::accessibleName);
+    return found == all.end() ? nullptr : *found;
+}
+
+} // namespace
 
 class tst_Bars : public QObject {
     Q_OBJECT
@@ -35,6 +47,11 @@ private slots:
     void clockIsUnknownAtFirst();
     void stopButtonIsReachedByKeys();
     void layerRowsTellEyeAndOpacity();
+    void layersBeginAsTheMapDoes();
+    void layersAreRememberedAcrossStarts();
+    void strangeLayerStatesChangeNothing_data();
+    void strangeLayerStatesChangeNothing();
+    void layersPanelIsTheLegendOfTheMarks();
     void typedAreaIsTold();
     void crossedCornersAreOrdered();
     void areaOfNoSizeIsToldAsNone();
@@ -252,14 +269,69 @@ void tst_Bars::layerRowsTellEyeAndOpacity() {
     QSignalSpy changed(&panel, &LayersPanel::layerChanged);
     panel.setLayer(MapLayer::Heights, {true, 0.6});
     QCOMPARE(changed.count(), 0);
-    const auto eyes = panel.findChildren<QToolButton*>();
-    const auto height = static_cast<qsizetype>(MapLayer::Heights);
-    QTest::mouseClick(eyes[height], Qt::LeftButton);
+    auto* eye = named<QToolButton>(panel, QStringLiteral("Show Height map"));
+    QTest::mouseClick(eye, Qt::LeftButton);
     QCOMPARE(changed.last()[0].value<MapLayer>(), MapLayer::Heights);
     QCOMPARE(changed.last()[1].value<LayerState>(), (LayerState{false, 0.6}));
-    QTest::mouseClick(eyes[height], Qt::LeftButton);
-    QTest::keyClick(panel.findChildren<QSlider*>()[height], Qt::Key_Right);
+    QTest::mouseClick(eye, Qt::LeftButton);
+    QTest::keyClick(named<QSlider>(panel, QStringLiteral("Opacity of Height map")), Qt::Key_Right);
     QCOMPARE(changed.last()[1].value<LayerState>(), (LayerState{true, 0.61}));
+}
+
+void tst_Bars::layersBeginAsTheMapDoes() {
+    const LayersPanel panel;
+    const MapContent map;
+    for (std::size_t i = 0; i < map_layer_count; ++i)
+        QCOMPARE(panel.layer(static_cast<MapLayer>(i)), map.layers[i]);
+    QCOMPARE(panel.layer(MapLayer::World).opacity, 0.4);
+}
+
+void tst_Bars::layersAreRememberedAcrossStarts() {
+    LayersPanel before;
+    before.setLayer(MapLayer::Heights, {true, 0.6});
+    before.setLayer(MapLayer::Grid, {false, 0.25});
+    LayersPanel after;
+    QSignalSpy changed(&after, &LayersPanel::layerChanged);
+    QVERIFY(after.restoreState(before.saveState()));
+    for (std::size_t i = 0; i < map_layer_count; ++i)
+        QCOMPARE(after.layer(static_cast<MapLayer>(i)), before.layer(static_cast<MapLayer>(i)));
+    QCOMPARE(changed.count(), 2);
+}
+
+void tst_Bars::strangeLayerStatesChangeNothing_data() {
+    QTest::addColumn<QByteArray>("state");
+    QTest::addColumn<bool>("taken");
+    QTest::newRow("nothing saved yet") << QByteArray() << false;
+    QTest::newRow("not JSON") << QByteArray("eyes") << false;
+    QTest::newRow("layers of another version") << QByteArray(R"({"Clouds":{"visible":false}})") << true;
+    QTest::newRow("words for figures") << QByteArray(R"({"Grid":{"visible":"no","opacity":"half"}})") << true;
+}
+
+void tst_Bars::strangeLayerStatesChangeNothing() {
+    QFETCH(QByteArray, state);
+    LayersPanel panel;
+    QSignalSpy changed(&panel, &LayersPanel::layerChanged);
+    QTEST(panel.restoreState(state), "taken");
+    QCOMPARE(changed.count(), 0);
+}
+
+void tst_Bars::layersPanelIsTheLegendOfTheMarks() {
+    applyTheme(Theme::Dark);
+    LayersPanel panel;
+    panel.show();
+    const auto labels = panel.findChildren<QLabel*>();
+    const auto swatches = panel.findChildren<LayerSwatch*>();
+    for (const agent::MarkKind kind : all_mark_kinds) {
+        const auto name = std::ranges::find(labels, markName(kind), &QLabel::text);
+        QVERIFY2(name != labels.end(), qPrintable(markName(kind)));
+        const int middle = (*name)->geometry().center().y();
+        const auto beside = std::ranges::find_if(swatches, [&](const LayerSwatch* swatch) {
+            return swatch->geometry().top() <= middle && swatch->geometry().bottom() >= middle;
+        });
+        QVERIFY(beside != swatches.end());
+        const QImage picture = (*beside)->grab().toImage();
+        QCOMPARE(picture.pixelColor(picture.rect().center()), markColor(kind));
+    }
 }
 
 void tst_Bars::typedAreaIsTold() {

@@ -62,6 +62,7 @@ private slots:
     void hoverProbesTheGround();
     void fitShowsTheMissionBeforeTheWorld();
     void layersCanBeHidden();
+    void thinWorldKeepsItsFrame();
     void resizingKeepsTheWorldInViewUntilTouched();
     void clearForgetsAllButTheLayers();
 
@@ -325,6 +326,18 @@ void tst_MapView::layersCanBeHidden() {
     view_->setLayer(MapLayer::Robots, {true, 0.5});
     const QColor half = color();
     QVERIFY(half != robotColor(1) && half.blue() > tokens().ground.blue() + 40);
+}
+
+void tst_MapView::thinWorldKeepsItsFrame() {
+    view_->setLayer(MapLayer::World, {true, 0.1});
+    view_->setLayer(MapLayer::Grid, {false, 1.0});
+    const QPointF edge = view_->transform().toScreen(world).bottomLeft();
+    const QImage picture = view_->grab().toImage();
+    QColor brightest = tokens().background;
+    for (int dx = -2; dx <= 2; ++dx)
+        if (const QColor c = picture.pixelColor(edge.toPoint() + QPoint(dx, -100)); c.value() > brightest.value())
+            brightest = c;
+    QVERIFY(contrast(brightest, tokens().background) > 4.0);
 }
 
 void tst_MapView::resizingKeepsTheWorldInViewUntilTouched() {
