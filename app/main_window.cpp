@@ -69,7 +69,8 @@ MainWindow::~MainWindow() = default;
 void MainWindow::begin() {
     const ServerTarget& server = options_.server;
     views_.connection->setServer(server.embedded ? widgets::ServerChoice::Embedded : widgets::ServerChoice::Real);
-    views_.connection->setAddress(server.host, server.port);
+    if (!server.embedded)
+        views_.connection->setAddress(server.host, server.port);
     connectTo(views_.connection->server(), server.host, server.port);
     if (!options_.mission_file.isEmpty())
         openMission(options_.mission_file);

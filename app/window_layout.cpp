@@ -118,6 +118,9 @@ void MainWindow::restoreSettings() {
     restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
+    // Offered where a real server is chosen; a start without a word about it always shows the embedded world.
+    views_.connection->setAddress(settings.value("server/host", options_.server.host).toString(),
+                                  quint16(settings.value("server/port", options_.server.port).toUInt()));
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }
@@ -129,6 +132,8 @@ void MainWindow::saveSettings() const {
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
     settings.setValue("layers", views_.layers->saveState());
+    settings.setValue("server/host", views_.connection->host());
+    settings.setValue("server/port", views_.connection->port());
     if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }
