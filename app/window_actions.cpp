@@ -121,6 +121,7 @@ void MainWindow::start() {
         return complain("start", started.error());
     control_.cure("start");
     views_.hint->setDone(2, true);
+    views_.map->setAreaSummary({}); // a plan's figures; the behavior says its own now
     views_.map->fit();
     refreshRunState();
 }

@@ -94,8 +94,8 @@ WindowViews makeViews(QMainWindow& window) {
     makeCenter(window, views);
     makeDocks(window, views);
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
-    window.resizeDocks({views.docks[2], views.docks[3]}, {520, 180}, Qt::Vertical);
-    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 330}, Qt::Horizontal);
+    window.resizeDocks({views.docks[2], views.docks[3]}, {430, 270}, Qt::Vertical);
+    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
     window.resizeDocks({views.docks[4]}, {180}, Qt::Vertical);
     return views;
 }

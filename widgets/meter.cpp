@@ -1,6 +1,7 @@
 #include "widgets/meter.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QPainter>
 
@@ -8,6 +9,13 @@
 #include "widgets/theme.h"
 
 namespace usar::widgets {
+
+namespace {
+
+/// Bars of meters that stand one below the other begin on one line.
+const QString widest_caption = QStringLiteral("Battery used");
+
+} // namespace
 
 Meter::Meter(const QString& caption, QWidget* parent) : QWidget(parent), caption_(caption) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -33,18 +41,18 @@ void Meter::setStale(bool stale) {
 }
 
 QSize Meter::sizeHint() const {
-    return {160, fontMetrics().height() + 12};
+    return {240, fontMetrics().height() + 2};
 }
 
 QSize Meter::minimumSizeHint() const {
-    return {96, fontMetrics().height() + 12};
+    return {160, fontMetrics().height() + 2};
 }
 
 void Meter::paintEvent(QPaintEvent*) {
     const Tokens& t = tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF words(0, 0, width(), fontMetrics().height());
+    const QRectF words(0, 0, width(), height());
     const double value = value_pct_.value_or(qQNaN());
     const QColor ink = stale_ ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
     painter.setPen(t.text_muted);
@@ -57,7 +65,9 @@ void Meter::paintEvent(QPaintEvent*) {
     const QString mark = value >= caution_pct_ && !stale_ ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      mark + figure(value, 0, stale_ ? 0 : 3) + QStringLiteral(" %"));
-    const QRectF groove(0.5, words.bottom() + 3.5, width() - 1.0, 7.0);
+    const double left = fontMetrics().horizontalAdvance(widest_caption) + gap::small;
+    const double right = fontMetrics().horizontalAdvance(QStringLiteral("! 100 %")) + gap::small;
+    const QRectF groove(left + 0.5, std::round(height() / 2.0) - 3.5, std::max(width() - left - right, 0.0), 7.0);
     painter.setPen(QPen(t.line, 1.0));
     painter.setBrush(value_pct_ ? QBrush(t.raised) : QBrush(t.line, Qt::BDiagPattern));
     painter.drawRoundedRect(groove, 3.0, 3.0);

@@ -7,7 +7,7 @@
 
 namespace usar::widgets {
 
-/// Caption on the left, figure on the right, the bar below. Unknown draws an empty, hatched bar and a dash. The
+/// Caption on the left, figure on the right, the bar between them. Unknown draws an empty, hatched bar and a dash. The
 /// color turns to caution beyond `caution` and to danger beyond `danger`, and the figure then says so by a "!".
 class Meter : public QWidget {
     Q_OBJECT

@@ -11,8 +11,9 @@ namespace usar::widgets {
 namespace {
 
 /// One for each column, so that its figures end on one line.
-const QString left_sample = QStringLiteral("00:00:00");
-const QString right_sample = QStringLiteral("000000");
+const QString time_sample = QStringLiteral("00:00:00");
+const QString length_sample = QStringLiteral("0000.0");
+const QString count_sample = QStringLiteral("00000");
 
 QString orDash(const std::optional<double>& value, int decimals) {
     return figure(value.value_or(qQNaN()), decimals);
@@ -25,12 +26,12 @@ StatusStrip::StatusStrip(QWidget* parent)
     , dot_(new StateDot(this))
     , state_(new QLabel(this))
     , stale_(new QLabel(tr("stale"), this))
-    , elapsed_(new Readout(tr("elapsed"), {}, left_sample, this))
-    , left_(new Readout(tr("time left"), {}, left_sample, this))
-    , goal_(new Readout(tr("to goal"), QStringLiteral("m"), right_sample, this))
-    , range_(new Readout(tr("range left"), QStringLiteral("m"), right_sample, this))
-    , flown_(new Readout(tr("flown"), QStringLiteral("m"), left_sample, this))
-    , charges_(new Readout(tr("charges"), {}, right_sample, this))
+    , elapsed_(new Readout(tr("elapsed"), {}, time_sample, this))
+    , left_(new Readout(tr("time left"), {}, time_sample, this))
+    , goal_(new Readout(tr("to goal"), QStringLiteral("m"), length_sample, this))
+    , range_(new Readout(tr("range left"), QStringLiteral("m"), length_sample, this))
+    , flown_(new Readout(tr("flown"), QStringLiteral("m"), count_sample, this))
+    , charges_(new Readout(tr("charges"), {}, count_sample, this))
     , battery_(new Meter(tr("Battery used"), this))
     , progress_(new Meter(tr("Progress"), this))
     , coverage_(new Meter(tr("Coverage"), this)) {
@@ -60,17 +61,19 @@ StatusStrip::StatusStrip(QWidget* parent)
     auto* figures = new QGridLayout;
     figures->setHorizontalSpacing(gap::medium);
     figures->setVerticalSpacing(gap::tiny);
-    Readout* cells[] = {elapsed_, goal_, left_, range_, flown_, charges_};
+    Readout* cells[] = {elapsed_, goal_, flown_, left_, range_, charges_};
     for (int i = 0; i < 6; ++i)
-        figures->addWidget(cells[i], i / 2, i % 2);
+        figures->addWidget(cells[i], i / 3, i % 3);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap::small);
     column->addLayout(head);
     column->addLayout(figures);
-    column->addWidget(battery_);
-    column->addWidget(progress_);
-    column->addWidget(coverage_);
+    auto* meters = new QVBoxLayout;
+    meters->setSpacing(gap::tiny);
+    for (Meter* meter : {battery_, progress_, coverage_})
+        meters->addWidget(meter);
+    column->addLayout(meters);
     clear(tr("No behavior runs"));
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/agent/parameters.h"
+#include "core/base/geometry.h"
 
 namespace usar::airrobot {
 
@@ -19,7 +20,7 @@ struct Settings {
     double transit_speed_m_s = 1.6;
     double climb_speed_m_s = 1.0;
     double descent_speed_m_s = 0.6;
-    double turn_rate_rad_s = 0.6;
+    double turn_rate_rad_s = radians(34.0);
     double acceleration_m_s2 = 0.8;
     double braking_m_s2 = 1.0;
     double safety_margin_m = 0.9;

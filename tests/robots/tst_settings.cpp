@@ -31,7 +31,7 @@ private slots:
     void namesTheUnitInTheId() {
         const std::map<std::string, std::string> suffixes{{"m", "_m"},         {"m/s", "_m_s"}, {"s", "_s"},
                                                           {"rad/s", "_rad_s"}, {"rad", "_rad"}, {"%", "_pct"},
-                                                          {"m/s^2", "_m_s2"}};
+                                                          {"m/s²", "_m_s2"}};
         for (const ParameterSpec& spec : parameterSpecs())
             if (!spec.unit.empty())
                 QVERIFY2(spec.id.ends_with(suffixes.at(spec.unit)), spec.id.c_str());

@@ -112,7 +112,7 @@ void tst_SensorPanel::oneBranchASourceOneLeafAValue() {
     SensorModel model;
     model.take(sonar("F1", 2.0), Seconds(1.0));
     model.take(sonar("F2", 3.5), Seconds(1.0));
-    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("SEN Sonar"));
+    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("Sonar"));
     const QString path = pathEndingIn(model, QStringLiteral("F2/range"));
     const QModelIndex row = leaf(model, path);
     QVERIFY2(row.isValid(), qPrintable(path));
@@ -265,10 +265,10 @@ void tst_SensorPanel::streamsAreListedBeforeAnswers() {
     const QAbstractItemModel* shown = panel.findChild<QTreeView*>()->model();
     QStringList names;
     for (int row = 0; row < shown->rowCount(); ++row)
-        names << shown->index(row, 0).data().toString().section(u' ', 0, 1);
+        names << shown->index(row, 0).data().toString().section(u' ', 0, 0);
     QCOMPARE(names.size(), 4);
-    QCOMPARE(names[0], QStringLiteral("SEN Sonar"));
-    QCOMPARE(names[1], QStringLiteral("SEN INS"));
+    QCOMPARE(names[0], QStringLiteral("Sonar"));
+    QCOMPARE(names[1], QStringLiteral("INS"));
     QVERIFY(names[2].startsWith(QStringLiteral("NFO")));
     QVERIFY(names[3].startsWith(QStringLiteral("GEO")));
 }

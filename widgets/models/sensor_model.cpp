@@ -54,6 +54,12 @@ bool SensorModel::Timing::stale(Seconds now, bool linked) const {
     return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), Seconds(1.0));
 }
 
+QString SensorModel::Source::title() const {
+    const QString kind = name.startsWith(u"SEN ") ? name.mid(4) : name;
+    const QString item = leaves.empty() || !single ? QString() : QString::fromStdString(leaves.front().field.item);
+    return item.isEmpty() || item == kind ? kind : kind + QStringLiteral("  ") + item;
+}
+
 SensorModel::SensorModel(QObject* parent) : QAbstractItemModel(parent) {}
 
 void SensorModel::take(const protocol::InfoLine& line, Seconds now, int count) {
@@ -73,7 +79,7 @@ SensorModel::Source& SensorModel::sourceNamed(const std::string& name, bool repe
     if (is_new) {
         const int at = static_cast<int>(sources_.size());
         beginInsertRows({}, at, at);
-        sources_.push_back({QString::fromStdString(name), {}, {}});
+        sources_.push_back({QString::fromStdString(name), {}, {}, true});
         sources_.back().timing.repeats = repeats; // before views see the row, for they sort by it
         endInsertRows();
     }
@@ -90,6 +96,7 @@ void SensorModel::takeField(Source& source, const protocol::Field& field, Second
     }
     Leaf& leaf = source.leaves[row->second];
     leaf.field = field;
+    source.single = source.single && field.item == source.leaves.front().field.item;
     leaf.timing.repeats = repeats;
     leaf.timing.arrived(now, count);
     if (field.number) {
@@ -166,10 +173,11 @@ QVariant SensorModel::text(const QModelIndex& index) const {
     switch (index.column()) {
     case Name: {
         if (!leaf)
-            return sources_[static_cast<std::size_t>(index.row())].name;
+            return sources_[static_cast<std::size_t>(index.row())].title();
         const QString item = QString::fromStdString(leaf->field.item);
-        return item.isEmpty() ? QString::fromStdString(leaf->field.field)
-                              : item + QStringLiteral("  ") + QString::fromStdString(leaf->field.field);
+        return item.isEmpty() || sources_[static_cast<std::size_t>(index.parent().row())].single
+                   ? QString::fromStdString(leaf->field.field)
+                   : item + QStringLiteral("  ") + QString::fromStdString(leaf->field.field);
     }
     case Value:
         return leaf ? valueText(*leaf) : QString();

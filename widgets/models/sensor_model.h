@@ -61,6 +61,9 @@ private:
         QString name;
         Timing timing;
         std::vector<Leaf> leaves;
+        bool single = true; ///< all values are of one item, whose name is then said once, not on every line
+        /// "INS", "RangeScanner  Scanner1", "Sonar": what kind, and which one where there is but one.
+        QString title() const;
     };
 
     /// Inserts the branch when it is new. The reference holds until the next call.
