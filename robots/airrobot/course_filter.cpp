@@ -12,6 +12,7 @@ constexpr double turn_variance_rad = 2.4e-4;
 /// 5 % of each step sideways, and what the autopilot leaves.
 constexpr double course_variance_rad2 = 0.0036;
 constexpr double steady_m_s = 0.12;
+constexpr Seconds shortest_interval{0.15};
 constexpr int steady_ticks_needed = 6;
 constexpr double slowest_m_s = 0.5;
 constexpr double straight_rad = 0.02;
@@ -23,13 +24,17 @@ constexpr double limit_rad = 0.4;
 } // namespace
 
 void CourseFilter::reset() {
+    last_at_.reset();
     last_.reset();
     command_m_s_ = Vec2::Zero();
     steady_ticks_ = 0;
     correction_rad_ = variance_rad2_ = 0.0;
 }
 
-void CourseFilter::update(const Pose& ins_in_map, const Vec2& commanded_in_base_m_s) {
+void CourseFilter::update(Seconds now, const Pose& ins_in_map, const Vec2& commanded_in_base_m_s) {
+    if (last_at_ && now >= *last_at_ && now - *last_at_ < shortest_interval)
+        return;
+    last_at_ = now;
     const bool steady = (commanded_in_base_m_s - command_m_s_).norm() < steady_m_s;
     steady_ticks_ = steady ? steady_ticks_ + 1 : 0;
     if (!steady)

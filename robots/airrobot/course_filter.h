@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/base/clock.h"
 #include "core/base/geometry.h"
 
 namespace usar::airrobot {
@@ -11,10 +12,11 @@ namespace usar::airrobot {
 /// and a scan at 19 m is misplaced by a third of a metre per degree. Its position does not depend on its heading. So
 /// where the commanded velocity (robot frame) has been steady, the direction of the INS's displacement less the
 /// commanded direction is the true heading, with 3 degrees of noise a tick. A Kalman filter of one state, the
-/// correction; turning makes it less sure. No ground truth is involved. Owned by one robot; told once per INS reading.
+/// correction; turning makes it less sure. No ground truth is involved. Owned by one robot; told of every INS reading,
+/// of which it takes no more than one in a usual tick: its noise is that of such a step.
 class CourseFilter {
 public:
-    void update(const Pose& ins_in_map, const Vec2& commanded_in_base_m_s);
+    void update(Seconds now, const Pose& ins_in_map, const Vec2& commanded_in_base_m_s);
     /// To be added to the INS's yaw.
     double correction_rad() const { return correction_rad_; }
     void reset();
@@ -22,6 +24,7 @@ public:
 private:
     void learn(const Vec2& step_m, double expected_rad);
 
+    std::optional<Seconds> last_at_;
     std::optional<Pose> last_;
     Vec2 command_m_s_ = Vec2::Zero();
     int steady_ticks_ = 0;

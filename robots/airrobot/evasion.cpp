@@ -78,11 +78,11 @@ EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& pictu
         decision.flee_bearing_rad = escape.value_or(0.0);
         decision.new_high_risk = last_risk_ != agent::Risk::High;
         mode_ = decision.mode;
-        calm_ticks_ = 0;
+        calm_since_.reset();
     } else if (picture.risk == agent::Risk::Low) {
         decision = divert(senses, picture, obstacles, goal_m, settings);
     } else {
-        decision = calm(settings);
+        decision = calm(senses.now, settings);
     }
     last_risk_ = picture.risk;
     return decision;
@@ -95,10 +95,10 @@ EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& pictu
     const auto free_rad = freeBearing(picture);
     const double goal_rad = normalizedAngle(bearingTo(here_m, goal_m) - yaw_rad);
     if (free_rad && mayIgnore(picture, *free_rad, goal_rad, (goal_m - here_m).norm()))
-        return calm(settings);
+        return calm(senses.now, settings);
     EvasionDecision decision;
     decision.new_low_risk = last_risk_ == agent::Risk::None;
-    calm_ticks_ = 0;
+    calm_since_.reset();
     const double wanted_m = settings.diversion_distance_m;
     const bool open = free_rad && clearance_m(obstacles, here_m, yaw_rad + *free_rad, settings.side_clearance_m,
                                               wanted_m) >= wanted_m;
@@ -113,9 +113,14 @@ EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& pictu
     return decision;
 }
 
-EvasionDecision Evasion::calm(const Settings& settings) {
+EvasionDecision Evasion::calm(Seconds now, const Settings& settings) {
     EvasionDecision decision;
-    if (++calm_ticks_ >= settings.calm_cycles || mode_ == EvasionMode::Flee || mode_ == EvasionMode::Enclosed)
+    if (!calm_since_ || now < *calm_since_)
+        calm_since_ = now;
+    // This tick counts too, and printed times are rounded.
+    const Seconds calm_for = now - *calm_since_ + 1.25 * usual_tick;
+    if (calm_for >= static_cast<double>(settings.calm_cycles) * usual_tick || mode_ == EvasionMode::Flee ||
+        mode_ == EvasionMode::Enclosed)
         mode_ = EvasionMode::None;
     decision.mode = mode_;
     decision.diversion_m = diversion_m_;

@@ -40,7 +40,7 @@ bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goa
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
                                     double needed_m);
 
-/// Keeps the mode until `calm_cycles` ticks in a row were without a risk. Owned by one robot; called once a tick.
+/// Keeps the mode until a time of `calm_cycles` usual ticks was without a risk. Owned by one robot; called once a tick.
 class Evasion {
 public:
     EvasionDecision decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
@@ -50,11 +50,11 @@ public:
 private:
     EvasionDecision divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                            const Vec2& goal_m, const Settings& settings);
-    EvasionDecision calm(const Settings& settings);
+    EvasionDecision calm(Seconds now, const Settings& settings);
 
     EvasionMode mode_ = EvasionMode::None;
     Vec2 diversion_m_ = Vec2::Zero();
-    long long calm_ticks_ = 0;
+    std::optional<Seconds> calm_since_;
     agent::Risk last_risk_ = agent::Risk::None;
 };
 

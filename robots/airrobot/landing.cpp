@@ -12,7 +12,8 @@ constexpr double even_m = 0.5;
 constexpr double ring_step_m = 1.0;
 constexpr int bearings = 12;
 constexpr double still_m_s = 0.06;
-constexpr int still_ticks_needed = 6;
+/// A second, less what the printed times are rounded by.
+constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
 
 double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m) {
@@ -47,8 +48,11 @@ double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) c
 
 bool Touchdown::touched(const Senses& senses) {
     const bool still = std::abs(senses.velocity_in_map_m_s.z()) < still_m_s;
-    still_ticks_ = still && senses.heightOverGround_m(0.0) < near_ground_m ? still_ticks_ + 1 : 0;
-    return still_ticks_ >= still_ticks_needed;
+    if (!still || senses.heightOverGround_m(0.0) >= near_ground_m)
+        still_since_.reset();
+    else if (!still_since_)
+        still_since_ = senses.now;
+    return still_since_ && senses.now - *still_since_ >= still_needed;
 }
 
 } // namespace usar::airrobot

@@ -7,7 +7,8 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double tick_s = 0.2;
+/// A gap in the messages is no time to gather speed in.
+constexpr Seconds longest_ramp = 2 * usual_tick;
 constexpr double turn_gain_per_s = 1.4;
 constexpr double stop_to_turn_rad = 0.6;
 constexpr double firm_braking_m_s2 = 2.0;
@@ -44,13 +45,20 @@ Motion holding(const Senses& senses, const Vec2& place_m) {
     return motion;
 }
 
+Seconds Pilot::rampTime(Seconds now) {
+    const Seconds since_last = last_at_ && now >= *last_at_ ? now - *last_at_ : usual_tick;
+    last_at_ = now;
+    return std::min(since_last, longest_ramp);
+}
+
 void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source,
                 const Settings& settings) {
     const Vec2 change_m_s = motion.velocity_in_map_m_s - commanded_m_s_;
     const bool slower = motion.velocity_in_map_m_s.norm() < commanded_m_s_.norm();
     const double rate_m_s2 = slower ? firm_braking_m_s2 : settings.acceleration_m_s2;
+    const double ramp_s = rampTime(senses.now).count();
     commanded_m_s_ =
-        motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * tick_s);
+        motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
     const double cosine = std::cos(senses.base_in_map.yaw_rad);
     const double sine = std::sin(senses.base_in_map.yaw_rad);
     protocol::AerialDrive drive;
@@ -70,6 +78,7 @@ Vec2 Pilot::commandedInBase_m_s() const {
 
 void Pilot::stop(agent::CommandPort& port, const std::string& source) {
     commanded_m_s_ = Vec2::Zero();
+    last_at_.reset();
     const protocol::AerialDrive zero{0.0, 0.0, 0.0, 0.0};
     if (last_ == zero)
         return;

@@ -37,7 +37,11 @@ public:
     Vec2 commandedInBase_m_s() const;
 
 private:
+    /// How long the ramp has had since the last command.
+    Seconds rampTime(Seconds now);
+
     Vec2 commanded_m_s_ = Vec2::Zero();
+    std::optional<Seconds> last_at_;
     std::optional<protocol::AerialDrive> last_;
 };
 

@@ -74,7 +74,7 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     if (const auto* ins = robot.sensors.ins(); ins && ins->line != last_ins_) {
         last_ins_ = ins->line;
         ins_seen_ = now;
-        course_.update(ins->value.base_in_map, commanded_m_s_);
+        course_.update(now, ins->value.base_in_map, commanded_m_s_);
         base_in_map_ = ins->value.base_in_map;
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
         history_.add(now, base_in_map_);

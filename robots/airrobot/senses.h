@@ -17,6 +17,9 @@
 
 namespace usar::airrobot {
 
+/// Message tick of UT2004, for which the thesis gave its counts of ticks; a UDK server has ticks of half of it.
+inline constexpr Seconds usual_tick{0.2};
+
 /// One sonar's reading. The echo is somewhere on the cone's cap around `center_in_map_m`, between `low_m` and `high_m`.
 struct SonarEcho {
     std::string name;

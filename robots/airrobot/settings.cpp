@@ -91,7 +91,7 @@ const std::vector<Binding>& bindings() {
         {&S::diversion_distance_m, "diversion_distance_m", "Diversion distance", "Evasion", "m", 1, 15,
          "How far away a diversion point is put."},
         {&S::calm_cycles, "calm_cycles", "Calm cycles", "Evasion", "", 1, 100,
-         "Ticks without a risk before the robot returns to its former goal."},
+         "Time without a risk before the robot returns to its former goal, in ticks of 0.2 s."},
         {&S::side_clearance_m, "side_clearance_m", "Side clearance", "Evasion", "m", 0.7, 6,
          "Half the width of the free way that a diversion wants."},
         {&S::climb_over, "climb_over", "Climb over obstacles", "Evasion", "", 0, 0,

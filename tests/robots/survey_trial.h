@@ -1,6 +1,8 @@
 // One survey of tall_test in the simulation, judged: what the loop test and the long campaign share.
 #pragma once
 
+#include <cmath>
+
 #include <QtTest>
 
 #include "core/sim/worlds/tall_test.h"
@@ -11,11 +13,14 @@ namespace usar::tests {
 
 /// Flies the behavior over `area_in_map` from PlayerStart of the world that ships; reports figures, demands a landing,
 /// no collision and 95 % of the cells.
-inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds limit) {
+inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds limit, Seconds tick = Seconds(0.2)) {
     const sim::World world = sim::makeTallTest(1);
     const Pose start_in_map = world.start_poses.front().pose_in_map;
     sim::SimulationOptions options;
     options.seed = seed;
+    options.physics_steps_per_tick =
+        static_cast<int>(std::lround(options.physics_steps_per_tick * (tick / options.tick)));
+    options.tick = tick;
     options.battery_life = limit; // the simulator cannot charge: the behavior's own battery is the one that counts
     auto simulation = sim::Simulation::make(world, options);
     QVERIFY(simulation);

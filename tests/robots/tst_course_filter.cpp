@@ -17,11 +17,14 @@ class TestCourseFilter : public QObject {
         double error_rad = 0.0;
         double noise = 0.0;
         Vec2 at_m = Vec2::Zero();
+        double tick_s = 0.2;
+        Seconds now{50.0};
 
         void tick(const Vec2& commanded_m_s, bool moves = true) {
-            const Vec2 step_m = Eigen::Rotation2Dd(true_yaw_rad) * commanded_m_s * (moves ? 0.2 : 0.0);
+            const Vec2 step_m = Eigen::Rotation2Dd(true_yaw_rad) * commanded_m_s * (moves ? tick_s : 0.0);
+            now += Seconds(tick_s);
             at_m += step_m + step_m.norm() * noise * Vec2(gaussian(random, 1.0), gaussian(random, 1.0));
-            filter.update({Vec3(at_m.x(), at_m.y(), 6.0), 0, 0, normalizedAngle(true_yaw_rad + error_rad)},
+            filter.update(now, {Vec3(at_m.x(), at_m.y(), 6.0), 0, 0, normalizedAngle(true_yaw_rad + error_rad)},
                           commanded_m_s);
         }
         /// The way in which the real error comes about.
@@ -57,6 +60,21 @@ private slots:
             QVERIFY(std::abs(flight.remaining_rad()) < radians(1.5));
         }
         QVERIFY(worst_raw_rad > radians(10.0));
+    }
+
+    void isNoSurerForHearingTwiceAsOften() {
+        Flight usual;
+        Flight udk;
+        udk.tick_s = 0.1;
+        for (Flight* flight : {&usual, &udk}) {
+            flight->turn(pi / 2);
+            flight->turn(-pi / 2);
+            flight->error_rad = radians(2.0);
+            for (Seconds end = flight->now + Seconds(1.85); flight->now < end;)
+                flight->tick({0.6, 0});
+        }
+        QVERIFY(usual.filter.correction_rad() < 0.0);
+        QVERIFY(std::abs(usual.filter.correction_rad() - udk.filter.correction_rad()) < radians(0.05));
     }
 
     void allowsForFlightAside_data() {

@@ -18,8 +18,8 @@ class TestEvasion : public QObject {
         return judgeThreats(senses, {});
     }
     static EvasionDecision decide(Evasion& evasion, const Ranges& ranges, const std::vector<Obstacle>& obstacles = {},
-                                  const Vec2& goal_m = {20, 0}) {
-        Senses senses = sensesAt({0, 0, 6});
+                                  const Vec2& goal_m = {20, 0}, double now_s = 100.0) {
+        Senses senses = sensesAt({0, 0, 6}, 0.0, now_s);
         setSonars(senses, ranges);
         return evasion.decide(senses, judgeThreats(senses, {}), obstacles, goal_m, {});
     }
@@ -111,13 +111,23 @@ private slots:
         QCOMPARE(decide(evasion, {{"M0", 4.0}, {"R1", 4.0}}, left).mode, EvasionMode::Enclosed);
     }
 
+    void keepsADiversionUntilItWasCalmForAWhile_data() {
+        QTest::addColumn<double>("tick_s");
+        QTest::addColumn<int>("calm_ticks");
+        QTest::newRow("UT2004") << 0.2 << static_cast<int>(Settings{}.calm_cycles);
+        QTest::newRow("UDK") << 0.1 << 2 * static_cast<int>(Settings{}.calm_cycles) - 1;
+    }
     void keepsADiversionUntilItWasCalmForAWhile() {
+        QFETCH(double, tick_s);
+        QFETCH(int, calm_ticks);
         Evasion evasion;
-        decide(evasion, {{"M0", 4.0}});
-        const long long cycles = Settings{}.calm_cycles;
-        for (long long i = 1; i < cycles; ++i)
-            QCOMPARE(decide(evasion, {}).mode, EvasionMode::Divert);
-        QCOMPARE(decide(evasion, {}).mode, EvasionMode::None);
+        const auto decideAt = [&](int tick, const Ranges& ranges) {
+            return decide(evasion, ranges, {}, {20, 0}, 100.0 + tick * tick_s).mode;
+        };
+        decideAt(0, {{"M0", 4.0}});
+        for (int tick = 1; tick < calm_ticks; ++tick)
+            QCOMPARE(decideAt(tick, {}), EvasionMode::Divert);
+        QCOMPARE(decideAt(calm_ticks, {}), EvasionMode::None);
     }
 
     void goesOnAtOnceAfterAHighRisk() {

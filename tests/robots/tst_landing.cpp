@@ -45,27 +45,38 @@ private slots:
         QCOMPARE(touchdown.sinkRate_m_s(senses, settings), settings.landing_speed_m_s);
     }
 
+    void noticesTheTouchAfterASecondOfStillness_data() {
+        QTest::addColumn<double>("tick_s");
+        QTest::addColumn<int>("ticks");
+        QTest::newRow("UT2004") << 0.2 << 6;
+        QTest::newRow("UDK") << 0.1 << 11;
+    }
     void noticesTheTouchAfterASecondOfStillness() {
+        QFETCH(double, tick_s);
+        QFETCH(int, ticks);
         Touchdown touchdown;
         touchdown.start();
         Senses senses = sensesAt({0, 0, 0.3});
         senses.ground_m = 0.1;
+        const auto touchedAfterTick = [&] {
+            senses.now += Seconds(tick_s);
+            return touchdown.touched(senses);
+        };
         senses.velocity_in_map_m_s = {0, 0, -0.3};
         for (int i = 0; i < 20; ++i)
-            QVERIFY(!touchdown.touched(senses));
+            QVERIFY(!touchedAfterTick());
         senses.velocity_in_map_m_s = {0, 0, 0};
-        int ticks = 1;
-        while (!touchdown.touched(senses) && ticks < 100)
-            ++ticks;
-        QVERIFY(ticks >= 5 && ticks <= 8);
+        int still_ticks = 1;
+        while (!touchedAfterTick() && still_ticks < 100)
+            ++still_ticks;
+        QCOMPARE(still_ticks, ticks);
     }
 
     void takesNoStillnessInTheAirForATouch() {
         Touchdown touchdown;
         touchdown.start();
-        const Senses senses = sensesAt({0, 0, 6});
         for (int i = 0; i < 50; ++i)
-            QVERIFY(!touchdown.touched(senses));
+            QVERIFY(!touchdown.touched(sensesAt({0, 0, 6}, 0.0, 0.2 * i)));
     }
 };
 

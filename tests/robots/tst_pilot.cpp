@@ -65,19 +65,43 @@ private slots:
         QCOMPARE(*drive.climb_m_s, 0.5);
     }
 
-    void gathersSpeedGentlyAndBrakesFirmly() {
+    void gathersSpeedGentlyAndBrakesFirmlyWhateverTheTick_data() {
+        QTest::addColumn<double>("tick_s");
+        QTest::newRow("UT2004") << 0.2;
+        QTest::newRow("UDK") << 0.1;
+        QTest::newRow("slow") << 0.4;
+    }
+    void gathersSpeedGentlyAndBrakesFirmlyWhateverTheTick() {
+        QFETCH(double, tick_s);
         Pilot pilot;
         agent::CommandPort port;
-        const Senses senses = sensesAt({0, 0, 6});
-        Motion motion;
-        motion.velocity_in_map_m_s = {2.0, 0.0};
-        pilot.fly(motion, senses, port, "test", settings);
-        QVERIFY(std::abs(*driveOf(port).forward_m_s - 0.2 * settings.acceleration_m_s2) < 1e-9);
-        for (int i = 0; i < 50; ++i)
+        Senses senses = sensesAt({0, 0, 6});
+        const auto flyTick = [&](const Vec2& velocity_m_s) {
+            Motion motion;
+            motion.velocity_in_map_m_s = velocity_m_s;
             pilot.fly(motion, senses, port, "test", settings);
-        QVERIFY(std::abs(*driveOf(port).forward_m_s - 2.0) < 1e-9);
-        pilot.fly({}, senses, port, "test", settings);
-        QVERIFY(std::abs(*driveOf(port).forward_m_s - 1.6) < 1e-9);
+            senses.now += Seconds(tick_s);
+            return pilot.commandedInBase_m_s().x();
+        };
+        const double first_m_s = flyTick({2.0, 0.0});
+        QVERIFY(std::abs(first_m_s - 0.2 * settings.acceleration_m_s2) < 1e-9);
+        QVERIFY(std::abs(flyTick({2.0, 0.0}) - first_m_s - tick_s * settings.acceleration_m_s2) < 1e-9);
+        for (int i = 0; i < 100; ++i)
+            flyTick({2.0, 0.0});
+        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 2.0) < 1e-9);
+        QVERIFY(std::abs(flyTick({0.0, 0.0}) - (2.0 - 2.0 * tick_s)) < 1e-9);
+    }
+
+    void aGapInTheMessagesIsNoTimeToGatherSpeed() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Motion motion;
+        motion.velocity_in_map_m_s = {5.0, 0.0};
+        pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 100.0), port, "test", settings);
+        pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 130.0), port, "test", settings);
+        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.6 * settings.acceleration_m_s2) < 1e-9);
+        pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 3.0), port, "test", settings); // the server began anew
+        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.8 * settings.acceleration_m_s2) < 1e-9);
     }
 
     void obeysASuddenMotionAtOnce() {

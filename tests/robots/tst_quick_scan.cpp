@@ -8,12 +8,16 @@ class TestQuickScan : public QObject {
 private slots:
     void mapsTheMeadowWithoutTouchingATree_data() {
         QTest::addColumn<int>("seed");
+        QTest::addColumn<double>("tick_s");
         for (const int seed : {1, 2, 3})
-            QTest::newRow(qPrintable(QString("seed %1").arg(seed))) << seed;
+            QTest::newRow(qPrintable(QString("seed %1").arg(seed))) << seed << 0.2;
+        QTest::newRow("twice as many ticks, as UDK has") << 1 << 0.1;
     }
     void mapsTheMeadowWithoutTouchingATree() {
         QFETCH(int, seed);
-        tests::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200));
+        QFETCH(double, tick_s);
+        tests::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200),
+                         Seconds(tick_s));
     }
 };
 
