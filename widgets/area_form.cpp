@@ -27,6 +27,7 @@ QDoubleSpinBox* metres(const QString& name, QWidget* parent) {
     box->setAlignment(Qt::AlignRight);
     box->setKeyboardTracking(false);
     box->setRange(-1e5, 1e5);
+    box->setMinimumHeight(minimum_target);
     box->setObjectName(name);
     box->setAccessibleName(name);
     box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-000.0 m")) + 2 * gap::large);

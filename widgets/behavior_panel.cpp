@@ -47,6 +47,7 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     robot_label_->setWordWrap(true);
     behavior_box_->setAccessibleName(tr("Behavior"));
     behavior_box_->setToolTip(tr("What the selected robot should do"));
+    behavior_box_->setMinimumHeight(minimum_target);
     layout->addWidget(robot_label_);
     layout->addWidget(behavior_box_);
     layout->addWidget(help_label_);
@@ -74,6 +75,7 @@ QWidget* BehaviorPanel::makeAreaBox() {
     area_tool_->setText(tr("Draw"));
     area_tool_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     area_tool_->setCheckable(true);
+    area_tool_->setMinimumHeight(minimum_target);
     area_tool_->setToolTip(tr("Draw the mission area on the map (A)"));
     row->addWidget(title, 1);
     row->addWidget(area_tool_);
@@ -103,6 +105,7 @@ QWidget* BehaviorPanel::makeButtons() {
         // A click leaves the focus on the map, where the arrow keys pan; Tab still comes here.
         button->setFocusPolicy(Qt::TabFocus);
         button->setToolTip(button->statusTip());
+        button->setMinimumHeight(minimum_target);
     }
     grid->addWidget(start_, 0, 0, 1, 3);
     grid->addWidget(pause_, 1, 0);

@@ -42,6 +42,8 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     setAccessibleName(tr("Command palette"));
     line_->setPlaceholderText(tr("Type a command"));
     line_->setAccessibleName(tr("Command"));
+    line_->setToolTip(tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
+    line_->setMinimumHeight(minimum_target);
     line_->setClearButtonEnabled(true);
     list_->setModel(model_);
     list_->setItemDelegate(new CommandDelegate(list_));

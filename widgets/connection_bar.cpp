@@ -104,6 +104,8 @@ void ConnectionBar::setUpAddress() {
     button_->setIcon(icon(QStringLiteral("plug")));
     button_->setText(tr("Disconnect")); // its longest word: what stands beside it must not jump
     button_->setMinimumWidth(button_->sizeHint().width());
+    for (QWidget* control : std::initializer_list<QWidget*>{server_, host_, port_, button_})
+        control->setMinimumHeight(minimum_target);
 }
 
 void ConnectionBar::setUpStatus() {

@@ -18,6 +18,7 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) 
     close->setObjectName(QStringLiteral("dismiss"));
     close->setIcon(icon(QStringLiteral("clear")));
     close->setAutoRaise(true);
+    close->setMinimumSize(minimum_target, minimum_target);
     close->setAccessibleName(tr("Dismiss the first steps"));
     close->setToolTip(tr("Hide this strip; First steps in the View menu shows it again"));
     auto* row = new QHBoxLayout(this);

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 
 #include "widgets/empty_state.h"
-#include "widgets/icons.h"
 #include "widgets/theme.h"
 #include "widgets/tool_button.h"
 
@@ -27,7 +26,7 @@ MessageList::MessageList(QWidget* parent)
     : QWidget(parent)
     , model_(new MessageModel(this))
     , view_(new QTableView(this))
-    , search_(new QLineEdit(this))
+    , search_(makeSearchLine(tr("Search type or text"), tr("Shows only lines whose type or text contains this"), this))
     , way_(new QComboBox(this))
     , count_(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
@@ -51,11 +50,6 @@ QWidget* MessageList::makeTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
     row->setSpacing(gap::tiny);
-    search_->setPlaceholderText(tr("Search type or text"));
-    search_->setAccessibleName(search_->placeholderText());
-    search_->setClearButtonEnabled(true);
-    search_->setMinimumHeight(minimum_target);
-    search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     way_->addItems({tr("In and out"), tr("← in"), tr("→ out")});
     way_->setToolTip(tr("What came from the server, what was sent, or both"));
     way_->setAccessibleName(way_->toolTip());

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "widgets/empty_state.h"
-#include "widgets/icons.h"
 #include "widgets/parameter_row.h"
 #include "widgets/theme.h"
 #include "widgets/tool_button.h"
@@ -15,7 +14,8 @@ namespace usar::widgets {
 
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent)
-    , search_(new QLineEdit(this))
+    , search_(
+          makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this))
     , scroll_(new QScrollArea(this))
     , nothing_(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
@@ -43,11 +43,6 @@ QWidget* ParameterForm::makeTools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap::tiny);
-    search_->setPlaceholderText(tr("Search parameters"));
-    search_->setAccessibleName(tr("Search parameters"));
-    search_->setClearButtonEnabled(true);
-    search_->setMinimumHeight(minimum_target);
-    search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     modified_only_ = makeToolButton(tr("Show only what differs from its default"), tools);
     modified_only_->setText(tr("Modified"));
     modified_only_->setCheckable(true);

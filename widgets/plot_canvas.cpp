@@ -33,7 +33,10 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     column->addWidget(plot_);
     setFocusProxy(plot_);
     plot_->setFocusPolicy(Qt::StrongFocus);
-    plot_->setAccessibleName(tr("Plot over protocol time"));
+    setAccessibleName(tr("Plot over protocol time"));
+    setToolTip(tr("Values over protocol time, hours:minutes:seconds. Drag or the arrow keys move in time, the wheel or "
+                  "plus and minus zoom, Space holds still, F follows."));
+    plot_->setAccessibleName(accessibleName());
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setPlottingHint(QCP::phFastPolylines);

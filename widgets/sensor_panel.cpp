@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/empty_state.h"
-#include "widgets/icons.h"
 #include "widgets/theme.h"
+#include "widgets/tool_button.h"
 
 namespace usar::widgets {
 
@@ -17,7 +17,7 @@ SensorPanel::SensorPanel(QWidget* parent)
     : QWidget(parent)
     , model_(new SensorModel(this))
     , filtered_(new QSortFilterProxyModel(this))
-    , search_(new QLineEdit(this))
+    , search_(makeSearchLine(tr("Filter sensors"), tr("Shows only sensors and values whose name contains this"), this))
     , tree_(new QTreeView(this))
     , empty_state_(new EmptyState(tree_->viewport())) {
     setAccessibleName(tr("Sensors"));
@@ -29,11 +29,6 @@ SensorPanel::SensorPanel(QWidget* parent)
     filtered_->setSortRole(SensorModel::SortRole);
     filtered_->sort(SensorModel::Name);
     setWallClock([] { return Seconds(std::chrono::steady_clock::now().time_since_epoch()); });
-    search_->setPlaceholderText(tr("Filter sensors"));
-    search_->setAccessibleName(tr("Filter sensors"));
-    search_->setToolTip(tr("Shows only sensors and values whose name contains this"));
-    search_->setClearButtonEnabled(true);
-    search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     makeTree();
     empty_state_->setText(tr("No sensor data yet"),
                           tr("Every value that the robot sends appears here, once it is spawned."));

@@ -40,9 +40,12 @@ SpawnCard::SpawnCard(QWidget* over)
     behavior_->setToolTip(tr("What will drive it; can be changed until it starts"));
     spawn_->setProperty("role", "primary");
     spawn_->setToolTip(tr("Puts the robot here (Return)"));
+    for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
+        control->setMinimumHeight(minimum_target);
     auto* close = new QToolButton(this);
     close->setIcon(icon(QStringLiteral("clear")));
     close->setAutoRaise(true);
+    close->setMinimumSize(minimum_target, minimum_target);
     close->setAccessibleName(tr("Close"));
     close->setToolTip(tr("Close (Esc)"));
     auto* head = new QHBoxLayout;

@@ -17,4 +17,15 @@ QToolButton* makeToolButton(const QString& help, QWidget* parent, const QString&
     return button;
 }
 
+QLineEdit* makeSearchLine(const QString& words, const QString& help, QWidget* parent) {
+    auto* line = new QLineEdit(parent);
+    line->setPlaceholderText(words);
+    line->setAccessibleName(words);
+    line->setToolTip(help);
+    line->setClearButtonEnabled(true);
+    line->setMinimumHeight(minimum_target);
+    line->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    return line;
+}
+
 } // namespace usar::widgets
