@@ -4,12 +4,22 @@
 
 namespace usar {
 
+namespace {
+
+std::string withCapital(std::string sentence) {
+    if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+        sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+    return sentence;
+}
+
+} // namespace
+
 std::string Error::text() const {
-    std::string sentence = where.empty() ? what : where + ": " + what;
+    std::string sentence = where.empty() ? withCapital(what) : where + ": " + what;
     if (!sentence.empty() && sentence.back() != '.')
         sentence += '.';
     if (!mend.empty())
-        sentence += " " + mend + (mend.back() == '.' || mend.back() == '?' ? "" : ".");
+        sentence += " " + withCapital(mend) + (mend.back() == '.' || mend.back() == '?' ? "" : ".");
     return sentence;
 }
 

@@ -14,7 +14,7 @@ struct Error {
     std::string where;
     std::string mend;
 
-    /// One sentence or two: "where: what. mend."
+    /// One sentence or two: "where: what. Mend."
     std::string text() const;
     bool operator==(const Error&) const = default;
 };
