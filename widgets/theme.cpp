@@ -5,8 +5,8 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QPalette>
-#include <QStyleFactory>
 
+#include "widgets/outline_style.h"
 #include "widgets/style_sheet.h"
 
 namespace usar::widgets {
@@ -116,7 +116,7 @@ void applyTheme(Theme theme) {
     current_theme = theme;
     // A style sheet wraps the style, so the name of the outer one says nothing: the style is set once, by property.
     if (!qApp->property("usar_style_set").toBool()) {
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+        QApplication::setStyle(new OutlineStyle);
         qApp->setProperty("usar_style_set", true);
     }
     QApplication::setFont(themeFont());

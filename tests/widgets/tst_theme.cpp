@@ -1,11 +1,29 @@
+#include <algorithm>
+
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
 #include <QTest>
 
 #include "widgets/icons.h"
 #include "widgets/theme.h"
 
 using namespace usar::widgets;
+
+namespace {
+
+using Maker = QWidget* (*)();
+
+template <class Control>
+QWidget* made() {
+    return new Control;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Maker)
 
 class tst_Theme : public QObject {
     Q_OBJECT
@@ -20,6 +38,8 @@ private slots:
     void marksKeepTheThesissColors();
     void figuresAreEquallyWide();
     void applyingReachesWidgetsThatExist();
+    void emptyControlsCanBeSeen_data();
+    void emptyControlsCanBeSeen();
     void everyIconDrawsSomething();
     void unknownIconIsNull();
     void iconFollowsTheme();
@@ -118,6 +138,36 @@ void tst_Theme::applyingReachesWidgetsThatExist() {
     QCOMPARE(label.palette().color(QPalette::WindowText), tokens(Theme::Light).text);
     applyTheme(Theme::Dark);
     QCOMPARE(label.palette().color(QPalette::WindowText), tokens(Theme::Dark).text);
+}
+
+void tst_Theme::emptyControlsCanBeSeen_data() {
+    QTest::addColumn<Theme>("theme");
+    QTest::addColumn<Maker>("make");
+    QTest::addColumn<double>("least");
+    for (const auto& [name, theme] : {std::pair("dark", Theme::Dark), std::pair("light", Theme::Light)}) {
+        QTest::addRow("%s: check box", name) << theme << Maker(made<QCheckBox>) << 3.0;
+        QTest::addRow("%s: field", name) << theme << Maker(made<QLineEdit>) << 1.4;
+        QTest::addRow("%s: spin box", name) << theme << Maker(made<QSpinBox>) << 1.4;
+    }
+}
+
+void tst_Theme::emptyControlsCanBeSeen() {
+    QFETCH(Theme, theme);
+    QFETCH(Maker, make);
+    QFETCH(double, least);
+    applyTheme(theme);
+    QWidget page;
+    QWidget* control = make();
+    control->setParent(&page);
+    control->setFocusPolicy(Qt::NoFocus);
+    control->setGeometry(8, 8, 100, 24);
+    page.resize(116, 40);
+    page.show();
+    const QImage image = page.grab().toImage();
+    double strongest = 1.0;
+    for (int x = 6; x < 14; ++x) // across the left outline
+        strongest = std::max(strongest, contrast(image.pixelColor(x, 20), tokens().background));
+    QVERIFY2(strongest >= least, qPrintable(QString::number(strongest)));
 }
 
 void tst_Theme::everyIconDrawsSomething() {
