@@ -26,7 +26,7 @@ struct Speakers {
             if (!std::isnan(sonar.range_m))
                 speak("Sonar", sonar.name);
     }
-    void operator()(const protocol::RangeScan& message) const { speak("RangeScanner", message.name); }
+    void operator()(const protocol::RangeScan& message) const { speak(message.type, message.name); }
     void operator()(const protocol::InsReading&) const { speak("INS", {}); }
     void operator()(const protocol::GroundTruthReading&) const { speak("GroundTruth", {}); }
     void operator()(const protocol::OdometryReading&) const { speak("Odometry", {}); }

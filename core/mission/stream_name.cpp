@@ -15,7 +15,9 @@ struct Namer {
     std::string operator()(const protocol::LockstepInfo&) const { return "NFO Lockstep"; }
     std::string operator()(const protocol::RobotState&) const { return "STA"; }
     std::string operator()(const protocol::SonarReadings&) const { return "SEN Sonar"; }
-    std::string operator()(const protocol::RangeScan&) const { return "SEN RangeScanner"; }
+    std::string operator()(const protocol::RangeScan& scan) const {
+        return scan.type.empty() ? "SEN" : "SEN " + scan.type;
+    }
     std::string operator()(const protocol::InsReading&) const { return "SEN INS"; }
     std::string operator()(const protocol::GroundTruthReading&) const { return "SEN GroundTruth"; }
     std::string operator()(const protocol::OdometryReading&) const { return "SEN Odometry"; }

@@ -132,10 +132,16 @@ void Collector::add(const RobotState& state) {
         item = joint.name;
         number("angle", joint.angle_rad, "rad");
     }
+    item.clear();
+    for (const KeyValue& other : state.others)
+        if (sameWord(other.key, "Type"))
+            text("kind", other.value);
+    for (Field& field : genericFieldsOf({source, {}, {}, state.others}))
+        fields.push_back(std::move(field));
 }
 
 void Collector::add(const RangeScan& scan) {
-    source = "SEN RangeScanner";
+    source = scan.type.empty() ? "SEN" : "SEN " + scan.type;
     item = scan.name;
     number("resolution", scan.resolution_rad, "rad");
     number("fov", scan.fov_rad, "rad");

@@ -20,15 +20,19 @@ Vec3 positiveAnglesOf(const Pose& on_wire) {
     return anglesOf(on_wire).unaryExpr([](double angle_rad) { return angle_rad < 0 ? angle_rad + 2 * pi : angle_rad; });
 }
 
-void writeInto(LineWriter& line, const GenericMessage& message) {
-    line.text(message.type_word);
-    for (const KeyValue& segment : message.segments) {
+void writeSegments(LineWriter& line, const std::vector<KeyValue>& segments) {
+    for (const KeyValue& segment : segments) {
         line.text(" {");
         line.text(segment.key);
         line.text(segment.value.empty() ? "" : " ");
         line.text(segment.value);
         line.close();
     }
+}
+
+void writeInto(LineWriter& line, const GenericMessage& message) {
+    line.text(message.type_word);
+    writeSegments(line, message.segments);
 }
 
 void writeInto(LineWriter& line, const GameInfo& game) {
@@ -79,6 +83,7 @@ void writeInto(LineWriter& line, const RobotState& state) {
         line.whole("Battery", static_cast<long long>(std::floor(state.battery_left->count())));
     if (state.view)
         line.whole("View", *state.view);
+    writeSegments(line, state.others);
 }
 
 void writeInto(LineWriter& line, const SonarReadings& sonars) {
@@ -97,7 +102,8 @@ void writeInto(LineWriter& line, const SonarReadings& sonars) {
 void writeInto(LineWriter& line, const RangeScan& scan) {
     line.text("SEN");
     line.time(scan.time, Decimals::TwoRounded);
-    line.segment("Type", "RangeScanner");
+    if (!scan.type.empty())
+        line.segment("Type", scan.type);
     line.segment("Name", scan.name);
     line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);
     line.segment("FOV", scan.fov_rad, Decimals::FourCut);

@@ -66,6 +66,7 @@ void tst_SessionWatchers::sensorsAreToldApartByName() {
     SensorWatch watch(Seconds{3.0});
     watch.saw(protocol::RangeScan{.name = "Belly"}, Seconds{10.0});
     watch.saw(protocol::RangeScan{.name = "Front"}, Seconds{10.0});
+    watch.saw(protocol::RangeScan{.name = "Front", .type = "IRScanner"}, Seconds{14.0});
     watch.saw(protocol::RangeScan{.name = "Belly"}, Seconds{14.0});
     QCOMPARE(watch.newlySilent(Seconds{14.0}), std::vector<std::string>{"RangeScanner Front"});
 }
@@ -169,6 +170,7 @@ void tst_SessionWatchers::excerptsStayPlainAndShort() {
 void tst_SessionWatchers::streamsAreNamedInTheWordsOfTheWire() {
     QCOMPARE(streamName(protocol::RobotState{}), std::string("STA"));
     QCOMPARE(streamName(protocol::SonarReadings{}), std::string("SEN Sonar"));
+    QCOMPARE(streamName(protocol::RangeScan{.type = "IRScanner"}), std::string("SEN IRScanner"));
     QCOMPARE(streamName(protocol::GenericMessage{.type_word = "SEN", .type = "RFID"}), std::string("SEN RFID"));
     QCOMPARE(streamName(protocol::GenericMessage{.type_word = "MISSTA"}), std::string("MISSTA"));
 }

@@ -64,6 +64,11 @@ void tst_Fields::namesEveryValueOfAMessage_data() {
         "STA/kind=AerialVehicle; STA/battery=1180.00s; STA/light=False; STA/light_intensity=5.00%; STA/view=-1.00");
     row("joints", "STA {Time 1} {FrontSteer 0.25} {RearSteer 0.5} {FLFlipper 0.75}",
         "STA/front_steer=-0.25rad; STA/rear_steer=-0.50rad; STA/FLFlipper/angle=0.75rad");
+    row("state with more than we know",
+        "STA {Type Submarine} {Time 1} {Battery 5} {Mode Dive} {Drift 1,2,3} {CountPer1sec 10}",
+        "STA/battery=5.00s; STA/kind=Submarine; STA/Mode=Dive; STA/Drift.x=1.00; STA/Drift.y=2.00; "
+        "STA/Drift.z=3.00; STA/CountPer1sec=10.00");
+    row("sonars without a range", "SEN {Type Sonar} {Name F1} {Echo 0.5}", "SEN Sonar/F1/Echo=0.50");
     row("sonars", "SEN {Type Sonar} {Name F1 Range 4.5} {Name F2 Range nan}",
         "SEN Sonar/F1/range=4.50m; SEN Sonar/F2/range=nanm");
     row("odometry", "SEN {Type Odometry} {Name O} {Pose 1,2,0.5}",
@@ -119,6 +124,7 @@ void tst_Fields::aScanIsSummedUpWithoutItsGaps() {
                         "SEN RangeScanner/S/count=3.00; SEN RangeScanner/S/minimum=1.00m; "
                         "SEN RangeScanner/S/mean=2.00m; SEN RangeScanner/S/maximum=3.00m"));
     QVERIFY(shown("SEN {Type RangeScanner} {Name S} {Resolution 0.5} {FOV 1} {Range nan}").contains("minimum=nanm"));
+    QVERIFY(shown("SEN {Type IRScanner} {Name S} {Resolution 0.5} {FOV 1} {Range 1}").contains("SEN IRScanner/S/fov="));
 }
 
 void tst_Fields::everyLineOfTheCorpusShowsItsNews() {

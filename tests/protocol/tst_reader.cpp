@@ -54,6 +54,9 @@ private slots:
     void readsPosesIntoOurFrame();
     void anEmptyHeadIsNoNews_data();
     void anEmptyHeadIsNoNews();
+    void whatItsTableCannotTakeIsKeptWhole_data();
+    void whatItsTableCannotTakeIsKeptWhole();
+    void keepsWhatNoFieldOfTheStateHolds();
     void readsEncodersGroupedAndSingle();
     void readsGeometryOfRobots();
     void readsGeometryOfItemsGroupedSingleAndLinked_data();
@@ -196,7 +199,9 @@ void tst_Reader::readsScannersByShape() {
         cleanly<GenericMessage>(line.toStdString());
         return;
     }
-    const auto scan = cleanly<RangeScan>(line.toStdString());
+    auto scan = cleanly<RangeScan>(line.toStdString());
+    QVERIFY(line.contains("{Type " + QByteArray::fromStdString(scan.type) + "}"));
+    scan.type = "RangeScanner";
     QVERIFY(scan == (RangeScan{Seconds(1), "S", 0.5, 1.0, {1.5, 2.0, 0.25}}));
     QCOMPARE(scan.beamAngle_rad(0), -0.5); // the first beam looks right
 }
@@ -224,16 +229,36 @@ void tst_Reader::anEmptyHeadIsNoNews_data() {
 
 void tst_Reader::anEmptyHeadIsNoNews() {
     QFETCH(QByteArray, type);
-    const InfoLine line = read("SEN {Time 48.0983} {Type " + type.toStdString() + "} ");
-    QVERIFY(line.diagnostics.empty());
-    if (const auto* odometry = std::get_if<OdometryReading>(&line.message))
-        QVERIFY(!odometry->base_in_start);
-    else if (const auto* sonars = std::get_if<SonarReadings>(&line.message))
-        QVERIFY(sonars->ranges.empty());
-    else if (const auto* encoders = std::get_if<EncoderReadings>(&line.message))
-        QVERIFY(encoders->encoders.empty());
-    else
-        QVERIFY(std::holds_alternative<GenericMessage>(line.message));
+    const auto head = cleanly<GenericMessage>("SEN {Time 48.0983} {Type " + type.toStdString() + "} ");
+    QCOMPARE(head.type, type.toStdString());
+}
+
+void tst_Reader::whatItsTableCannotTakeIsKeptWhole_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<int>("segments");
+    QTest::newRow("a sonar of another kind") << QByteArray("SEN {Time 1} {Type Sonar} {Name F1} {Echo 0.3}") << 4;
+    QTest::newRow("an encoder of another kind") << QByteArray("SEN {Type Encoder} {Name W1} {Angle 0.3}") << 3;
+    QTest::newRow("an odometry of another kind") << QByteArray("SEN {Type Odometry} {Name O} {Way 12}") << 3;
+}
+
+void tst_Reader::whatItsTableCannotTakeIsKeptWhole() {
+    QFETCH(QByteArray, line);
+    QFETCH(int, segments);
+    QCOMPARE(static_cast<int>(cleanly<GenericMessage>(line.toStdString()).segments.size()), segments);
+}
+
+void tst_Reader::keepsWhatNoFieldOfTheStateHolds() {
+    const auto state = cleanly<RobotState>("STA {Type Submarine} {Time 1} {Battery 5} {Mode Dive} {FLFlipper 0.5} "
+                                           "{Drift 1,2,3} {CountPer1sec 10} {Battery 6} {Odd nan} {Lone}");
+    QVERIFY(state.others == (std::vector<KeyValue>{{"Type", "Submarine"},
+                                                   {"Mode", "Dive"},
+                                                   {"Drift", "1,2,3"},
+                                                   {"CountPer1sec", "10"},
+                                                   {"Battery", "6"},
+                                                   {"Odd", "nan"},
+                                                   {"Lone", ""}}));
+    QCOMPARE(state.battery_left->count(), 5.0);
+    QVERIFY(state.joints == (std::vector<JointAngle>{{"FLFlipper", 0.5}}));
 }
 
 void tst_Reader::readsEncodersGroupedAndSingle() {

@@ -75,6 +75,10 @@ void tst_Writer::spellsLinesAsUt2004Does_data() {
     row("sonars", "SEN {Time 395.6055} {Type Sonar} {Name F1 Range 4.5604} {Name F2 Range 2.4576}");
     row("scan", "SEN {Time 395.38} {Type RangeScanner} {Name Scanner1} {Resolution 0.0174} {FOV 3.1415} {Range "
                 "2.1924,2.1961,20.0000}");
+    row("scan of another scanner", "SEN {Time 30.20} {Type IRScanner} {Name IRScan} {Resolution 0.0174} {FOV 0.0348} "
+                                   "{Range 1.1200,1.1000,1.0900}");
+    row("state with more than we know", "STA {Type AerialVehicle} {Time 268.50} {Battery 1180} {Mode Hover} {Lone}");
+    row("sonars without a range", "SEN {Time 395.6055} {Type Sonar} {Name F1} {Echo 0.3}");
     row("INS", "SEN {Type INS} {Name INS} {Location 4.50,1.90,1.80} {Orientation 0.00,6.28,3.01}");
     row("ground truth", "SEN {Time 395.3833} {Type GroundTruth} {Name GroundTruth} {Location 4.50,1.90,-1.85} "
                         "{Orientation 0.00,6.28,6.28}");
@@ -158,7 +162,10 @@ void tst_Writer::discreteMessagesComeBackExactly() {
     QVERIFY(readAgain(game) == game);
     const ConfigurationInfo numbers{"AerialVehicle", {{"AirRobot", {{"MaxLinearVelocity", "", 5.0}}}}};
     QCOMPARE(readAgain(numbers).items[0].settings[0].value, std::string("5.0000"));
-    QVERIFY(!readAgain(OdometryReading{Seconds(1), "", std::nullopt}).base_in_start);
+    const RobotState more{.kind = VehicleKind::Ground, .time = Seconds(1), .others = {{"Mode", "Auto"}, {"Lone", ""}}};
+    QVERIFY(readAgain(more) == more);
+    const RangeScan infrared{Seconds(1.5), "IR", 0.0174, 0.0348, {1.5, 2.0, 2.5}, "IRScanner"};
+    QVERIFY(readAgain(infrared) == infrared);
 }
 
 QTEST_APPLESS_MAIN(tst_Writer)

@@ -24,15 +24,16 @@ struct SonarReadings {
     bool operator==(const SonarReadings&) const = default;
 };
 
-/// SEN RangeScanner. Beams run from right to left: index 0 looks at -fov/2 (right; counter-clockwise positive), the
-/// last one at +fov/2. The count of values rules, not the quotient of field of view and resolution. A miss reads the
-/// maximum range; NaN where the server sent no number.
+/// SEN RangeScanner and its kin. Beams run from right to left: index 0 looks at -fov/2 (right; counter-clockwise
+/// positive), the last one at +fov/2. The count of values rules, not the quotient of field of view and resolution. A
+/// miss reads the maximum range; NaN where the server sent no number.
 struct RangeScan {
     std::optional<Seconds> time{};
     std::string name{};
     double resolution_rad = 0.0;
     double fov_rad = 0.0;
     std::vector<double> ranges_m{};
+    std::string type = "RangeScanner"; ///< on the wire; scanners go by many: IRScanner, Laser …
 
     /// Angle between neighbouring beams. UT2004 cuts 0.01745 to 0.0174 on the wire, which adds up to half a degree over
     /// 181 beams; field of view and count give the true step wherever they agree with the resolution to 2 %.

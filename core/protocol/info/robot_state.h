@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/clock.h"
+#include "core/protocol/info/generic.h"
 
 namespace usar::protocol {
 
@@ -28,6 +29,8 @@ struct RobotState {
     std::optional<int> light_intensity_pct{};
     std::optional<int> view{};
     std::vector<JointAngle> joints{}; ///< flippers and legs, in the server's order and sign
+    /// What no field above holds, in the server's order: unknown keys, a Type that is no kind we know, a key once more.
+    std::vector<KeyValue> others{};
     bool operator==(const RobotState&) const = default;
 };
 

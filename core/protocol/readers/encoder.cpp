@@ -16,7 +16,7 @@ std::optional<InfoMessage> readEncoders(LineReading& line) {
             line.error(value, "ticks are a whole number");
         whole &= ticks.has_value();
     });
-    return whole ? std::optional<InfoMessage>(std::move(result)) : std::nullopt;
+    return whole && !result.encoders.empty() ? std::optional<InfoMessage>(std::move(result)) : std::nullopt;
 }
 
 } // namespace usar::protocol

@@ -32,13 +32,12 @@ std::optional<InfoMessage> readGroundTruth(LineReading& line) {
 }
 
 std::optional<InfoMessage> readOdometry(LineReading& line) {
+    const Segment* const segment = line.segments().find("Pose");
+    const std::optional<Vec3> pose = segment ? line.threeNumbers(segment->value) : std::nullopt;
+    if (!pose)
+        return std::nullopt;
     OdometryReading result;
-    if (const Segment* const segment = line.segments().find("Pose")) {
-        const std::optional<Vec3> pose = line.threeNumbers(segment->value);
-        if (!pose)
-            return std::nullopt;
-        result.base_in_start = acrossWire(Pose{.position_m = {pose->x(), pose->y(), 0.0}, .yaw_rad = pose->z()});
-    }
+    result.base_in_start = acrossWire(Pose{.position_m = {pose->x(), pose->y(), 0.0}, .yaw_rad = pose->z()});
     result.time = line.time();
     result.name = line.segments().value("Name");
     return result;

@@ -69,6 +69,8 @@ std::optional<InfoMessage> readRangeScan(LineReading& line) {
     RangeScan scan;
     scan.time = line.time();
     scan.name = segments.value("Name");
+    if (!sameWord(segments.value("Type"), scan.type))
+        scan.type = segments.value("Type");
     scan.resolution_rad = *resolution_rad;
     scan.fov_rad = *fov_rad;
     std::size_t doubtful = 0;

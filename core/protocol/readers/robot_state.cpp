@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,15 +12,16 @@ namespace usar::protocol {
 
 namespace {
 
-/// Keys of STA that are no joints, in either dialect and in the Gazebo server.
+/// Keys of STA that have a field of their own, in either dialect.
 bool isOwnKey(std::string_view key) {
-    static constexpr std::array<std::string_view, 9> keys = {
-        "Type", "Time", "FrontSteer", "RearSteer", "LightToggle", "LightIntensity", "Battery", "View", "CountPer1sec"};
-    for (const std::string_view own : keys) {
-        if (sameWord(own, key))
-            return true;
-    }
-    return false;
+    static constexpr std::array<std::string_view, 8> keys = {"Type",        "Time",           "FrontSteer", "RearSteer",
+                                                             "LightToggle", "LightIntensity", "Battery",    "View"};
+    return std::ranges::any_of(keys, [key](std::string_view own) { return sameWord(own, key); });
+}
+
+/// A number that is no angle: the Gazebo server's rate of messages.
+bool isNoJoint(std::string_view key) {
+    return sameWord(key, "CountPer1sec");
 }
 
 std::optional<int> wholeNumber(LineReading& line, std::string_view key) {
@@ -39,11 +41,16 @@ std::optional<double> steeringAngle(LineReading& line, std::string_view key) {
     return angle_rad ? std::optional(acrossWire(*angle_rad)) : std::nullopt;
 }
 
-void readJoints(LineReading& line, std::vector<JointAngle>& joints) {
+/// The joints, and what no field holds: nothing that a server says is dropped.
+void readRest(LineReading& line, RobotState& state) {
     for (const Segment& segment : line.segments().all()) {
-        const std::optional<double> angle_rad = isOwnKey(segment.key) ? std::nullopt : readNumber(segment.value);
-        if (angle_rad && std::isfinite(*angle_rad))
-            joints.push_back({std::string(segment.key), *angle_rad});
+        const bool own = isOwnKey(segment.key);
+        const double angle_rad = readNumber(segment.value).value_or(std::numeric_limits<double>::quiet_NaN());
+        const bool unknown_kind = sameWord(segment.key, "Type") && state.kind == VehicleKind::Unknown;
+        if (!own && !isNoJoint(segment.key) && std::isfinite(angle_rad))
+            state.joints.push_back({std::string(segment.key), angle_rad});
+        else if (!own || unknown_kind || line.segments().find(segment.key) != &segment)
+            state.others.push_back({std::string(segment.key), std::string(segment.value)});
     }
 }
 
@@ -64,7 +71,7 @@ std::optional<InfoMessage> readRobotState(LineReading& line) {
     state.light_on = line.boolean("LightToggle");
     state.light_intensity_pct = wholeNumber(line, "LightIntensity");
     state.view = wholeNumber(line, "View");
-    readJoints(line, state.joints);
+    readRest(line, state);
     return state;
 }
 

@@ -1,4 +1,5 @@
 #include <limits>
+#include <utility>
 
 #include "core/base/numbers.h"
 #include "core/protocol/readers/named_values.h"
@@ -14,7 +15,7 @@ std::optional<InfoMessage> readSonars(LineReading& line) {
         const std::optional<double> range_m = line.numberIn(value);
         result.ranges.push_back({std::string(name), range_m.value_or(std::numeric_limits<double>::quiet_NaN())});
     });
-    return result;
+    return result.ranges.empty() ? std::nullopt : std::optional<InfoMessage>(std::move(result));
 }
 
 } // namespace usar::protocol

@@ -11,7 +11,7 @@
 namespace usar::protocol {
 
 /// Gives the value, or nothing when the line must stay a GenericMessage: without a diagnostic where it says nothing (a
-/// bare head) or is of another shape, with one where it is damaged.
+/// bare head), holds nothing that the value could take, or is of another shape, with one where it is damaged.
 using ReadFunction = std::optional<InfoMessage> (*)(LineReading& line);
 
 /// `type` is the value of the Type segment; empty takes any. Both are compared without regard to case.
