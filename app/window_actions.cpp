@@ -99,7 +99,7 @@ void MainWindow::showPlan() {
     views_.map->setLanes(std::vector<Vec2>{});
     if (area.empty()) {
         views_.map->setAreaSummary({});
-        return views_.behavior->setPlanSummary(tr("Draw the area on the map, or type it."));
+        return views_.behavior->setPlanSummary({}); // the area form says what to do
     }
     const auto preview = control_.preview(selected_, views_.behavior->behaviorId(), area, views_.parameters->values());
     if (!preview)

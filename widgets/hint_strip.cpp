@@ -55,18 +55,19 @@ bool HintStrip::allDone() const {
 
 void HintStrip::refresh() {
     const Tokens& t = tokens();
+    const QString nbsp = QStringLiteral("&nbsp;"); // a step is not torn over two lines
     const auto next = static_cast<qsizetype>(std::ranges::find(done_, false) - done_.begin());
     QStringList parts;
     for (qsizetype i = 0; i < steps_.size(); ++i) {
         const bool done = done_[static_cast<std::size_t>(i)];
         const QString mark = done ? QStringLiteral("✓") : QString::number(i + 1);
         const QColor ink = done ? t.ok : i == next ? t.text : t.text_muted;
-        const QString text = QStringLiteral("<span style='color:%1'><b>%2</b>&nbsp; %3</span>")
-                                 .arg(ink.name(), mark, steps_[i].toHtmlEscaped());
+        const QString text = QStringLiteral("<span style='color:%1'><b>%2</b>&nbsp;%3</span>")
+                                 .arg(ink.name(), mark, steps_[i].toHtmlEscaped().replace(u' ', nbsp));
         parts << (i == next ? QStringLiteral("<b>%1</b>").arg(text) : text);
     }
-    text_->setText(parts.join(
-        QStringLiteral("&nbsp;&nbsp;&nbsp;<span style='color:%1'>›</span>&nbsp;&nbsp; ").arg(t.text_muted.name())));
+    text_->setText(
+        parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name())));
     setAccessibleDescription(next < steps_.size() ? tr("Next: %1").arg(steps_[next]) : tr("All steps are done"));
 }
 

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QTransform>
 
+#include "widgets/map_overlay.h"
 #include "widgets/models/label_places.h"
 #include "widgets/theme.h"
 
@@ -20,6 +21,17 @@ struct Layout {
         taken_px.emplace_back(middle_px - QPointF(half_px, half_px), QSizeF(2.0 * half_px, 2.0 * half_px));
     }
 };
+
+/// Names stay whole at the edge of the view; four wide strips stand for all that is beyond it.
+void takeOutside(Layout& layout, const QSizeF& viewport) {
+    constexpr double far_px = 400.0;
+    const QRectF view(QPointF(), viewport);
+    const QRectF around = view.adjusted(-far_px, -far_px, far_px, far_px);
+    layout.taken_px.emplace_back(around.topLeft(), QPointF(around.right(), view.top()));
+    layout.taken_px.emplace_back(QPointF(around.left(), view.bottom()), around.bottomRight());
+    layout.taken_px.emplace_back(around.topLeft(), QPointF(view.left(), around.bottom()));
+    layout.taken_px.emplace_back(QPointF(view.right(), around.top()), around.bottomRight());
+}
 
 QSizeF boxSize(const QString& text, bool bold) {
     const QFontMetricsF metrics(themeFont(FontRole::Small, bold ? QFont::DemiBold : QFont::Normal));
@@ -63,6 +75,8 @@ QString robotLabel(const MapRobot& robot) {
 
 MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform) {
     Layout layout;
+    layout.taken_px.push_back(axesGlass_px(transform));
+    takeOutside(layout, transform.viewport);
     if (content.layer(MapLayer::Robots).visible)
         addRobots(layout, content, transform);
     if (content.layer(MapLayer::StartPoses).visible)

@@ -23,8 +23,8 @@ struct MapLabels {
 
 /// "R1", or "R1 (stale)".
 QString robotLabel(const MapRobot& robot);
-/// Robots win, the selected one first; names of start poses move aside or make way. Hidden layers take no room. GUI
-/// thread, for the fonts.
+/// Robots win, the selected one first; names of start poses move aside or make way, also for the axes in the corner and
+/// at the edge of the view. Hidden layers take no room. GUI thread, for the fonts.
 MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform);
 
 } // namespace usar::widgets

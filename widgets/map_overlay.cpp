@@ -38,15 +38,19 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& by, const
     painter.drawText(QRectF(middle.x() - 8.0, middle.y() - 9.0, 16.0, 18.0), Qt::AlignCenter, name);
 }
 
+QPointF axesOrigin(const MapTransform& transform) {
+    return {transform.viewport.width() - edge - 24.0, edge + 56.0};
+}
+
 /// x and y of the map frame; says which way is "up" instead of pretending to know north.
 void paintAxes(QPainter& painter, const MapTransform& transform) {
     const Tokens& t = tokens();
-    const QPointF origin(transform.viewport.width() - edge - 24.0, edge + 56.0);
+    const QPointF origin = axesOrigin(transform);
     QColor back = t.background;
     back.setAlphaF(0.7f);
     painter.setPen(Qt::NoPen);
     painter.setBrush(back);
-    painter.drawEllipse(origin + QPointF(-12.0, -16.0), 44.0, 44.0);
+    painter.drawEllipse(axesGlass_px(transform));
     painter.setFont(themeFont(FontRole::Small, QFont::DemiBold));
     const bool x_up = transform.orientation == MapOrientation::XUp;
     paintArrow(painter, origin, QPointF(0.0, -28.0), x_up ? QStringLiteral("x") : QStringLiteral("y"), t.text);
@@ -109,6 +113,10 @@ double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& mar
 }
 
 } // namespace
+
+QRectF axesGlass_px(const MapTransform& transform) {
+    return {axesOrigin(transform) + QPointF(-56.0, -60.0), QSizeF(88.0, 88.0)};
+}
 
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform) {

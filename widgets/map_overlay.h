@@ -15,6 +15,10 @@ struct MapOverlay {
     bool legend = true;
 };
 
+/// What the axes dim in their corner; names keep out of it.
+QRectF axesGlass_px(const MapTransform& transform);
+
+/// Over all layers, once a frame; antialiasing is on afterwards. GUI thread.
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform);
 

@@ -8,6 +8,7 @@
 
 #include "core/mapping/height_map.h"
 #include "widgets/map_labels.h"
+#include "widgets/map_overlay.h"
 #include "widgets/map_view.h"
 #include "widgets/theme.h"
 
@@ -57,6 +58,7 @@ private slots:
     void followKeepsTheRobotInTheMiddleUntilPanned();
     void robotOnAStartPoseCoversNoName();
     void crowdedStartPoseGivesItsNameUp();
+    void namesStayWholeAtTheEdge();
     void areaWithoutGroundIsRefused_data();
     void areaWithoutGroundIsRefused();
     void hoverProbesTheGround();
@@ -261,6 +263,21 @@ void tst_MapView::crowdedStartPoseGivesItsNameUp() {
     view_->setLayer(MapLayer::Robots, {false, 1.0});
     labels = placeMapLabels(view_->content(), view_->transform());
     QVERIFY2(labels.robots.empty() && labels.start_poses[0], "a hidden robot takes no room");
+}
+
+void tst_MapView::namesStayWholeAtTheEdge() {
+    const QPointF corners_px[] = {{6, 300}, {794, 300}, {400, 590}, {400, 6}, {690, 60}};
+    std::vector<protocol::StartPose> poses;
+    for (const QPointF& corner : corners_px) {
+        const Vec2 at = view_->transform().toMap(corner);
+        poses.push_back({"SomewhereAtTheEdge", {{at.x(), at.y(), 0}, 0, 0, 0}});
+    }
+    view_->setStartPoses(poses);
+    for (const auto& box : placeMapLabels(view_->content(), view_->transform()).start_poses) {
+        QVERIFY(box);
+        QVERIFY(QRectF(view_->rect()).contains(*box));
+        QVERIFY(!box->intersects(axesGlass_px(view_->transform())));
+    }
 }
 
 void tst_MapView::areaWithoutGroundIsRefused_data() {
