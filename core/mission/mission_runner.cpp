@@ -174,6 +174,8 @@ Progress MissionRunner::Private::progress() const {
 }
 
 void MissionRunner::Private::conclude(bool success, const std::string& reason, int exit_code) {
+    if (phase == Phase::Flying)
+        emit q.progressed(progress()); // how far it came, also where the flight was shorter than the timer's period
     if (std::exchange(phase, Phase::Over) == Phase::Over)
         return;
     timer.stop();

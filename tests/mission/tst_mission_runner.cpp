@@ -23,6 +23,7 @@ private slots:
     void failsWhenTheBehaviorFails();
     void aPluginThatThrowsFailsTheMission();
     void tellsProgress();
+    void theShortestFlightTellsHowFarItCame();
     void refusesBeforeAnythingMoves_data();
     void refusesBeforeAnythingMoves();
     void refusesAFolderThatCannotBeWritten();
@@ -149,6 +150,18 @@ void tst_MissionRunner::tellsProgress() {
     QVERIFY2(seen.back().state.starts_with("hop "), seen.back().state.c_str());
     QVERIFY(seen.back().speed_x > 1.0);
     QVERIFY(seen.back().now > Seconds{0.0});
+}
+
+void tst_MissionRunner::theShortestFlightTellsHowFarItCame() {
+    runner_ = std::make_unique<MissionRunner>(hop(), plugins_, options_);
+    std::vector<Progress> seen;
+    connect(runner_.get(), &MissionRunner::progressed, this,
+            [&](const Progress& progress) { seen.push_back(progress); });
+    runner_->start();
+    QVERIFY(usar::test::waitForSignal(runner_.get(), &MissionRunner::finished, 30000));
+    QVERIFY(!seen.empty());
+    QCOMPARE(seen.back().percent, 100.0);
+    QCOMPARE(seen.back().state, std::string("hop 5"));
 }
 
 void tst_MissionRunner::refusesBeforeAnythingMoves_data() {
