@@ -36,6 +36,7 @@ private slots:
     void speedIsChangedByCommand();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
+    void theWindowIsFoundAsItWasLeft();
     void aSavedMissionIsOpenedAgain();
     void anUnwritableMissionFileIsNamed();
     void cellsOfAMissionAreThoseOfTheMap();
@@ -108,6 +109,30 @@ void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
     QTRY_VERIFY(layers->isVisible());
     run(page, "view.dock.layers");
     QTRY_VERIFY(layers->isHidden());
+}
+
+void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {
+    const QTemporaryDir settings;
+    const WindowSetup setup{.settings_folder = settings.path()};
+    {
+        WindowPage page(setup);
+        QVERIFY(!page.window().views().hint->isHidden());
+        run(page, "view.dock.layers");
+        run(page, "view.dock.robots");
+        run(page, "view.dark");
+        page.window().views().connection->setAddress("robots.example", 3001);
+        page.window().close();
+        QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
+    }
+    WindowPage page(setup);
+    QVERIFY(page.window().findChild<QDockWidget*>("layers")->isVisible());
+    QVERIFY(page.window().findChild<QDockWidget*>("robots")->isHidden());
+    QVERIFY(!page.window().commands().action("view.dark")->isChecked());
+    QCOMPARE(page.window().views().connection->host(), QString("robots.example"));
+    QCOMPARE(page.window().views().connection->port(), 3001);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms); // of the embedded world all the same
+    run(page, "view.operate");
+    QVERIFY(page.window().findChild<QDockWidget*>("robots")->isVisible());
 }
 
 void tst_WindowCommands::aSavedMissionIsOpenedAgain() {

@@ -3,6 +3,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
+#include <QTreeView>
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
@@ -40,6 +41,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void parametersOfAMissionFileSurviveSpawning();
     void eachRobotKeepsItsSettingsAndItsPause();
+    void aDoubleClickedSensorValueIsPlotted();
     void nobodyGetsANameTwice();
     void removingARobotSavesItsScan();
     void disconnectingSavesEveryScan();
@@ -89,6 +91,26 @@ void tst_WindowRobots::eachRobotKeepsItsSettingsAndItsPause() {
     page.pressKey(Qt::Key_2);
     QCOMPARE(page.map().area()->max_m.x(), 50.0);
     QCOMPARE(page.window().views().behavior->area().max_m.x(), 50.0);
+}
+
+void tst_WindowRobots::aDoubleClickedSensorValueIsPlotted() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    auto* tree = page.window().views().sensors->findChild<QTreeView*>();
+    const auto leaf = [tree] {
+        const auto sources = tree->model()->match(tree->model()->index(0, 0), Qt::DisplayRole, "GroundTruth");
+        return sources.isEmpty() ? QModelIndex() : tree->model()->index(0, 0, sources.front());
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(leaf().isValid(), soon_ms);
+    tree->scrollTo(leaf());
+    const QPoint at = tree->visualRect(leaf()).center();
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, at);
+    const auto* plots = page.window().views().plots;
+    QTRY_COMPARE_WITH_TIMEOUT(plots->seriesPaths().size(), 1, soon_ms);
+    const auto samples = [plots] { return plots->store().series().front().samples.size(); };
+    QTRY_VERIFY_WITH_TIMEOUT(samples() >= 5, soon_ms);
 }
 
 void tst_WindowRobots::nobodyGetsANameTwice() {

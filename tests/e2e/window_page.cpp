@@ -11,7 +11,8 @@ using namespace usar;
 
 WindowPage::WindowPage(const WindowSetup& setup) {
     result_folder_ = setup.result_folder.isEmpty() ? folder_.filePath("results") : setup.result_folder;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.filePath("settings"));
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                       setup.settings_folder.isEmpty() ? folder_.filePath("settings") : setup.settings_folder);
     app::Options options;
     options.server.simulator.port = setup.simulator_port;
     options.result_folder = result_folder_;
