@@ -86,6 +86,7 @@ PluginLoader::PluginLoader() = default;
 PluginLoader::~PluginLoader() = default;
 
 void PluginLoader::scan(const QStringList& folders) {
+    folders_ = folders;
     records_.clear();
     robots_.clear();
     owners_.clear();
@@ -166,7 +167,10 @@ Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_i
             known += (known.empty() ? "" : ", ") + behavior.id;
         }
     }
-    std::string mend = known.empty() ? "No robot plugin is loaded" : "There are: " + known;
+    std::string mend = "There are: " + known;
+    if (known.empty())
+        mend = "No robot plugin could be loaded from " + folders_.join(" or ").toStdString() +
+               "; build or install the program again";
     for (const PluginRecord& record : records_)
         if (record.state == PluginState::Rejected)
             mend +=

@@ -40,7 +40,8 @@ public:
     void scan(const QStringList& folders);
     const std::vector<PluginRecord>& records() const { return records_; }
 
-    /// The plugin that has this behavior. The error names the behavior, what is there instead, and rejected plugins.
+    /// The plugin that has this behavior. The error names the behavior, what is there instead or where nothing was
+    /// found, and rejected plugins.
     Result<const RobotPlugin*> pluginFor(const std::string& behavior_id) const;
     /// Its description; nullptr where no loaded plugin has it.
     const BehaviorDescription* behavior(const std::string& behavior_id) const;
@@ -52,6 +53,7 @@ private:
     QString judge(PluginRecord& record);
     QString admit(const RobotPlugin& plugin, const QJsonObject& metadata);
 
+    QStringList folders_;
     std::vector<std::unique_ptr<QPluginLoader>> libraries_;
     std::vector<PluginRecord> records_;
     std::vector<RobotDescription> robots_;

@@ -140,6 +140,17 @@ private slots:
         QVERIFY(!loader.behavior("airrobot/cpp"));
     }
 
+    void whereThereIsNoPluginAtAllTheMendIsTold() {
+        PluginLoader loader;
+        loader.scan({"/no/robots", "/none/here"});
+        const auto plugin = loader.pluginFor("airrobot/cpp");
+        QVERIFY(!plugin);
+        QCOMPARE(
+            QString::fromStdString(plugin.error().text()),
+            QString("behavior airrobot/cpp: no loaded plugin has this behavior. No robot plugin could be loaded from "
+                    "/no/robots or /none/here; build or install the program again."));
+    }
+
     void forgetsTheOldRecordsWhenItScansAgain() {
         QTemporaryDir folder;
         fill(folder, {built + "good.so"});

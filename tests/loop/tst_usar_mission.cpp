@@ -22,6 +22,8 @@ private slots:
     void rejectsTheRestAndSaysWhere();
     void aRefusalTellsWhatIsKnown_data();
     void aRefusalTellsWhatIsKnown();
+    void aProgramWithoutItsFilesSaysWhatIsMissing_data();
+    void aProgramWithoutItsFilesSaysWhatIsMissing();
     void helpGoesToStandardOutput();
     void ctrlCKeepsWhatWasScanned_data();
     void ctrlCKeepsWhatWasScanned();
@@ -186,6 +188,29 @@ void tst_UsarMission::aRefusalTellsWhatIsKnown() {
     QCOMPARE(ended.summary["seed"], seed);
     QCOMPARE(ended.summary["cells"], QJsonValue(0));
     QVERIFY(ended.summary["rmse_m"].isNull() && ended.summary["collisions"].isNull());
+}
+
+void tst_UsarMission::aProgramWithoutItsFilesSaysWhatIsMissing_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("worlds") << QStringList{} << "there is no such world. There is none at all in ";
+    QTest::newRow("plugins") << QStringList{"--connect", "127.0.0.1:9"} << "No robot plugin could be loaded from ";
+}
+
+void tst_UsarMission::aProgramWithoutItsFilesSaysWhatIsMissing() {
+    QFETCH(QStringList, options);
+    QFETCH(QString, words);
+    QVERIFY(QDir(folder_->path()).mkdir("bin"));
+    const QString alone = folder_->filePath("bin/usar-mission");
+    QVERIFY(QFile::copy(program, alone));
+    QProcess process;
+    process.start(alone, QStringList{"run", missionFile(small)} + options);
+    const Ended ended = read(process);
+    QVERIFY2(ended.exit_code == 2, ended.out + ended.err);
+    const QString reason = ended.summary["reason"].toString();
+    QVERIFY2(reason.contains(words) && reason.contains(folder_->path()), qPrintable(reason));
+    for (const char* key : promised_keys)
+        QVERIFY2(ended.summary.contains(key), key);
 }
 
 void tst_UsarMission::helpGoesToStandardOutput() {
