@@ -32,6 +32,7 @@ public:
 
     /// Keeps the chosen one if it is among them. Emits behaviorChosen only when another one is chosen by it.
     void setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors);
+    /// Tells as if the person had chosen it; an unknown id changes nothing.
     void chooseBehavior(const std::string& id);
     /// Empty when there is none.
     std::string behaviorId() const;
@@ -46,17 +47,21 @@ public:
     void setPlanSummary(const QString& summary);
     /// True when this changed what the buttons may do.
     bool setRunState(RunState state, const QString& robot_name);
+    /// Shows that the map's area tool is in hand; no signal.
     void setAreaToolActive(bool active);
     /// From now on the buttons trigger these actions, follow their enabled state and name their shortcuts; the signals
     /// of the same meaning fall silent. A null action leaves its button as it is. They outlive the panel or go with it.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
 
 signals:
+    /// By the person, or because the list or chooseBehavior changed it.
     void behaviorChosen(const QString& id);
     /// Empty where the typed values enclose nothing.
     void areaTyped(const usar::Rectangle& area_in_map);
+    /// The person wants to draw, or has had enough of it.
     void areaToolToggled(bool active);
     void startRequested();
+    /// False: go on. The button shows the new state only when setRunState says so.
     void pauseRequested(bool paused);
     void landRequested();
     void stopRequested();

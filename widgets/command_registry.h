@@ -43,6 +43,7 @@ public:
     QAction* action(const QString& id) const;
     bool contains(const QString& id) const;
 
+    /// A command with what was made from it; `enabled` may be empty: always on.
     struct Command {
         CommandSpec spec;
         QAction* action = nullptr;

@@ -14,8 +14,10 @@
 
 namespace usar::widgets {
 
+/// The simulator inside this program, or a USARSim server in the network.
 enum class ServerChoice { Embedded, Real };
 
+/// Waiting: the last try failed, and the next one comes by itself.
 enum class ConnectionState { Disconnected, Connecting, Connected, Waiting };
 
 /// What the bar says. `where` is shown when connected ("tall_test"); `reason` is a sentence with the mend.
@@ -36,9 +38,11 @@ public:
 
     /// Emits serverChanged when it differs.
     void setServer(ServerChoice choice);
+    /// As chosen now, connected or not.
     ServerChoice server() const;
     /// Kept for the real server; the embedded one needs none.
     void setAddress(const QString& host, quint16 port);
+    /// As typed, without blanks around it; may be empty.
     QString host() const;
     quint16 port() const;
     /// Locks the choice while there is a link or a try; the same status again costs nothing.
@@ -53,6 +57,7 @@ signals:
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also "give up trying" while connecting or waiting.
     void disconnectRequested();
+    /// By the person or by setServer.
     void serverChanged(usar::widgets::ServerChoice choice);
 
 protected:

@@ -15,6 +15,7 @@ class EmptyState : public QWidget {
 public:
     explicit EmptyState(QWidget* covered);
 
+    /// What is missing, and how to make it appear; both are the accessible name and description too.
     void setText(const QString& title, const QString& hint);
     /// The button triggers `action` and takes its text; nullptr hides it. The action must outlive this.
     void setAction(QAction* action);

@@ -40,16 +40,19 @@ public:
 
     double cellSize_m() const { return cell_size_m_; }
     const HeightStyle& style() const { return style_; }
+    /// True until the first tile comes, whether or not it is rendered yet.
     bool empty() const { return tiles_.empty(); }
     /// Finished pictures by page.
     const std::map<mapping::GridIndex, PagePicture>& pages() const { return pages_; }
     /// Covers all tiles; empty without any.
     Rectangle bounds_in_map() const;
+    /// Of the cell under that point; nothing where its height is unknown.
     std::optional<HeightProbe> probe(const Vec2& point_in_map_m) const;
     /// True while a worker renders or changes wait for one.
     bool busy() const { return rendering_ || !dirty_.empty(); }
 
 signals:
+    /// Finished pictures were swapped in, or all were dropped.
     void changed();
 
 private:

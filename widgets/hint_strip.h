@@ -22,6 +22,7 @@ public:
     /// Steps count from 0.
     void setDone(int step, bool done);
     bool done(int step) const { return done_[static_cast<std::size_t>(step)]; }
+    /// True also where there are no steps.
     bool allDone() const;
 
 signals:

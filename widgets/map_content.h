@@ -22,6 +22,7 @@ inline constexpr std::size_t map_layer_count = 11;
 /// "Height map": what menus and the layers panel call it.
 QString layerName(MapLayer layer);
 
+/// A hidden layer keeps its opacity for when it is shown again.
 struct LayerState {
     bool visible = true;
     double opacity = 1.0; ///< 0..1
@@ -36,6 +37,7 @@ LayerStates firstLayers();
 struct MapRobot {
     QString name;
     int number = 1;
+    /// Drawn from x, y and yaw; z is said in the tooltip only.
     Pose base_in_map;
     bool stale = false; ///< nobody vouches for the pose any more
     bool operator==(const MapRobot&) const = default;
@@ -44,13 +46,16 @@ struct MapRobot {
 /// A robot with all that belongs to it.
 struct RobotOnMap {
     MapRobot robot;
+    /// Since the spawn or the last clearTraces; poses that nobody vouches for are not in it.
     Trail trail;
+    /// Where the behavior flies to now; nothing while it has no goal.
     std::optional<Vec3> goal_in_map_m;
     std::vector<Vec3> hits_in_map_m; ///< of its newest scan; NaN where a beam hit nothing
 };
 
 /// The mission area while and after it is drawn.
 struct AreaOnMap {
+    /// Nothing: not drawn yet. Never an empty rectangle.
     std::optional<Rectangle> area_in_map;
     QString summary;                  ///< "9 lanes · 6 min 12 s", set by who plans
     std::vector<Vec2> lanes_in_map_m; ///< planned or flown path, in order
@@ -58,7 +63,10 @@ struct AreaOnMap {
     std::optional<AreaGrip> hot_grip; ///< under the cursor
 };
 
+/// Metres in the map frame throughout. The painters only read it, so one copy serves map, overlay and labels of a
+/// frame.
 struct MapContent {
+    /// Nothing on a real server, which does not say how large its world is.
     std::optional<Rectangle> world_in_map;
     QString world_name;
     QImage background; ///< drawn over the world, if any; row 0 = highest y
@@ -67,7 +75,9 @@ struct MapContent {
     std::optional<std::size_t> hot_start_pose; ///< under the cursor or chosen by keys
     AreaOnMap area;
     std::map<QString, RobotOnMap> robots;
+    /// Empty for nobody; may name a robot that has no pose yet.
     QString selected_robot;
+    /// Of all robots, in order of time.
     std::vector<agent::MapMark> marks;
     LayerStates layers = firstLayers();
 

@@ -8,6 +8,7 @@
 
 namespace usar::widgets {
 
+/// What the view knows and neither content nor transform can say.
 struct MapOverlay {
     QString probe;     ///< "x 31.2  y −8.0  z 4.31 m  hits 7"; empty while the cursor is elsewhere
     QString following; ///< name of the robot that the view follows

@@ -20,7 +20,9 @@ public:
     void paintLayers();
 
 private:
+    /// Under the layer's opacity, which the caller has set.
     void paint(MapLayer layer);
+    /// Ground and picture at the layer's opacity; frame and name always in full.
     void paintWorld();
     void paintBackgroundImage();
     void paintGrid();
@@ -32,6 +34,7 @@ private:
     void paintTrails();
     /// Path marks closer than three pixels to the last one are left out; all others are drawn.
     void paintMarks();
+    /// Diamonds with an arrow along the yaw; the one under the cursor is larger and in the accent color.
     void paintStartPoses();
     void paintLaser();
     void paintGoals();
@@ -41,6 +44,7 @@ private:
     void paintRobot(const RobotOnMap& robot);
     /// Separate segments through the points, without those that are shorter than a pixel or out of sight.
     void paintSegments(const std::vector<Vec2>& points_m);
+    /// On a backing of its own, so that it reads on every ground.
     void paintLabel(const QRectF& box_px, const QString& text, bool bold);
 
     QPainter& painter_;

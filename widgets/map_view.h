@@ -39,6 +39,7 @@ public:
     /// What a session hands out; tiles replace tiles, and a new range recolors everything at once.
     void takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
                    const std::optional<mapping::HeightRange>& range);
+    /// Of the height layer and its legend.
     void setColorMap(mapping::ColorMap color_map);
     HeightLayer& heights() { return *heights_; }
 
@@ -53,10 +54,12 @@ public:
 
     // Robots. A pose also extends the trail.
     void setRobot(const MapRobot& robot);
+    /// With trail, goal and hits; ends the selection and following if it was the one.
     void removeRobot(const QString& name);
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     /// Of its newest scan, map frame; NaN where a beam hit nothing.
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
+    /// Kept until clearMarks, clearTraces or clear.
     void addMark(const agent::MapMark& mark);
     void clearMarks();
     /// Trails, marks, laser hits and goals of the last mission.
@@ -67,6 +70,7 @@ public:
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
+    /// Gives up a drag that is under way, and tells when the tool is another.
     void setTool(MapTool tool);
     MapTool tool() const { return tool_; }
     /// Turns the picture a quarter and fits it anew.
@@ -82,7 +86,9 @@ public:
 public slots:
     /// Shows the mission (area and heights) where there is one, else the world.
     void fit();
+    /// All of the world, or 20 m around the start poses where its extent is not known.
     void fitWorld();
+    /// A quarter closer, about the middle of the view.
     void zoomIn();
     void zoomOut();
     /// Keeps the selected robot in the middle until the person pans.

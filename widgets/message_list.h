@@ -47,6 +47,7 @@ public:
 public slots:
     /// The list stands still; lines are kept, the newest 100 000 of them, and their number is shown.
     void setPaused(bool paused);
+    /// Takes all lines away, kept ones too; filter and pause stay.
     void clear();
 
 protected:

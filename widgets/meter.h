@@ -26,7 +26,6 @@ public:
     QSize minimumSizeHint() const override;
 
 protected:
-    /// Two text lines high: words above, groove below.
     void paintEvent(QPaintEvent* event) override;
 
 private:

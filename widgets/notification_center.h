@@ -23,6 +23,7 @@ public:
     NotificationModel* model() const { return model_; }
     /// Groups, not reports: 137 lost links are one.
     int unread() const { return model_->unread(); }
+    /// Says that nothing happened yet; shown while there are no rows.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 220}; }
 
@@ -35,6 +36,7 @@ public slots:
     void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
     /// The trouble with that key is over; its row stays, greyed.
     void cured(const QString& key);
+    /// Takes open ones away too: the person has read them.
     void clearAll();
 
 signals:

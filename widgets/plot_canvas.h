@@ -35,12 +35,15 @@ public:
     bool following() const { return following_; }
     /// Draws these thicker.
     void emphasize(const std::set<std::string>& paths);
+    /// About the middle of what is seen; above 1 shows less time in more detail. Ends following.
     void zoomTime(double factor);
     /// By a fraction of what is seen; positive is later.
     void panTime(double fraction);
 
+    /// The edges of what is seen, on the protocol's clock; there may be no sample there.
     Seconds visibleFrom() const;
     Seconds visibleTo() const;
+    /// Of the line as it is drawn; 0 for a path that is not watched.
     int sampleCount(const std::string& path) const;
     /// As on the screen, with a legend, for files.
     QPixmap picture() const;

@@ -27,6 +27,7 @@ public:
 
     /// `path` as protocol::Field::path() gives it. Known paths are left as they are.
     void addSeries(const QString& path, const QString& unit = {});
+    /// Forgets its samples too; an unknown path is no news.
     void removeSeries(const QString& path);
     /// In the order in which they were added, which gives the colors.
     QStringList seriesPaths() const;
@@ -45,6 +46,7 @@ public:
     /// What is seen now with a legend, PNG at twice the size.
     Result<void> exportPicture(const QString& file) const;
     PlotCanvas* canvas() const { return canvas_; }
+    /// All that is recorded, in SI units and radians.
     const SeriesStore& store() const { return store_; }
     /// Covers the drawing surface while nothing is watched.
     EmptyState* emptyState() const { return empty_state_; }

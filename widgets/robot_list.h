@@ -24,6 +24,7 @@ public:
     void removeRobot(int id);
     /// Silent; an unknown id selects nobody.
     void selectRobot(int id);
+    /// Its id; nothing while nobody is selected.
     std::optional<int> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }

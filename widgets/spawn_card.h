@@ -52,6 +52,7 @@ private:
     void listBehaviors();
     void spawn();
 
+    /// What the class box lists, row by row.
     std::vector<agent::RobotDescription> robots_;
     int start_pose_ = 0;
     QLabel* title_;

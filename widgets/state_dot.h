@@ -5,6 +5,7 @@
 
 namespace usar::widgets {
 
+/// Each has a shape of its own, so that color is never alone.
 enum class StateShape {
     Off,     ///< hollow circle, muted
     Busy,    ///< half circle, accent
@@ -18,6 +19,7 @@ class StateDot : public QWidget {
     Q_OBJECT
 public:
     explicit StateDot(QWidget* parent = nullptr);
+    /// The word beside it is the caller's to change.
     void setState(StateShape state);
     StateShape state() const { return state_; }
     QSize sizeHint() const override { return {16, 16}; }

@@ -29,6 +29,7 @@ public:
     bool stale() const { return !stale_->isHidden(); }
     /// All figures unknown.
     void clear(const QString& words);
+    /// The words at the top, as they were set.
     QString stateText() const { return state_->text(); }
 
 private:

@@ -35,6 +35,7 @@ struct Tokens {
 const Tokens& tokens(Theme theme);
 /// Of the theme applied last; dark before the first call. GUI thread only.
 const Tokens& tokens();
+/// The one applied last.
 Theme currentTheme();
 
 /// Fusion, palette, fonts and the style sheet of the application; every widget gets a PaletteChange. GUI thread.

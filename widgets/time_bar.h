@@ -37,7 +37,9 @@ public:
 signals:
     /// By the person; the bar already shows it, setPaused corrects it.
     void pauseRequested(bool paused);
+    /// One tick, only while paused.
     void stepRequested();
+    /// Times real time; infinity for "as fast as it can".
     void speedRequested(double speed);
 
 private:

@@ -20,6 +20,7 @@ public:
     const QString& key() const { return key_; }
     /// The same trouble again: new text and count, and a whole lifetime.
     void show(const Notification& notification);
+    /// The sentence, without word and count.
     QString text() const { return text_->text(); }
 
 signals:

@@ -23,9 +23,11 @@ public:
 
     ToastStack(QWidget* covered, NotificationModel* model);
 
+    /// Of toasts that come from now on; notes never stay longer than theirs.
     void setLifetime(int milliseconds) { lifetime_ms_ = milliseconds; }
     /// Room kept free below the toasts, for a status bar.
     void setBottomMargin(int margin_px);
+    /// Toasts on the screen now, `most` at the most.
     int count() const { return static_cast<int>(toasts_.size()); }
 
 signals:

@@ -41,6 +41,7 @@ struct PagePicture {
 /// Pure and slow (0.1 to 0.3 ms): meant for a worker thread.
 PagePicture renderPage(const PageTiles& page, const HeightStyle& style);
 
+/// Both count from the map's origin, into the negative too.
 mapping::GridIndex pageOfTile(mapping::GridIndex tile);
 /// The ground that a page covers.
 Rectangle pageRectangle(mapping::GridIndex page, double cell_size_m);

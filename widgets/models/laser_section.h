@@ -17,6 +17,7 @@ struct LaserRay {
     bool hit = false; ///< false: the reading is the maximum range or no number
 };
 
+/// A value to paint from; without beams there is no scan yet.
 struct LaserSection {
     std::vector<LaserRay> rays; ///< one per beam, in the scan's order
     double maximum_m = 20.0;

@@ -10,6 +10,7 @@
 
 namespace usar::widgets {
 
+/// Both must fit; a default filter lets everything through.
 struct MessageFilter {
     QString words; ///< in type or text, whatever the case; empty for all
     std::optional<Direction> direction;
@@ -30,6 +31,7 @@ public:
 
     /// In order; one insertion for all. Says how many shown rows fell out at the top.
     int append(std::vector<MessageRow> batch);
+    /// Takes all rows away; the filter stays.
     void clear();
     /// Goes through all rows: some 50 ms for a hundred thousand.
     void setFilter(const MessageFilter& filter);

@@ -14,6 +14,7 @@ namespace usar::widgets {
 /// As seen from here: `In` came from the server.
 enum class Direction { In, Out };
 
+/// Text as it was on the wire, never shortened: the view elides, a copy is whole.
 struct MessageRow {
     std::uint64_t number = 0; ///< of the info line, or of the command since the start
     Seconds time{0.0};        ///< protocol clock; NaN before it is known
@@ -26,7 +27,9 @@ struct MessageRow {
     bool operator==(const MessageRow&) const = default;
 };
 
+/// `note` has all diagnostics, one a line; `trouble` is the worst of them.
 MessageRow rowOf(const protocol::InfoLine& line, Seconds time);
+/// `note` says who sent it and on which info line, from its cause id.
 MessageRow rowOf(const agent::CausedCommand& command, std::uint64_t number, Seconds time, protocol::Dialect dialect);
 /// "1,234 lines not shown".
 MessageRow gapOf(std::uint64_t not_shown);

@@ -42,20 +42,28 @@ public:
               std::optional<bool> toast = std::nullopt);
     /// The trouble is over. An unknown key is no news.
     void cure(const QString& key);
+    /// Takes away open ones too, without a word that they were cured.
     void clear();
     /// Takes away what is cured.
     void clearCured();
+    /// Somebody looks at the list now.
     void markRead();
 
+    /// Groups that came, or came again, since the last markRead and are not cured.
     int unread() const;
+    /// Groups whose trouble is not over.
     int openCount() const;
+    /// 0 is the newest; the reference holds until the next change.
     const Notification& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 
 signals:
+    /// After the row is in its place, new or moved to the top.
     void pushed(const usar::widgets::Notification& notification);
+    /// Once: a cure of what is cured says nothing.
     void cured(const QString& key);
+    /// Only when the number is another one.
     void unreadChanged(int unread);
 
 private:

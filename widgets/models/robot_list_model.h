@@ -27,13 +27,16 @@ class RobotListModel : public QAbstractListModel {
 public:
     using QAbstractListModel::QAbstractListModel;
 
+    /// All there are. Views keep their selection where the ids are the same; other ids reset them.
     void setRobots(std::vector<RobotRow> robots);
     /// Adds a robot with an id that is not there yet. Tells nobody when nothing changed.
     void updateRobot(const RobotRow& robot);
     /// An unknown id is no news.
     void removeRobot(int id);
 
+    /// By row, 0 at the top; the reference holds until the next change.
     const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+    /// The row of that robot; nothing where it is not listed.
     std::optional<int> indexOf(int id) const;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

@@ -17,6 +17,7 @@ namespace usar::widgets {
 class SensorModel : public QAbstractItemModel {
     Q_OBJECT
 public:
+    /// Value is right-aligned text; Unit stands beside it, so that figures line up.
     enum Column { Name, Value, Unit, Age, Rate, ColumnCount };
     /// SortRole puts what is sent again and again before answers, each in order of first appearance.
     enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };

@@ -37,14 +37,18 @@ public:
 
     /// False where the path is empty or watched already.
     bool add(const std::string& path, const std::string& unit = {});
+    /// False where it was not watched.
     bool remove(const std::string& path);
+    /// Watches nothing any more.
     void clear();
     /// Every series starts again, empty.
     void startAgain();
     /// `now` stands in where the message has no time of its own. True if a watched field was in it.
     bool take(const protocol::InfoLine& line, Seconds now);
 
+    /// In the order in which they were added.
     const std::vector<Series>& series() const { return series_; }
+    /// Over all series, protocol clock; nothing before the first sample.
     std::optional<double> newestTime_s() const { return newest_s_; }
     std::optional<double> oldestTime_s() const;
 

@@ -11,6 +11,7 @@
 
 namespace usar::widgets {
 
+/// One sensor of the ring: metres along its beam, and the limits below which a reading is a risk.
 struct SonarColumn {
     QString name;
     double range_m = 0.0; ///< NaN where the server sent no number
