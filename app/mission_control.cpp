@@ -216,8 +216,10 @@ Result<agent::TaskPreview> MissionControl::preview(int id, const std::string& be
 Result<std::map<std::string, agent::ParameterValue>>
 MissionControl::prepareMission(const mission::Mission& mission) const {
     if (!level_.isEmpty() && mission.world != level_.toStdString())
-        return failure("this mission belongs to another world", mission.name + " (" + mission.world + ")",
-                       "Here is " + level_.toStdString() + "; connect to a server with " + mission.world);
+        return tl::unexpected(
+            mission::atValue(mission, "world",
+                             {"this mission belongs to the world " + mission.world, "",
+                              "Here is " + level_.toStdString() + "; connect to a server with " + mission.world}));
     if (const auto prepared = mission::prepareBehavior(mission, plugins_); !prepared)
         return tl::unexpected(prepared.error());
     if (const auto inside = mission::checkAreaInside(mission, world_extent_in_map_); !inside)

@@ -207,7 +207,7 @@ void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace_data() {
         << "scan_altitude";
     QTest::newRow("another world") << "{\n \"name\": \"x\",\n \"world\": \"volcano\",\n"
                                       " \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9}\n}"
-                                   << "volcano";
+                                   << "mission.json:3:11: this mission belongs to the world volcano";
 }
 
 void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace() {
