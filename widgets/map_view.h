@@ -39,7 +39,6 @@ public:
     /// What a session hands out; tiles replace tiles, and a new range recolors everything at once.
     void takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
                    const std::optional<mapping::HeightRange>& range);
-    /// Of the height layer and its legend.
     void setColorMap(mapping::ColorMap color_map);
     HeightLayer& heights() { return *heights_; }
 
@@ -59,7 +58,6 @@ public:
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     /// Of its newest scan, map frame; NaN where a beam hit nothing.
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
-    /// Kept until clearMarks, clearTraces or clear.
     void addMark(const agent::MapMark& mark);
     void clearMarks();
     /// Trails, marks, laser hits and goals of the last mission.
@@ -88,7 +86,6 @@ public slots:
     void fit();
     /// All of the world, or 20 m around the start poses where its extent is not known.
     void fitWorld();
-    /// A quarter closer, about the middle of the view.
     void zoomIn();
     void zoomOut();
     /// Keeps the selected robot in the middle until the person pans.
@@ -134,10 +131,7 @@ private:
     void beginAreaGesture(const QPointF& point_px);
     void dragArea(const QPointF& point_px);
     void finishAreaGesture(Gesture gesture, const QPointF& point_px);
-    /// Why no area can be drawn from the pressed point to this one; empty where it can.
-    QString refusal(const Vec2& to_m) const;
-    /// As if it had not begun.
-    void restoreArea();
+    void restoreArea(); ///< as if the gesture had not begun
     void cancelGesture();
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose);

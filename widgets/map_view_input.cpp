@@ -18,6 +18,18 @@ constexpr double reach_px = 16.0;
 double distance_px(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
+
+/// Why no area can be drawn between these two corners; empty where it can.
+QString refusal(const Vec2& from_m, const Vec2& to_m, const std::optional<Rectangle>& world) {
+    if (spanned(from_m, to_m, std::nullopt).empty())
+        return MapView::tr("The drawn area has no size. Drag from one corner to the opposite one.");
+    if (!world || !spanned(from_m, to_m, world).empty())
+        return {};
+    return MapView::tr("The drawn area lies outside the world, which spans x %1 … %2 m and y %3 … %4 m. Draw it inside "
+                       "the world's frame.")
+        .arg(figure(world->min_m.x(), 1), figure(world->max_m.x(), 1), figure(world->min_m.y(), 1),
+             figure(world->max_m.y(), 1));
+}
 } // namespace
 
 std::optional<std::size_t> MapView::startPoseAt(const QPointF& point_px) const {
@@ -137,25 +149,15 @@ void MapView::dragArea(const QPointF& point_px) {
 }
 
 void MapView::finishAreaGesture(Gesture gesture, const QPointF& point_px) {
-    const QString reason = gesture == Gesture::DrawingArea ? refusal(transform_.toMap(point_px)) : QString();
+    const QString reason = gesture == Gesture::DrawingArea
+                               ? refusal(pressed_m_, transform_.toMap(point_px), content_.world_in_map)
+                               : QString();
     if (!reason.isEmpty()) {
         restoreArea();
         emit areaRefused(reason);
     } else if (content_.area.area_in_map) {
         emit areaChanged(*content_.area.area_in_map);
     }
-}
-
-QString MapView::refusal(const Vec2& to_m) const {
-    if (spanned(pressed_m_, to_m, std::nullopt).empty())
-        return tr("The drawn area has no size. Drag from one corner to the opposite one.");
-    const auto& world = content_.world_in_map;
-    if (!world || !spanned(pressed_m_, to_m, world).empty())
-        return {};
-    return tr("The drawn area lies outside the world, which spans x %1 … %2 m and y %3 … %4 m. Draw it inside the "
-              "world's frame.")
-        .arg(figure(world->min_m.x(), 1), figure(world->max_m.x(), 1), figure(world->min_m.y(), 1),
-             figure(world->max_m.y(), 1));
 }
 
 void MapView::restoreArea() {
