@@ -42,7 +42,6 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
     layout->addWidget(views.hint = new HintStrip);
     layout->addWidget(views.map = new MapView, 1);
     views.map->setOrientation(MapOrientation::YUp); // as exported pictures and GIS have it
-    views.map->setLayer(MapLayer::World, {.visible = true, .opacity = 0.4});
     views.spawn_card = new SpawnCard(views.map);
     window.setCentralWidget(center);
 }

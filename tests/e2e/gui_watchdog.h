@@ -6,7 +6,8 @@
 #include <QString>
 
 /// An application that times the delivery of every event, nested ones as part of the outer. Event loops that run inside
-/// an event (a dialog) are not a block and are not counted. GUI thread.
+/// an event (a dialog) are not a block and are not counted, and neither is the time in which other programs had the
+/// processor. GUI thread.
 class GuiWatchdog : public QApplication {
 public:
     GuiWatchdog(int& argc, char** argv) : QApplication(argc, argv) {}
