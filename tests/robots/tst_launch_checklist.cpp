@@ -20,7 +20,7 @@ class TestLaunchChecklist : public QObject {
     /// One tick of a server that answers what `answers` says; then the step.
     LaunchState tick(bool answers) {
         now_s += 0.2;
-        for (auto question : {robot.geometry.next(Seconds(now_s)), robot.configuration.next(Seconds(now_s))}) {
+        for (const auto& question : {robot.geometry.next(Seconds(now_s)), robot.configuration.next(Seconds(now_s))}) {
             if (!question)
                 continue;
             if (const auto* geometry = std::get_if<protocol::GetGeometry>(&*question)) {
