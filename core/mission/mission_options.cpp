@@ -29,7 +29,7 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
             return tl::unexpected(server.error());
         options.server = *std::move(server);
     } else {
-        return failure("there is no such option", name.toStdString(), "usar-mission --help lists them");
+        return failure("there is no such option", name.toStdString(), "Ask usar-mission --help for them");
     }
     return {};
 }
@@ -69,14 +69,14 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
         }
         const bool joined = argument.contains('=');
         if (!joined && i + 1 == arguments.size())
-            return failure("the value is missing", argument.toStdString(), "usar-mission --help shows how to write it");
+            return failure("the value is missing", argument.toStdString(), "Ask usar-mission --help how to write it");
         const QString value = joined ? argument.section('=', 1) : arguments.at(++i);
         if (auto taken = takeOption(argument.section('=', 0, 0), value, options); !taken)
             return tl::unexpected(taken.error());
     }
     if (words.size() != 2 || words.first() != "run")
         return failure("this is not how to call it", words.join(' ').toStdString(),
-                       "usar-mission run MISSION.json; --help tells more");
+                       "Write usar-mission run MISSION.json; --help tells more");
     options.mission_file = words.last();
     return options;
 }

@@ -2,7 +2,6 @@
 
 #include "core/base/geometry.h"
 #include "core/base/random.h"
-#include "core/base/result.h"
 
 using namespace usar;
 
@@ -31,7 +30,6 @@ private slots:
     void yawTurnsForwardToTheLeft();
     void pitchIsRightHandedSoPositiveLooksDown();
     void rectanglesKnowWhatTheyHold();
-    void errorsReadAsSentences();
 };
 
 void tst_Geometry::anglesWrapIntoOneTurn_data() {
@@ -89,13 +87,6 @@ void tst_Geometry::rectanglesKnowWhatTheyHold() {
     QVERIFY((Rectangle{{0, 0}, {0, 5}}.empty()));
     QVERIFY((Rectangle{{0, 0}, {-1, 5}}.empty()));
     QCOMPARE((Rectangle{{1, 1}, {0, 0}}.area_m2()), 0.0);
-}
-
-void tst_Geometry::errorsReadAsSentences() {
-    QCOMPARE((Error{"the port is in use", "127.0.0.1:3000", "Choose another with --port"}.text()),
-             std::string("127.0.0.1:3000: the port is in use. Choose another with --port."));
-    QCOMPARE((Error{"no answer", "", "Is USARSim running there?"}.text()),
-             std::string("no answer. Is USARSim running there?"));
 }
 
 QTEST_APPLESS_MAIN(tst_Geometry)

@@ -167,7 +167,7 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
     QVERIFY(page.spawnAt("PlayerStart"));
     server.relay->meddle = [](const QByteArray& line) { return line.contains("RangeScanner") ? QByteArray() : line; };
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("No reading from").isEmpty(), soon_ms);
-    QVERIFY(page.notified("No reading from").contains("Scanner"));
+    QVERIFY2(page.notified("No reading from").contains("Scanner"), qPrintable(page.notified("No reading from")));
     server.relay->meddle = {};
     QTRY_VERIFY_WITH_TIMEOUT(page.window().views().notifications->model()->openCount() == 0, soon_ms);
 }
