@@ -16,6 +16,9 @@ constexpr std::array<std::string_view, 15> not_watched{
     "RFID",         "RFIDTag", "VictRFID",    "VictSensor", "HumanMotion", "Sound",    "Helper",      "Sonar",
     "RangeScanner", "INS",     "GroundTruth", "Odometry",   "Encoder",     "Acoustic", "ObjectSensor"};
 
+/// The first lines of a tick may come before the first that tells the server's time, which may be hours.
+constexpr Seconds clock_unknown{0.0};
+
 /// Calls `speak(type, name)` for each sensor that the message is a reading of.
 template <class Speak>
 struct Speakers {
@@ -68,6 +71,8 @@ std::vector<std::string> SensorWatch::saw(const protocol::InfoMessage& message, 
 std::vector<std::string> SensorWatch::newlySilent(Seconds now) {
     std::vector<std::string> silent;
     for (auto& [name, sensor] : sensors_) {
+        if (sensor.last == clock_unknown)
+            sensor.last = now;
         if (sensor.reported || now - sensor.last <= limit_)
             continue;
         sensor.reported = true;

@@ -165,6 +165,8 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
     WindowPage page;
     QVERIFY(connectedTo(page, server));
     QVERIFY(page.spawnAt("PlayerStart"));
+    const Seconds then = page.robot(1)->figures.now;
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > then + Seconds(1.0), soon_ms); // all sensors have spoken
     server.relay->meddle = [](const QByteArray& line) { return line.contains("RangeScanner") ? QByteArray() : line; };
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("No reading from").isEmpty(), soon_ms);
     QVERIFY2(page.notified("No reading from").contains("Scanner"), qPrintable(page.notified("No reading from")));

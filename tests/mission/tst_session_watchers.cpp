@@ -25,6 +25,7 @@ class tst_SessionWatchers : public QObject {
     Q_OBJECT
 private slots:
     void aSilentSensorIsReportedOncePerSilence();
+    void aSensorHeardBeforeTheClockIsNotSilentForHours();
     void oneDeadSonarOfManyIsNamed();
     void sensorsAreToldApartByName();
     void unknownTypesAreWatchedToo();
@@ -51,6 +52,13 @@ void tst_SessionWatchers::aSilentSensorIsReportedOncePerSilence() {
     QCOMPARE(watch.saw(protocol::InsReading{}, Seconds{14.0}), std::vector<std::string>{"INS"});
     QCOMPARE(watch.saw(protocol::InsReading{}, Seconds{14.1}), std::vector<std::string>{});
     QCOMPARE(watch.newlySilent(Seconds{17.2}), (std::vector<std::string>{"INS", "RangeScanner"}));
+}
+
+void tst_SessionWatchers::aSensorHeardBeforeTheClockIsNotSilentForHours() {
+    SensorWatch watch(Seconds{3.0});
+    watch.saw(protocol::InsReading{}, Seconds{0.0});
+    QCOMPARE(watch.newlySilent(Seconds{7200.0}), std::vector<std::string>{});
+    QCOMPARE(watch.newlySilent(Seconds{7203.2}), std::vector<std::string>{"INS"});
 }
 
 void tst_SessionWatchers::oneDeadSonarOfManyIsNamed() {
