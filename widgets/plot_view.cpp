@@ -37,11 +37,14 @@ QIcon swatch(const QColor& color) {
     return pixmap;
 }
 
-/// "Sonar F1 range": what a path means, in words.
+/// "Sonar F1 range": what a path means, in words. "INS/INS/yaw" is one INS's.
 QString spoken(QString path) {
     if (path.startsWith(QStringLiteral("SEN ")))
         path.remove(0, 4);
-    return path.replace(u'/', u' ').simplified();
+    QStringList parts = path.split(u'/', Qt::SkipEmptyParts);
+    if (parts.size() > 2 && parts[0] == parts[1])
+        parts.removeFirst();
+    return parts.join(u' ').simplified();
 }
 
 bool isOwnKey(const QKeyEvent& event) {

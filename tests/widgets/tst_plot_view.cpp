@@ -60,6 +60,7 @@ private slots:
     void notANumberDoesNotBreakTheAxes();
     void deleteKeyRemovesFromTheLegend();
     void legendShowsTheNewestValueInDegrees();
+    void legendSaysEachNameOnce();
     void addedTwiceIsThereOnce();
     void csvAndPictureAreWritten();
     void unwritableFileIsAnErrorThatNamesIt();
@@ -318,6 +319,15 @@ void tst_PlotView::legendShowsTheNewestValueInDegrees() {
                 Seconds(1));
     auto* legend = view_->findChild<QTreeWidget*>();
     QTRY_COMPARE(legend->topLevelItem(0)->text(1), QString::fromUtf8("28.65 °"));
+}
+
+void tst_PlotView::legendSaysEachNameOnce() {
+    for (const char* path : {"SEN INS/INS/yaw", "SEN Sonar/F1/range", "STA/battery"})
+        view_->addSeries(QString::fromLatin1(path));
+    const auto* legend = view_->findChild<QTreeWidget*>();
+    QCOMPARE(legend->topLevelItem(0)->text(0), QStringLiteral("INS yaw"));
+    QCOMPARE(legend->topLevelItem(1)->text(0), QStringLiteral("Sonar F1 range"));
+    QCOMPARE(legend->topLevelItem(2)->text(0), QStringLiteral("STA battery"));
 }
 
 void tst_PlotView::addedTwiceIsThereOnce() {
