@@ -1,5 +1,7 @@
 #include "app/robot_presenter.h"
 
+#include "core/protocol/fields.h"
+
 namespace usar::app {
 
 namespace {
@@ -153,10 +155,17 @@ void RobotPresenter::feedMessages(const mission::SessionUpdate& update) {
     if (not_shown > not_shown_)
         views_.messages->takeNotShown(not_shown - not_shown_);
     not_shown_ = not_shown;
-    for (const protocol::InfoLine& line : update.lines)
-        views_.messages->takeLine(line, update.figures.now);
-    for (const agent::CausedCommand& command : update.commands)
-        views_.messages->takeCommand(command, update.figures.now);
+    auto command = update.commands.begin();
+    const auto takeCommandsUpTo = [&](LineNumber line) {
+        for (; command != update.commands.end() && command->after < line; ++command)
+            views_.messages->takeCommand(*command, command->time);
+    };
+    for (const protocol::InfoLine& line : update.lines) {
+        takeCommandsUpTo(line.number);
+        views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now));
+    }
+    for (; command != update.commands.end(); ++command)
+        views_.messages->takeCommand(*command, command->time);
 }
 
 void RobotPresenter::showLink(const mission::SessionUpdate& update) {

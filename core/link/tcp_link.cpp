@@ -68,6 +68,14 @@ void TcpLink::send(std::string_view line) {
         return;
     socket_.write(line.data(), static_cast<qint64>(line.size()));
     socket_.write("\r\n", 2);
+    ++counts_.lines_out;
+    counts_.bytes_out += line.size() + 2;
+}
+
+protocol::TrafficCounts TcpLink::counts() const {
+    protocol::TrafficCounts counts = counts_;
+    counts.dropped = splitter_.overlongCount() - overlong_before_;
+    return counts;
 }
 
 void TcpLink::connectNow() {
@@ -84,6 +92,8 @@ void TcpLink::takeConnection() {
     connect_timer_.stop();
     splitter_.reset(); // here and not when connecting: a taker may reconnect in the middle of a chunk
     greeting_.reset();
+    counts_ = {};
+    overlong_before_ = splitter_.overlongCount();
     socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
     setStatus(LinkState::Connected);
@@ -97,6 +107,7 @@ void TcpLink::takeBytes() {
         if (count <= 0)
             return;
         const std::string_view bytes(buffer.data(), static_cast<std::size_t>(count));
+        counts_.bytes_in += bytes.size();
         greeting_.takeBytes(bytes);
         splitter_.feed(bytes, [this](std::string_view line) { giveLine(line); });
         if (status_.state == LinkState::Connected && greeting_.verdict() == GreetingCheck::Verdict::Foreign)
@@ -111,8 +122,10 @@ void TcpLink::giveLine(std::string_view line) {
             failed_tries_ = 0;
     }
     // The taker may have closed the link on an earlier line of the same chunk.
-    if (status_.state == LinkState::Connected && greeting_.verdict() != GreetingCheck::Verdict::Foreign && take_line_)
+    if (status_.state == LinkState::Connected && greeting_.verdict() != GreetingCheck::Verdict::Foreign && take_line_) {
+        ++counts_.lines_in;
         take_line_(line);
+    }
 }
 
 void TcpLink::takeError(QAbstractSocket::SocketError error) {

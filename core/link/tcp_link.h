@@ -13,6 +13,7 @@
 #include "core/base/clock.h"
 #include "core/link/greeting_check.h"
 #include "core/protocol/line_splitter.h"
+#include "core/protocol/traffic_counts.h"
 
 namespace usar::link {
 
@@ -64,6 +65,8 @@ public:
     const LinkStatus& status() const { return status_; }
     /// Lines longer than the splitter's cap that were dropped, over all connections.
     std::size_t overlongCount() const { return splitter_.overlongCount(); }
+    /// Lines, bytes and dropped lines of this connection, or of the last one; what lines say is not counted here.
+    protocol::TrafficCounts counts() const;
 
 signals:
     void statusChanged(const usar::link::LinkStatus& status);
@@ -91,6 +94,8 @@ private:
     LinkLimits limits_;
     protocol::LineSplitter splitter_;
     GreetingCheck greeting_;
+    protocol::TrafficCounts counts_;
+    std::size_t overlong_before_ = 0; ///< on earlier connections
     LinkStatus status_;
     int failed_tries_ = 0;
     bool wanted_ = false;

@@ -46,6 +46,7 @@ ScanRecord RobotSession::snapshot() const {
 }
 
 const SessionFigures& RobotSession::figures() const {
+    d_->countTraffic();
     return d_->figures;
 }
 

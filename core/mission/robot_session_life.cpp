@@ -43,6 +43,8 @@ void RobotSession::Private::opened() {
     start_poses_settled = silence_said = false;
     figures.lockstep = false;
     figures.now = figures.spawned_at = Seconds{0.0};
+    figures.traffic = {};
+    complaints_before = complaints.count();
     lookForObservers(); // or the greeting, which comes before the first frame, would be lost to them
     if (lockstep_wanted)
         send({protocol::Lockstep{}, {"session: connect", {}}});
@@ -83,6 +85,8 @@ void RobotSession::Private::takeLine(std::string_view text) {
     if (auto complaint = complaints.take(line))
         say(Severity::Warning, std::move(complaint->topic), std::move(complaint->text));
     figures.lines_malformed = complaints.count();
+    if (std::holds_alternative<protocol::GenericMessage>(line.message))
+        ++figures.traffic.unknown;
     noteMessage(line);
     if (figures.spawned && figures.spawned_at.count() == 0.0)
         figures.spawned_at = figures.now; // zero still when a sensor speaks before the first STA
@@ -187,9 +191,8 @@ void RobotSession::Private::endTick() {
     link.flush();
 }
 
-/// Caused by the STA that it answers; counted and not listed, or there would be as many as there are ticks.
 void RobotSession::Private::step() {
-    write(protocol::Step{});
+    write({protocol::Step{}, {"session: lockstep", state->line()}});
     ++figures.steps_sent;
 }
 
@@ -256,25 +259,35 @@ void RobotSession::Private::makeSafe(const std::string& source) {
 
 void RobotSession::Private::send(const agent::CausedCommand& command) {
     if (DriveGate::isDrive(command.command)) {
+        figures.traffic.drives_replaced += gate.holding();
         gate.offer(command);
         return;
     }
-    write(command.command);
-    if (observed)
-        collector.addCommand(command);
+    write(command);
 }
 
 void RobotSession::Private::sendDrive(bool at_once) {
     const auto drive = at_once ? gate.releaseNow(figures.now) : gate.release(figures.now);
-    if (!drive)
-        return;
-    write(drive->command);
-    if (observed)
-        collector.addCommand(*drive);
+    if (drive)
+        write(*drive);
 }
 
-void RobotSession::Private::write(const protocol::Command& command) {
-    link.send(protocol::write(command));
+void RobotSession::Private::write(const agent::CausedCommand& command) {
+    std::string text = protocol::write(command.command);
+    link.send(text);
+    if (observed)
+        collector.addCommand({command, std::move(text), state->line(), figures.now});
+}
+
+void RobotSession::Private::countTraffic() {
+    protocol::TrafficCounts& traffic = figures.traffic;
+    const protocol::TrafficCounts counts = link.counts();
+    traffic.lines_in = counts.lines_in;
+    traffic.lines_out = counts.lines_out;
+    traffic.bytes_in = counts.bytes_in;
+    traffic.bytes_out = counts.bytes_out;
+    traffic.dropped = counts.dropped;
+    traffic.malformed = complaints.count() - complaints_before;
 }
 
 void RobotSession::Private::say(Severity severity, std::string topic, std::string text) {
@@ -312,6 +325,7 @@ void RobotSession::Private::lookForObservers() {
 }
 
 void RobotSession::Private::emitFrame() {
+    countTraffic();
     emit q.updated(collector.take(mapper, figures));
 }
 

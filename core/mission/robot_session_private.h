@@ -53,7 +53,8 @@ struct RobotSession::Private {
     void makeSafe(const std::string& source);
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
-    void write(const protocol::Command& command);
+    void write(const agent::CausedCommand& command);
+    void countTraffic();
     /// A word that needs no end.
     void say(Severity severity, std::string topic, std::string text);
     /// Something wrong that lasts until `over` is said of the same topic.
@@ -83,7 +84,8 @@ struct RobotSession::Private {
     ScanMapper mapper;
     UpdateCollector collector;
     ScanRecord record;
-    SessionFigures figures;
+    SessionFigures figures;              ///< `traffic` as of the last countTraffic()
+    std::uint64_t complaints_before = 0; ///< on earlier connections
     std::shared_ptr<agent::BehaviorHost> host;
 
     std::set<std::string> troubles; ///< topics said and not over

@@ -13,6 +13,7 @@
 #include "core/mapping/height_map.h"
 #include "core/mapping/profile.h"
 #include "core/protocol/info_message.h"
+#include "core/protocol/traffic_counts.h"
 
 namespace usar::mission {
 
@@ -27,21 +28,28 @@ struct SessionFigures {
     std::uint64_t lines_malformed = 0;
     std::uint64_t lines_overlong = 0;
     std::uint64_t lines_not_shown = 0; ///< left out of updates because too many came in a frame
-    std::uint64_t steps_sent = 0;      ///< STEP of lockstep, not listed among the commands
+    std::uint64_t steps_sent = 0;      ///< STEP of lockstep, among the commands
     std::uint64_t record_revision = 0; ///< see ScanRecord::revision
     double lines_per_second = 0.0;     ///< of wall time
-    bool lockstep = false;             ///< the server waits for us after each tick
+    protocol::TrafficCounts traffic;   ///< of this connection, or of the last one
+    protocol::TrafficRates rates;
+    bool lockstep = false; ///< the server waits for us after each tick
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
     bool behavior_running = false;
 };
 
+/// A command as it went to the server.
+struct SentCommand : agent::CausedCommand {
+    std::string text{}; ///< the line on the wire
+    LineNumber after{}; ///< the newest line that had come by then
+    Seconds time{0.0};  ///< protocol clock
+};
+
 /// Everything that changed since the last frame.
 struct SessionUpdate {
-    std::vector<protocol::InfoLine> lines; ///< the newest ones when more than 1000 came in a frame
-    /// As they were sent. STEP is only counted (`steps_sent`): it answers every STA, hundreds a second, and says
-    /// nothing that the STA does not.
-    std::vector<agent::CausedCommand> commands;
+    std::vector<protocol::InfoLine> lines; ///< the newest ones when more than 4000 came in a frame
+    std::vector<SentCommand> commands;     ///< in order; `after` says where between the lines
     std::vector<agent::Published> published;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     std::optional<mapping::HeightRange> height_range;

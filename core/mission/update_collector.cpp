@@ -8,14 +8,21 @@ namespace usar::mission {
 void UpdateCollector::addLine(protocol::InfoLine line) {
     update_.lines.push_back(std::move(line));
     if (update_.lines.size() >= 2 * line_limit) // in one go, so that each line is moved once at most
-        keepNewestLines();
+        keepNewest(update_.lines);
 }
 
-void UpdateCollector::keepNewestLines() {
-    if (update_.lines.size() <= line_limit)
+void UpdateCollector::addCommand(SentCommand command) {
+    update_.commands.push_back(std::move(command));
+    if (update_.commands.size() >= 2 * line_limit)
+        keepNewest(update_.commands);
+}
+
+template <class Item>
+void UpdateCollector::keepNewest(std::vector<Item>& items) {
+    if (items.size() <= line_limit)
         return;
-    const std::size_t surplus = update_.lines.size() - line_limit;
-    update_.lines.erase(update_.lines.begin(), update_.lines.begin() + static_cast<std::ptrdiff_t>(surplus));
+    const std::size_t surplus = items.size() - line_limit;
+    items.erase(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(surplus));
     lines_not_shown_ += surplus;
 }
 
@@ -29,8 +36,9 @@ void UpdateCollector::addPublished(const std::vector<agent::Published>& publishe
 }
 
 std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures& figures) {
-    measureRate(figures);
-    keepNewestLines();
+    measureRates(figures);
+    keepNewest(update_.lines);
+    keepNewest(update_.commands);
     figures.lines_not_shown = lines_not_shown_;
     update_.tiles = mapper.map().takeChangedTiles();
     if (!update_.tiles.empty())
@@ -42,11 +50,12 @@ std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, S
     return std::make_shared<const SessionUpdate>(std::exchange(update_, {}));
 }
 
-void UpdateCollector::measureRate(SessionFigures& figures) {
+void UpdateCollector::measureRates(SessionFigures& figures) {
     constexpr qint64 span_ms = 500;
     if (!since_measured_.isValid()) {
         since_measured_.start();
         lines_at_measuring_ = figures.lines_received;
+        traffic_at_measuring_ = figures.traffic;
         return;
     }
     const qint64 elapsed_ms = since_measured_.elapsed();
@@ -55,6 +64,15 @@ void UpdateCollector::measureRate(SessionFigures& figures) {
     const auto lines = static_cast<double>(figures.lines_received - lines_at_measuring_);
     figures.lines_per_second = lines * 1000.0 / static_cast<double>(elapsed_ms);
     lines_at_measuring_ = figures.lines_received;
+    const protocol::TrafficCounts& now = figures.traffic;
+    const protocol::TrafficCounts& then = traffic_at_measuring_;
+    const auto rate = [&](std::uint64_t count, std::uint64_t before) {
+        const std::uint64_t more = count < before ? count : count - before; // less than before: a new connection
+        return static_cast<double>(more) * 1000.0 / static_cast<double>(elapsed_ms);
+    };
+    figures.rates = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out),
+                     rate(now.bytes_in, then.bytes_in), rate(now.bytes_out, then.bytes_out)};
+    traffic_at_measuring_ = now;
     since_measured_.restart();
 }
 

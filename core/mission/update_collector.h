@@ -12,21 +12,25 @@
 
 namespace usar::mission {
 
-/// Bounded in lines, for a fast simulator gives more of them than anybody can read. Owned by one session.
+/// Bounded in lines, for who shows them may be slower than the server; what is left out is counted. Owned by one
+/// session.
 class UpdateCollector {
 public:
-    static constexpr std::size_t line_limit = 1000;
+    /// A quarter of a million lines a second: more than one session reads.
+    static constexpr std::size_t line_limit = 4000;
     static constexpr double profile_reach_m = 20.0; ///< of the terrain profile, ahead and behind: the belly scanner's
 
     void addLine(protocol::InfoLine line);
-    void addCommand(const agent::CausedCommand& command) { update_.commands.push_back(command); }
+    void addCommand(SentCommand command);
     void addPublished(const std::vector<agent::Published>& published);
     /// Everything since the last call, with the map's changed tiles; the figures get their rate.
     std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures& figures);
 
 private:
-    void measureRate(SessionFigures& figures);
-    void keepNewestLines();
+    void measureRates(SessionFigures& figures);
+    /// Counts what goes.
+    template <class Item>
+    void keepNewest(std::vector<Item>& items);
 
     SessionUpdate update_;
     std::optional<Pose> base_in_map_; ///< the behavior's newest estimate
@@ -34,6 +38,7 @@ private:
     std::uint64_t lines_not_shown_ = 0;
     QElapsedTimer since_measured_;
     std::uint64_t lines_at_measuring_ = 0;
+    protocol::TrafficCounts traffic_at_measuring_;
 };
 
 } // namespace usar::mission

@@ -248,6 +248,16 @@ void tst_TcpLink::dropsAnEndlessLineAndGoesOn() {
     QTRY_COMPARE(lines_.size(), 2);
     QCOMPARE(lines_.at(1), QByteArray("STA {Time 2.00}"));
     QCOMPARE(link_->overlongCount(), std::size_t(1));
+    const protocol::TrafficCounts counts = link_->counts();
+    QCOMPARE(counts.dropped, std::uint64_t(1));
+    QCOMPARE(counts.lines_in, std::uint64_t(2));
+    QVERIFY(counts.bytes_in > 5U << 20);
+    server_->on_connect = [&] { server_->say(QByteArray(greeting)); };
+    link_->open("127.0.0.1", server_->port());
+    QTRY_COMPARE(lines_.size(), 3);
+    QCOMPARE(link_->counts().dropped, std::uint64_t(0)); // of the new connection
+    QCOMPARE(link_->counts().lines_in, std::uint64_t(1));
+    QCOMPARE(link_->counts().bytes_in, std::uint64_t{sizeof greeting - 1});
 }
 
 void tst_TcpLink::mayBeClosedAndReopenedByWhoTakesTheLines() {

@@ -66,7 +66,10 @@ private slots:
     void theLastFrameComesBeforeTheEnd_data();
     void theLastFrameComesBeforeTheEnd();
     void theFirstLineAndTheFirstQuestionsReachObservers();
-    void stepsAreCountedAndNotListed();
+    void stepsAreListedWithTheirCause();
+    void commandsSayAfterWhichLineTheyWent();
+    void trafficIsCountedAnewOnEachConnection();
+    void aDriveThatANewerOneReplacesIsCounted();
     void linesLeftOutOfAFrameAreCounted();
     void theRevisionGrowsWithWhatIsWorthSaving();
 
@@ -153,7 +156,7 @@ void tst_RobotSession::commandsCarryTheirCause() {
         for (const QList<QVariant>& update : updates)
             if (const auto value = update.at(0).value<std::shared_ptr<const SessionUpdate>>(); !value->commands.empty())
                 return value->commands;
-        return std::vector<agent::CausedCommand>{};
+        return std::vector<mission::SentCommand>{};
     };
     QTRY_COMPARE(sent().size(), std::size_t(1));
     QCOMPARE(sent().front().cause.source, std::string("test/scripted: rising"));
@@ -325,16 +328,16 @@ void tst_RobotSession::updatesAreCoalescedAndBounded() {
     QSignalSpy updates(&f->session, &RobotSession::updated);
     const std::uint64_t before = f->session.figures().lines_received;
     QByteArray flood;
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < 20000; ++i)
         flood += "SEN {Type INS} {Name INS} {Location 1.00,-2.00,-3.00} {Orientation 0.00,0.00,0.00}\r\n";
     f->server.say(flood);
-    QTRY_COMPARE(f->session.figures().lines_received, before + 5000);
+    QTRY_COMPARE(f->session.figures().lines_received, before + 20000);
     std::uint64_t newest = 0;
     QTRY_VERIFY(!updates.isEmpty() &&
                 (newest = updates.last().at(0).value<std::shared_ptr<const SessionUpdate>>()->figures.lines_received) ==
-                    before + 5000);
+                    before + 20000);
     for (const QList<QVariant>& update : updates)
-        QVERIFY(update.at(0).value<std::shared_ptr<const SessionUpdate>>()->lines.size() <= 1000);
+        QVERIFY(update.at(0).value<std::shared_ptr<const SessionUpdate>>()->lines.size() <= 4000);
     QVERIFY2(updates.size() < 200, qPrintable(QString::number(updates.size())));
     const auto last = updates.last().at(0).value<std::shared_ptr<const SessionUpdate>>();
     QVERIFY(last->lines.empty() || last->lines.back().number.value == newest);
@@ -448,16 +451,69 @@ void tst_RobotSession::theFirstLineAndTheFirstQuestionsReachObservers() {
         QCOMPARE(command.cause.source, std::string("session: connect"));
 }
 
-void tst_RobotSession::stepsAreCountedAndNotListed() {
-    QSignalSpy updates(&f->session, &RobotSession::updated);
+void tst_RobotSession::stepsAreListedWithTheirCause() {
+    std::uint64_t steps = 0;
+    connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
+        for (const mission::SentCommand& sent : update->commands)
+            if (sent.text == "STEP") {
+                QCOMPARE(sent.cause.source, std::string("session: lockstep"));
+                QCOMPARE(sent.cause.trigger, sent.after); // the STA
+                ++steps;
+            }
+    });
     QVERIFY(f->spawnNow(true));
     QVERIFY(f->tickNow());
-    f->session.close(); // the last frame
-    QTRY_COMPARE(f->server.heardOf("STEP").size(), qsizetype(f->session.figures().steps_sent));
     QVERIFY(f->session.figures().steps_sent >= 2);
-    for (const QList<QVariant>& update : updates)
-        for (const auto& sent : update.at(0).value<std::shared_ptr<const SessionUpdate>>()->commands)
-            QVERIFY(!std::holds_alternative<protocol::Step>(sent.command));
+    QTRY_COMPARE(steps, f->session.figures().steps_sent);
+    QTRY_COMPARE(f->server.heardOf("STEP").size(), qsizetype(steps));
+}
+
+void tst_RobotSession::commandsSayAfterWhichLineTheyWent() {
+    std::vector<mission::SentCommand> commands;
+    connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
+        commands.insert(commands.end(), update->commands.begin(), update->commands.end());
+    });
+    QVERIFY(f->spawnNow());
+    const LineNumber newest{f->session.figures().lines_received};
+    f->session.sendCommand(protocol::RawCommand{"ZOOM {Level 3}"}, "operator: command box");
+    QTRY_COMPARE(commands.back().text, std::string("ZOOM {Level 3}"));
+    QCOMPARE(commands.back().after, newest);
+    QCOMPARE(commands.back().time.count(), f->session.figures().now.count());
+    QCOMPARE(commands.back().cause.source, std::string("operator: command box"));
+}
+
+void tst_RobotSession::trafficIsCountedAnewOnEachConnection() {
+    QVERIFY(f->spawnNow());
+    const QByteArray extra = "XYZ {A 1}\r\nSEN {Time 9\r\n";
+    const protocol::TrafficCounts before = f->session.figures().traffic;
+    QCOMPARE(before.lines_in, f->session.figures().lines_received);
+    f->server.say(extra);
+    f->session.sendCommand(protocol::RawCommand{"ZOOM"}, "test");
+    QTRY_COMPARE(f->session.figures().traffic.lines_in, before.lines_in + 2);
+    const protocol::TrafficCounts after = f->session.figures().traffic;
+    QCOMPARE(after.bytes_in, before.bytes_in + static_cast<std::uint64_t>(extra.size()));
+    QCOMPARE(after.lines_out, before.lines_out + 1);
+    QCOMPARE(after.bytes_out, before.bytes_out + 6);
+    QCOMPARE(after.unknown, before.unknown + 2);
+    QCOMPARE(after.malformed, before.malformed + 1);
+    f->server.hangUp();
+    QTRY_VERIFY(f->session.linkStatus().state == link::LinkState::Connected &&
+                f->session.figures().traffic.lines_in > 0 && f->session.figures().traffic.lines_in < before.lines_in);
+    QCOMPARE(f->session.figures().traffic.malformed, std::uint64_t(0));
+    QCOMPARE(f->session.figures().traffic.unknown, std::uint64_t(0));
+    QVERIFY(f->session.figures().lines_received > after.lines_in); // of all connections
+}
+
+void tst_RobotSession::aDriveThatANewerOneReplacesIsCounted() {
+    QVERIFY(f->spawnNow());
+    const auto drive = [&](double climb_m_s) {
+        f->session.sendCommand(protocol::AerialDrive{.climb_m_s = climb_m_s}, "test");
+    };
+    drive(1.0); // goes at once
+    drive(2.0); // waits
+    QCOMPARE(f->session.figures().traffic.drives_replaced, std::uint64_t(0));
+    drive(3.0);
+    QCOMPARE(f->session.figures().traffic.drives_replaced, std::uint64_t(1));
 }
 
 void tst_RobotSession::linesLeftOutOfAFrameAreCounted() {
@@ -468,10 +524,10 @@ void tst_RobotSession::linesLeftOutOfAFrameAreCounted() {
     });
     QVERIFY(f->spawnNow());
     QByteArray flood;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < 60000; ++i)
         flood += "SEN {Type INS} {Name INS} {Location 1.00,-2.00,-3.00} {Orientation 0.00,0.00,0.00}\r\n";
     f->server.say(flood);
-    QTRY_VERIFY(f->session.figures().lines_received > 20000);
+    QTRY_VERIFY(f->session.figures().lines_received > 60000);
     QTRY_COMPARE(shown + not_shown, f->session.figures().lines_received);
     QVERIFY(not_shown > 0);
 }
