@@ -1,0 +1,142 @@
+#include "core/link/recording_writer.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "core/base/numbers.h"
+
+namespace usar::link {
+
+namespace {
+
+constexpr std::size_t batch_bytes = 1u << 20; ///< so much wakes the thread before its time
+
+std::string megabytes(std::uint64_t bytes) {
+    return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB";
+}
+
+Error writingTrouble(int error, const std::string& path, std::uint64_t written) {
+    const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+    return {(full ? std::string("there is no room left") : std::string(std::strerror(error))) +
+                ", so the recording ends after " + megabytes(written) + "; the mission goes on",
+            path, full ? "Free some room, or choose another folder, and record again" : "Record to another folder"};
+}
+
+} // namespace
+
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const QString& path,
+                                                                 const std::map<std::string, std::string>& facts,
+                                                                 LineNumber line, RecordingLimits limits) {
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    const int file = ::open(path.toLocal8Bit().constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (file < 0 && errno == EEXIST)
+        return failure("there is a file of this name already, and it is left alone", path.toStdString(),
+                       "Give the recording another name");
+    if (file < 0)
+        return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path.toStdString(),
+                       "Record to another folder");
+    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path.toStdString(), file, limits));
+    std::string text;
+    for (const auto& [key, value] : facts)
+        text += key + ": " + value + '\n';
+    writer->write({.kind = RecordKind::Start, .line = line, .bytes = text});
+    return writer;
+}
+
+RecordingWriter::RecordingWriter(std::string path, int file, RecordingLimits limits)
+    : path_(std::move(path))
+    , file_(file)
+    , limits_(limits) {
+    recording::appendHead(waiting_);
+    bytes_ = waiting_.size();
+    thread_ = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
+}
+
+RecordingWriter::~RecordingWriter() {
+    write({.kind = RecordKind::End, .line = newest_line_});
+    thread_.request_stop();
+    wake_.notify_all();
+    thread_.join();
+    ::close(file_);
+}
+
+void RecordingWriter::write(Record record) {
+    if (broken_)
+        return;
+    record.time = std::chrono::steady_clock::now() - began_;
+    newest_line_ = record.line;
+    const std::lock_guard lock(mutex_);
+    const std::size_t before = waiting_.size();
+    if (before + record.bytes.size() > limits_.buffer_bytes)
+        return breakOff({"the disk is too slow for what comes, so the recording ends here; the mission goes on", path_,
+                         "Record to a faster disk, or run slower"});
+    recording::append(waiting_, record);
+    bytes_ += waiting_.size() - before;
+    if (waiting_.size() >= batch_bytes && before < batch_bytes)
+        wake_.notify_one();
+}
+
+std::optional<Error> RecordingWriter::takeTrouble() {
+    if (!broken_)
+        return std::nullopt;
+    const std::lock_guard lock(mutex_);
+    return std::exchange(trouble_, std::nullopt);
+}
+
+void RecordingWriter::run(std::stop_token stop) {
+    std::string batch;
+    bool last = false;
+    while (!last && !broken_) {
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait_for(lock, stop, limits_.flush, [this] { return waiting_.size() >= batch_bytes; });
+            last = stop.stop_requested();
+            batch.swap(waiting_);
+        }
+        if (!drain(batch))
+            return;
+        batch.clear();
+    }
+}
+
+/// A piece that went out in part is taken back to the last whole record.
+bool RecordingWriter::drain(std::string& batch) {
+    std::size_t done = 0;
+    while (done < batch.size()) {
+        const ssize_t count = ::write(file_, batch.data() + done, batch.size() - done);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0) {
+            const int error = errno;
+            std::size_t whole = written_bytes_ == 0 ? recording::head_bytes : 0;
+            while (const auto size = recording::sizeAt(std::string_view(batch).substr(whole))) {
+                if (whole + *size > done)
+                    break;
+                whole += *size;
+            }
+            if (whole <= done && ::ftruncate(file_, static_cast<off_t>(written_bytes_ + whole)) != 0)
+                whole = done; // then the reader leaves out what is incomplete
+            const std::lock_guard lock(mutex_);
+            breakOff(writingTrouble(error, path_, written_bytes_ + whole));
+            return false;
+        }
+        done += static_cast<std::size_t>(count);
+    }
+    written_bytes_ += batch.size();
+    return true;
+}
+
+void RecordingWriter::breakOff(Error trouble) {
+    trouble_ = std::move(trouble);
+    broken_ = true;
+    std::string().swap(waiting_);
+}
+
+} // namespace usar::link
