@@ -108,6 +108,8 @@ void TcpLink::takeBytes() {
             return;
         const std::string_view bytes(buffer.data(), static_cast<std::size_t>(count));
         counts_.bytes_in += bytes.size();
+        if (take_bytes_)
+            take_bytes_(bytes);
         greeting_.takeBytes(bytes);
         splitter_.feed(bytes, [this](std::string_view line) { giveLine(line); });
         if (status_.state == LinkState::Connected && greeting_.verdict() == GreetingCheck::Verdict::Foreign)

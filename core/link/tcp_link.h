@@ -53,6 +53,10 @@ public:
     /// Who gets the lines: a plain call, for a signal with a copy is too dear at hundreds of times real time. The taker
     /// may call any function of the link.
     void setLineTaker(LineTaker taker) { take_line_ = std::move(taker); }
+    /// Who sees every byte that comes, as each read gave it, before its lines.
+    void setByteTaker(std::function<void(std::string_view bytes)> taker) { take_bytes_ = std::move(taker); }
+    /// What has come of a line that has not ended.
+    std::string_view pending() const { return splitter_.pending(); }
 
     /// Closes what is open, then connects there.
     void open(const QString& host, quint16 port);
@@ -91,6 +95,7 @@ private:
     QTimer retry_timer_;
     QTimer connect_timer_;
     LineTaker take_line_;
+    std::function<void(std::string_view)> take_bytes_;
     LinkLimits limits_;
     protocol::LineSplitter splitter_;
     GreetingCheck greeting_;

@@ -51,7 +51,7 @@ const SessionFigures& RobotSession::figures() const {
 }
 
 const link::LinkStatus& RobotSession::linkStatus() const {
-    return d_->link.status();
+    return d_->linkStatus();
 }
 
 void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
@@ -61,6 +61,7 @@ void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
 }
 
 void RobotSession::close() {
+    d_->endReplay();
     d_->stopBehavior("session: close", "The connection was closed.");
     d_->setSpawn(SpawnState::None);
     d_->after_reconnect.reset();
@@ -69,6 +70,8 @@ void RobotSession::close() {
 }
 
 void RobotSession::spawn(const SpawnRequest& request) {
+    if (d_->refusedInReplay())
+        return;
     if (!d_->connected()) {
         d_->trouble(Severity::Warning, "no connection",
                     "There is no connection to spawn " + request.robot_name + " on. Connect first.");
@@ -86,6 +89,8 @@ void RobotSession::spawn(const SpawnRequest& request) {
 }
 
 void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, const agent::Task& task) {
+    if (d_->refusedInReplay())
+        return;
     if (!d_->figures.spawned) {
         d_->trouble(Severity::Warning, "no robot", "There is no robot to fly. Spawn one first.");
         return;
@@ -98,6 +103,7 @@ void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, cons
     d_->record.status = {};
     d_->host = std::move(host);
     d_->figures.behavior_running = true;
+    d_->noteTask();
     d_->touched();
 }
 
@@ -122,6 +128,8 @@ void RobotSession::stop() {
 }
 
 void RobotSession::sendCommand(const protocol::Command& command, const std::string& source) {
+    if (d_->refusedInReplay())
+        return;
     if (!d_->connected()) {
         if (!d_->troubles.contains("no connection")) // once, however fast a stick sends
             d_->trouble(Severity::Warning, "no connection",

@@ -1,7 +1,9 @@
 // One robot from connect to close: the agent life cycle of the thesis (3), the same in the window and headless.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QObject>
@@ -12,6 +14,17 @@
 #include "core/mission/session_update.h"
 
 namespace usar::mission {
+
+/// What is known of a recording besides its records: robot, class, level, host …
+using RecordingFacts = std::map<std::string, std::string>;
+
+/// What a person may ask of a replay; several at once where several are set.
+struct ReplayOrder {
+    std::optional<bool> play{};
+    std::optional<double> speed{}; ///< 0.1 to 100, or infinity
+    std::optional<Seconds> seek{}; ///< from the recording's beginning
+    bool step = false;             ///< to the next bytes of the server
+};
 
 struct SpawnRequest {
     std::string class_name = "USARBot.AirRobot";
@@ -68,7 +81,23 @@ public slots:
     /// An empty map, without path and marks.
     void clearRecord();
 
+    /// Every byte from now on, with its time and cause, into a new file (resources/docs/recording-format.md), until
+    /// `stopRecording` or the end of the session. `facts` are kept with it. What goes wrong is a notice of the topic
+    /// "recording"; the session goes on.
+    void startRecording(const QString& path, const usar::mission::RecordingFacts& facts);
+    void stopRecording();
+
+    /// Instead of `open`: the lines come from a recording, paused at its beginning, and take the same way through the
+    /// session. Nothing can be sent. `replayOpened` or `replayFailed` follows.
+    void openRecording(const QString& path);
+    void orderReplay(const usar::mission::ReplayOrder& order);
+
 signals:
+    /// `complaint` is a sentence about what the file has lost, or empty.
+    void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
+    void replayFailed(const QString& reason);
+    /// The last record has been played.
+    void replayEnded();
     void linkChanged(const usar::link::LinkStatus& status);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void spawned(const QString& robot_name);

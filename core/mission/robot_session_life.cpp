@@ -5,6 +5,7 @@
 
 #include <QMetaMethod>
 
+#include "core/mission/published_text.h"
 #include "core/mission/stream_name.h"
 #include "core/protocol/command_writer.h"
 
@@ -21,6 +22,7 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     , link(&session)
     , frame_timer(&session)
     , watch_timer(&session)
+    , recording_timer(&session)
     , sensors(limits.sensor_silence)
     , mapper(cell_size_m) {
     frame_timer.setSingleShot(true);
@@ -29,12 +31,23 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     link.setLineTaker([this](std::string_view text) { takeLine(text); });
     connect(&link, &link::TcpLink::statusChanged, &q, &RobotSession::linkChanged);
     connect(&link, &link::TcpLink::opened, &q, [this] { opened(); });
-    connect(&link, &link::TcpLink::closed, &q, [this] { closed(); });
+    connect(&link, &link::TcpLink::closed, &q, [this] {
+        if (recorder)
+            recorder->write({.kind = link::RecordKind::Closed,
+                             .line = {figures.lines_received},
+                             .bytes = link.status().trouble.toStdString()});
+        connectionLost();
+    });
+    link.setByteTaker([this](std::string_view bytes) {
+        if (recorder)
+            recorder->write({.kind = link::RecordKind::In, .line = {figures.lines_received}, .bytes = bytes});
+    });
     connect(&frame_timer, &QTimer::timeout, &q, [this] { emitFrame(); });
     connect(&watch_timer, &QTimer::timeout, &q, [this] { watch(); });
+    connect(&recording_timer, &QTimer::timeout, &q, [this] { watchRecording(); });
 }
 
-void RobotSession::Private::opened() {
+void RobotSession::Private::beginConnection() {
     state.emplace();
     sensors.reset();
     gate.reset();
@@ -45,7 +58,15 @@ void RobotSession::Private::opened() {
     figures.now = figures.spawned_at = Seconds{0.0};
     figures.traffic = {};
     complaints_before = complaints.count();
+    replay_traffic = {};
     lookForObservers(); // or the greeting, which comes before the first frame, would be lost to them
+}
+
+void RobotSession::Private::opened() {
+    beginConnection();
+    if (recorder)
+        recorder->write(
+            {.kind = link::RecordKind::Opened, .line = {figures.lines_received}, .bytes = placeOf(link.status())});
     if (lockstep_wanted)
         send({protocol::Lockstep{}, {"session: connect", {}}});
     send({protocol::GetStartPoses{}, {"session: connect", {}}});
@@ -58,7 +79,7 @@ void RobotSession::Private::opened() {
     link.flush();
 }
 
-void RobotSession::Private::closed() {
+void RobotSession::Private::connectionLost() {
     watch_timer.stop();
     const SpawnState lost = figures.spawn;
     setSpawn(after_reconnect ? SpawnState::Asked : SpawnState::None);
@@ -150,8 +171,14 @@ void RobotSession::Private::takeOutput(agent::BehaviorHost::Output& output, bool
 void RobotSession::Private::takePublished(const std::vector<agent::Published>& published) {
     if (observed)
         collector.addPublished(published);
-    for (const agent::Published& value : published)
+    for (const agent::Published& value : published) {
+        if (recorder) {
+            std::string text;
+            appendText(text, value);
+            noteForRecording("published", text);
+        }
         takeValue(value);
+    }
 }
 
 void RobotSession::Private::takeValue(const agent::Published& value) {
@@ -185,6 +212,8 @@ void RobotSession::Private::takeValue(const agent::Published& value) {
 }
 
 void RobotSession::Private::endTick() {
+    if (replayer)
+        return;
     sendDrive(false);
     if (figures.lockstep && figures.spawned)
         step();
@@ -225,6 +254,8 @@ void RobotSession::Private::stopBehavior(const std::string& source, const std::s
 /// A last frame goes out first, so that whoever hears the end has the figures that belong to it.
 void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finished, bool is_published) {
     const agent::BehaviorFinished end = finished; // may live in what `host` answered
+    if (!is_published)
+        noteForRecording("finished", (end.success ? "1 " : "0 ") + end.reason);
     host.reset();
     figures.behavior_running = false;
     lookForObservers();
@@ -232,9 +263,11 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
         if (!is_published)
             collector.addPublished({end});
         frame_timer.stop();
-        emitFrame();
+        if (!on_the_way)
+            emitFrame();
     }
-    emit q.behaviorFinished(end.success, QString::fromStdString(end.reason));
+    if (!replayer)
+        emit q.behaviorFinished(end.success, QString::fromStdString(end.reason));
 }
 
 void RobotSession::Private::worthSaving() {
@@ -243,7 +276,7 @@ void RobotSession::Private::worthSaving() {
 }
 
 void RobotSession::Private::makeSafe(const std::string& source) {
-    if (!figures.spawned)
+    if (!figures.spawned || replayer)
         return;
     gate.reset();
     const bool rolls = state->latest() && state->latest()->kind == protocol::VehicleKind::Ground;
@@ -274,14 +307,20 @@ void RobotSession::Private::sendDrive(bool at_once) {
 
 void RobotSession::Private::write(const agent::CausedCommand& command) {
     std::string text = protocol::write(command.command);
+    if (recorder && connected())
+        recorder->write({.kind = link::RecordKind::Out,
+                         .line = {figures.lines_received},
+                         .trigger = command.cause.trigger,
+                         .name = command.cause.source,
+                         .bytes = text + "\r\n"});
     link.send(text);
     if (observed)
-        collector.addCommand({command, std::move(text), state->line(), figures.now});
+        collector.addCommand({command, std::move(text), {figures.lines_received}, figures.now});
 }
 
 void RobotSession::Private::countTraffic() {
     protocol::TrafficCounts& traffic = figures.traffic;
-    const protocol::TrafficCounts counts = link.counts();
+    const protocol::TrafficCounts counts = replayer ? replay_traffic : link.counts();
     traffic.lines_in = counts.lines_in;
     traffic.lines_out = counts.lines_out;
     traffic.bytes_in = counts.bytes_in;
@@ -291,6 +330,8 @@ void RobotSession::Private::countTraffic() {
 }
 
 void RobotSession::Private::say(Severity severity, std::string topic, std::string text) {
+    if (on_the_way)
+        return;
     emit q.noticed({.severity = severity, .text = std::move(text), .topic = std::move(topic)});
 }
 
@@ -300,7 +341,7 @@ void RobotSession::Private::trouble(Severity severity, const std::string& topic,
 }
 
 void RobotSession::Private::over(const std::string& topic, std::string text) {
-    if (troubles.erase(topic) > 0)
+    if (troubles.erase(topic) > 0 && !on_the_way)
         emit q.noticed({.severity = Severity::Note, .text = std::move(text), .topic = topic, .over = true});
 }
 
@@ -313,7 +354,7 @@ void RobotSession::Private::endTroubles(bool all) {
 }
 
 void RobotSession::Private::touched() {
-    if (frame_timer.isActive())
+    if (frame_timer.isActive() || on_the_way)
         return;
     lookForObservers();
     if (observed)
@@ -326,6 +367,12 @@ void RobotSession::Private::lookForObservers() {
 
 void RobotSession::Private::emitFrame() {
     countTraffic();
+    figures.recording.reset();
+    if (recorder)
+        figures.recording = {recorder->path(), recorder->elapsed(), recorder->bytes()};
+    figures.replay.reset();
+    if (replayer)
+        figures.replay = replayer->figures();
     emit q.updated(collector.take(mapper, figures));
 }
 

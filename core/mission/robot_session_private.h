@@ -1,7 +1,8 @@
-// The inside of RobotSession: its parts and the steps of its life. Included by its three .cpp files only.
+// The inside of RobotSession: its parts and the steps of its life. Included by its own .cpp files only.
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -13,6 +14,8 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "core/link/recording_writer.h"
+#include "core/link/replay.h"
 #include "core/mission/complaint_book.h"
 #include "core/mission/drive_gate.h"
 #include "core/mission/robot_session.h"
@@ -24,15 +27,22 @@
 
 namespace usar::mission {
 
+/// "host:port"
+inline std::string placeOf(const link::LinkStatus& status) {
+    return status.host.toStdString() + ':' + std::to_string(status.port);
+}
+
 inline std::chrono::milliseconds toMilliseconds(Seconds span) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(span);
 }
 
-struct RobotSession::Private {
+struct RobotSession::Private : link::ReplayTaker {
     Private(RobotSession& session, double cell_size_m);
 
     void opened();
-    void closed();
+    /// A connection begins, live or replayed.
+    void beginConnection();
+    void connectionLost();
     void takeLine(std::string_view text);
     void noteMessage(const protocol::InfoLine& line);
     void noteData();
@@ -62,7 +72,28 @@ struct RobotSession::Private {
     /// Nothing where there was no such trouble.
     void over(const std::string& topic, std::string text = {});
     void endTroubles(bool all);
-    bool connected() const { return link.status().state == link::LinkState::Connected; }
+    const link::LinkStatus& linkStatus() const { return replayer ? replay_link : link.status(); }
+    bool connected() const { return linkStatus().state == link::LinkState::Connected; }
+
+    void beginRecording(const QString& path, RecordingFacts facts);
+    /// The behavior that `record` names has begun.
+    void noteTask();
+    void noteForRecording(const char* topic, std::string_view text);
+    void watchRecording();
+    void endRecording();
+    void beginReplay(std::unique_ptr<link::RecordingReader> recording);
+    void endReplay();
+    /// True, and a notice once, where nothing can be sent because all this has happened already.
+    bool refusedInReplay();
+    void setReplayLink(link::LinkState state, std::string_view reason);
+    void takeReplayed(const agent::Published& value);
+    void rewound() override;
+    void opened(std::string_view place) override;
+    void closed(std::string_view reason) override;
+    void line(std::string_view text, LineNumber number) override;
+    void sent(const link::Record& record) override;
+    void note(const link::Record& record) override;
+    void quiet(bool on) override;
     void lookForObservers();
     void touched();
     void emitFrame();
@@ -71,6 +102,7 @@ struct RobotSession::Private {
     link::TcpLink link;
     QTimer frame_timer;
     QTimer watch_timer;
+    QTimer recording_timer; ///< looks after the recorder
     QElapsedTimer since_opened;
     QElapsedTimer since_init;
     QElapsedTimer since_data;
@@ -87,6 +119,14 @@ struct RobotSession::Private {
     SessionFigures figures;              ///< `traffic` as of the last countTraffic()
     std::uint64_t complaints_before = 0; ///< on earlier connections
     std::shared_ptr<agent::BehaviorHost> host;
+
+    std::unique_ptr<link::RecordingWriter> recorder;
+    std::unique_ptr<link::Replayer> replayer;
+    link::LinkStatus replay_link;
+    protocol::TrafficCounts replay_traffic;
+    /// On the way to another moment of a replay: the newest of what is replaced anyway, by kind.
+    std::map<std::size_t, agent::Published> newest_on_the_way;
+    bool on_the_way = false;
 
     std::set<std::string> troubles; ///< topics said and not over
     SpawnRequest request;

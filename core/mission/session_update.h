@@ -10,6 +10,7 @@
 #include "core/agent/command_port.h"
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
+#include "core/link/replay.h"
 #include "core/mapping/height_map.h"
 #include "core/mapping/profile.h"
 #include "core/protocol/info_message.h"
@@ -19,6 +20,13 @@ namespace usar::mission {
 
 /// Where INIT of this connection stands. Asked also while a new connection is made to ask on.
 enum class SpawnState { None, Asked, Failed, Done };
+
+/// Of a recording that is being written.
+struct RecordingFigures {
+    std::string path;
+    Seconds elapsed{0.0};
+    std::uint64_t bytes = 0;
+};
 
 /// Running figures of a session.
 struct SessionFigures {
@@ -37,6 +45,14 @@ struct SessionFigures {
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
     bool behavior_running = false;
+    std::optional<RecordingFigures> recording; ///< absent: nothing is recorded
+    std::optional<link::ReplayFigures> replay; ///< absent: live
+};
+
+/// What a replayed behavior was asked to do.
+struct ReplayedTask {
+    std::string behavior_id;
+    Rectangle area_in_map;
 };
 
 /// A command as it went to the server.
@@ -48,6 +64,9 @@ struct SentCommand : agent::CausedCommand {
 
 /// Everything that changed since the last frame.
 struct SessionUpdate {
+    /// All that was told before is void: a replay was wound back, and what follows is all there is now.
+    bool rewound = false;
+    std::optional<ReplayedTask> task;      ///< a replayed behavior has begun
     std::vector<protocol::InfoLine> lines; ///< the newest ones when more than 4000 came in a frame
     std::vector<SentCommand> commands;     ///< in order; `after` says where between the lines
     std::vector<agent::Published> published;

@@ -26,6 +26,13 @@ void UpdateCollector::keepNewest(std::vector<Item>& items) {
     lines_not_shown_ += surplus;
 }
 
+void UpdateCollector::rewind() {
+    update_ = {};
+    update_.rewound = true;
+    base_in_map_.reset();
+    moved_ = false;
+}
+
 void UpdateCollector::addPublished(const std::vector<agent::Published>& published) {
     update_.published.insert(update_.published.end(), published.begin(), published.end());
     for (const agent::Published& value : published)

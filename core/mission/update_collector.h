@@ -23,6 +23,9 @@ public:
     void addLine(protocol::InfoLine line);
     void addCommand(SentCommand command);
     void addPublished(const std::vector<agent::Published>& published);
+    void addTask(ReplayedTask task) { update_.task = std::move(task); }
+    /// What is gathered is void, and the next update says so.
+    void rewind();
     /// Everything since the last call, with the map's changed tiles; the figures get their rate.
     std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures& figures);
 

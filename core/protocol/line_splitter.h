@@ -25,6 +25,7 @@ public:
     std::size_t overlongCount() const { return overlong_count_; }
     /// Bytes of the line that has not ended.
     std::size_t pendingBytes() const { return pending_.size(); }
+    std::string_view pending() const { return pending_; }
     /// Forgets the unfinished line, as after a reconnect; the count stays. Not to be called from `take`.
     void reset();
 

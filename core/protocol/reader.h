@@ -14,6 +14,8 @@ namespace usar::protocol {
 class Reader {
 public:
     InfoLine read(std::string_view line);
+    /// The next line gets the number after this one: in a replay, the number that it had.
+    void continueAfter(LineNumber line) { last_ = line; }
 
 private:
     Segments segments_;

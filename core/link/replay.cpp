@@ -1,0 +1,219 @@
+#include "core/link/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace usar::link {
+
+namespace {
+
+constexpr std::chrono::milliseconds turn_length{20};
+constexpr std::chrono::milliseconds longest_wait{50}; ///< so that the position moves for whoever looks at it
+
+RecordTime toRecordTime(Seconds span) {
+    return std::chrono::duration_cast<RecordTime>(span);
+}
+
+} // namespace
+
+Record Replayer::Waiting::view() const {
+    Record copy = record;
+    copy.name = name;
+    copy.bytes = bytes;
+    return copy;
+}
+
+Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker, QObject* parent)
+    : QObject(parent)
+    , recording_(std::move(recording))
+    , taker_(taker)
+    , timer_(this) {
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &Replayer::turn);
+}
+
+ReplayFigures Replayer::figures() const {
+    const RecordTime position = target_ ? *target_ : std::min(dueNow(), survey().span);
+    return {.position = position, .span = survey().span, .speed = speed_, .playing = playing_, .seeking = !!target_};
+}
+
+RecordTime Replayer::dueNow() const {
+    if (!playing_ || target_ || std::isinf(speed_))
+        return position_;
+    return position_ + toRecordTime(speed_ * Seconds(Clock::now() - since_));
+}
+
+void Replayer::settle(RecordTime position) {
+    position_ = position;
+    since_ = Clock::now();
+}
+
+void Replayer::setPlaying(bool playing) {
+    if (playing == playing_)
+        return;
+    if (playing && at_end_ && !target_)
+        seek(Seconds{0.0}); // once more, as every player does
+    settle(dueNow());
+    playing_ = playing;
+    arm();
+    emit changed();
+}
+
+void Replayer::setSpeed(double speed) {
+    settle(dueNow());
+    speed_ = std::isinf(speed) || !(speed > 0.0) ? speed : std::clamp(speed, slowest, fastest);
+    if (!(speed_ > 0.0))
+        speed_ = 1.0;
+    arm();
+    emit changed();
+}
+
+void Replayer::seek(Seconds position) {
+    const RecordTime wanted = std::clamp(toRecordTime(position), RecordTime{0}, survey().span);
+    settle(dueNow());
+    taker_.quiet(true);
+    if (wanted < position_)
+        rewind();
+    target_ = wanted;
+    arm();
+    emit changed();
+}
+
+void Replayer::rewind() {
+    recording_->seek(RecordTime{0});
+    splitter_.reset();
+    next_.reset();
+    number_ = {};
+    connected_ = true;
+    at_end_ = false;
+    settle(RecordTime{0});
+    taker_.rewound();
+}
+
+void Replayer::step() {
+    setPlaying(false);
+    if (target_)
+        return;
+    while (const Waiting* next = peek()) {
+        const Record record = next->view();
+        const bool is_chunk = record.kind == RecordKind::In;
+        settle(record.time);
+        if (is_chunk)
+            playChunk(*std::exchange(next_, std::nullopt));
+        else
+            play(std::exchange(next_, std::nullopt)->view());
+        if (is_chunk)
+            break;
+    }
+    emit changed();
+}
+
+const Replayer::Waiting* Replayer::peek() {
+    if (!next_) {
+        const auto record = recording_->next();
+        if (!record) {
+            at_end_ = true;
+            return nullptr;
+        }
+        next_ = Waiting{*record, std::string(record->name), std::string(record->bytes)};
+    }
+    return &*next_;
+}
+
+void Replayer::play(const Record& record) {
+    switch (record.kind) {
+    case RecordKind::Opened:
+        splitter_.reset();
+        connected_ = true;
+        return taker_.opened(record.bytes);
+    case RecordKind::Closed:
+        connected_ = false;
+        return taker_.closed(record.bytes);
+    case RecordKind::Out:
+        return taker_.sent(record);
+    case RecordKind::Note:
+        return taker_.note(record);
+    default:
+        return; // facts are in the survey
+    }
+}
+
+void Replayer::playChunk(const Waiting& chunk) {
+    number_ = chunk.record.line;
+    splitter_.feed(chunk.bytes, [this](std::string_view text) {
+        ++number_.value;
+        playBefore(number_);
+        if (connected_) // closed in the midst of a chunk, the rest of it was not read
+            taker_.line(text, number_);
+    });
+}
+
+void Replayer::playBefore(LineNumber number) {
+    while (const Waiting* next = peek()) {
+        const RecordKind kind = next->record.kind;
+        const bool within = kind == RecordKind::Out || kind == RecordKind::Note || kind == RecordKind::Closed;
+        if (!within || next->record.line >= number)
+            return;
+        play(std::exchange(next_, std::nullopt)->view());
+    }
+}
+
+bool Replayer::playUntil(RecordTime time) {
+    const auto end = Clock::now() + turn_length;
+    while (const Waiting* next = peek()) {
+        if (next->record.time > time)
+            return false;
+        const RecordTime reached = next->record.time;
+        const Waiting taken = *std::exchange(next_, std::nullopt);
+        if (taken.record.kind == RecordKind::In)
+            playChunk(taken);
+        else
+            play(taken.view());
+        if (target_ || std::isinf(speed_))
+            position_ = reached;
+        if (Clock::now() > end) {
+            settle(reached); // what could not be kept up with is not owed
+            return true;
+        }
+    }
+    return false;
+}
+
+void Replayer::turn() {
+    const bool to_end = playing_ && std::isinf(speed_);
+    if (playUntil(target_ ? *target_ : to_end ? RecordTime::max() : dueNow()))
+        return timer_.start(0);
+    if (target_)
+        arrive();
+    if (at_end_ && playing_ && dueNow() >= survey().span) {
+        settle(survey().span);
+        playing_ = false;
+        emit changed();
+        emit ended();
+    }
+    arm();
+}
+
+void Replayer::arrive() {
+    settle(*std::exchange(target_, std::nullopt));
+    taker_.quiet(false);
+    emit changed();
+}
+
+void Replayer::arm() {
+    timer_.stop();
+    if (target_ || (playing_ && std::isinf(speed_)))
+        return timer_.start(0);
+    if (!playing_)
+        return;
+    const Waiting* next = peek();
+    const RecordTime wait_for = (next ? next->record.time : survey().span) - dueNow();
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(Seconds(wait_for) / speed_);
+    timer_.start(std::clamp(wait, std::chrono::milliseconds{0}, longest_wait));
+}
+
+} // namespace usar::link
+
+#include "moc_replay.cpp"

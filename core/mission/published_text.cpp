@@ -1,0 +1,227 @@
+#include "core/mission/published_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/link/recording_text.h"
+
+namespace usar::mission {
+
+namespace {
+
+class Writer {
+public:
+    explicit Writer(std::string& text) : text_(text) {}
+
+    void word(std::string_view word) { text_ += word; }
+    void add(double value) {
+        text_ += ' ';
+        if (std::isfinite(value))
+            appendShortest(text_, value);
+        else
+            text_ += "nan";
+    }
+    void add(Seconds value) { add(value.count()); }
+    void add(int value) { (text_ += ' ') += std::to_string(value); }
+    void add(LineNumber value) { (text_ += ' ') += std::to_string(value.value); }
+    void add(const std::string& value) {
+        text_ += ' ';
+        link::recording::appendQuoted(text_, value);
+    }
+    void add(const Vec2& point) { (add(point.x()), add(point.y())); }
+    void add(const Vec3& point) { (add(point.x()), add(point.y()), add(point.z())); }
+    void add(const Pose& pose) { (add(pose.position_m), add(pose.roll_rad), add(pose.pitch_rad), add(pose.yaw_rad)); }
+    template <class Value>
+    void add(const std::optional<Value>& value) {
+        if (value)
+            add(*value);
+        else
+            text_ += " -";
+    }
+
+    void operator()(const agent::BehaviorStatus& status) {
+        word("status");
+        (add(status.time), add(status.elapsed), add(status.state));
+        (add(status.distance_to_goal_m), add(status.battery_used_pct), add(status.range_left_m));
+        (add(status.progress_pct), add(status.time_left), add(status.distance_flown_m));
+        (add(status.charges), add(int{status.paused}));
+    }
+    void operator()(const agent::PoseEstimate& estimate) {
+        word("pose");
+        (add(estimate.time), add(estimate.base_in_map));
+    }
+    void operator()(const agent::MapMark& mark) {
+        word("mark");
+        (add(static_cast<int>(mark.kind)), add(mark.position_in_map_m), add(mark.time), add(mark.line));
+    }
+    void operator()(const agent::ScanPlacement& placement) {
+        word("scan");
+        (add(placement.scan_line), add(placement.scanner_in_map));
+    }
+    void operator()(const agent::PlannedPath& path) {
+        word("path");
+        for (const Vec2& point : path.points_in_map_m)
+            add(point);
+    }
+    void operator()(const agent::CurrentGoal& goal) {
+        word("goal");
+        add(goal.goal_in_map_m);
+    }
+    void operator()(const agent::SonarZones& zones) {
+        word("zones");
+        for (const agent::SonarZone& zone : zones.zones) {
+            (add(zone.name), add(zone.bearing_rad), add(zone.range_m), add(zone.maximum_m));
+            (add(zone.low_risk_below_m), add(zone.high_risk_below_m), add(static_cast<int>(zone.risk)));
+        }
+    }
+    void operator()(const agent::BehaviorEvent& event) {
+        word("event");
+        (add(static_cast<int>(event.severity)), add(event.text));
+    }
+    void operator()(const agent::BehaviorFinished& finished) {
+        word("finished");
+        (add(int{finished.success}), add(finished.reason));
+    }
+
+private:
+    std::string& text_;
+};
+
+/// Takes fields off a text; one that is missing or of another shape makes it wrong for good.
+class Fields {
+public:
+    explicit Fields(std::string_view text) : rest_(text) {}
+
+    bool done() {
+        rest_ = trimmed(rest_);
+        return rest_.empty();
+    }
+    bool fine() { return fine_ && done(); }
+    std::string_view word() { return takeWord(rest_); }
+
+    void take(double& value) {
+        const std::string_view text = takeWord(rest_);
+        const auto number = readNumber(text);
+        fine_ = fine_ && number;
+        value = number.value_or(0.0);
+    }
+    void take(Seconds& value) {
+        double seconds = 0.0;
+        take(seconds);
+        value = Seconds{seconds};
+    }
+    void take(LineNumber& value) { takeWhole(value.value); }
+    void take(std::string& value) { fine_ = link::recording::takeQuoted(rest_, value) && fine_; }
+    void take(Vec2& point) { (take(point.x()), take(point.y())); }
+    void take(Vec3& point) { (take(point.x()), take(point.y()), take(point.z())); }
+    void take(Pose& pose) { (take(pose.position_m), take(pose.roll_rad), take(pose.pitch_rad), take(pose.yaw_rad)); }
+    void take(bool& value) {
+        int number = 0;
+        takeWhole(number);
+        value = number != 0;
+    }
+    void take(int& value) { takeWhole(value); }
+    /// An enumerator, by its number.
+    template <class Enum>
+    void takeOneOf(Enum& value, Enum last) {
+        int number = 0;
+        takeWhole(number);
+        fine_ = fine_ && number >= 0 && number <= static_cast<int>(last);
+        value = static_cast<Enum>(number);
+    }
+    template <class Value>
+    void take(std::optional<Value>& value) {
+        rest_ = trimmed(rest_);
+        if (rest_.starts_with("-") && (rest_.size() == 1 || rest_[1] == ' '))
+            takeWord(rest_);
+        else
+            take(value.emplace());
+    }
+
+private:
+    template <class Integer>
+    void takeWhole(Integer& value) {
+        const std::string_view text = takeWord(rest_);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        fine_ = fine_ && error == std::errc() && end == text.data() + text.size();
+    }
+
+    std::string_view rest_;
+    bool fine_ = true;
+};
+
+void read(Fields& fields, agent::BehaviorStatus& status) {
+    (fields.take(status.time), fields.take(status.elapsed), fields.take(status.state));
+    (fields.take(status.distance_to_goal_m), fields.take(status.battery_used_pct), fields.take(status.range_left_m));
+    (fields.take(status.progress_pct), fields.take(status.time_left), fields.take(status.distance_flown_m));
+    (fields.take(status.charges), fields.take(status.paused));
+}
+void read(Fields& fields, agent::PoseEstimate& estimate) {
+    (fields.take(estimate.time), fields.take(estimate.base_in_map));
+}
+void read(Fields& fields, agent::MapMark& mark) {
+    fields.takeOneOf(mark.kind, agent::MarkKind::GoalGivenUp);
+    (fields.take(mark.position_in_map_m), fields.take(mark.time), fields.take(mark.line));
+}
+void read(Fields& fields, agent::ScanPlacement& placement) {
+    (fields.take(placement.scan_line), fields.take(placement.scanner_in_map));
+}
+void read(Fields& fields, agent::PlannedPath& path) {
+    while (!fields.done())
+        fields.take(path.points_in_map_m.emplace_back(Vec2::Zero()));
+}
+void read(Fields& fields, agent::CurrentGoal& goal) {
+    fields.take(goal.goal_in_map_m);
+}
+void read(Fields& fields, agent::SonarZones& zones) {
+    while (!fields.done()) {
+        agent::SonarZone& zone = zones.zones.emplace_back();
+        (fields.take(zone.name), fields.take(zone.bearing_rad), fields.take(zone.range_m), fields.take(zone.maximum_m));
+        (fields.take(zone.low_risk_below_m), fields.take(zone.high_risk_below_m));
+        fields.takeOneOf(zone.risk, agent::Risk::High);
+    }
+}
+void read(Fields& fields, agent::BehaviorEvent& event) {
+    fields.takeOneOf(event.severity, Severity::Error);
+    fields.take(event.text);
+}
+void read(Fields& fields, agent::BehaviorFinished& finished) {
+    (fields.take(finished.success), fields.take(finished.reason));
+}
+
+template <class Value>
+std::optional<agent::Published> readAs(Fields& fields) {
+    Value value;
+    read(fields, value);
+    return fields.fine() ? std::optional<agent::Published>(std::move(value)) : std::nullopt;
+}
+
+} // namespace
+
+void appendText(std::string& text, const agent::Published& value) {
+    std::visit(Writer(text), value);
+}
+
+std::optional<agent::Published> readPublished(std::string_view text) {
+    using Read = std::optional<agent::Published> (*)(Fields&);
+    static constexpr std::pair<std::string_view, Read> readers[]{{"status", readAs<agent::BehaviorStatus>},
+                                                                 {"pose", readAs<agent::PoseEstimate>},
+                                                                 {"mark", readAs<agent::MapMark>},
+                                                                 {"scan", readAs<agent::ScanPlacement>},
+                                                                 {"path", readAs<agent::PlannedPath>},
+                                                                 {"goal", readAs<agent::CurrentGoal>},
+                                                                 {"zones", readAs<agent::SonarZones>},
+                                                                 {"event", readAs<agent::BehaviorEvent>},
+                                                                 {"finished", readAs<agent::BehaviorFinished>}};
+    Fields fields(text);
+    const std::string_view word = fields.word();
+    for (const auto& [known, reader] : readers)
+        if (known == word)
+            return reader(fields);
+    return std::nullopt;
+}
+
+} // namespace usar::mission

@@ -1,0 +1,96 @@
+// What a session writes down as it goes.
+#include "core/mission/robot_session_private.h"
+
+#include <utility>
+
+#include <QDateTime>
+
+#include "core/base/numbers.h"
+#include "core/protocol/command_writer.h"
+
+namespace usar::mission {
+
+namespace {
+
+constexpr std::chrono::milliseconds look_after{500};
+
+std::string rectangleText(const Rectangle& area) {
+    std::string text;
+    for (const double value : {area.min_m.x(), area.min_m.y(), area.max_m.x(), area.max_m.y()}) {
+        text += text.empty() ? "" : " ";
+        appendShortest(text, value);
+    }
+    return text;
+}
+
+} // namespace
+
+void RobotSession::startRecording(const QString& path, const RecordingFacts& facts) {
+    if (d_->replayer)
+        return d_->say(Severity::Warning, "recording", "A replay is a recording already; there is nothing to record.");
+    stopRecording();
+    d_->beginRecording(path, facts);
+    d_->touched();
+}
+
+void RobotSession::stopRecording() {
+    d_->endRecording();
+    d_->touched();
+}
+
+void RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {
+    facts["host"] = link.status().host.toStdString();
+    facts["port"] = std::to_string(link.status().port);
+    facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+    facts["cell_size_m"].clear();
+    appendShortest(facts["cell_size_m"], mapper.map().cellSize_m());
+    if (!record.level.empty())
+        facts["level"] = record.level;
+    const LineNumber line{figures.lines_received};
+    auto made = link::RecordingWriter::create(path, facts, line);
+    if (!made)
+        return trouble(Severity::Error, "recording", made.error().text());
+    over("recording");
+    recorder = *std::move(made);
+    recording_timer.start(look_after);
+    if (!connected())
+        return;
+    recorder->write({.kind = link::RecordKind::Opened, .line = line, .bytes = placeOf(link.status())});
+    if (!link.pending().empty())
+        recorder->write({.kind = link::RecordKind::In, .line = line, .bytes = link.pending()});
+    if (figures.spawn == SpawnState::Asked || figures.spawn == SpawnState::Done)
+        noteForRecording("robot",
+                         protocol::write(protocol::Init{request.class_name, request.robot_name, request.start_in_map}));
+    if (host)
+        noteTask();
+}
+
+void RobotSession::Private::noteTask() {
+    noteForRecording("behavior",
+                     record.behavior_id + '\t' + record.robot_name + '\t' + rectangleText(record.area_in_map));
+}
+
+void RobotSession::Private::noteForRecording(const char* topic, std::string_view text) {
+    if (recorder)
+        recorder->write({.kind = link::RecordKind::Note,
+                         .line = {figures.lines_received},
+                         .trigger = state->line(),
+                         .name = topic,
+                         .bytes = text});
+}
+
+void RobotSession::Private::watchRecording() {
+    if (recorder && recorder->broken()) {
+        if (const auto error = recorder->takeTrouble())
+            trouble(Severity::Error, "recording", error->text());
+        endRecording();
+    }
+    touched();
+}
+
+void RobotSession::Private::endRecording() {
+    recording_timer.stop();
+    recorder.reset();
+}
+
+} // namespace usar::mission

@@ -1,0 +1,96 @@
+#include <limits>
+
+#include <QTest>
+
+#include "core/mission/published_text.h"
+
+using namespace usar;
+using namespace usar::mission;
+
+Q_DECLARE_METATYPE(agent::Published)
+
+class tst_PublishedText : public QObject {
+    Q_OBJECT
+private slots:
+    void readsBackWhatItWrote_data();
+    void readsBackWhatItWrote();
+    void theTextsAreThoseOfTheDocument();
+    void whatIsNotANumberStaysNone();
+    void rejectsTheRest_data();
+    void rejectsTheRest();
+};
+
+void tst_PublishedText::readsBackWhatItWrote_data() {
+    QTest::addColumn<agent::Published>("value");
+    const Pose pose{{1.1, -2.0 / 3.0, 3e-9}, 0.1, -0.2, 3.14159};
+    agent::BehaviorStatus status;
+    QTest::newRow("a status that knows nothing") << agent::Published(status);
+    status = {.time = Seconds{12.25},
+              .elapsed = Seconds{3.5},
+              .state = "scanning \"lane\" 4 of 9",
+              .distance_to_goal_m = 1.5,
+              .battery_used_pct = 30.25,
+              .range_left_m = -0.5,
+              .progress_pct = 1.0 / 3.0,
+              .time_left = Seconds{99.0},
+              .distance_flown_m = 412.0,
+              .charges = 2,
+              .paused = true};
+    QTest::newRow("a status that knows all") << agent::Published(status);
+    QTest::newRow("pose") << agent::Published(agent::PoseEstimate{Seconds{1.0}, pose});
+    QTest::newRow("mark") << agent::Published(
+        agent::MapMark{agent::MarkKind::GoalGivenUp, {1.0, 2.0, 3.0}, Seconds{4.0}, {5}});
+    QTest::newRow("scan") << agent::Published(agent::ScanPlacement{{317}, pose});
+    QTest::newRow("path") << agent::Published(agent::PlannedPath{{{1.0, 2.0}, {-3.0, 4.5}}});
+    QTest::newRow("empty path") << agent::Published(agent::PlannedPath{});
+    QTest::newRow("goal") << agent::Published(agent::CurrentGoal{Vec3{-1.0, 2.0, 3.0}});
+    QTest::newRow("no goal") << agent::Published(agent::CurrentGoal{});
+    QTest::newRow("zones") << agent::Published(
+        agent::SonarZones{{{"F1", 0.5, 4.0, 5.0, 2.0, 1.0, agent::Risk::Low}, {"a b", -0.5, 1, 5, 2, 1, {}}}});
+    QTest::newRow("event") << agent::Published(agent::BehaviorEvent{Severity::Error, "The wind,\nthe wind"});
+    QTest::newRow("finished") << agent::Published(agent::BehaviorFinished{true, "Landed."});
+}
+
+void tst_PublishedText::readsBackWhatItWrote() {
+    QFETCH(agent::Published, value);
+    std::string text;
+    appendText(text, value);
+    QVERIFY(text.find('\n') == std::string::npos);
+    const auto read = readPublished(text);
+    QVERIFY2(read, text.c_str());
+    QVERIFY2(*read == value, text.c_str());
+}
+
+void tst_PublishedText::theTextsAreThoseOfTheDocument() {
+    std::string text;
+    appendText(text, agent::ScanPlacement{{317}, {{1.0, -2.0, 3.5}, 0.0, 0.0, 1.5}});
+    QCOMPARE(text, std::string("scan 317 1 -2 3.5 0 0 1.5"));
+}
+
+void tst_PublishedText::whatIsNotANumberStaysNone() {
+    std::string text;
+    appendText(text, agent::PoseEstimate{Seconds{1.0}, {{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}}});
+    const auto read = readPublished(text);
+    QVERIFY2(read, text.c_str());
+    QVERIFY(std::isnan(std::get<agent::PoseEstimate>(*read).base_in_map.position_m.x()));
+}
+
+void tst_PublishedText::rejectsTheRest_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("nothing") << QByteArray("");
+    QTest::newRow("another word") << QByteArray("dance 1 2");
+    QTest::newRow("a field missing") << QByteArray("pose 1 2 3 4 5 6");
+    QTest::newRow("a field too many") << QByteArray("goal 1 2 3 4");
+    QTest::newRow("a word for a number") << QByteArray("goal 1 two 3");
+    QTest::newRow("half a point") << QByteArray("path 1 2 3");
+    QTest::newRow("a mark of no kind") << QByteArray("mark 99 1 2 3 4 5");
+    QTest::newRow("a text without quotes") << QByteArray("event 1 wind");
+}
+
+void tst_PublishedText::rejectsTheRest() {
+    QFETCH(QByteArray, text);
+    QVERIFY(!readPublished(text.toStdString()));
+}
+
+QTEST_APPLESS_MAIN(tst_PublishedText)
+#include "tst_published_text.moc"
