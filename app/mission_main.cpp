@@ -1,4 +1,4 @@
-// usar-mission: one mission, headless.
+// usar-mission: one mission, headless, and what becomes of its recording.
 #include <cstdio>
 #include <memory>
 
@@ -11,8 +11,10 @@
 #include "app/headless_simulator.h"
 #include "app/locations.h"
 #include "app/quit_signals.h"
+#include "app/replay_verbs.h"
 #include "core/mission/mission_options.h"
 #include "core/mission/progress_text.h"
+#include "core/mission/replay_options.h"
 #include "core/mission/run_summary.h"
 
 namespace {
@@ -78,6 +80,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     mission::RunOptions run_options;
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
+    run_options.recording = options.recording;
     if (options.server) {
         run_options.host = options.server->host;
         run_options.port = options.server->port;
@@ -115,6 +118,8 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
+    if (mission::isReplayVerb(QCoreApplication::arguments().value(1)))
+        return app::runReplayVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)
         return refuse(options.error());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/link/play_clock.h"
 
 namespace usar::link {
 
@@ -74,7 +75,9 @@ Result<void> RecordingReader::readHead() {
 }
 
 void RecordingReader::surveyAll() {
+    PlayClock clock;
     while (const auto record = find(&survey_.damage)) {
+        survey_.play_span = clock.at(*record);
         if (survey_.records++ == 0)
             survey_.first_line = record->line;
         if (index_.empty() || record_offset_ - index_.back().offset >= index_step_bytes)

@@ -27,6 +27,7 @@ struct RecordingDamage {
 struct RecordingSurvey {
     std::map<std::string, std::string> facts; ///< host, port, started, program, and what else its maker knew
     RecordTime span{0};                       ///< time of the last record
+    RecordTime play_span{0};                  ///< the same by PlayClock: how long a replay lasts
     std::uint64_t file_bytes = 0;
     std::uint64_t records = 0;
     std::uint64_t bytes_in = 0;

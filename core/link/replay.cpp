@@ -28,15 +28,17 @@ Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& take
     : QObject(parent)
     , recording_(std::move(recording))
     , taker_(taker)
-    , timer_(this) {
+    , timer_(this)
+    , end_(recording_->survey().play_span) {
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Replayer::turn);
 }
 
 ReplayFigures Replayer::figures() const {
-    const RecordTime position = target_ ? *target_ : std::min(dueNow(), survey().span);
-    return {.position = position, .span = survey().span, .speed = speed_, .playing = playing_, .seeking = !!target_};
+    const RecordTime position = target_ ? *target_ : std::min(dueNow(), survey().play_span);
+    return {
+        .position = position, .span = survey().play_span, .speed = speed_, .playing = playing_, .seeking = !!target_};
 }
 
 RecordTime Replayer::dueNow() const {
@@ -53,7 +55,7 @@ void Replayer::settle(RecordTime position) {
 void Replayer::setPlaying(bool playing) {
     if (playing == playing_)
         return;
-    if (playing && at_end_ && !target_)
+    if (playing && ended_)
         seek(Seconds{0.0}); // once more, as every player does
     settle(dueNow());
     playing_ = playing;
@@ -71,8 +73,9 @@ void Replayer::setSpeed(double speed) {
 }
 
 void Replayer::seek(Seconds position) {
-    const RecordTime wanted = std::clamp(toRecordTime(position), RecordTime{0}, survey().span);
+    const RecordTime wanted = std::clamp(toRecordTime(position), RecordTime{0}, survey().play_span);
     settle(dueNow());
+    ended_ = false;
     taker_.quiet(true);
     if (wanted < position_)
         rewind();
@@ -81,13 +84,18 @@ void Replayer::seek(Seconds position) {
     emit changed();
 }
 
+void Replayer::setEnd(Seconds end) {
+    end_ = std::clamp(toRecordTime(end), RecordTime{0}, survey().play_span);
+    arm();
+}
+
 void Replayer::rewind() {
     recording_->seek(RecordTime{0});
     splitter_.reset();
     next_.reset();
+    clock_ = {};
     number_ = {};
     connected_ = true;
-    at_end_ = false;
     settle(RecordTime{0});
     taker_.rewound();
 }
@@ -99,7 +107,7 @@ void Replayer::step() {
     while (const Waiting* next = peek()) {
         const Record record = next->view();
         const bool is_chunk = record.kind == RecordKind::In;
-        settle(record.time);
+        settle(next->due);
         if (is_chunk)
             playChunk(*std::exchange(next_, std::nullopt));
         else
@@ -113,11 +121,9 @@ void Replayer::step() {
 const Replayer::Waiting* Replayer::peek() {
     if (!next_) {
         const auto record = recording_->next();
-        if (!record) {
-            at_end_ = true;
+        if (!record)
             return nullptr;
-        }
-        next_ = Waiting{*record, std::string(record->name), std::string(record->bytes)};
+        next_ = Waiting{*record, clock_.at(*record), std::string(record->name), std::string(record->bytes)};
     }
     return &*next_;
 }
@@ -163,9 +169,9 @@ void Replayer::playBefore(LineNumber number) {
 bool Replayer::playUntil(RecordTime time) {
     const auto end = Clock::now() + turn_length;
     while (const Waiting* next = peek()) {
-        if (next->record.time > time)
+        if (next->due > time)
             return false;
-        const RecordTime reached = next->record.time;
+        const RecordTime reached = next->due;
         const Waiting taken = *std::exchange(next_, std::nullopt);
         if (taken.record.kind == RecordKind::In)
             playChunk(taken);
@@ -182,14 +188,15 @@ bool Replayer::playUntil(RecordTime time) {
 }
 
 void Replayer::turn() {
-    const bool to_end = playing_ && std::isinf(speed_);
-    if (playUntil(target_ ? *target_ : to_end ? RecordTime::max() : dueNow()))
+    const RecordTime due = std::isinf(speed_) ? end_ : std::min(dueNow(), end_);
+    if (playUntil(target_ ? *target_ : due))
         return timer_.start(0);
-    if (target_)
+    if (target_) {
         arrive();
-    if (at_end_ && playing_ && dueNow() >= survey().span) {
-        settle(survey().span);
+    } else if (playing_ && due == end_) {
+        settle(end_);
         playing_ = false;
+        ended_ = true;
         emit changed();
         emit ended();
     }
@@ -209,7 +216,7 @@ void Replayer::arm() {
     if (!playing_)
         return;
     const Waiting* next = peek();
-    const RecordTime wait_for = (next ? next->record.time : survey().span) - dueNow();
+    const RecordTime wait_for = std::min(next ? next->due : end_, end_) - dueNow();
     const auto wait = std::chrono::ceil<std::chrono::milliseconds>(Seconds(wait_for) / speed_);
     timer_.start(std::clamp(wait, std::chrono::milliseconds{0}, longest_wait));
 }

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/link/play_clock.h"
 #include "core/link/recording_reader.h"
 #include "core/protocol/line_splitter.h"
 
@@ -32,7 +33,7 @@ public:
     virtual void quiet(bool on) = 0;
 };
 
-/// Times count from the beginning of the recording.
+/// Times count from the beginning of the recording, by PlayClock.
 struct ReplayFigures {
     Seconds position{0.0};
     Seconds span{0.0};
@@ -56,13 +57,14 @@ public:
 
     const RecordingSurvey& survey() const { return recording_->survey(); }
     ReplayFigures figures() const;
-    bool atEnd() const { return at_end_; }
 
     void setPlaying(bool playing);
-    /// Times the pace of the recording, 0.1 to 100; infinity for as fast as it can.
+    /// Times the pace of PlayClock, 0.1 to 100; infinity for as fast as it can.
     void setSpeed(double speed);
     /// Backward means from the beginning on. A further wish on the way replaces the one before.
     void seek(Seconds position);
+    /// Playing ends there instead of at the end of the recording; a seek may go beyond.
+    void setEnd(Seconds end);
     /// Pauses, and goes to the next bytes from the server and whatever they caused.
     void step();
 
@@ -76,6 +78,7 @@ private:
     /// A record whose texts are its own, for it waits while others are read.
     struct Waiting {
         Record record;
+        RecordTime due{0};
         std::string name;
         std::string bytes;
         Record view() const;
@@ -100,15 +103,17 @@ private:
     ReplayTaker& taker_;
     QTimer timer_;
     protocol::LineSplitter splitter_;
+    PlayClock clock_;
     std::optional<Waiting> next_;
     std::string chunk_;
     LineNumber number_;
     RecordTime position_{0}; ///< where `since_` was set
     Clock::time_point since_;
     std::optional<RecordTime> target_;
+    RecordTime end_;
     double speed_ = 1.0;
     bool playing_ = false;
-    bool at_end_ = false;
+    bool ended_ = false; ///< nothing has been asked since
     bool connected_ = true; ///< a recording that does not say when it was opened is open
 };
 

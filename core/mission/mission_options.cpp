@@ -1,6 +1,7 @@
 #include "core/mission/mission_options.h"
 
 #include "core/base/numbers.h"
+#include "core/mission/replay_options.h"
 
 namespace usar::mission {
 
@@ -13,6 +14,8 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
         options.behavior = value;
     } else if (name == "--out") {
         options.result_folder = value;
+    } else if (name == "--record") {
+        options.recording = value;
     } else if (name == "--seed") {
         const auto seed = readInteger(value.toStdString());
         if (!seed || *seed < 0)
@@ -92,9 +95,11 @@ QString missionHelp() {
         "  --speed N|max        simulated seconds per second (max)\n"
         "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
         "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
+        "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
         "\n"
         "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
-        "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n");
+        "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
+           replayHelp();
 }
 
 } // namespace usar::mission

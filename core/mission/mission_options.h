@@ -25,6 +25,7 @@ struct MissionOptions {
     std::optional<double> speed_x;       ///< absent: as fast as it can
     std::optional<ServerAddress> server; ///< absent: the embedded simulator
     QString result_folder;               ///< empty: default
+    QString recording;                   ///< empty: none
     bool help = false;
     bool operator==(const MissionOptions&) const = default;
 };

@@ -90,7 +90,13 @@ Result<void> MissionRunner::Private::prepare() {
     if (options.world_extent)
         if (auto inside = checkAreaInside(mission, *options.world_extent); !inside)
             return inside;
-    return checkFolderIsWritable(options.result_folder);
+    if (auto writable = checkFolderIsWritable(options.result_folder); !writable || options.recording.isEmpty())
+        return writable;
+    const QSignalBlocker quiet(session); // what is wrong is said once, as the reason
+    return session.startRecording(options.recording, {{"robot", robot_name},
+                                                      {"class", mission.robot_class},
+                                                      {"mission", mission.name},
+                                                      {"program", "usar-mission"}});
 }
 
 void MissionRunner::Private::takeStartPoses(const protocol::StartPoses& poses) {

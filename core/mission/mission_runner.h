@@ -32,6 +32,7 @@ struct RunOptions {
     bool lockstep = true;   ///< ask for it; a real server does not answer
     std::uint64_t seed = 1; ///< told in the summary; the simulator was given it by whoever made it
     QString result_folder;  ///< empty: default
+    QString recording;      ///< a new file for all that is heard and said; empty: none
     RunLimits limits;
 
     // What only the maker of an embedded simulator knows; absent on a real server.

@@ -61,6 +61,11 @@ public:
     const SessionFigures& figures() const;
     const link::LinkStatus& linkStatus() const;
 
+    /// Every byte from now on, with its time and cause, into a new file (resources/docs/recording-format.md), until
+    /// `stopRecording` or the end of the session. `facts` are kept with it. What goes wrong is a notice of the topic
+    /// "recording"; the session goes on.
+    Result<void> startRecording(const QString& path, const RecordingFacts& facts);
+
 public slots:
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
@@ -81,10 +86,6 @@ public slots:
     /// An empty map, without path and marks.
     void clearRecord();
 
-    /// Every byte from now on, with its time and cause, into a new file (resources/docs/recording-format.md), until
-    /// `stopRecording` or the end of the session. `facts` are kept with it. What goes wrong is a notice of the topic
-    /// "recording"; the session goes on.
-    void startRecording(const QString& path, const usar::mission::RecordingFacts& facts);
     void stopRecording();
 
     /// Instead of `open`: the lines come from a recording, paused at its beginning, and take the same way through the

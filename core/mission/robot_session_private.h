@@ -75,7 +75,7 @@ struct RobotSession::Private : link::ReplayTaker {
     const link::LinkStatus& linkStatus() const { return replayer ? replay_link : link.status(); }
     bool connected() const { return linkStatus().state == link::LinkState::Connected; }
 
-    void beginRecording(const QString& path, RecordingFacts facts);
+    Result<void> beginRecording(const QString& path, RecordingFacts facts);
     /// The behavior that `record` names has begun.
     void noteTask();
     void noteForRecording(const char* topic, std::string_view text);

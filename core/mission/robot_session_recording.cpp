@@ -25,12 +25,18 @@ std::string rectangleText(const Rectangle& area) {
 
 } // namespace
 
-void RobotSession::startRecording(const QString& path, const RecordingFacts& facts) {
-    if (d_->replayer)
-        return d_->say(Severity::Warning, "recording", "A replay is a recording already; there is nothing to record.");
+Result<void> RobotSession::startRecording(const QString& path, const RecordingFacts& facts) {
     stopRecording();
-    d_->beginRecording(path, facts);
+    Result<void> begun =
+        d_->replayer
+            ? Result<void>(failure("a replay is not recorded once more", path.toStdString(), "It has a file already"))
+            : d_->beginRecording(path, facts);
+    if (begun)
+        d_->over("recording");
+    else
+        d_->trouble(Severity::Error, "recording", begun.error().text());
     d_->touched();
+    return begun;
 }
 
 void RobotSession::stopRecording() {
@@ -38,7 +44,7 @@ void RobotSession::stopRecording() {
     d_->touched();
 }
 
-void RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {
+Result<void> RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {
     facts["host"] = link.status().host.toStdString();
     facts["port"] = std::to_string(link.status().port);
     facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
@@ -49,12 +55,11 @@ void RobotSession::Private::beginRecording(const QString& path, RecordingFacts f
     const LineNumber line{figures.lines_received};
     auto made = link::RecordingWriter::create(path, facts, line);
     if (!made)
-        return trouble(Severity::Error, "recording", made.error().text());
-    over("recording");
+        return tl::unexpected(made.error());
     recorder = *std::move(made);
     recording_timer.start(look_after);
     if (!connected())
-        return;
+        return {};
     recorder->write({.kind = link::RecordKind::Opened, .line = line, .bytes = placeOf(link.status())});
     if (!link.pending().empty())
         recorder->write({.kind = link::RecordKind::In, .line = line, .bytes = link.pending()});
@@ -63,6 +68,7 @@ void RobotSession::Private::beginRecording(const QString& path, RecordingFacts f
                          protocol::write(protocol::Init{request.class_name, request.robot_name, request.start_in_map}));
     if (host)
         noteTask();
+    return {};
 }
 
 void RobotSession::Private::noteTask() {

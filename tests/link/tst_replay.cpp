@@ -49,10 +49,11 @@ std::string ticking(int ticks) {
     recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
     for (int i = 1; i <= ticks; ++i) {
         const auto number = static_cast<std::uint64_t>(i);
-        recording::append(file, {.kind = RecordKind::In,
-                                 .time = 100ms * i,
-                                 .line = {number - 1},
-                                 .bytes = "STA {Time " + std::to_string(i) + "}\r\n"});
+        recording::append(file,
+                          {.kind = RecordKind::In,
+                           .time = 100ms * i,
+                           .line = {number - 1},
+                           .bytes = "STA {Time " + std::to_string(i / 10) + "." + std::to_string(i % 10) + "}\r\n"});
         recording::append(file,
                           {.kind = RecordKind::Out, .time = 100ms * i + 1ms, .line = {number}, .bytes = "STEP\r\n"});
     }
@@ -70,6 +71,8 @@ private slots:
     void theRestOfAChunkInWhichTheLinkWasClosedIsNotRead();
     void playsAtItsPace_data();
     void playsAtItsPace();
+    void aFastSimulatorIsPlayedAtTheRobotsPace();
+    void aDamagedTimeDoesNotStretchIt();
     void pauseHoldsIt();
     void seekForwardGoesOnAndBackwardBeginsAnew();
     void aWishOnTheWayReplacesTheOneBefore();
@@ -79,6 +82,7 @@ private slots:
 private:
     std::unique_ptr<Replayer> replayOf(const std::string& file, Listener& listener);
     void playAll(Replayer& replayer);
+    RecordTime lengthOf(const std::vector<std::pair<RecordTime, std::string>>& chunks);
 
     QTemporaryDir folder_;
 };
@@ -185,6 +189,28 @@ void tst_Replay::playsAtItsPace() {
     QVERIFY(!replayer->figures().playing);
 }
 
+RecordTime tst_Replay::lengthOf(const std::vector<std::pair<RecordTime, std::string>>& chunks) {
+    std::string file;
+    recording::appendHead(file);
+    for (const auto& [time, bytes] : chunks)
+        recording::append(file, {.kind = RecordKind::In, .time = time, .bytes = bytes + "\r\n"});
+    Listener listener;
+    return replayOf(file, listener)->survey().play_span;
+}
+
+void tst_Replay::aFastSimulatorIsPlayedAtTheRobotsPace() {
+    QCOMPARE(lengthOf({{1ms, "STA {Time 5.0}"}, {2ms, "STA {Time 7.0}"}, {3ms, "STA {Time 9.0}"}}), RecordTime(4001ms));
+    QCOMPARE(lengthOf({{1s, "STA {Time 5.0}"}, {2s, "STA {Time 5.1}"}, {3s, "STA {Time 5.2}"}}), RecordTime(3s));
+    QCOMPARE(lengthOf({{1s, "no time"}, {2s, "STA {Time"}}), RecordTime(2s));
+}
+
+void tst_Replay::aDamagedTimeDoesNotStretchIt() {
+    for (const char* damaged : {"1e308", "nan", "-1e9", "x", ""})
+        QVERIFY(lengthOf({{1ms, "STA {Time 5.0}"},
+                          {2ms, std::string("STA {Time ") + damaged + "}"},
+                          {3ms, "STA {Time 7.0}"}}) < 2500ms);
+}
+
 void tst_Replay::pauseHoldsIt() {
     Listener listener;
     const auto replayer = replayOf(ticking(1000), listener);
@@ -211,9 +237,9 @@ void tst_Replay::seekForwardGoesOnAndBackwardBeginsAnew() {
     QTRY_VERIFY(!replayer->figures().seeking);
     QCOMPARE(listener.rewinds, 1);
     QCOMPARE(listener.since_rewound.size(), std::size_t{40});
-    QCOMPARE(listener.since_rewound.back(), std::string("20 STA {Time 20}"));
+    QCOMPARE(listener.since_rewound.back(), std::string("20 STA {Time 2.0}"));
     replayer->step();
-    QCOMPARE(listener.heard.back(), std::string("21 STA {Time 21}"));
+    QCOMPARE(listener.heard.back(), std::string("21 STA {Time 2.1}"));
 }
 
 void tst_Replay::aWishOnTheWayReplacesTheOneBefore() {
@@ -231,9 +257,9 @@ void tst_Replay::stepGoesToTheNextBytes() {
     Listener listener;
     const auto replayer = replayOf(ticking(3), listener);
     replayer->step();
-    QCOMPARE(listener.heard.back(), std::string("1 STA {Time 1}"));
+    QCOMPARE(listener.heard.back(), std::string("1 STA {Time 0.1}"));
     replayer->step();
-    QCOMPARE(listener.heard.back(), std::string("2 STA {Time 2}"));
+    QCOMPARE(listener.heard.back(), std::string("2 STA {Time 0.2}"));
     QCOMPARE(replayer->figures().position, Seconds{0.2});
     for (int i = 0; i < 5; ++i)
         replayer->step(); // at the end there is nothing more

@@ -35,13 +35,15 @@ void tst_MissionOptions::readsTheCommandLine_data() {
     full.speed_x = 2.5;
     full.server = ServerAddress{"10.0.0.5", 3001};
     full.result_folder = "/data/scans";
-    QTest::newRow("all options") << QStringList{"run",    "a.json",      "--behavior", "airrobot/posh",
-                                                "--seed", "7",           "--speed",    "2.5",
-                                                "--out",  "/data/scans", "--connect",  "10.0.0.5:3001"}
+    full.recording = "r.usarrec";
+    QTest::newRow("all options") << QStringList{"run",      "a.json",      "--behavior", "airrobot/posh",
+                                                "--seed",   "7",           "--speed",    "2.5",
+                                                "--out",    "/data/scans", "--connect",  "10.0.0.5:3001",
+                                                "--record", "r.usarrec"}
                                  << full;
     QTest::newRow("equals signs, options first")
-        << QStringList{"--behavior=airrobot/posh", "--seed=7", "--speed=2.5", "--out=/data/scans",
-                       "--connect=10.0.0.5:3001",  "run",      "a.json"}
+        << QStringList{"--behavior=airrobot/posh", "--seed=7",           "--speed=2.5", "--out=/data/scans",
+                       "--connect=10.0.0.5:3001",  "--record=r.usarrec", "run",         "a.json"}
         << full;
     MissionOptions help;
     help.help = true;
@@ -109,7 +111,8 @@ void tst_MissionOptions::readsServerAddresses() {
 }
 
 void tst_MissionOptions::helpNamesEveryOption() {
-    for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out"})
+    for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out", "--record", "replay FILE",
+                               "--from", "--to", "text-to-recording"})
         QVERIFY2(missionHelp().contains(option), option);
 }
 

@@ -198,7 +198,7 @@ void tst_SessionRecording::seekingBackAndForthEndsInTheSame() {
     RobotSession session;
     Told other(session);
     session.openRecording(path);
-    const Seconds span = link::RecordingReader::open(path).value()->survey().span;
+    const Seconds span = link::RecordingReader::open(path).value()->survey().play_span;
     for (const double part : {0.9, 0.1, 0.5, 1.0}) {
         session.orderReplay({.seek = part * span});
         QTRY_VERIFY(other.figures.replay && !other.figures.replay->seeking &&

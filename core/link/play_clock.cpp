@@ -1,0 +1,55 @@
+#include "core/link/play_clock.h"
+
+#include <algorithm>
+
+#include "core/base/numbers.h"
+
+namespace usar::link {
+
+namespace {
+
+/// A protocol clock that leaps farther, or backward, is damage or another clock: counting begins anew from there.
+constexpr Seconds longest_leap{10.0};
+
+std::optional<Seconds> newestTime(std::string_view bytes) {
+    constexpr std::string_view key = "{Time ";
+    const auto at = bytes.rfind(key);
+    if (at == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view value = bytes.substr(at + key.size());
+    const NumberPrefix number = readNumberPrefix(value);
+    const bool whole = number.used > 0 && number.used < value.size(); // not cut off at the end of a chunk
+    return whole ? std::optional(Seconds{number.value}) : std::nullopt;
+}
+
+} // namespace
+
+void PlayClock::anchor(RecordTime arrival, std::optional<Seconds> now) {
+    anchor_arrival_ = arrival;
+    anchor_play_ = play_;
+    anchor_now_ = now_ = now;
+}
+
+RecordTime PlayClock::at(const Record& record) {
+    const auto stretched = [&] {
+        const RecordTime by_arrival = record.time - anchor_arrival_;
+        const RecordTime by_clock =
+            anchor_now_ ? std::chrono::duration_cast<RecordTime>(*now_ - *anchor_now_) : RecordTime{0};
+        return anchor_play_ + std::max(by_arrival, by_clock);
+    };
+    if (record.kind == RecordKind::Opened) {
+        play_ = std::max(play_, stretched());
+        anchor(record.time, std::nullopt);
+    }
+    const auto now = record.kind == RecordKind::In ? newestTime(record.bytes) : std::nullopt;
+    if (now && now_ && *now >= *now_ && *now - *now_ <= longest_leap) {
+        now_ = now;
+    } else if (now) { // also a NaN, which the next one replaces
+        play_ = std::max(play_, stretched());
+        anchor(record.time, now);
+    }
+    play_ = std::max(play_, stretched());
+    return play_;
+}
+
+} // namespace usar::link

@@ -1,0 +1,67 @@
+// Plays a recording without a window and counts what is in it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <QJsonObject>
+#include <QObject>
+
+#include "core/link/replay.h"
+#include "core/mission/replay_options.h"
+#include "core/protocol/reader.h"
+
+namespace usar::mission {
+
+/// One replay per object, through the same Reader as a live connection. `finished` comes once, from the event loop.
+class ReplayRunner : public QObject, private link::ReplayTaker {
+    Q_OBJECT
+public:
+    ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options, QObject* parent = nullptr);
+
+    void start();
+    /// Ctrl+C: the summary is of what was played.
+    void interrupt();
+    link::ReplayFigures figures() const { return replayer_.figures(); }
+    /// Keys in README; valid after `finished`. Counts are of the part that was played.
+    QJsonObject summary() const;
+
+signals:
+    void finished(int exit_code);
+
+private:
+    void rewound() override {}
+    void opened(std::string_view place) override;
+    void closed(std::string_view) override {}
+    void line(std::string_view text, LineNumber number) override;
+    void sent(const link::Record& record) override;
+    void note(const link::Record& record) override;
+    void quiet(bool on) override { quiet_ = on; }
+    void conclude(bool interrupted);
+
+    std::string path_;
+    ReplayOptions options_;
+    link::Replayer replayer_;
+    protocol::Reader reader_;
+    protocol::Segments segments_;
+    std::map<std::string, qint64> types_;
+    std::map<std::string, qint64> sources_;
+    qint64 connections_ = 0;
+    qint64 lines_in_ = 0;
+    qint64 lines_out_ = 0;
+    qint64 published_ = 0;
+    qint64 bytes_in_ = 0;
+    qint64 bytes_out_ = 0;
+    qint64 diagnostics_ = 0;
+    LineNumber first_line_;
+    LineNumber last_line_;
+    bool quiet_ = false;
+    bool interrupted_ = false;
+    bool over_ = false;
+};
+
+/// Of a recording that could not be opened: the same keys as far as they are known.
+QJsonObject refusedReplay(const QString& file, const std::string& reason);
+
+} // namespace usar::mission
