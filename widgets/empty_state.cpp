@@ -44,13 +44,13 @@ void EmptyState::setText(const QString& title, const QString& hint) {
 }
 
 void EmptyState::setAction(QAction* action) {
-    button_->disconnect();
+    disconnect(clicked_); // this one only: the style has connections of its own to every widget
     button_->setVisible(action != nullptr);
     if (!action)
         return;
     button_->setText(action->text());
     button_->setToolTip(action->toolTip());
-    connect(button_, &QPushButton::clicked, action, &QAction::trigger);
+    clicked_ = connect(button_, &QPushButton::clicked, action, &QAction::trigger);
 }
 
 bool EmptyState::eventFilter(QObject* watched, QEvent* event) {

@@ -27,6 +27,7 @@ private:
     QLabel* title_;
     QLabel* hint_;
     QPushButton* button_;
+    QMetaObject::Connection clicked_;
 };
 
 } // namespace usar::widgets
