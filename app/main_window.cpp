@@ -44,6 +44,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireMap();
     wirePanels();
     wireMission();
+    wireMessages();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
@@ -82,6 +83,7 @@ void MainWindow::wireControl() {
         views_.connection->setStatus(barStatus(status, control_.level()));
         if (status.state != link::LinkState::Connected)
             views_.connection->setRate(std::nullopt);
+        followConnection();
         commands_.refresh();
     });
     connect(&control_, &MissionControl::worldKnown, this, &MainWindow::showWorld);
@@ -107,12 +109,11 @@ void MainWindow::wireControl() {
         presenter_.showRow(id);
         if (id == selected_)
             presenter_.showLinkState(id);
+        followConnection();
         commands_.refresh();
     });
-    connect(&control_, &MissionControl::linkUpdated, this, [this](const auto& update) {
-        if (selected_ == 0)
-            presenter_.showLink(*update);
-    });
+    connect(&control_, &MissionControl::linkUpdated, this,
+            [this](const auto& update) { presenter_.showLink(control_.connectionOf(0), *update, selected_ == 0); });
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
         presenter_.show(id, *update, id == selected_);
         if (id != selected_)

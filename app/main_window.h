@@ -57,14 +57,18 @@ private:
     void registerLinkCommands();
     void registerTimeCommands();
     void registerLayoutCommands();
+    void registerMessageCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
     void wireMap();
     void wirePanels();
     void wireMission();
+    void wireMessages();
     void restoreSettings();
     void saveSettings() const;
+    void restoreMessages();
+    void saveMessages() const;
     void keepDraft();
     void showDraft();
 
@@ -75,6 +79,9 @@ private:
     void start();
     void give(agent::Order order);
     void refreshRunState();
+    void showMessages();
+    /// The selected robot's connection, or the one that waits: whose lines are listed, and who gets typed commands.
+    void followConnection();
     void applyParameters();
     /// A fast clock without a behavior only runs batteries down.
     void returnToRealTime();

@@ -160,6 +160,39 @@ std::vector<Robot*> MissionControl::robots() const {
     return all;
 }
 
+int MissionControl::connectionOf(int id) const {
+    const Robot* found = id == 0 ? next_.get() : robot(id);
+    return found ? found->view().connection : 0;
+}
+
+Robot* MissionControl::robotOn(int connection) const {
+    if (next_ && next_->view().connection == connection)
+        return next_.get();
+    for (const auto& [id, robot] : robots_)
+        if (robot->view().connection == connection)
+            return robot.get();
+    return nullptr;
+}
+
+Result<void> MissionControl::checkLine(int connection) const {
+    const Robot* robot = robotOn(connection);
+    if (!robot)
+        return failure("there is no connection to send it on", "", "Connect to a server first");
+    if (robot->view().figures.replay)
+        return failure("this is a recording, and nothing can be sent into it", "", "Connect to a server first");
+    if (robot->view().link.state != link::LinkState::Connected)
+        return failure("the connection is lost", robot->view().spawn.robot_name,
+                       "Wait until it is back, or connect anew");
+    return {};
+}
+
+Result<void> MissionControl::sendLine(int connection, const QString& line, const std::string& source) {
+    if (const auto sendable = checkLine(connection); !sendable)
+        return sendable;
+    robotOn(connection)->send(protocol::RawCommand{line.toStdString()}, source);
+    return {};
+}
+
 void MissionControl::remove(int id) {
     const auto found = robots_.find(id);
     if (found == robots_.end())

@@ -51,6 +51,12 @@ public:
     Result<int> spawn(mission::SpawnRequest request);
     Robot* robot(int id) const;
     std::vector<Robot*> robots() const;
+    /// RobotView::connection of a robot, or with 0 of the session that waits for one; 0 where there is none.
+    int connectionOf(int id) const;
+    /// Whether a line can be sent there now; else why not.
+    Result<void> checkLine(int connection) const;
+    /// As it is, with `source` as its cause.
+    Result<void> sendLine(int connection, const QString& line, const std::string& source);
     /// The robot stops and its connection closes; what it scanned is saved.
     void remove(int id);
     /// For a robot that never came, or went with a lost link: INIT anew, as it was asked for the first time.
@@ -99,6 +105,7 @@ signals:
 
 private:
     int nextId() const;
+    Robot* robotOn(int connection) const;
     void openNext();
     void connectRobot(Robot* robot);
     void linkMoved(Robot* robot);

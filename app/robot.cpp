@@ -15,12 +15,15 @@ struct Overloaded : Calls... {
     using Calls::operator()...;
 };
 
+int connections_made = 0; // of the GUI thread, as all robots are
+
 } // namespace
 
 Robot::Robot(QObject* parent)
     : QObject(parent)
     , thread_(new QThread)
     , session_(new mission::RobotSession(RobotView{}.cell_size_m)) {
+    view_.connection = ++connections_made;
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);
     connect(thread_, &QThread::finished, session_, &QObject::deleteLater);

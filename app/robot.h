@@ -15,7 +15,8 @@ namespace usar::app {
 
 /// Newest values, for a view that is shown late or switched to this robot.
 struct RobotView {
-    int id = 0; ///< 1-9, the key that selects it; 0 while no robot is spawned
+    int connection = 0; ///< another number for every session of this run of the program
+    int id = 0;         ///< 1-9, the key that selects it; 0 while no robot is spawned
     mission::SpawnRequest spawn;
     link::LinkStatus link;
     mission::SessionFigures figures;

@@ -1,5 +1,7 @@
 #include "app/robot_presenter.h"
 
+#include <utility>
+
 #include "core/protocol/fields.h"
 
 namespace usar::app {
@@ -52,8 +54,10 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     const RobotView& view = control_.robot(id)->view();
     showRow(id);
     showOnMap(view, update, selected);
+    feedMessages(view.connection, update);
     if (!selected)
         return;
+    showTraffic(update.figures);
     noteHeard(update);
     showInstruments(view, update);
     feedPanels(update);
@@ -146,30 +150,38 @@ void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
         views_.sensors->take(line, update.figures.now);
         views_.plots->take(line, update.figures.now);
     }
-    feedMessages(update);
     views_.sensors->setNow(update.figures.now);
 }
 
-void RobotPresenter::feedMessages(const mission::SessionUpdate& update) {
-    const std::uint64_t not_shown = update.figures.lines_not_shown;
-    if (not_shown > not_shown_)
-        views_.messages->takeNotShown(not_shown - not_shown_);
-    not_shown_ = not_shown;
+/// Lines and commands in the order in which they came and went.
+void RobotPresenter::feedMessages(int connection, const mission::SessionUpdate& update) {
+    if (update.rewound)
+        views_.messages->clear();
+    std::uint64_t& told = not_shown_[connection];
+    if (const std::uint64_t not_shown = update.figures.lines_not_shown; not_shown > told)
+        views_.messages->takeNotShown(not_shown - std::exchange(told, not_shown), connection);
     auto command = update.commands.begin();
     const auto takeCommandsUpTo = [&](LineNumber line) {
         for (; command != update.commands.end() && command->after < line; ++command)
-            views_.messages->takeCommand(*command, command->time);
+            views_.messages->takeCommand(command->text, command->cause, command->time, connection);
     };
     for (const protocol::InfoLine& line : update.lines) {
         takeCommandsUpTo(line.number);
-        views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now));
+        views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
     }
     for (; command != update.commands.end(); ++command)
-        views_.messages->takeCommand(*command, command->time);
+        views_.messages->takeCommand(command->text, command->cause, command->time, connection);
 }
 
-void RobotPresenter::showLink(const mission::SessionUpdate& update) {
-    feedMessages(update);
+void RobotPresenter::showLink(int connection, const mission::SessionUpdate& update, bool selected) {
+    feedMessages(connection, update);
+    if (selected)
+        showTraffic(update.figures);
+}
+
+void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
+    views_.connection->panel()->setFigures({figures.traffic, figures.rates, figures.lines_not_shown});
+    views_.traffic->setText(widgets::trafficSummary(figures.traffic));
 }
 
 void RobotPresenter::select(int id) {
@@ -181,7 +193,6 @@ void RobotPresenter::select(int id) {
     views_.plots->restart();
     views_.plots->setSource({});
     scan_heard_ = sonar_heard_ = std::nullopt;
-    not_shown_ = 0;
     const Robot* robot = control_.robot(id);
     views_.map->clearHeights(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
@@ -189,7 +200,6 @@ void RobotPresenter::select(int id) {
         return views_.status->clear(QObject::tr("No robot yet"));
     const RobotView& view = robot->view();
     views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
-    not_shown_ = view.figures.lines_not_shown;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
         tiles.push_back(tile);

@@ -12,8 +12,8 @@ public:
     RobotPresenter(MissionControl& control, WindowViews& views) : control_(control), views_(views) {}
 
     void show(int id, const mission::SessionUpdate& update, bool selected);
-    /// Of a connection that has no robot yet: its lines can be read, too.
-    void showLink(const mission::SessionUpdate& update);
+    /// Of a connection that has no robot yet: its lines can be read, too. `selected`: no robot is.
+    void showLink(int connection, const mission::SessionUpdate& update, bool selected);
     /// Grey what is no longer true of the selected robot: all of it without a link, else each instrument whose sensor
     /// is silent. Without a link no update would say so.
     void showLinkState(int id);
@@ -27,15 +27,16 @@ private:
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedPanels(const mission::SessionUpdate& update);
-    void feedMessages(const mission::SessionUpdate& update);
+    void feedMessages(int connection, const mission::SessionUpdate& update);
+    void showTraffic(const mission::SessionFigures& figures);
     void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     WindowViews& views_;
+    std::map<int, std::uint64_t> not_shown_; ///< lines that were left out of updates so far, by connection
     // Of the selected robot:
     std::optional<Seconds> scan_heard_; ///< by the protocol's clock
     std::optional<Seconds> sonar_heard_;
-    std::uint64_t not_shown_ = 0; ///< lines that were left out of updates so far
 };
 
 } // namespace usar::app

@@ -31,6 +31,7 @@ void MainWindow::registerCommands() {
     registerLinkCommands();
     registerTimeCommands();
     registerLayoutCommands();
+    registerMessageCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -231,7 +232,15 @@ void MainWindow::makeMenus() {
                     "robot.remove"});
     commands_.fill(menuBar()->addMenu(tr("&Server")),
                    {"link.connect", "link.disconnect", "-", "time.pause", "time.step", "time.faster", "time.slower",
-                    "time.real", "time.max"});
+                    "time.real", "time.max", "-", "link.figures"});
+    commands_.fill(menuBar()->addMenu(tr("M&essages")),
+                   {"messages.find",         "messages.command",   "-",
+                    "messages.pause",        "messages.follow",    "messages.details",
+                    "messages.cause",        "messages.resend",    "-",
+                    "messages.only_trouble", "messages.only_type", "messages.hide_type",
+                    "messages.all_robots",   "messages.no_filter", "-",
+                    "messages.copy",         "messages.copy_text", "messages.copy_json",
+                    "messages.copy_shown",   "messages.save",      "messages.clear"});
     auto* view = menuBar()->addMenu(tr("&View"));
     commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.operate",
                           "view.analyse", "view.debug", "-", "view.dark", "view.hint", "view.palette", "-"});

@@ -117,6 +117,7 @@ void MainWindow::restoreSettings() {
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
+    restoreMessages();
     views_.layers->restoreState(settings.value("layers").toByteArray());
     // Offered where a real server is chosen; a start without a word about it always shows the embedded world.
     views_.connection->setAddress(settings.value("server/host", options_.server.host).toString(),
@@ -131,6 +132,7 @@ void MainWindow::saveSettings() const {
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
+    saveMessages();
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());

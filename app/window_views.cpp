@@ -59,6 +59,30 @@ QWidget* makeInstruments(WindowViews& views) {
     return box;
 }
 
+/// The list, what can be sent, and the figures of both.
+QWidget* makeInspector(WindowViews& views) {
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(views.messages = new MessageList, 1);
+    column->addWidget(views.command_box = new CommandBox);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(gap::small, 0, gap::tiny, gap::tiny);
+    row->addWidget(views.message_count = new QLabel);
+    row->addStretch(1);
+    row->addWidget(views.traffic = new QToolButton);
+    column->addLayout(row);
+    views.message_count->setProperty("role", "muted");
+    views.message_count->setFont(themeFont(FontRole::Small));
+    views.traffic->setAutoRaise(true);
+    views.traffic->setFont(themeFont(FontRole::Small));
+    views.traffic->setFocusPolicy(Qt::StrongFocus);
+    views.traffic->setMinimumHeight(minimum_target);
+    views.traffic->setToolTip(QObject::tr("Lines of this connection; click for all figures of the link"));
+    return box;
+}
+
 void makeDocks(QMainWindow& window, WindowViews& views) {
     views.parameters = new ParameterForm;
     addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
@@ -68,8 +92,8 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
     auto* plots =
         addDock(window, views, "plots", QObject::tr("Plots"), Qt::BottomDockWidgetArea, views.plots = new PlotView);
-    auto* messages = addDock(window, views, "messages", QObject::tr("Messages"), Qt::BottomDockWidgetArea,
-                             views.messages = new MessageList);
+    auto* messages =
+        addDock(window, views, "messages", QObject::tr("Messages"), Qt::BottomDockWidgetArea, makeInspector(views));
     views.notifications_dock = addDock(window, views, "notifications", QObject::tr("Notifications"),
                                        Qt::BottomDockWidgetArea, views.notifications = new NotificationCenter);
     views.toasts = new ToastStack(views.map, views.notifications->model());
@@ -95,7 +119,7 @@ WindowViews makeViews(QMainWindow& window) {
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
     window.resizeDocks({views.docks[2], views.docks[3]}, {430, 270}, Qt::Vertical);
     window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
-    window.resizeDocks({views.docks[4]}, {180}, Qt::Vertical);
+    window.resizeDocks({views.docks[4]}, {215}, Qt::Vertical);
     return views;
 }
 

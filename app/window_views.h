@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include "widgets/behavior_panel.h"
+#include "widgets/command_box.h"
 #include "widgets/command_palette.h"
 #include "widgets/connection_bar.h"
 #include "widgets/hint_strip.h"
@@ -47,6 +48,9 @@ struct WindowViews {
     widgets::SensorPanel* sensors = nullptr;
     widgets::PlotView* plots = nullptr;
     widgets::MessageList* messages = nullptr;
+    widgets::CommandBox* command_box = nullptr;
+    QLabel* message_count = nullptr;
+    QToolButton* traffic = nullptr; ///< counters of the shown connection
     widgets::NotificationCenter* notifications = nullptr;
     widgets::ToastStack* toasts = nullptr;
     widgets::LayersPanel* layers = nullptr;

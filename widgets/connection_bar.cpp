@@ -62,7 +62,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     , dot_(new StateDot(this))
     , status_text_(new ElidedLabel(this))
     , retry_(new QLabel(this))
-    , rate_(new QLabel(this)) {
+    , rate_(new QToolButton(this))
+    , panel_(new LinkPanel(this)) {
     setAccessibleName(tr("Connection"));
     setUpAddress();
     setUpStatus();
@@ -115,9 +116,11 @@ void ConnectionBar::setUpStatus() {
     retry_->setAccessibleName(tr("Next try"));
     retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
     rate_->setAccessibleName(tr("Info lines per second"));
-    rate_->setToolTip(tr("Info lines received per second of wall time"));
-    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    rate_->setProperty("role", "muted");
+    rate_->setToolTip(tr("Info lines received per second of wall time; click for all figures of the link"));
+    rate_->setAutoRaise(true);
+    rate_->setFocusPolicy(Qt::StrongFocus);
+    rate_->setMinimumHeight(minimum_target);
+    connect(rate_, &QToolButton::clicked, this, &ConnectionBar::openPanel);
     rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
 }
 
@@ -174,6 +177,7 @@ QString ConnectionBar::statusText() const {
 
 void ConnectionBar::setRate(std::optional<double> lines_per_s) {
     rate_->setText(lines_per_s ? tr("%1 lines/s").arg(figure(*lines_per_s, 0, 4)) : QString());
+    rate_->setEnabled(lines_per_s.has_value());
 }
 
 void ConnectionBar::press() {

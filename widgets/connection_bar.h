@@ -7,9 +7,11 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
+#include <QToolButton>
 #include <QWidget>
 
 #include "core/base/clock.h"
+#include "widgets/link_panel.h"
 #include "widgets/state_dot.h"
 
 namespace usar::widgets {
@@ -49,6 +51,9 @@ public:
     void setStatus(const ConnectionStatus& status);
     /// Info lines per second of wall time; nothing hides the figure.
     void setRate(std::optional<double> lines_per_s);
+    /// Opens from the rate; always there, for whoever feeds it.
+    LinkPanel* panel() const { return panel_; }
+    void openPanel() { panel_->openBelow(rate_); }
     /// All that is said now, also where there is no room to show it.
     QString statusText() const;
 
@@ -82,7 +87,8 @@ private:
     StateDot* dot_;
     QLabel* status_text_; ///< ends in "…" where there is no room
     QLabel* retry_;       ///< never does: it is what changes
-    QLabel* rate_;
+    QToolButton* rate_;
+    LinkPanel* panel_;
 };
 
 } // namespace usar::widgets

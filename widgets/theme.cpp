@@ -177,6 +177,29 @@ QString markName(agent::MarkKind kind) {
     return QStringLiteral("Goal given up");
 }
 
+QColor lineColor(LineFamily family, Theme theme) {
+    const bool dark = theme == Theme::Dark;
+    switch (family) {
+    case LineFamily::State:
+        return QColor(dark ? 0x7fd6a4 : 0x13703a);
+    case LineFamily::Range:
+        return QColor(dark ? 0xc9a6ff : 0x6b3fb5);
+    case LineFamily::Pose:
+        return QColor(dark ? 0x5fd3d9 : 0x00696e);
+    case LineFamily::Sensor:
+        return QColor(dark ? 0xf0a37a : 0x9a4310);
+    case LineFamily::Answer:
+        return QColor(dark ? 0xf59ac6 : 0xa3246f);
+    case LineFamily::Drive:
+        return tokens(theme).accent;
+    case LineFamily::Command:
+        return QColor(dark ? 0xa9b9ff : 0x3d49b8);
+    case LineFamily::Other:
+        break;
+    }
+    return tokens(theme).text_muted;
+}
+
 double contrast(const QColor& a, const QColor& b) {
     const double la = luminance(a);
     const double lb = luminance(b);

@@ -48,6 +48,14 @@ QColor inkOn(const QColor& fill);
 
 /// Colors of the thesis's marks (figure 4.4), the same in both themes and in exported pictures.
 QColor markColor(agent::MarkKind kind);
+/// What a line of traffic is about. `Other`: a type that is none of these.
+enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
+inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,
+                                                 LineFamily::Sensor,  LineFamily::Answer, LineFamily::Drive,
+                                                 LineFamily::Command, LineFamily::Other};
+/// Ink of its type's word; reads like the text tokens. One's own words are blue.
+QColor lineColor(LineFamily family, Theme theme);
+
 /// "Low risk": the word beside the color, for legends and tooltips.
 QString markName(agent::MarkKind kind);
 inline constexpr std::array all_mark_kinds = {

@@ -40,6 +40,7 @@ private slots:
     void disconnectsAndGivesUpWaiting();
     void addressIsLockedWhileConnected();
     void rateKeepsItsWidth();
+    void figuresOfTheLinkOpenFromTheRate();
     void pauseAsksAndEnablesTheStep();
     void speedsAreOffered();
     void settersAreSilent();
@@ -194,6 +195,37 @@ void tst_Bars::rateKeepsItsWidth() {
     bar.setRate(4800.0);
     QCoreApplication::sendPostedEvents();
     QCOMPARE(dot->x(), before);
+}
+
+void tst_Bars::figuresOfTheLinkOpenFromTheRate() {
+    ConnectionBar bar;
+    bar.resize(900, 40);
+    bar.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&bar));
+    bar.setRate(48.0);
+    LinkFigures figures;
+    figures.counts = {1234, 56, 1'500'000, 240, 2, 1, 3, 4};
+    figures.rates = {48.0, 10.0, 61'000.0, 0.0};
+    figures.not_shown = 7;
+    bar.panel()->setFigures(figures);
+    bar.panel()->setName(QStringLiteral("R1"));
+    QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+    QTRY_VERIFY(bar.panel()->isVisible());
+    const auto said = [&](const char* name) {
+        for (const QLabel* label : bar.panel()->findChildren<QLabel*>())
+            if (label->accessibleName() == QLatin1String(name))
+                return label->text();
+        return QString();
+    };
+    QCOMPARE(said("Lines in"), QStringLiteral("1,234"));
+    QCOMPARE(said("Bytes in"), QStringLiteral("1.5 MB"));
+    QCOMPARE(said("Bytes in per second"), QStringLiteral("61.0 kB"));
+    QCOMPARE(said("Unknown types"), QStringLiteral("2"));
+    QCOMPARE(said("Malformed"), QStringLiteral("1"));
+    QCOMPARE(said("Dropped"), QStringLiteral("3"));
+    QCOMPARE(said("DRIVE replaced"), QStringLiteral("4"));
+    QCOMPARE(said("Not shown"), QStringLiteral("7"));
+    QCOMPARE(trafficSummary(figures.counts), QStringLiteral("1,234 in · 56 out · 2 unknown · 1 malformed · 3 dropped"));
 }
 
 void tst_Bars::pauseAsksAndEnablesTheStep() {

@@ -5,10 +5,14 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QElapsedTimer>
-#include <QLabel>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/protocol/reader.h"
@@ -35,6 +39,19 @@ private slots:
     void linesThatWaitedTooLongAreCounted();
     void searchAndWayFilter();
     void copyTakesWholeLines();
+    void tooMuchForTheClipboardIsRefused();
+    void shownLinesAreSaved_data();
+    void shownLinesAreSaved();
+    void aFileThatCannotBeSavedIsNamed();
+    void onlyCommandsAreSentAgain();
+    void aCommandLeadsToItsCauseAndBack();
+    void detailsShowFaultsUnderACaret();
+    void linesOfAnotherRobotAreKeptApart();
+    void typesSeenAreOfferedAndTicked();
+    void aWrongExpressionIsSaidAndFiltersNothing();
+    void followingEndsWhereThePersonScrolls();
+    void aHundredThousandLinesNeverHoldTheWindow_data();
+    void aHundredThousandLinesNeverHoldTheWindow();
     void onlyThisTypeFilters();
     void emptyListSaysWhy();
     void rowsAreAllEquallyHigh();
@@ -70,7 +87,7 @@ void tst_MessageList::feed(int count) {
 
 void tst_MessageList::showsLinesInAndOut() {
     feed(1);
-    list_->takeCommand({protocol::GetStartPoses{}, {"session", {1}}}, Seconds(2));
+    list_->takeCommand("GETSTARTPOSES", {"session", {1}}, Seconds(2));
     QTRY_COMPARE(list_->model().rowCount(), 2);
     QVERIFY(list_->model().index(0, MessageModel::Way).data().toString().contains(QStringLiteral("in")));
     QVERIFY(list_->model().index(1, MessageModel::Way).data().toString().contains(QStringLiteral("out")));
@@ -113,8 +130,9 @@ void tst_MessageList::pauseKeepsLinesForLater() {
     QTRY_COMPARE(list_->model().rowCount(), 1);
     list_->setPaused(true);
     feed(5);
-    const auto* count = list_->findChild<QLabel*>(QStringLiteral("count"));
-    QTRY_VERIFY(count->text().contains(QStringLiteral("5 waiting")));
+    QString count;
+    connect(list_.get(), &MessageList::countChanged, this, [&](const QString& text) { count = text; });
+    QTRY_COMPARE(count, QStringLiteral("1 lines, 5 waiting"));
     QCOMPARE(list_->model().rowCount(), 1);
     list_->setPaused(false);
     QTRY_COMPARE(list_->model().rowCount(), 6);
@@ -151,7 +169,7 @@ void tst_MessageList::linesThatWaitedTooLongAreCounted() {
 void tst_MessageList::searchAndWayFilter() {
     feed(3);
     list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2));
-    list_->takeCommand({protocol::GetStartPoses{}, {}}, Seconds(2));
+    list_->takeCommand("GETSTARTPOSES", {}, Seconds(2));
     QTRY_COMPARE(list_->model().rowCount(), 5);
     QTest::keyClicks(list_->findChild<QLineEdit*>(), QStringLiteral("sonar"));
     QCOMPARE(list_->model().rowCount(), 3);
@@ -162,13 +180,204 @@ void tst_MessageList::searchAndWayFilter() {
 }
 
 void tst_MessageList::copyTakesWholeLines() {
+    list_->nameConnection(0, QStringLiteral("R1"));
     feed(2);
     QTRY_COMPARE(list_->model().rowCount(), 2);
     list_->view()->selectRow(1);
-    list_->view()->actions().at(0)->trigger();
-    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("2\t1.00\t")));
-    list_->view()->actions().at(1)->trigger();
-    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("SEN {Time 1} {Type Sonar} {Name F1 Range 2.5}"));
+    list_->actions().copy->trigger();
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("2\t1.00\tR1\tin\tSEN Sonar\t")));
+    list_->actions().copy_text->trigger();
+    const QString text = QStringLiteral("SEN {Time 1} {Type Sonar} {Name F1 Range 2.5}");
+    QCOMPARE(QGuiApplication::clipboard()->text(), text);
+    list_->actions().copy_json->trigger();
+    const QJsonObject object = QJsonDocument::fromJson(QGuiApplication::clipboard()->text().toUtf8()).object();
+    QCOMPARE(object["line"].toString(), text);
+    QCOMPARE(object["direction"].toString(), QStringLiteral("in"));
+    QCOMPARE(object["fields"].toArray().at(0).toObject()["value"].toDouble(), 2.5);
+    list_->actions().copy_shown->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->text(), text + u'\n' + text);
+}
+
+void tst_MessageList::tooMuchForTheClipboardIsRefused() {
+    QSignalSpy failed(list_.get(), &MessageList::failed);
+    QGuiApplication::clipboard()->setText(QStringLiteral("before"));
+    for (int i = 0; i < 20; ++i)
+        list_->takeLine(reader_.read("SEN " + std::string(1'000'000, 'x')), Seconds(1));
+    QTRY_COMPARE(list_->model().rowCount(), 20);
+    list_->actions().copy_shown->trigger();
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(failed.at(0).at(0).toString().contains(QStringLiteral("Save them to a file")));
+    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("before"));
+}
+
+void tst_MessageList::shownLinesAreSaved_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("first");
+    QTest::newRow("as text") << "lines.txt" << QByteArray("1\t1.00\tR1\tin\tSEN Sonar\tSEN {Time 1}");
+    QTest::newRow("as JSON lines") << "lines.jsonl" << QByteArray("{\"diagnostics\":[],\"direction\":\"in\"");
+}
+
+void tst_MessageList::shownLinesAreSaved() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, first);
+    const QTemporaryDir folder;
+    list_->nameConnection(0, QStringLiteral("R1"));
+    feed(300);
+    list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2));
+    QTRY_COMPARE(list_->model().rowCount(), 301);
+    list_->setFilter({QStringLiteral("sonar")});
+    QSignalSpy saved(list_.get(), &MessageList::saved);
+    list_->saveShown(folder.filePath(name));
+    feed(1); // comes when the file is whole
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(saved.at(0).at(1).toInt(), 300);
+    QFile file(folder.filePath(name));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 300);
+    QVERIFY2(lines.front().startsWith(first), lines.front());
+    QTRY_COMPARE(list_->model().rowCount(), 301);
+}
+
+void tst_MessageList::aFileThatCannotBeSavedIsNamed() {
+    QSignalSpy failed(list_.get(), &MessageList::failed);
+    list_->saveShown(QStringLiteral("/no such folder/lines.txt"));
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(failed.at(0).at(0).toString().contains(QStringLiteral("/no such folder/lines.txt")));
+}
+
+void tst_MessageList::onlyCommandsAreSentAgain() {
+    feed(1);
+    list_->takeCommand("DRIVE {Left 1}", {"test", {1}}, Seconds(1), 0);
+    list_->takeCommand("STEP", {"test", {1}}, Seconds(1), 0);
+    QTRY_COMPARE(list_->model().rowCount(), 3);
+    QSignalSpy resent(list_.get(), &MessageList::resendRequested);
+    list_->view()->selectRow(0);
+    QVERIFY(!list_->actions().resend->isEnabled());
+    list_->view()->selectAll();
+    QVERIFY(list_->actions().resend->isEnabled());
+    list_->actions().resend->trigger();
+    QCOMPARE(resent.count(), 1);
+    QCOMPARE(resent.at(0).at(1).toStringList(), QStringList({"DRIVE {Left 1}", "STEP"}));
+}
+
+void tst_MessageList::aCommandLeadsToItsCauseAndBack() {
+    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), 7);
+    list_->takeLine(reader_.read("SEN {Type INS}"), Seconds(1), 7);
+    list_->takeCommand("DRIVE {Left 1}", {"test: rising", {1}}, Seconds(1), 7);
+    list_->selectConnection(7);
+    QTRY_COMPARE(list_->model().rowCount(), 3);
+    list_->actions().details->setChecked(true);
+    list_->setFilter({.direction = Direction::Out});
+    list_->view()->selectRow(0);
+    QVERIFY(list_->detail()->toPlainText().contains(QStringLiteral("Sent by test: rising, on line 1 (STA).")));
+    QVERIFY(list_->actions().cause->isEnabled());
+    list_->actions().cause->trigger(); // hidden by the filter, which goes
+    QCOMPARE(list_->view()->currentIndex().row(), 0);
+    QVERIFY(list_->detail()->toPlainText().contains(QStringLiteral("It made us send DRIVE (No. 1).")));
+    emit list_->detail()->anchorClicked(QUrl(QStringLiteral("row:2")));
+    QCOMPARE(list_->view()->currentIndex().row(), 2);
+}
+
+void tst_MessageList::detailsShowFaultsUnderACaret() {
+    list_->actions().details->setChecked(true);
+    list_->takeLine(reader_.read("SEN {Time 1.5} {Type Sonar} {Name F1 Range 2.5"), Seconds(1));
+    QTRY_COMPARE(list_->model().rowCount(), 1);
+    list_->view()->selectRow(0);
+    const QString text = list_->detail()->toPlainText();
+    QVERIFY2(text.contains(QStringLiteral("Column ")), qPrintable(text));
+    QVERIFY2(text.contains(u'^'), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("2.5 m")), qPrintable(text));
+}
+
+void tst_MessageList::linesOfAnotherRobotAreKeptApart() {
+    list_->nameConnection(1, QStringLiteral("R1"));
+    list_->nameConnection(2, QStringLiteral("R2"));
+    list_->selectConnection(1);
+    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), 1);
+    list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2), 2);
+    list_->takeNotShown(5, 2);
+    QTRY_COMPARE(list_->model().rowCount(), 1);
+    QCOMPARE(list_->model().totalOf(1), 1);
+    QCOMPARE(list_->model().totalOf(2), 2);
+    QVERIFY(list_->view()->isColumnHidden(MessageModel::Robot));
+    list_->actions().all_robots->setChecked(true);
+    QCOMPARE(list_->model().rowCount(), 3);
+    QVERIFY(!list_->view()->isColumnHidden(MessageModel::Robot));
+    QCOMPARE(list_->model().index(1, MessageModel::Robot).data().toString(), QStringLiteral("R2"));
+    list_->actions().all_robots->setChecked(false);
+    list_->selectConnection(2);
+    QCOMPARE(list_->model().rowCount(), 2);
+}
+
+void tst_MessageList::typesSeenAreOfferedAndTicked() {
+    feed(3);
+    list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2));
+    QTRY_COMPARE(list_->model().rowCount(), 4);
+    TypeChoiceButton* button = list_->bar()->types();
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_VERIFY(button->list()->isVisible());
+    QCOMPARE(button->list()->count(), 2);
+    QCOMPARE(button->list()->item(0)->text(), QStringLiteral("SEN Sonar  (3)"));
+    button->list()->item(0)->setCheckState(Qt::Unchecked);
+    QCOMPARE(list_->model().rowCount(), 1);
+    QCOMPARE(button->text(), QStringLiteral("All but 1 ▾"));
+    button->list()->window()->close();
+}
+
+void tst_MessageList::aWrongExpressionIsSaidAndFiltersNothing() {
+    feed(2);
+    QTRY_COMPARE(list_->model().rowCount(), 2);
+    auto* search = list_->findChild<QLineEdit*>(QStringLiteral("search"));
+    QTest::keyClicks(search, QStringLiteral("/f1 range [0-9/"));
+    QCOMPARE(list_->model().rowCount(), 2);
+    QVERIFY2(search->toolTip().startsWith(QStringLiteral("Not a regular expression at column ")),
+             qPrintable(search->toolTip()));
+    search->clear();
+    QTest::keyClicks(search, QStringLiteral("/f1 range 3/"));
+    QCOMPARE(list_->model().rowCount(), 0);
+    QVERIFY(!search->toolTip().startsWith(QStringLiteral("Not ")));
+}
+
+void tst_MessageList::followingEndsWhereThePersonScrolls() {
+    feed(100);
+    QTRY_COMPARE(list_->model().rowCount(), 100);
+    QVERIFY(list_->actions().follow->isChecked());
+    list_->view()->verticalScrollBar()->setValue(10);
+    QVERIFY(!list_->actions().follow->isChecked());
+    list_->actions().follow->trigger();
+    QCOMPARE(list_->view()->verticalScrollBar()->value(), list_->view()->verticalScrollBar()->maximum());
+}
+
+/// The longest that any step held the event loop up.
+void tst_MessageList::aHundredThousandLinesNeverHoldTheWindow_data() {
+    QTest::addColumn<QString>("words");
+    QTest::newRow("words") << "range";
+    QTest::newRow("nothing fits") << "no such words";
+    QTest::newRow("regular expression") << "/f1 .*2\\.5/";
+}
+
+void tst_MessageList::aHundredThousandLinesNeverHoldTheWindow() {
+    QFETCH(QString, words);
+    const int capacity = static_cast<int>(MessageModel::default_capacity);
+    feed(capacity);
+    QTRY_COMPARE(list_->model().rowCount(), capacity);
+    QElapsedTimer beat;
+    qint64 longest_ms = 0;
+    QTimer pulse;
+    connect(&pulse, &QTimer::timeout, this, [&] { longest_ms = std::max(longest_ms, beat.restart()); });
+    beat.start();
+    pulse.start(0);
+    list_->setFilter({words});
+    for (int i = 0; i < 10; ++i) {
+        feed(330);
+        QTest::qWait(33);
+    }
+    QTRY_VERIFY(!list_->model().filtering());
+    qInfo("'%s' over %d lines with 10,000 a second coming: longest block %lld ms", qPrintable(words), capacity,
+          static_cast<long long>(longest_ms));
+    QVERIFY2(longest_ms < 100, qPrintable(QString::number(longest_ms)));
+    QCOMPARE(list_->model().rowCount() > 0, words != QStringLiteral("no such words"));
 }
 
 void tst_MessageList::onlyThisTypeFilters() {
@@ -176,9 +385,14 @@ void tst_MessageList::onlyThisTypeFilters() {
     list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2));
     QTRY_COMPARE(list_->model().rowCount(), 3);
     list_->view()->selectRow(0);
-    list_->view()->actions().at(2)->trigger();
+    list_->actions().only_type->trigger();
     QCOMPARE(list_->model().rowCount(), 2);
-    QCOMPARE(list_->model().filter().words, QStringLiteral("SEN Sonar"));
+    QVERIFY(list_->model().filter().types == (TypeChoice{{"SEN Sonar"}, true}));
+    list_->actions().no_filter->trigger();
+    QCOMPARE(list_->model().rowCount(), 3);
+    list_->view()->selectRow(0);
+    list_->actions().hide_type->trigger();
+    QCOMPARE(list_->model().rowCount(), 1);
 }
 
 void tst_MessageList::emptyListSaysWhy() {

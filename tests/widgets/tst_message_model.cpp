@@ -9,10 +9,15 @@
 #include "core/protocol/reader.h"
 #include "widgets/models/caseless_finder.h"
 #include "widgets/models/message_model.h"
+#include "widgets/models/message_parts.h"
 #include "widgets/theme.h"
 
 using namespace usar;
 using namespace usar::widgets;
+
+Q_DECLARE_METATYPE(usar::widgets::MessageFilter)
+Q_DECLARE_METATYPE(usar::widgets::Direction)
+Q_DECLARE_METATYPE(usar::widgets::LineFamily)
 
 namespace {
 
@@ -50,6 +55,16 @@ private slots:
     void troubleIsColoredAndHasASign();
     void unknownTimeIsADash();
     void longLinesAreCutForTheEyeOnly();
+    void filterLooksAtTypesNameTroubleAndConnection_data();
+    void filterLooksAtTypesNameTroubleAndConnection();
+    void olderRowsComeInSlicesAboveTheNewest();
+    void typesAreCountedWhileTheirLinesAreKept();
+    void commandsAndTheirCausesAreFound();
+    void familyIsWhatALineIsAbout_data();
+    void familyIsWhatALineIsAbout();
+    void caretStandsUnderItsByte_data();
+    void caretStandsUnderItsByte();
+    void partsOfACommandSayWhatTheyMean();
     void aHundredThousandLinesAreFilteredFast();
     void appendingToAFullRingIsFast();
 };
@@ -117,12 +132,12 @@ void tst_MessageModel::badLineCarriesItsReason() {
 }
 
 void tst_MessageModel::commandSaysWhyItWasSent() {
-    const agent::CausedCommand command{protocol::GetStartPoses{}, {"airrobot/cpp: scanning", {1234}}};
-    const MessageRow row = rowOf(command, 3, Seconds(9), protocol::Dialect::Ut2004);
+    const MessageRow row = rowOf("GETSTARTPOSES", {"airrobot/cpp: scanning", {1234}}, 3, Seconds(9));
     QVERIFY(row.direction == Direction::Out);
     QCOMPARE(row.type, std::string("GETSTARTPOSES"));
     QCOMPARE(row.note, std::string("airrobot/cpp: scanning, on line 1234"));
     QCOMPARE(row.number, 3U);
+    QCOMPARE(row.trigger, 1234U);
 }
 
 void tst_MessageModel::oldestFallOutAndItSaysHowManyWereShown() {
@@ -245,6 +260,157 @@ void tst_MessageModel::longLinesAreCutForTheEyeOnly() {
     QCOMPARE(model.row(0).text.size(), 5'004U);
 }
 
+void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection_data() {
+    QTest::addColumn<MessageFilter>("filter");
+    QTest::addColumn<QList<int>>("numbers");
+    const auto row = [](const char* name, const QList<int>& numbers, auto set) {
+        MessageFilter filter;
+        set(filter);
+        QTest::newRow(name) << filter << numbers;
+    };
+    using Filter = MessageFilter;
+    row("one type", {1, 5}, [](Filter& f) { f.types = {{"SEN Sonar"}, true}; });
+    row("two types", {1, 3, 5}, [](Filter& f) { f.types = {{"SEN Sonar", "STA"}, true}; });
+    row("all but one", {2, 3, 4}, [](Filter& f) { f.types = {{"SEN Sonar"}, false}; });
+    row("none", {}, [](Filter& f) { f.types.only_these = true; });
+    row("name", {1}, [](Filter& f) { f.name = "f1"; });
+    row("later name of a line", {1, 5}, [](Filter& f) { f.name = "F2"; });
+    row("what is no name", {}, [](Filter& f) { f.name = "Range"; });
+    row("only trouble", {4}, [](Filter& f) { f.only_trouble = true; });
+    row("connection", {5}, [](Filter& f) { f.connection = 2; });
+    row("expression", {1}, [](Filter& f) { f.words = "/f[12] range 2\\.5/"; });
+    row("expression on the type", {1, 2, 5}, [](Filter& f) { f.words = "/^SEN (Sonar|INS)$/"; });
+    row("broken expression", {}, [](Filter& f) { f.words = "/f[12/"; });
+    row("slash alone is a word", {}, [](Filter& f) { f.words = "/"; });
+    row("reason", {4}, [](Filter& f) { f.words = "no closing"; });
+    row("all at once", {1}, [](Filter& f) {
+        f.words = "range";
+        f.direction = Direction::In;
+        f.types = {{"STA"}, false};
+        f.name = "F2";
+        f.connection = 0;
+    });
+}
+
+void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection() {
+    QFETCH(MessageFilter, filter);
+    QFETCH(QList<int>, numbers);
+    MessageRow bad = line(4, "SEN {Type Odd");
+    bad.trouble = Severity::Error;
+    bad.note = "no closing brace";
+    MessageRow other = line(5, "SEN {Type Sonar} {Name F2 Range 3.5}");
+    other.connection = 2;
+    MessageModel model;
+    model.append({line(1, "SEN {Type Sonar} {Name F1 Range 2.5} {Name F2 Range 5.0}"),
+                  line(2, "SEN {Type INS} {Name INS}"), line(3, "STA {Time 1}"), bad, other});
+    model.setFilter(filter);
+    QList<int> shown;
+    for (int row = 0; row < model.rowCount(); ++row)
+        shown << static_cast<int>(model.row(row).number);
+    QCOMPARE(shown, numbers);
+}
+
+void tst_MessageModel::olderRowsComeInSlicesAboveTheNewest() {
+    MessageModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.append(lines(0, 100'000));
+    QSignalSpy filtered(&model, &MessageModel::filtered);
+    model.setFilter({QStringLiteral("/SONAR.*$/")});
+    QVERIFY(model.filtering());
+    QVERIFY(model.rowCount() > 0);
+    QCOMPARE(model.row(model.rowCount() - 1).number, 99'998U);
+    const std::uint64_t serial = model.serial(0);
+    model.append(lines(100'000, 1000)); // a thousand of the unseen fall out meanwhile
+    QTRY_COMPARE(filtered.count(), 1);
+    QCOMPARE(model.rowCount(), 50'000);
+    QCOMPARE(model.row(0).number, 1000U);
+    QVERIFY(model.shownRow(serial) > 0);
+    for (int row = 1; row < model.rowCount(); ++row)
+        QVERIFY(model.serial(row) > model.serial(row - 1));
+}
+
+void tst_MessageModel::typesAreCountedWhileTheirLinesAreKept() {
+    MessageModel model(nullptr, 4);
+    model.append({line(1, "NFO {A 1}"), line(2, "STA {B 1}"), line(3, "STA {B 2}")});
+    QCOMPARE(model.types().at("STA"), 2);
+    QCOMPARE(model.types().size(), 2U);
+    model.append({line(4, "STA {B 3}"), line(5, "STA {B 4}")});
+    QCOMPARE(model.types().size(), 1U);
+    QCOMPARE(model.types().at("STA"), 4);
+    model.clear();
+    QVERIFY(model.types().empty());
+}
+
+void tst_MessageModel::commandsAndTheirCausesAreFound() {
+    MessageModel model(nullptr, 100);
+    MessageRow drive = rowOf("DRIVE {Left 1}", {"test", {2}}, 1, Seconds(1));
+    MessageRow elsewhere = drive;
+    elsewhere.connection = 3;
+    model.append({line(1, "STA {Time 1}"), line(2, "STA {Time 2}"), elsewhere, drive});
+    QCOMPARE(model.serialOf(0, Direction::In, 2), std::optional<std::uint64_t>(1));
+    QCOMPARE(model.serialOf(3, Direction::In, 2), std::nullopt);
+    QCOMPARE(model.causedBy(1), std::vector<std::uint64_t>{3});
+    QVERIFY(model.causedBy(0).empty());
+    QVERIFY(model.causedBy(3).empty());
+    QVERIFY(!model.find(4));
+}
+
+void tst_MessageModel::familyIsWhatALineIsAbout_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<Direction>("way");
+    QTest::addColumn<LineFamily>("family");
+    QTest::newRow("state") << QByteArray("STA {Time 1}") << Direction::In << LineFamily::State;
+    QTest::newRow("range sensor") << QByteArray("SEN {Type RangeScanner}") << Direction::In << LineFamily::Range;
+    QTest::newRow("pose sensor") << QByteArray("SEN {Type INS}") << Direction::In << LineFamily::Pose;
+    QTest::newRow("other sensor") << QByteArray("SEN {Type RFID}") << Direction::In << LineFamily::Sensor;
+    QTest::newRow("answer") << QByteArray("CONF {Type Sonar}") << Direction::In << LineFamily::Answer;
+    QTest::newRow("own drive") << QByteArray("DRIVE {Left 1}") << Direction::Out << LineFamily::Drive;
+    QTest::newRow("own question") << QByteArray("GETCONF {Type Sonar}") << Direction::Out << LineFamily::Command;
+    QTest::newRow("garbage") << QByteArray("HTTP/1.1 400") << Direction::In << LineFamily::Other;
+}
+
+void tst_MessageModel::familyIsWhatALineIsAbout() {
+    QFETCH(QByteArray, text);
+    QFETCH(Direction, way);
+    QTEST(familyOf(line(1, text.toStdString(), way)), "family");
+}
+
+void tst_MessageModel::caretStandsUnderItsByte_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("offset");
+    QTest::addColumn<QString>("excerpt");
+    QTest::addColumn<QString>("caret");
+    QTest::newRow("short line") << QByteArray("SEN {A") << 4 << "SEN {A"
+                                << "    ^";
+    QTest::newRow("behind its end") << QByteArray("SEN") << 3 << "SEN"
+                                    << "   ^";
+    QTest::newRow("middle of a long line") << QByteArray("0123456789abcdefghij") << 10 << "…6789abcd…"
+                                           << "     ^";
+    QTest::newRow("end of a long line") << QByteArray("0123456789abcdefghij") << 20 << "…bcdefghij"
+                                        << "          ^";
+    QTest::newRow("bytes nobody can print") << QByteArray("a\x01\xff"
+                                                          "b")
+                                            << 3 << "a  b"
+                                            << "   ^";
+}
+
+void tst_MessageModel::caretStandsUnderItsByte() {
+    QFETCH(QByteArray, text);
+    QFETCH(int, offset);
+    const Pointer pointer = pointerAt(text.toStdString(), static_cast<std::size_t>(offset), 10);
+    QTEST(pointer.excerpt, "excerpt");
+    QTEST(pointer.caret, "caret");
+}
+
+void tst_MessageModel::partsOfACommandSayWhatTheyMean() {
+    const MessageParts parts = partsOf(line(1, "DRIVE {Left 1.0} {Right x}", Direction::Out));
+    QCOMPARE(parts.segments.size(), 2U);
+    QCOMPARE(parts.segments[0].value, std::string("1.0"));
+    QVERIFY(!parts.segments[0].help.empty());
+    QCOMPARE(parts.diagnostics.size(), 1U); // x is no number
+    QVERIFY(parts.fields.empty());
+}
+
 void tst_MessageModel::aHundredThousandLinesAreFilteredFast() {
     MessageModel model;
     const std::string tail = " {Time 751.20}" + std::string(150, '1');
@@ -257,6 +423,7 @@ void tst_MessageModel::aHundredThousandLinesAreFilteredFast() {
         QElapsedTimer timer;
         timer.start();
         model.setFilter({QString::fromLatin1(words), {}});
+        model.finishFilter();
         const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
         qInfo("filter '%s' over %d lines: %.1f ms, %d shown", words, model.total(), ms, model.rowCount());
         best_ms = std::min(best_ms, ms);

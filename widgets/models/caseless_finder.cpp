@@ -18,17 +18,17 @@ CaselessFinder::CaselessFinder(std::string_view needle) : needle_(lowerCase(need
         shift_[byteOf(needle_[i])] = needle_.size() - 1 - i;
 }
 
-bool CaselessFinder::isIn(std::string_view text) const {
+std::size_t CaselessFinder::placeIn(std::string_view text) const {
     if (needle_.empty())
-        return true;
+        return 0;
     for (std::size_t end = needle_.size() - 1; end < text.size(); end += shift_[byteOf(text[end])]) {
         std::size_t back = 0;
         while (back < needle_.size() && lowerCase(text[end - back]) == needle_[needle_.size() - 1 - back])
             ++back;
         if (back == needle_.size())
-            return true;
+            return end + 1 - needle_.size();
     }
-    return false;
+    return std::string_view::npos;
 }
 
 } // namespace usar::widgets

@@ -13,7 +13,9 @@ class CaselessFinder {
 public:
     explicit CaselessFinder(std::string_view needle);
 
-    bool isIn(std::string_view text) const;
+    bool isIn(std::string_view text) const { return placeIn(text) != std::string_view::npos; }
+    /// Where the first one begins; npos where there is none.
+    std::size_t placeIn(std::string_view text) const;
     bool empty() const { return needle_.empty(); }
 
 private:

@@ -1,9 +1,11 @@
 #include "widgets/models/message_model.h"
 
 #include <algorithm>
+#include <limits>
+
+#include <QElapsedTimer>
 
 #include "widgets/icons.h"
-#include "widgets/models/caseless_finder.h"
 #include "widgets/models/figures.h"
 #include "widgets/theme.h"
 
@@ -11,23 +13,11 @@ namespace usar::widgets {
 
 namespace {
 
+constexpr qint64 slice_ms = 6; // of a frame of 33, for the view is told of what was found, too
+
 std::size_t bytesOf(const MessageRow& row) {
     return sizeof(MessageRow) + row.type.capacity() + row.text.capacity() + row.note.capacity();
 }
-
-class Sieve {
-public:
-    explicit Sieve(const MessageFilter& filter) : finder_(filter.words.toStdString()), direction_(filter.direction) {}
-    bool passes(const MessageRow& row) const {
-        if (row.not_shown > 0)
-            return true; // what is left out is said, whatever is searched
-        return (!direction_ || *direction_ == row.direction) && (finder_.isIn(row.type) || finder_.isIn(row.text));
-    }
-
-private:
-    CaselessFinder finder_;
-    std::optional<Direction> direction_;
-};
 
 QString toolTipOf(const MessageRow& row) {
     constexpr std::size_t longest = 600;
@@ -44,21 +34,25 @@ QString toolTipOf(const MessageRow& row) {
 MessageModel::MessageModel(QObject* parent, std::size_t capacity, std::size_t capacity_bytes)
     : QAbstractTableModel(parent)
     , capacity_(capacity)
-    , capacity_bytes_(capacity_bytes) {}
+    , capacity_bytes_(capacity_bytes)
+    , sieve_(std::make_unique<MessageSieve>(filter_)) {
+    slice_.setInterval(0);
+    connect(&slice_, &QTimer::timeout, this, [this] { filterOn(slice_ms); });
+}
 
 int MessageModel::append(std::vector<MessageRow> batch) {
     std::size_t drop = 0;
     trim(batch, drop);
     const int fallen = dropOldest(drop);
-    const Sieve sieve(filter_);
     std::vector<std::uint64_t> passing;
     for (std::size_t i = 0; i < batch.size(); ++i)
-        if (sieve.passes(batch[i]))
+        if (sieve_->passes(batch[i]))
             passing.push_back(dropped_ + rows_.size() + i);
     if (!passing.empty())
         beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(passing.size()) - 1);
     for (MessageRow& row : batch) {
         bytes_ += bytesOf(row);
+        tally(row, 1);
         rows_.push_back(std::move(row));
     }
     shown_.insert(shown_.end(), passing.begin(), passing.end());
@@ -93,20 +87,38 @@ int MessageModel::dropOldest(std::size_t count) {
         beginRemoveRows({}, 0, fallen - 1);
     for (std::size_t i = 0; i < count; ++i) {
         bytes_ -= bytesOf(rows_.front());
+        tally(rows_.front(), -1);
         rows_.pop_front();
     }
     dropped_ = first_kept;
+    unseen_ = std::max(unseen_, dropped_);
     shown_.erase(shown_.begin(), end);
     if (fallen > 0)
         endRemoveRows();
     return fallen;
 }
 
+void MessageModel::tally(const MessageRow& row, int more) {
+    totals_[row.connection] += more;
+    if (row.not_shown > 0)
+        return;
+    const auto type = types_.try_emplace(row.type, 0).first;
+    if ((type->second += more) == 0)
+        types_.erase(type);
+}
+
+int MessageModel::totalOf(int connection) const {
+    const auto found = totals_.find(connection);
+    return found == totals_.end() ? 0 : found->second;
+}
+
 void MessageModel::clear() {
     beginResetModel();
-    dropped_ += rows_.size();
+    unseen_ = dropped_ += rows_.size();
     rows_.clear();
     shown_.clear();
+    types_.clear();
+    totals_.clear();
     bytes_ = 0;
     endResetModel();
 }
@@ -116,12 +128,90 @@ void MessageModel::setFilter(const MessageFilter& filter) {
         return;
     beginResetModel();
     filter_ = filter;
-    shown_.clear();
-    const Sieve sieve(filter_);
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (sieve.passes(rows_[i]))
-            shown_.push_back(dropped_ + i);
+    sieve_ = std::make_unique<MessageSieve>(filter_);
+    unseen_ = dropped_ + rows_.size();
+    shown_ = sieveSlice(slice_ms);
     endResetModel();
+    if (filtering())
+        return slice_.start();
+    slice_.stop();
+    emit filtered();
+}
+
+void MessageModel::finishFilter() {
+    if (filtering())
+        filterOn(std::numeric_limits<qint64>::max());
+}
+
+void MessageModel::filterOn(qint64 budget_ms) {
+    const std::deque<std::uint64_t> passing = sieveSlice(budget_ms);
+    if (!passing.empty()) {
+        beginInsertRows({}, 0, static_cast<int>(passing.size()) - 1);
+        shown_.insert(shown_.begin(), passing.begin(), passing.end());
+        endInsertRows();
+    }
+    if (filtering())
+        return;
+    slice_.stop();
+    emit filtered();
+}
+
+std::deque<std::uint64_t> MessageModel::sieveSlice(qint64 budget_ms) {
+    constexpr std::uint64_t rows_a_look = 256; // at the clock
+    std::deque<std::uint64_t> passing;
+    QElapsedTimer timer;
+    timer.start();
+    while (filtering() && (unseen_ % rows_a_look != 0 || timer.elapsed() < budget_ms)) {
+        --unseen_;
+        if (sieve_->passes(rows_[unseen_ - dropped_]))
+            passing.push_front(unseen_);
+    }
+    return passing;
+}
+
+void MessageModel::nameConnection(int connection, const QString& name) {
+    if (QString& known = names_[connection]; known != name) {
+        known = name;
+        if (rowCount() > 0)
+            emit dataChanged(index(0, Robot), index(rowCount() - 1, Robot));
+    }
+}
+
+QString MessageModel::connectionName(int connection) const {
+    const auto found = names_.find(connection);
+    return found == names_.end() ? QString() : found->second;
+}
+
+int MessageModel::shownRow(std::uint64_t serial) const {
+    const auto found = std::ranges::lower_bound(shown_, serial);
+    return found == shown_.end() || *found != serial ? -1 : static_cast<int>(found - shown_.begin());
+}
+
+const MessageRow* MessageModel::find(std::uint64_t serial) const {
+    return serial < dropped_ || serial >= dropped_ + rows_.size() ? nullptr : &rows_[serial - dropped_];
+}
+
+std::optional<std::uint64_t> MessageModel::serialOf(int connection, Direction direction, std::uint64_t number) const {
+    for (std::size_t i = rows_.size(); i > 0; --i) {
+        const MessageRow& row = rows_[i - 1];
+        if (row.number == number && row.connection == connection && row.direction == direction && row.not_shown == 0)
+            return dropped_ + i - 1;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::uint64_t> MessageModel::causedBy(std::uint64_t serial) const {
+    constexpr std::size_t few = 5;
+    constexpr std::size_t reach = 2000; // an answer follows soon
+    std::vector<std::uint64_t> caused;
+    const MessageRow* cause = find(serial);
+    if (!cause || cause->direction != Direction::In || cause->not_shown > 0)
+        return caused;
+    const std::size_t from = serial - dropped_;
+    for (std::size_t i = from + 1; i < std::min(rows_.size(), from + reach) && caused.size() < few; ++i)
+        if (rows_[i].trigger == cause->number && rows_[i].connection == cause->connection)
+            caused.push_back(dropped_ + i);
+    return caused;
 }
 
 const MessageRow& MessageModel::row(int shown) const {
@@ -162,9 +252,11 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
 
 QVariant MessageModel::shownText(const MessageRow& row, int column) const {
     constexpr std::size_t longest = 400; // no window shows more of one line
-    if (row.not_shown > 0 && column < Type)
+    if (row.not_shown > 0 && column < Type && column != Robot)
         return {};
     switch (column) {
+    case Robot:
+        return connectionName(row.connection);
     case Number:
         return QString::number(row.number);
     case Time:
@@ -182,8 +274,10 @@ QVariant MessageModel::ink(const MessageRow& row, int column) const {
     const Tokens& t = tokens();
     if (row.trouble)
         return *row.trouble == Severity::Error ? t.danger : *row.trouble == Severity::Warning ? t.caution : t.accent;
-    if (column == Number || column == Time)
+    if (column == Number || column == Time || column == Robot)
         return t.text_muted;
+    if (column == Type)
+        return lineColor(familyOf(row), currentTheme());
     return row.direction == Direction::Out ? t.accent : t.text;
 }
 
@@ -194,7 +288,7 @@ QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int 
         return QVariant((section <= Time ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    const QString names[] = {tr("No."), tr("Time, s"), tr("Way"), tr("Type"), tr("Text")};
+    const QString names[] = {tr("No."), tr("Time, s"), tr("Robot"), tr("Way"), tr("Type"), tr("Text")};
     return names[section];
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "core/protocol/command_writer.h"
+#include "core/protocol/segments.h"
 
 namespace usar::widgets {
 
@@ -20,7 +20,7 @@ std::string grouped(std::uint64_t number) {
 } // namespace
 
 MessageRow rowOf(const protocol::InfoLine& line, Seconds time) {
-    MessageRow row{line.number.value, time, Direction::In, typeOf(line.text), line.text, {}, {}, 0};
+    MessageRow row{.number = line.number.value, .time = time, .type = typeOf(line.text), .text = line.text};
     for (const Diagnostic& diagnostic : line.diagnostics) {
         row.note += (row.note.empty() ? "" : "\n") + toText(diagnostic);
         row.trouble = std::max(row.trouble.value_or(Severity::Note), diagnostic.severity);
@@ -28,13 +28,37 @@ MessageRow rowOf(const protocol::InfoLine& line, Seconds time) {
     return row;
 }
 
-MessageRow rowOf(const agent::CausedCommand& command, std::uint64_t number, Seconds time, protocol::Dialect dialect) {
-    std::string text = protocol::write(command.command, dialect);
-    std::string note = command.cause.source;
-    if (command.cause.trigger.value > 0)
-        note += ", on line " + std::to_string(command.cause.trigger.value);
-    std::string type = typeOf(text);
-    return {number, time, Direction::Out, std::move(type), std::move(text), std::move(note), {}, 0};
+MessageRow rowOf(std::string text, const Cause& cause, std::uint64_t number, Seconds time) {
+    MessageRow row{.number = number, .time = time, .direction = Direction::Out, .type = typeOf(text)};
+    row.text = std::move(text);
+    row.note = cause.source;
+    row.trigger = cause.trigger.value;
+    if (row.trigger > 0)
+        row.note += ", on line " + std::to_string(row.trigger);
+    return row;
+}
+
+LineFamily familyOf(const MessageRow& row) {
+    const auto isOneOf = [](std::string_view word, std::initializer_list<std::string_view> words) {
+        return std::ranges::any_of(words, [&](std::string_view other) { return protocol::sameWord(word, other); });
+    };
+    std::string_view rest = row.type;
+    const std::string_view word = takeWord(rest);
+    const std::string_view type = takeWord(rest);
+    if (row.direction == Direction::Out)
+        return isOneOf(word, {"DRIVE", "MULTIDRIVE"}) ? LineFamily::Drive : LineFamily::Command;
+    if (isOneOf(word, {"STA", "MISSTA", "ASTA"}))
+        return LineFamily::State;
+    if (isOneOf(word, {"NFO", "GEO", "CONF", "RES", "EFF"}))
+        return LineFamily::Answer;
+    if (!isOneOf(word, {"SEN"}))
+        return LineFamily::Other;
+    if (isOneOf(type,
+                {"Sonar", "SonarSensor", "IR", "IRSensor", "RangeScanner", "RangeImager", "RangeSensor", "IRScanner"}))
+        return LineFamily::Range;
+    if (isOneOf(type, {"INS", "GroundTruth", "Odometry", "GPS", "Encoder", "Tachometer", "IMU", "Acceleration"}))
+        return LineFamily::Pose;
+    return LineFamily::Sensor;
 }
 
 MessageRow gapOf(std::uint64_t not_shown) {
