@@ -225,11 +225,22 @@ void RobotSession::Private::step() {
     ++figures.steps_sent;
 }
 
+Result<protocol::Init> RobotSession::Private::initOf(const SpawnRequest& asked) {
+    const auto class_name = protocol::Token::make(asked.class_name);
+    const auto robot_name = protocol::Name::make(asked.robot_name);
+    if (!class_name || !robot_name)
+        return tl::unexpected(class_name ? robot_name.error() : class_name.error());
+    return protocol::Init::at(*class_name, *robot_name, asked.start_in_map);
+}
+
 void RobotSession::Private::init(const SpawnRequest& asked) {
     request = asked;
+    const auto init = initOf(asked);
+    if (!init)
+        return failSpawn(SpawnState::None, init.error().text());
     setSpawn(SpawnState::Asked);
     since_init.start();
-    send({protocol::Init{asked.class_name, asked.robot_name, asked.start_in_map}, {"session: spawn", {}}});
+    send({*init, {"session: spawn", {}}});
     link.flush();
 }
 

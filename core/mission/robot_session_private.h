@@ -50,6 +50,8 @@ struct RobotSession::Private : link::ReplayTaker {
     void takePublished(const std::vector<agent::Published>& published);
     void takeValue(const agent::Published& value);
     void endTick();
+    /// Fails for names that no line can hold.
+    static Result<protocol::Init> initOf(const SpawnRequest& request);
     void init(const SpawnRequest& request);
     void setSpawn(SpawnState now);
     void failSpawn(SpawnState now, const std::string& reason);

@@ -63,9 +63,9 @@ Result<void> RobotSession::Private::beginRecording(const QString& path, Recordin
     recorder->write({.kind = link::RecordKind::Opened, .line = line, .bytes = placeOf(link.status())});
     if (!link.pending().empty())
         recorder->write({.kind = link::RecordKind::In, .line = line, .bytes = link.pending()});
-    if (figures.spawn == SpawnState::Asked || figures.spawn == SpawnState::Done)
-        noteForRecording("robot",
-                         protocol::write(protocol::Init{request.class_name, request.robot_name, request.start_in_map}));
+    if (const auto init = initOf(request);
+        init && (figures.spawn == SpawnState::Asked || figures.spawn == SpawnState::Done))
+        noteForRecording("robot", protocol::write(*init));
     if (host)
         noteTask();
     return {};

@@ -57,7 +57,13 @@ void QueryModule<Question, Answer>::query(const std::string& type, const std::st
     const QueryState known = state(type, name);
     if (known == QueryState::Pending || known == QueryState::Ready)
         return;
-    entries_[key] = Entry{Question{type, name}};
+    const auto asked_type = protocol::Token::make(type);
+    const auto asked_name = protocol::Name::make(name);
+    if (!asked_type || !asked_name) {
+        entries_[key] = Entry{.state = QueryState::Failed};
+        return;
+    }
+    entries_[key] = Entry{Question{*asked_type, *asked_name}};
     waiting_.push_back(key);
 }
 
@@ -120,7 +126,7 @@ std::optional<protocol::Command> QueryModule<Question, Answer>::next(Seconds now
             continue; // answered unasked while it waited
         ++entry.times_sent;
         outstanding_.emplace(key, now);
-        return entry.question;
+        return *entry.question;
     }
     return std::nullopt;
 }

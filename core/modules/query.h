@@ -25,7 +25,8 @@ enum class QueryState { Unknown, Pending, Ready, Failed };
 template <class Question, class Answer>
 class QueryModule {
 public:
-    /// Asks (again, if it failed). Asking twice for the same thing changes nothing.
+    /// Asks (again, if it failed). Asking twice for the same thing changes nothing. A name that no line can hold (with
+    /// spaces or braces) fails at once.
     void query(const std::string& type, const std::string& name = {});
     QueryState state(const std::string& type, const std::string& name = {}) const;
     /// The answer once the state is Ready, else nullptr.
@@ -38,7 +39,7 @@ public:
 private:
     using Key = std::pair<std::string, std::string>; // type and name in lower case
     struct Entry {
-        Question question;
+        std::optional<Question> question{}; ///< absent for what no line can ask
         QueryState state = QueryState::Pending;
         int times_sent = 0;
         std::optional<Answer> answer{};

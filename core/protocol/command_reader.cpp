@@ -2,182 +2,184 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <span>
-#include <utility>
 
-#include "core/base/text.h"
-#include "core/protocol/readers/line_reading.h"
-#include "core/protocol/segments.h"
-#include "core/protocol/wire_frame.h"
+#include "core/protocol/commands/drive_fields.h"
+#include "core/protocol/commands/robot_fields.h"
+#include "core/protocol/commands/set_fields.h"
+#include "core/protocol/commands/world_fields.h"
 
 namespace usar::protocol {
 
 namespace {
 
-/// One command line and its diagnostics. The functions below give nothing where the line must stay raw.
-struct CommandLine {
-    const Segments& segments;
-    Diagnostics& diagnostics;
-    Dialect dialect;
+using Read = Command (*)(LineIn&);
 
-    void warn(std::string_view part, std::string message) const {
-        diagnostics.push_back({Severity::Warning, segments.offsetOf(part), std::move(message)});
-    }
-    std::string text(std::string_view key) const { return std::string(segments.value(key)); }
-    std::optional<double> number(std::string_view key) const;
-    bool flag(std::string_view key) const;
-    bool numbers(const Segment& segment, std::span<double> out) const;
-    std::optional<Pose> pose() const;
+/// A command whose words are still to be read: a Token has no empty value, but a refused line is thrown away.
+template <class T>
+T blank() {
+    if constexpr (std::is_default_constructible_v<T>)
+        return T{};
+    else if constexpr (requires { T{"?"}; })
+        return T{"?"};
+    else
+        return T{"?", "?"};
+}
+
+template <class T>
+Command read(LineIn& line) {
+    T value = blank<T>();
+    fields(line, value);
+    return value;
+}
+
+/// A row of a table: lines that have this key (and this word for it; an empty one is any) are of this kind. The first
+/// row that fits wins.
+struct Row {
+    std::string_view key;
+    std::string_view word;
+    Read read;
 };
 
-/// As C's atof: the start of the text that is a number, else 0.
-std::optional<double> CommandLine::number(std::string_view key) const {
-    const Segment* const segment = segments.find(key);
-    if (!segment)
-        return std::nullopt;
-    std::array<double, 1> value{};
-    numbers(*segment, value);
-    return value[0];
-}
-
-bool CommandLine::flag(std::string_view key) const {
-    const Segment* const segment = segments.find(key);
-    if (!segment)
-        return false;
-    const std::optional<bool> value = readBoolean(segment->value);
-    if (!value)
-        warn(segment->text, "neither true nor false; taken as false");
-    return value.value_or(false);
-}
-
-/// Fills `out`; what is missing or no number is 0. False, with a warning, unless there are exactly as many numbers.
-bool CommandLine::numbers(const Segment& segment, std::span<double> out) const {
-    std::string_view rest = segment.value;
-    const bool good = takeNumbers(rest, out) && trimmed(rest).empty();
-    for (double& value : out)
-        value = std::isfinite(value) ? value : 0.0;
-    if (!good)
-        warn(segment.text, "not exactly " + std::to_string(out.size()) + (out.size() == 1 ? " number" : " numbers") +
-                               "; taken as far as it goes");
-    return good;
-}
-
-/// Location and Rotation, each 0,0,0 where absent; nothing without either.
-std::optional<Pose> CommandLine::pose() const {
-    const Segment* const location = segments.find("Location");
-    const Segment* const rotation = segments.find("Rotation");
-    if (!location && !rotation)
-        return std::nullopt;
-    std::array<double, 3> p{};
-    std::array<double, 3> angles{};
-    if (location)
-        numbers(*location, p);
-    if (rotation)
-        numbers(*rotation, angles);
-    return acrossWire(Pose{{p[0], p[1], p[2]}, angles[0], angles[1], angles[2]});
-}
-
-std::optional<Command> readInit(const CommandLine& line) {
-    Init init;
-    init.class_name = line.text("ClassName");
-    if (init.class_name.empty()) {
-        line.warn(line.segments.line(), "INIT without a ClassName spawns nothing");
-        return std::nullopt;
-    }
-    init.robot_name = line.text("Name");
-    if (line.segments.value("Start").empty()) {
-        init.start = line.pose().value_or(Pose{});
-    } else {
-        init.start = line.text("Start");
-        init.fallback_in_map = line.pose();
-    }
-    return init;
-}
-
-std::optional<Command> readGetStartPoses(const CommandLine&) {
-    return GetStartPoses{};
-}
-
-std::optional<double> flipped(std::optional<double> value) {
-    return value ? std::optional(acrossWire(*value)) : std::nullopt;
-}
-
-AerialDrive readAerialDrive(const CommandLine& line) {
-    AerialDrive drive;
-    drive.climb_m_s = line.number("AltitudeVelocity");
-    drive.forward_m_s = line.number("LinearVelocity");
-    drive.left_m_s = flipped(line.number("LateralVelocity"));
-    drive.yaw_rate_rad_s = flipped(line.number("RotationalVelocity"));
-    drive.normalized = line.flag("Normalized");
-    if (drive.yaw_rate_rad_s && line.dialect == Dialect::Udk && !drive.normalized)
-        drive.yaw_rate_rad_s = radians(*drive.yaw_rate_rad_s);
-    return drive;
+Command readByRow(LineIn& line, std::span<const Row> rows, std::string_view refusal) {
+    const auto fits = [&line](const Row& row) {
+        const Segment* const segment = line.segments().find(row.key);
+        return segment && (row.word.empty() || sameWord(segment->value, row.word));
+    };
+    const auto row = std::ranges::find_if(rows, fits);
+    if (row != rows.end())
+        return row->read(line);
+    line.refuse(line.segments().line(), std::string(refusal));
+    return {};
 }
 
 /// Aerial keys win, for Iridium's stop button sends the keys of all vehicles at once. A bare Normalized is a drive of
-/// either kind without terms.
-std::optional<Command> readDrive(const CommandLine& line) {
-    const Segments& segments = line.segments;
-    const auto has = [&segments](std::string_view key) { return segments.find(key) != nullptr; };
-    const bool only_normalized = segments.all().size() == 1 && has("Normalized");
-    if (has("AltitudeVelocity") || has("LinearVelocity") || has("LateralVelocity") || has("RotationalVelocity") ||
-        only_normalized)
-        return readAerialDrive(line);
-    if (has("Left") || has("Right"))
-        return SkidDrive{line.number("Left"), line.number("Right"), line.flag("Normalized")};
-    return std::nullopt;
+/// any kind without terms.
+constexpr std::array drive_rows = {
+    Row{"AltitudeVelocity", "", read<AerialDrive>},
+    Row{"LinearVelocity", "", read<AerialDrive>},
+    Row{"LateralVelocity", "", read<AerialDrive>},
+    Row{"RotationalVelocity", "", read<AerialDrive>},
+    Row{"PitchAngle", "", read<AerialDrive>},
+    Row{"RollAngle", "", read<AerialDrive>},
+    Row{"Left", "", read<SkidDrive>},
+    Row{"Right", "", read<SkidDrive>},
+    Row{"Speed", "", read<AckermannDrive>},
+    Row{"FrontSteer", "", read<AckermannDrive>},
+    Row{"RearSteer", "", read<AckermannDrive>},
+    Row{"WheelNumber", "", read<OmniDrive>},
+    Row{"Propeller", "", read<NauticDrive>},
+    Row{"Rudder", "", read<NauticDrive>},
+    Row{"SternPlane", "", read<NauticDrive>},
+    Row{"Name", "", read<JointDrive>},
+    Row{"Normalized", "", read<AerialDrive>},
+    Row{"Light", "", read<DriveSwitches>},
+    Row{"Flip", "", read<DriveSwitches>},
+};
+
+Command readDrive(LineIn& line) {
+    if (line.segments().all().empty())
+        return DriveSwitches{};
+    return readByRow(line, drive_rows, "no key of this DRIVE is known");
 }
 
-template <class Query>
-std::optional<Command> readQuery(const CommandLine& line) {
-    if (line.segments.value("Type").empty()) {
-        line.warn(line.segments.line(), "a question without a Type");
-        return std::nullopt;
-    }
-    return Query{line.text("Type"), line.text("Name")};
+constexpr std::array package_rows = {
+    Row{"Rotation", "", read<PackageRotation>},
+    Row{"Name", "", read<PackageDrive>},
+};
+Command readPackage(LineIn& line) {
+    return readByRow(line, package_rows, "MISPKG needs a Name");
 }
 
-std::optional<Command> readSet(const CommandLine& line) {
-    const Segments& segments = line.segments;
-    const Segment* const params = segments.find("Params");
-    if (!sameWord(segments.value("Type"), "INS") || !sameWord(segments.value("Opcode"), "POSE"))
-        return std::nullopt;
-    std::array<double, 6> n{};
-    if (!params || !line.numbers(*params, n)) {
-        line.warn(segments.line(), "SET INS POSE takes exactly six numbers; ignored");
-        return std::nullopt;
-    }
-    return SetInsPose{line.text("Name"), acrossWire(Pose{{n[0], n[1], n[2]}, n[3], n[4], n[5]})};
+constexpr std::array control_rows = {
+    Row{"Type", "Create", read<CreateObject>},    Row{"Type", "Kill", read<KillObject>},
+    Row{"Type", "KillAll", read<KillAllObjects>}, Row{"Type", "AbsMove", read<PlaceObject>},
+    Row{"Type", "RelMove", read<ShiftObject>},    Row{"Type", "Rotate", read<SpinObject>},
+    Row{"Type", "Conveyor", read<RunConveyor>},   Row{"Type", "AddWP", read<AddWaypoints>},
+    Row{"Type", "ClearWP", read<ClearWaypoints>}, Row{"Type", "SetWP", read<FollowWaypoints>},
+    Row{"Type", "GetSTA", read<GetObjectStates>},
+};
+Command readControl(LineIn& line) {
+    return readByRow(line, control_rows, "this Type of CONTROL is not known");
 }
 
-std::optional<Command> readLockstep(const CommandLine& line) {
-    if (!readBoolean(line.segments.value("On"))) {
-        line.warn(line.segments.line(), "LOCKSTEP takes {On true} or {On false}");
-        return std::nullopt;
-    }
-    return Lockstep{line.flag("On")};
+constexpr std::array move_rows = {
+    Row{"Action", "New", read<WalkTo>},
+    Row{"Action", "Append", read<WalkTo>},
+    Row{"Action", "Pause", read<PauseWalk>},
+    Row{"Action", "Resume", read<ResumeWalk>},
+};
+Command readMove(LineIn& line) {
+    return readByRow(line, move_rows, "MOVE needs an Action: New, Append, Pause or Resume");
 }
 
-std::optional<Command> readStep(const CommandLine&) {
-    return Step{};
+/// By type and opcode; an empty word is any.
+struct SetRow {
+    std::string_view type;
+    std::string_view opcode;
+    Read read;
+};
+constexpr std::array set_rows = {
+    SetRow{"INS", "POSE", read<SetInsPose>},
+    SetRow{"Joint", "", read<SetJoint>},
+    SetRow{"Camera", "Zoom", read<ZoomCamera>},
+    SetRow{"Camera", "FOV", read<ZoomCamera>},
+    SetRow{"RFID", "Read", read<ReadTag>},
+    SetRow{"RFID", "Write", read<WriteTag>},
+    SetRow{"RFIDReleaser", "Release", read<ReleaseTag>},
+    SetRow{"RFIDReleaser", "TagsRemaining", read<CountTags>},
+    SetRow{"Gripper", "GRIP", read<UseGripper>},
+    SetRow{"Gripper", "OPEN", read<UseGripper>},
+    SetRow{"Gripper", "CLOSE", read<UseGripper>},
+    SetRow{"ToolChanger", "OPEN", read<UseToolChanger>},
+    SetRow{"ToolChanger", "CLOSE", read<UseToolChanger>},
+    SetRow{"", "RESET", read<ResetSensor>},
+    SetRow{"", "SCAN", read<ScanNow>},
+    SetRow{"", "", read<SetItem>},
+};
+/// SET without an Opcode.
+constexpr std::array view_rows = {
+    Row{"Config", "", read<SetViewports>},
+    Row{"Robot", "", read<AttachCamera>},
+    Row{"Client", "", read<DetachCamera>},
+};
+
+Command readSet(LineIn& line) {
+    const std::string_view type = line.segments().value("Type");
+    const std::string_view opcode = line.segments().value("Opcode");
+    const auto fits = [&](const SetRow& row) {
+        return (row.type.empty() || sameWord(row.type, type)) && (row.opcode.empty() || sameWord(row.opcode, opcode));
+    };
+    if (opcode.empty() && (sameWord(type, "Camera") || sameWord(type, "Viewports")))
+        return readByRow(line, view_rows, "SET without an Opcode");
+    return std::ranges::find_if(set_rows, fits)->read(line);
 }
 
 struct CommandRow {
     std::string_view word;
-    std::optional<Command> (*read)(const CommandLine&);
+    Read read;
 };
-
 constexpr std::array rows = {
     CommandRow{"DRIVE", readDrive},
-    CommandRow{"STEP", readStep},
+    CommandRow{"STEP", read<Step>},
+    CommandRow{"MULTIDRIVE", read<MultiDrive>},
     CommandRow{"SET", readSet},
-    CommandRow{"GETGEO", readQuery<GetGeometry>},
-    CommandRow{"GETCONF", readQuery<GetConfiguration>},
-    CommandRow{"INIT", readInit},
-    CommandRow{"GETSTARTPOSES", readGetStartPoses},
-    CommandRow{"STARTPOSES", readGetStartPoses},
-    CommandRow{"LOCKSTEP", readLockstep},
+    CommandRow{"MISPKG", readPackage},
+    CommandRow{"MISSPKG", readPackage},
+    CommandRow{"ACT", read<ActuatorDrive>},
+    CommandRow{"GETGEO", read<GetGeometry>},
+    CommandRow{"GETCONF", read<GetConfiguration>},
+    CommandRow{"INIT", read<Init>},
+    CommandRow{"GETSTARTPOSES", read<GetStartPoses>},
+    CommandRow{"STARTPOSES", read<GetStartPoses>},
+    CommandRow{"TRACE", read<Trace>},
+    CommandRow{"CONTROL", readControl},
+    CommandRow{"GETPATHNODES", read<GetPathNodes>},
+    CommandRow{"GETCLOSESTPATHNODE", read<GetClosestPathNode>},
+    CommandRow{"GOTO", read<GoToNode>},
+    CommandRow{"MOVE", readMove},
+    CommandRow{"TEST", read<Test>},
+    CommandRow{"PAUSE", read<Pause>},
+    CommandRow{"LOCKSTEP", read<Lockstep>},
 };
 
 } // namespace
@@ -187,10 +189,11 @@ Command readCommand(std::string_view line, Diagnostics& diagnostics, Dialect dia
     segments.read(line, diagnostics);
     const auto row =
         std::ranges::find_if(rows, [&](const CommandRow& r) { return sameWord(r.word, segments.typeWord()); });
-    std::optional<Command> command;
-    if (row != rows.end())
-        command = row->read({segments, diagnostics, dialect});
-    return command ? std::move(*command) : RawCommand{std::string(line)};
+    if (row == rows.end())
+        return RawCommand{std::string(line)};
+    LineIn in(segments, diagnostics, dialect);
+    Command command = row->read(in);
+    return in.refused() ? RawCommand{std::string(line)} : std::move(command);
 }
 
 } // namespace usar::protocol

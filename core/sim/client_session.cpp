@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/protocol/command_reader.h"
+#include "core/protocol/command_writer.h"
 #include "core/protocol/segments.h"
 #include "core/protocol/writer.h"
 
@@ -18,8 +19,7 @@ std::string quoted(std::string_view line) {
 }
 
 std::string quoted(const protocol::Command& command) {
-    const auto* const raw = std::get_if<protocol::RawCommand>(&command);
-    return raw ? quoted(raw->line) : std::string("a command");
+    return quoted(protocol::write(command));
 }
 
 } // namespace
@@ -81,33 +81,36 @@ void ClientSession::obey(const protocol::Command& command, const Spawn& spawn, c
         init(*wanted, spawn, log);
     else if (!robot_)
         log("ignored " + quoted(command) + ": there is no robot on this connection");
-    else if (const auto* const raw = std::get_if<protocol::RawCommand>(&command))
-        obeyUnknown(*raw, log);
-    else if (robot_->alive())
-        obeyForRobot(command);
+    else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command))
+        obeyUnknown(protocol::write(command), log);
 }
 
-void ClientSession::obeyUnknown(const protocol::RawCommand& command, const Log& log) {
+void ClientSession::obeyUnknown(const std::string& line, const Log& log) {
     Diagnostics diagnostics;
     protocol::Segments segments;
-    segments.read(command.line, diagnostics);
+    segments.read(line, diagnostics);
     // UT2004 answers every SET but that of a joint.
     if (protocol::sameWord(segments.typeWord(), "SET") && !protocol::sameWord(segments.value("Type"), "Joint"))
         set_asked_ =
             protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
     else
-        log("ignored " + quoted(command.line) + ": not a command of this server");
+        log("ignored " + quoted(line) + ": not a command of this server");
 }
 
-void ClientSession::obeyForRobot(const protocol::Command& command) {
+/// False for what no robot of this server understands. One with an empty battery understands and does nothing.
+bool ClientSession::obeyForRobot(const protocol::Command& command) {
     if (const auto* const asked = std::get_if<protocol::GetGeometry>(&command))
         geometry_asked_ = *asked;
     else if (const auto* const configuration = std::get_if<protocol::GetConfiguration>(&command))
         configuration_asked_ = *configuration;
     else if (const auto* const set = std::get_if<protocol::SetInsPose>(&command))
         set_asked_ = *set;
-    else
+    else if (!std::holds_alternative<protocol::AerialDrive>(command) &&
+             !std::holds_alternative<protocol::SkidDrive>(command))
+        return false;
+    else if (robot_->alive())
         robot_->obey(command);
+    return true;
 }
 
 void ClientSession::init(const protocol::Init& wanted, const Spawn& spawn, const Log& log) {
@@ -147,7 +150,7 @@ void ClientSession::answer(Seconds now) {
 }
 
 protocol::Response ClientSession::resultOf(const protocol::SetInsPose& asked, Seconds now) {
-    return {now, "INS", asked.sensor_name.empty() ? "INS" : asked.sensor_name, robot_->set(asked)};
+    return {now, "INS", asked.sensor_name.empty() ? "INS" : asked.sensor_name.text(), robot_->set(asked)};
 }
 
 protocol::Response ClientSession::resultOf(protocol::Response failed, Seconds now) {

@@ -49,8 +49,8 @@ public:
 private:
     void take(std::string_view line, const Log& log);
     void obey(const protocol::Command& command, const Spawn& spawn, const Log& log);
-    void obeyForRobot(const protocol::Command& command);
-    void obeyUnknown(const protocol::RawCommand& command, const Log& log);
+    bool obeyForRobot(const protocol::Command& command);
+    void obeyUnknown(const std::string& line, const Log& log);
     void init(const protocol::Init& init, const Spawn& spawn, const Log& log);
     void startPoses();
     void answer(Seconds now);

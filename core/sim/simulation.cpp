@@ -77,20 +77,20 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     ++spawned;
     const Vec3 at_m = (*spawned_robot)->figures().base_in_map.position_m;
     const bool beside = (at_m - robot.base_in_map.position_m).head<2>().norm() > 0.5;
-    log(client, "spawned " + init.class_name + " '" + init.robot_name +
+    log(client, "spawned " + init.class_name.text() + " '" + init.robot_name.text() +
                     (beside ? "' beside the wanted place, where another robot is" : "'"));
     return std::move(*spawned_robot);
 }
 
 Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
-    const auto* const name = std::get_if<std::string>(&init.start);
+    const auto* const name = std::get_if<protocol::Token>(&init.start);
     if (!name)
         return std::get<Pose>(init.start);
     const auto found = std::find_if(world.start_poses.begin(), world.start_poses.end(),
                                     [&](const NamedPose& start) { return protocol::sameWord(start.name, *name); });
     if (found != world.start_poses.end())
         return found->pose_in_map;
-    log(client, "there is no start pose '" + *name + "'");
+    log(client, "there is no start pose '" + name->text() + "'");
     return init.fallback_in_map.value_or(Pose{});
 }
 

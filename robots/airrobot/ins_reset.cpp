@@ -49,7 +49,8 @@ ResetState InsReset::step(Seconds now, modules::RobotModules& robot, agent::Comm
     if (attempts_ >= settings.reset_attempts)
         return state_ = ResetState::Failed;
     const auto* ins = robot.sensors.ins();
-    port.send(protocol::SetInsPose{ins ? ins->value.name : "INS", truth->value.base_in_map}, "resetting the INS");
+    port.send(protocol::SetInsPose{ins ? protocol::Name::mended(ins->value.name) : "INS", truth->value.base_in_map},
+              "resetting the INS");
     ++attempts_;
     sent_ = now;
     return state_;

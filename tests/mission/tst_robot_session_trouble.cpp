@@ -28,6 +28,7 @@ private slots:
     void saysSoWhenThereIsNoRobotToFly();
     void silenceAfterInitIsAFailedSpawnAndKeepsTheConnection();
     void aLateRobotIsWelcomeAllTheSame();
+    void aNameThatNoLineCanHoldIsRefused();
     void spawningAgainAfterAFailureTakesANewConnection();
     void aServerWithoutStartPosesIsNamed();
     void staleRobotsAreNamedOnceAndWelcomedBack();
@@ -89,6 +90,17 @@ void tst_RobotSessionTrouble::aLateRobotIsWelcomeAllTheSame() {
     f.server.tick();
     QTRY_COMPARE(spawned.size(), 1);
     QVERIFY(f.saidOn("spawn", true));
+}
+
+void tst_RobotSessionTrouble::aNameThatNoLineCanHoldIsRefused() {
+    SessionFixture f;
+    QVERIFY(f.connectNow());
+    QSignalSpy failed(&f.session, &RobotSession::spawnFailed);
+    f.session.spawn({.robot_name = "R1} {Location 0,0,0", .start_in_map = {}});
+    QCOMPARE(failed.size(), 1);
+    QVERIFY(f.said("a name cannot hold spaces, braces or line ends"));
+    f.session.spawn({.robot_name = "R1", .start_in_map = {}}); // on the same connection
+    QTRY_COMPARE(f.server.heardOf("INIT").size(), 1);
 }
 
 void tst_RobotSessionTrouble::spawningAgainAfterAFailureTakesANewConnection() {

@@ -36,7 +36,8 @@ void tst_CommandGrammar::everyExampleIsWithoutFault() {
 
 void tst_CommandGrammar::knowsEveryWordAndKeyThatClientsSend() {
     for (const corpus::Line& line : corpus::commandLines()) {
-        if (line.source.find("not the bot port") != std::string::npos || line.source.find("our own") != std::string::npos)
+        if (line.source.find("not the bot port") != std::string::npos ||
+            line.source.find("our own") != std::string::npos)
             continue;
         for (const Diagnostic& diagnostic : checkCommand(line.text))
             QVERIFY2(diagnostic.message.find("not know") == std::string::npos &&

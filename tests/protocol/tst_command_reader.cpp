@@ -46,6 +46,11 @@ private slots:
     void insTakesExactlySixNumbers_data();
     void insTakesExactlySixNumbers();
     void readsOurOwnWords();
+    void readsEveryKind_data();
+    void readsEveryKind();
+    void readsWhatClientsSend();
+    void mendsWhatServersTolerate_data();
+    void mendsWhatServersTolerate();
     void takesNumbersAsServersDo_data();
     void takesNumbersAsServersDo();
     void keepsTheRestRaw_data();
@@ -70,8 +75,8 @@ void tst_CommandReader::takesVectorsInEverySpelling() {
 void tst_CommandReader::readsInit() {
     const auto init =
         taken<Init>("init{classname USARBot.AirRobot}{name R1}{location 4.5,1.9,-1.8}{rotation 0.1,0.2,0.3}");
-    QCOMPARE(init.class_name, std::string("USARBot.AirRobot"));
-    QCOMPARE(init.robot_name, std::string("R1"));
+    QCOMPARE(init.class_name.text(), std::string("USARBot.AirRobot"));
+    QCOMPARE(init.robot_name.text(), std::string("R1"));
     QVERIFY(std::get<Pose>(init.start) == (Pose{{4.5, -1.9, 1.8}, 0.1, -0.2, -0.3}));
     QVERIFY(std::get<Pose>(taken<Init>("INIT {ClassName X}").start) == Pose{});
     // One brace missing, as the pyro driver sends it.
@@ -82,10 +87,10 @@ void tst_CommandReader::readsInit() {
 
 void tst_CommandReader::aNamedStartKeepsItsFallback() {
     const auto named = taken<Init>("INIT {ClassName X} {Start playerstart}");
-    QCOMPARE(std::get<std::string>(named.start), std::string("playerstart"));
+    QCOMPARE(std::get<Token>(named.start).text(), std::string("playerstart"));
     QVERIFY(!named.fallback_in_map);
     const auto both = taken<Init>("INIT {ClassName X}{Location 1,-2,0}{Rotation 0,0,0}{Start Point1}");
-    QCOMPARE(std::get<std::string>(both.start), std::string("Point1"));
+    QCOMPARE(std::get<Token>(both.start).text(), std::string("Point1"));
     QVERIFY(both.fallback_in_map.value().position_m == Vec3(1, 2, 0));
 }
 
@@ -103,7 +108,7 @@ void tst_CommandReader::readsSkidDrives() {
     QVERIFY(taken<SkidDrive>("DRIVE {RIGHT 1.0} {LEFT -1.0}") == (SkidDrive{-1.0, 1.0, false}));
     QVERIFY(taken<SkidDrive>("DRIVE {Left 1.0}") == (SkidDrive{1.0, std::nullopt, false}));
     QVERIFY(taken<SkidDrive>("DRIVE {Left 20} {Right 20} {Normalized true} {Light false}") ==
-            (SkidDrive{20, 20, true}));
+            (SkidDrive{20, 20, true, {.light_on = false}}));
     QVERIFY(taken<SkidDrive>("DRIVE {Left 1}DRIVE {Left 2}") == (SkidDrive{1.0, std::nullopt, false}));
 }
 
@@ -130,9 +135,9 @@ void tst_CommandReader::readsQuestions() {
     QFETCH(QByteArray, type);
     QFETCH(QByteArray, name);
     QVERIFY(taken<GetGeometry>("GETGEO" + segments.toStdString()) ==
-            (GetGeometry{type.toStdString(), name.toStdString()}));
+            (GetGeometry{Token::make(type.toStdString()).value(), Name::mended(name.toStdString())}));
     QVERIFY(taken<GetConfiguration>("GetConf" + segments.toStdString()) ==
-            (GetConfiguration{type.toStdString(), name.toStdString()}));
+            (GetConfiguration{Token::make(type.toStdString()).value(), Name::mended(name.toStdString())}));
 }
 
 void tst_CommandReader::insTakesExactlySixNumbers_data() {
@@ -171,6 +176,118 @@ void tst_CommandReader::readsOurOwnWords() {
     taken<GetStartPoses>("STARTPOSES");
 }
 
+void tst_CommandReader::readsEveryKind_data() {
+    QTest::addColumn<bool>("as_expected");
+    const auto row = [](const char* name, const char* line, const Command& expected) {
+        const Taken result = take(line);
+        QTest::newRow(name) << (result.command == expected && result.diagnostics.empty());
+    };
+    row("one steering angle alone", "DRIVE {FrontSteer 0.17}", AckermannDrive{.front_steer_rad = -0.17});
+    row("a boat", "DRIVE {Propeller 0}", NauticDrive{.propeller_rad_s = 0.0});
+    row("a joint without order goes to an angle", "DRIVE {Name FrontLeft} {Value 0}",
+        JointDrive::toAngle("FrontLeft", 0));
+    row("a joint by a relative order", "DRIVE {Name Knee}{Order 11}{Value -1}",
+        JointDrive{"Knee", JointOrder::RelativeSpeed, -1.0});
+    row("a brake", "DRIVE {Name FrontLeft} {Order 3} {Value 5}", JointDrive{"FrontLeft", JointOrder::Brake, 5.0});
+    row("wheels in groups", "DRIVE {WheelNumber 1} {WheelSteer 0.5} {WheelSpeed 3} {WheelNumber 0} {WheelSpeed -3}",
+        OmniDrive{{{1, 3.0, -0.5}, {0, -3.0, {}}}});
+    row("flip", "DRIVE {Flip true}", DriveSwitches{.flip = true});
+    row("nothing to drive", "DRIVE", DriveSwitches{});
+    row("only what unit is meant", "DRIVE {Normalized true}", AerialDrive{.normalized = true});
+    row("flippers in mixed case", "MULTIDRIVE {FRFlipper 1.5}{FLflipper -1.5}",
+        MultiDrive{{{"FRFlipper", 1.5}, {"FLflipper", -1.5}}});
+    row("a package by its misspelt word", "MISSPKG {Name Cam} {Link 1} {Value 1.5}", PackageDrive{"Cam", {{1, 1.5}}});
+    row("a package turned the old way", "MISPKG {Name Cam1}{Rotation 0,0.1,0.5}", PackageRotation{"Cam1", 0.1, 0.5});
+    row("orders of single links", "MISPKG {Name Arm} {Link 1} {Value 1} {Link 2} {Value 2} {Order 2}",
+        PackageDrive{"Arm", {{1, 1.0, LinkOrder::Angle}, {2, 2.0, LinkOrder::Torque}}});
+    row("a sequence", "ACT {Name KR60Arm} {Sequence 2}", ActuatorDrive{"KR60Arm", {}, {}, 2});
+    row("a zoom without key", "SET {Type Camera} {Name Camera} {Opcode Zoom} {0.785398}",
+        ZoomCamera{0.785398, "Camera"});
+    row("a zoom by its other word", "SET {Type Camera} {Opcode fov} {Params 0.5}", ZoomCamera{0.5});
+    row("a joint's numbered opcode", "SET {Type Joint} {Name Knee} {Opcode 12} {Params 1}",
+        SetJoint{"Knee", JointOpcode::RelativeTorque, 1.0});
+    row("a joint's target", "SET {Type Joint} {Name Knee} {Opcode Target} {Params 0.3}",
+        SetJoint{"Knee", JointOpcode::Angle, 0.3});
+    row("a grip without number", "SET {Type Gripper} {Opcode GRIP}", UseGripper{GripperAction::Grip});
+    row("a hand that lets go", "SET {Type Gripper} {Opcode grip} {Params 0}", UseGripper{GripperAction::LetGo});
+    row("parameters are not asked for", "SET {Type Gripper} {Opcode Close} {Params 0.0000}",
+        UseGripper{GripperAction::Close});
+    row("a tag without text", "SET {Type RFID} {Name RFID} {Opcode Write} {Params 118}", WriteTag{"118", {}, "RFID"});
+    row("another setting of INS", "SET {Type INS} {Name INS} {Opcode RESET}", ResetSensor{"INS", "INS"});
+    row("a sensor nobody knows", "SET {Type Siren} {Opcode LOUD} {Params a b}", SetItem{"Siren", "LOUD", {}, "a b"});
+    row("marks off", "Trace {On False}", Trace{.on = false});
+    row("all objects", "CONTROL {Type KillAll}", KillAllObjects{});
+    row("a box's corners change sides", "CONTROL {Type KillAll} {MinPos 0,1,2} {MaxPos 5,6,7}",
+        KillAllObjects{Box{{0, -6, -7}, {5, -1, -2}}});
+    row("a type said twice", "CONTROL {Type GetSTA} {Type Box} {Name Box1}", GetObjectStates{"Box1"});
+    row("a path node", "MOVE {Action Append} {Pathnode PathNode_3} {Type Run}", WalkTo{"PathNode_3", Gait::Run, true});
+    row("a pause", "PAUSE {TIME 10}", Pause{Seconds(10)});
+}
+
+void tst_CommandReader::readsEveryKind() {
+    QFETCH(bool, as_expected);
+    QVERIFY(as_expected);
+}
+
+/// Every line for the bot port has a struct of its own.
+void tst_CommandReader::readsWhatClientsSend() {
+    for (const corpus::Line& line : corpus::commandLines()) {
+        if (line.source.find("not the bot port") != std::string::npos)
+            continue;
+        const Taken result = take(line.text);
+        QVERIFY2(!std::holds_alternative<RawCommand>(result.command), line.place.c_str());
+    }
+}
+
+void tst_CommandReader::mendsWhatServersTolerate_data() {
+    QTest::addColumn<bool>("as_expected");
+    QTest::addColumn<int>("diagnostics");
+    QTest::addColumn<int>("expected_diagnostics");
+    const auto row = [](const char* name, const char* line, const Command& expected, int diagnostics) {
+        const Taken result = take(line);
+        QTest::newRow(name) << (result.command == expected) << static_cast<int>(result.diagnostics.size())
+                            << diagnostics;
+    };
+    const auto skid = [](double left_rad_s) { return SkidDrive{.left_rad_s = left_rad_s}; };
+    // The rows of usarsim-protocol 1.6.
+    row("unknown type word", "HOVER {Left 1}", RawCommand{"HOVER {Left 1}"}, 0);
+    row("unknown segment", "DRIVE {Left 1} {Mood good}", skid(1), 0);
+    row("repeated key: the first wins", "DRIVE {Left 1} {Left 2}", skid(1), 0);
+    row("repeated key where the code walks the list", "MISPKG {Name A} {Link 1} {Value 2} {Link 1} {Value 3}",
+        PackageDrive{"A", {{1, 2.0}, {1, 3.0}}}, 0);
+    row("segment without a value, and those behind it", "DRIVE {abc} {Left 1}", skid(1), 0);
+    row("empty value, and those behind it", "GETGEO {Name } {Type Sonar}", GetGeometry{"Sonar"}, 0);
+    row("no closing brace", "DRIVE {Left 1", skid(1), 1);
+    row("stray closing brace", "DRIVE {Left 1} } {Right 2}}", SkidDrive{1.0, 2.0}, 0);
+    row("an opening brace inside", "DRIVE {Left 1 {Right 2}", skid(1), 2);
+    row("number with junk", "DRIVE {Left 1,00}", skid(1), 1);
+    row("a word for a number", "DRIVE {Left abc}", skid(0), 1);
+    row("missing number", "DRIVE {Left }", skid(0), 1);
+    row("two commands on a line", "DRIVE {Left 1}DRIVE {Left 2}", skid(1), 0);
+    // Numbers, 1.7.
+    row("signs, leading dots and zeros", "DRIVE {Left +.4} {Right 020}", SkidDrive{0.4, 20.0}, 0);
+    row("exponents", "DRIVE {Left 1.5e1} {Right -2E-1}", SkidDrive{15.0, -0.2}, 0);
+    row("not a number by Windows", "DRIVE {Left -1.#IND} {Right 1.#QNAN}", SkidDrive{0.0, 0.0}, 2);
+    row("endless", "DRIVE {Left inf} {Right 1e999}", SkidDrive{0.0, 0.0}, 2);
+    row("a vector with spaces", "GETCLOSESTPATHNODE {Location 3.0 4.0  0}", GetClosestPathNode{{3, -4, 0}}, 0);
+    row("a vector with commas and spaces", "GETCLOSESTPATHNODE {Location 3.0, 4.0 ,0}", GetClosestPathNode{{3, -4, 0}},
+        0);
+    row("a vector by a comma locale", "GETCLOSESTPATHNODE {Location 3,00, 4,00, 0,00}", GetClosestPathNode{{3, 0, -4}},
+        1);
+    row("booleans in any case and as numbers", "DRIVE {Light TRUE} {Flip 0}", DriveSwitches{true, false}, 0);
+    row("a boolean that is none", "DRIVE {Light perhaps}", DriveSwitches{.light_on = false}, 1);
+    row("keys and words in any case", "control {TYPE kill} {NAME Box1}", KillObject{"Box1"}, 0);
+    row("a name of two words", "CONTROL {Type Kill} {Name Box 1}", KillObject{"Box1"}, 1);
+}
+
+void tst_CommandReader::mendsWhatServersTolerate() {
+    QFETCH(bool, as_expected);
+    QFETCH(int, diagnostics);
+    QFETCH(int, expected_diagnostics);
+    QVERIFY(as_expected);
+    QCOMPARE(diagnostics, expected_diagnostics);
+}
+
 void tst_CommandReader::takesNumbersAsServersDo_data() {
     QTest::addColumn<QByteArray>("value");
     QTest::addColumn<double>("expected");
@@ -202,16 +319,38 @@ void tst_CommandReader::keepsTheRestRaw_data() {
     const auto row = [](const char* name, const char* line, int diagnostics) {
         QTest::newRow(name) << QByteArray(line) << diagnostics;
     };
-    row("Ackerman drive", "DRIVE {Speed 3.0} {FrontSteer 0.523599}", 0);
-    row("joint drive", "DRIVE {Name FLFlipper} {Order 1} {Value 0.3}", 0);
-    row("lights only", "DRIVE {Light true}", 0);
-    row("mission package", "MISPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", 0);
-    row("misspelt mission package", "MISSPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", 0);
-    row("camera zoom", "SET {Type Camera} {Name Camera} {Opcode Zoom} {0.785398}", 0);
-    row("other settings of INS", "SET {Type INS} {Name INS} {Opcode RESET}", 0);
-    row("unknown word", "Trace {On true} {Interval 0.5}", 0);
+    row("unknown word", "FLY {On true} {Interval 0.5}", 0);
+    row("a word of another port", "GETSS {Robot R2}", 0);
     row("a spawn without class", "INIT {Robot R1} {Port 6000}", 1);
     row("a question without type", "GETGEO {Name F1}", 1);
+    row("a DRIVE of nothing we know", "DRIVE {Spin1 0.5}", 1);
+    row("a joint without name", "DRIVE {Name } {Value 1}", 1);
+    row("a joint by no order we know", "DRIVE {Name Knee} {Order 7} {Value 1}", 1);
+    row("a wheel without number", "DRIVE {WheelSpeed 1} {WheelNumber 0}", 1);
+    row("half a wheel", "DRIVE {WheelNumber 0.5} {WheelSpeed 1}", 1);
+    row("a package without name", "MISPKG {Link 1} {Value 1}", 1);
+    row("a value before its link", "MISPKG {Name Arm} {Value 1} {Link 1}", 1);
+    row("an actuator without name", "ACT {Link 1} {Value 1}", 1);
+    row("an unknown color", "TRACE {On true} {Color Pink}", 1);
+    row("a SET without opcode", "SET {Type Odometry}", 1);
+    row("a SET without type", "SET {Opcode LOUD}", 1);
+    row("a camera without client", "SET {Type Camera} {Robot R1} {Name Cam}", 1);
+    row("a zoom without angle", "SET {Type Camera} {Name Cam} {Opcode Zoom}", 1);
+    row("a joint set to nothing", "SET {Type Joint} {Name Knee} {Opcode Angle}", 1);
+    row("a joint set by no opcode we know", "SET {Type Joint} {Name Knee} {Opcode Wiggle} {Params 1}", 1);
+    row("a tag without number", "SET {Type RFID} {Opcode Write}", 1);
+    row("a CONTROL of no type", "CONTROL {Name B1}", 1);
+    row("a CONTROL of an unknown type", "CONTROL {Type Paint} {Name B1}", 1);
+    row("an object without name", "CONTROL {Type Kill}", 1);
+    row("an object without class", "CONTROL {Type Create} {Name B1}", 1);
+    row("half a box", "CONTROL {Type KillAll} {MinPos 0,0,0}", 1);
+    row("a belt without speed", "CONTROL {Type Conveyor} {Name Belt}", 1);
+    row("a way point of two numbers", "CONTROL {Type AddWP} {Name B1} {WP 1,2,3;4,5}", 1);
+    row("a way at no pace", "CONTROL {Type SetWP} {Name B1} {Loop true}", 1);
+    row("no path node", "GOTO", 1);
+    row("no place", "GETCLOSESTPATHNODE", 1);
+    row("a walk to nowhere", "MOVE {Action New} {Type Run}", 1);
+    row("a walk of an unknown kind", "MOVE {Action Dance}", 1);
     row("nothing", "", 0);
 }
 

@@ -24,7 +24,7 @@ class TestLaunchChecklist : public QObject {
             if (!question)
                 continue;
             if (const auto* geometry = std::get_if<protocol::GetGeometry>(&*question)) {
-                asked.push_back("GEO " + geometry->type);
+                asked.push_back("GEO " + geometry->type.text());
                 protocol::GeometryInfo answer;
                 answer.type = geometry->type;
                 answer.items = {{geometry->type == "Sonar" ? "F1" : "Scanner7", {}, "HARD"}};
@@ -32,10 +32,10 @@ class TestLaunchChecklist : public QObject {
                     tell(answer);
             } else {
                 const auto type = std::get<protocol::GetConfiguration>(*question).type;
-                asked.push_back("CONF " + type);
+                asked.push_back("CONF " + type.text());
                 if (answers)
                     tell(protocol::ConfigurationInfo{
-                        type == "Robot" ? "AerialVehicle" : type,
+                        type == "Robot" ? "AerialVehicle" : type.text(),
                         {{"X", {{"MaxRange", "7", 7.0}, {"MaxLinearVelocity", "1.5", 1.5}}}}});
             }
         }

@@ -1,0 +1,168 @@
+// Appends the segments of one command line to a text; the writing half of fields(). LineIn is the reading half.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/base/numbers.h"
+#include "core/protocol/commands/checked_text.h"
+#include "core/protocol/commands/wire_degrees.h"
+#include "core/protocol/commands/wire_words.h"
+#include "core/protocol/dialect.h"
+#include "core/protocol/wire_frame.h"
+
+namespace usar::protocol {
+
+/// Absent and empty values write no segment; a number that is none is written as 0, which is how a server would read
+/// it. Vectors have commas and no spaces, numbers read back to the same double. Does not own the text.
+class LineOut {
+public:
+    template <class T>
+    using Ref = const T&;
+    static constexpr bool reading = false;
+
+    LineOut(std::string& out, Dialect dialect) : out_(out), dialect_(dialect) {}
+    Dialect dialect() const { return dialect_; }
+
+    /// How the line begins.
+    void word(std::string_view word) { out_.append(word); }
+    /// A segment that tells one kind of command from another.
+    void mark(std::string_view key, std::string_view value) {
+        open(key);
+        out_.append(value);
+        close();
+    }
+
+    void number(std::string_view key, double value) {
+        open(key);
+        add(value);
+        close();
+    }
+    void number(std::string_view key, const std::optional<double>& value) {
+        if (value)
+            number(key, *value);
+    }
+    /// A sideways or turning value, whose sign changes on the wire.
+    void flipped(std::string_view key, const std::optional<double>& value) {
+        if (value)
+            number(key, acrossWire(*value));
+    }
+    void degrees(std::string_view key, const std::optional<double>& angle_rad) {
+        if (!angle_rad)
+            return;
+        open(key);
+        appendDegrees(out_, finite(*angle_rad));
+        close();
+    }
+    void flippedDegrees(std::string_view key, const std::optional<double>& angle_rad) {
+        if (angle_rad)
+            degrees(key, acrossWire(*angle_rad));
+    }
+
+    /// Whether the speeds that follow are per cent; `endScale` says so on the line.
+    void beginScale(bool normalized) { normalized_ = normalized; }
+    void endScale() { flag("Normalized", normalized_); }
+    void speed(std::string_view key, const std::optional<double>& value) {
+        if (value)
+            number(key, normalized_ ? std::clamp(finite(*value), -100.0, 100.0) : *value);
+    }
+    void flippedSpeed(std::string_view key, const std::optional<double>& value) {
+        if (value)
+            speed(key, acrossWire(*value));
+    }
+
+    void whole(std::string_view key, const std::optional<int>& value) {
+        if (value)
+            number(key, *value);
+    }
+    void seconds(std::string_view key, const std::optional<Seconds>& value) {
+        if (value)
+            number(key, value->count());
+    }
+    void flag(std::string_view key, const std::optional<bool>& value) {
+        if (value)
+            mark(key, *value ? "true" : "false");
+    }
+    void digit(std::string_view key, const std::optional<bool>& value) {
+        if (value)
+            mark(key, *value ? "1" : "0");
+    }
+    template <TextRule rule>
+    void text(std::string_view key, const CheckedText<rule>& value) {
+        if (!value.empty())
+            mark(key, value.text());
+    }
+    template <class Value>
+    void choice(std::string_view key, const std::optional<Value>& value) {
+        if (value)
+            mark(key, wordOf(*value));
+    }
+    template <class Value>
+    requires std::is_enum_v<Value>
+    void choice(std::string_view key, Value value) { mark(key, wordOf(value)); }
+
+    /// As it is.
+    void vector(std::string_view key, const std::optional<Vec3>& value) {
+        if (!value)
+            return;
+        open(key);
+        add(*value);
+        close();
+    }
+    /// From our frame to the wire's.
+    void position(std::string_view key, const Vec3& value) { vector(key, acrossWire(value)); }
+    void pose(const Pose& pose) {
+        const Pose on_wire = acrossWire(pose);
+        vector("Location", on_wire.position_m);
+        vector("Rotation", Vec3(on_wire.roll_rad, on_wire.pitch_rad, on_wire.yaw_rad));
+    }
+    /// A pose, or the name of a start point.
+    void start(const std::variant<Pose, Token>& start) {
+        if (const Token* const name = std::get_if<Token>(&start))
+            text("Start", *name);
+        else
+            pose(std::get<Pose>(start));
+    }
+
+    void open(std::string_view key) {
+        out_ += " {";
+        out_.append(key);
+        out_ += ' ';
+    }
+    void close() { out_ += '}'; }
+    void add(std::string_view text) { out_.append(text); }
+    void add(double value) { appendShortest(out_, finite(value)); }
+    void add(const Vec3& value) {
+        add(value.x());
+        out_ += ',';
+        add(value.y());
+        out_ += ',';
+        add(value.z());
+    }
+
+    template <class Value>
+    static std::string_view wordOf(Value value) {
+        for (const WireWord<Value>& row : wire_words<Value>) {
+            if (row.value == value)
+                return row.word;
+        }
+        return {};
+    }
+
+private:
+    /// Without the sign of a zero, too.
+    static double finite(double value) { return std::isfinite(value) ? value + 0.0 : 0.0; }
+
+    std::string& out_;
+    Dialect dialect_;
+    bool normalized_ = false;
+};
+
+} // namespace usar::protocol

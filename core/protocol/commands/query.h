@@ -1,0 +1,28 @@
+// Questions about a robot and what it carries.
+#pragma once
+
+#include "core/protocol/commands/checked_text.h"
+#include "core/protocol/dialect.h"
+
+namespace usar::protocol {
+
+/// What a server calls the robot itself, and its mission packages. Servers compare these words exactly.
+inline const Token robot_type = "Robot";
+inline Token packageType(Dialect dialect) {
+    return dialect == Dialect::Udk ? Token("Actuator") : Token("MisPkg");
+}
+
+/// GETGEO and GETCONF: `type` is "Robot", "MisPkg", "Actuator" or a type of sensor, effecter or camera; without a name
+/// all items of the type are meant.
+struct GetGeometry {
+    Token type;
+    Name name{};
+    bool operator==(const GetGeometry&) const = default;
+};
+struct GetConfiguration {
+    Token type;
+    Name name{};
+    bool operator==(const GetConfiguration&) const = default;
+};
+
+} // namespace usar::protocol

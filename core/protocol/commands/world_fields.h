@@ -1,0 +1,180 @@
+// The segments of CONTROL, path nodes and avatars, once for writing (LineOut) and reading (LineIn).
+#pragma once
+
+#include "core/protocol/commands/line_in.h"
+#include "core/protocol/commands/line_out.h"
+#include "core/protocol/commands/path_nodes.h"
+#include "core/protocol/commands/world_control.h"
+
+namespace usar::protocol {
+
+template <class Io>
+void beginControl(Io& io, std::string_view type) {
+    io.word("CONTROL");
+    io.mark("Type", type);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<CreateObject> create) {
+    beginControl(io, "Create");
+    io.text("ClassName", create.class_name);
+    io.text("Name", create.object_name);
+    io.start(create.start);
+    io.vector("Scale", create.scale);
+    io.choice("Physics", create.physics);
+    io.flag("Permanent", create.permanent);
+    io.text("Memory", create.memory);
+    io.text("Material", create.material);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<KillObject> kill) {
+    beginControl(io, "Kill");
+    io.text("Name", kill.object_name);
+}
+
+/// y and z change their sign on the wire, and what was the least becomes the most.
+inline Box acrossWire(const Box& box) {
+    return {{box.min_m.x(), -box.max_m.y(), -box.max_m.z()}, {box.max_m.x(), -box.min_m.y(), -box.min_m.z()}};
+}
+inline void fields(LineOut& out, const KillAllObjects& kill) {
+    beginControl(out, "KillAll");
+    if (kill.within) {
+        const Box on_wire = acrossWire(*kill.within);
+        out.vector("MinPos", on_wire.min_m);
+        out.vector("MaxPos", on_wire.max_m);
+    }
+}
+void fields(LineIn& in, KillAllObjects& kill);
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<PlaceObject> place) {
+    beginControl(io, "AbsMove");
+    io.text("Name", place.object_name);
+    io.pose(place.object_in_map);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<ShiftObject> shift) {
+    beginControl(io, "RelMove");
+    io.text("Name", shift.object_name);
+    io.pose(shift.shift);
+}
+
+/// Roll, pitch and yaw rates change their signs as x, y and z do.
+template <class Io>
+void fields(Io& io, typename Io::template Ref<SpinObject> spin) {
+    beginControl(io, "Rotate");
+    io.text("Name", spin.object_name);
+    io.position("Speed", spin.rates_rad_s);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<RunConveyor> conveyor) {
+    beginControl(io, "Conveyor");
+    io.text("Name", conveyor.object_name);
+    io.number("Speed", conveyor.speed_m_s);
+}
+
+inline void fields(LineOut& out, const AddWaypoints& add) {
+    beginControl(out, "AddWP");
+    out.text("Name", add.object_name);
+    out.open("WP");
+    for (std::size_t i = 0; i < add.points_in_map_m.size(); ++i) {
+        out.add(i == 0 ? "" : ";");
+        out.add(acrossWire(add.points_in_map_m[i]));
+    }
+    out.close();
+}
+void fields(LineIn& in, AddWaypoints& add);
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<ClearWaypoints> clear) {
+    beginControl(io, "ClearWP");
+    io.text("Name", clear.object_name);
+}
+
+inline void pace(LineOut& out, const std::variant<WaypointSpeed, Seconds>& pace) {
+    if (const auto* const speed = std::get_if<WaypointSpeed>(&pace))
+        out.number("Speed", speed->speed_m_s);
+    else
+        out.seconds("Time", std::get<Seconds>(pace));
+}
+void pace(LineIn& in, std::variant<WaypointSpeed, Seconds>& pace);
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<FollowWaypoints> follow) {
+    beginControl(io, "SetWP");
+    io.text("Name", follow.object_name);
+    pace(io, follow.pace);
+    io.flag("Loop", follow.loop);
+    io.flag("ResetOnClear", follow.reset_on_clear);
+    io.flag("Moving", follow.moving);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<GetObjectStates> get) {
+    beginControl(io, "GetSTA");
+    io.text("Name", get.object_name);
+    io.text("ClassName", get.class_name);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<GetPathNodes>) {
+    io.word("GETPATHNODES");
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<GetClosestPathNode> get) {
+    io.word("GETCLOSESTPATHNODE");
+    io.position("Location", get.point_in_map_m);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<GoToNode> go) {
+    io.word("GOTO");
+    io.text("Name", go.node_name);
+}
+
+inline void goal(LineOut& out, const std::variant<Vec2, Token>& goal) {
+    if (const Token* const node = std::get_if<Token>(&goal)) {
+        out.text("Pathnode", *node);
+    } else {
+        const Vec3 on_wire = acrossWire(Vec3(std::get<Vec2>(goal).x(), std::get<Vec2>(goal).y(), 0.0));
+        out.open("Location");
+        out.add(on_wire.x());
+        out.add(",");
+        out.add(on_wire.y());
+        out.close();
+    }
+}
+void goal(LineIn& in, std::variant<Vec2, Token>& goal);
+
+inline void action(LineOut& out, bool append) {
+    out.mark("Action", append ? "Append" : "New");
+}
+inline void action(LineIn& in, bool& append) {
+    append = sameWord(in.segments().value("Action"), "Append");
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<WalkTo> walk) {
+    io.word("MOVE");
+    action(io, walk.append);
+    io.choice("Type", walk.gait);
+    goal(io, walk.goal);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<PauseWalk>) {
+    io.word("MOVE");
+    io.mark("Action", "Pause");
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<ResumeWalk>) {
+    io.word("MOVE");
+    io.mark("Action", "Resume");
+}
+
+} // namespace usar::protocol
