@@ -46,7 +46,7 @@ LinkPanel::LinkPanel(QWidget* parent)
     , totals_(row_count)
     , rates_(row_count) {
     setAccessibleName(tr("Link figures"));
-    setFrameShape(QFrame::StyledPanel);
+    setProperty("role", "card");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(gap::medium, gap::small, gap::medium, gap::small);
     grid->setHorizontalSpacing(gap::medium);

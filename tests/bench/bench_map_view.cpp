@@ -13,13 +13,15 @@ using namespace usar;
 
 namespace {
 
-/// One application for all map benches; no window system is needed to paint into a picture.
+/// One application for all benches; no window system is needed to paint into a picture.
 void needApplication() {
+    if (qApp)
+        return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
     static int argc = 1;
     static char name[] = "usar-bench";
     static char* argv[] = {name, nullptr};
-    static QApplication application(argc, argv);
+    new QApplication(argc, argv); // lives as long as the program
 }
 
 void fill(widgets::MapView& view) {
