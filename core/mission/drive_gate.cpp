@@ -1,64 +1,51 @@
 #include "core/mission/drive_gate.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "core/mission/drive_merge.h"
 
 namespace usar::mission {
 
-namespace {
-
-void keep(std::optional<double>& term, const std::optional<double>& old) {
-    if (!term)
-        term = old;
-}
-
-void keepAbsentTerms(protocol::AerialDrive& newer, const protocol::AerialDrive& older) {
-    keep(newer.climb_m_s, older.climb_m_s);
-    keep(newer.forward_m_s, older.forward_m_s);
-    keep(newer.left_m_s, older.left_m_s);
-    keep(newer.yaw_rate_rad_s, older.yaw_rate_rad_s);
-}
-
-void keepAbsentTerms(protocol::SkidDrive& newer, const protocol::SkidDrive& older) {
-    keep(newer.left_rad_s, older.left_rad_s);
-    keep(newer.right_rad_s, older.right_rad_s);
-}
-
-/// Where both are of this kind and unit.
-template <class Drive>
-void merge(protocol::Command& newer, const protocol::Command& older) {
-    auto* to = std::get_if<Drive>(&newer);
-    const auto* from = std::get_if<Drive>(&older);
-    if (to && from && to->normalized == from->normalized)
-        keepAbsentTerms(*to, *from);
-}
-
-} // namespace
-
-bool DriveGate::isDrive(const protocol::Command& command) {
-    return std::holds_alternative<protocol::AerialDrive>(command) ||
-           std::holds_alternative<protocol::SkidDrive>(command);
-}
-
-void DriveGate::offer(agent::CausedCommand drive) {
-    if (held_) {
-        merge<protocol::AerialDrive>(drive.command, held_->command);
-        merge<protocol::SkidDrive>(drive.command, held_->command);
+bool DriveGate::offer(agent::CausedCommand drive) {
+    const auto old = std::ranges::find_if(
+        held_, [&drive](const agent::CausedCommand& held) { return replaces(drive.command, held.command); });
+    const bool replaced = old != held_.end();
+    if (replaced) {
+        keepAbsentTerms(drive.command, old->command);
+        held_.erase(old);
     }
-    held_ = std::move(drive);
+    complete(drive.command);
+    std::erase_if(held_,
+                  [&drive](agent::CausedCommand& held) { return !takeOutWhatIsOld(held.command, drive.command); });
+    held_.push_back(std::move(drive));
+    return replaced;
 }
 
-std::optional<agent::CausedCommand> DriveGate::release(Seconds now) {
+/// Lights are said once and not again.
+void DriveGate::complete(protocol::Command& drive) {
+    auto* const ackermann = std::get_if<protocol::AckermannDrive>(&drive);
+    if (!ackermann)
+        return;
+    if (last_ackermann_)
+        keepAbsentTerms(drive, *last_ackermann_);
+    protocol::AckermannDrive said = *ackermann;
+    said.switches = {};
+    last_ackermann_ = said;
+}
+
+std::vector<agent::CausedCommand> DriveGate::release(Seconds now) {
     // Wire times have two decimals: half a hundredth must not cost a tick.
     constexpr Seconds rounding{0.005};
     if (last_sent_ && now >= *last_sent_ && now - *last_sent_ < spacing - rounding)
-        return std::nullopt;
+        return {};
     return releaseNow(now);
 }
 
-std::optional<agent::CausedCommand> DriveGate::releaseNow(Seconds now) {
-    if (held_)
+std::vector<agent::CausedCommand> DriveGate::releaseNow(Seconds now) {
+    if (!held_.empty())
         last_sent_ = now;
-    return std::exchange(held_, std::nullopt);
+    return std::exchange(held_, {});
 }
 
 } // namespace usar::mission

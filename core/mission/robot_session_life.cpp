@@ -1,6 +1,7 @@
 // The steps of a session's life: connection, lines, behavior, commands.
 #include "core/mission/robot_session_private.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QMetaMethod>
@@ -51,6 +52,9 @@ void RobotSession::Private::beginConnection() {
     state.emplace();
     sensors.reset();
     gate.reset();
+    moving.reset();
+    dialect = {};
+    figures.dialect.reset();
     mapper.forgetScans();
     setSpawn(SpawnState::None);
     start_poses_settled = silence_said = false;
@@ -101,6 +105,8 @@ void RobotSession::Private::connectionLost() {
 void RobotSession::Private::takeLine(std::string_view text) {
     protocol::InfoLine line = reader.read(text);
     ++figures.lines_received;
+    dialect.take(text);
+    figures.dialect = dialect.dialect();
     state->take(line);
     figures.now = state->now();
     if (auto complaint = complaints.take(line))
@@ -290,34 +296,49 @@ void RobotSession::Private::makeSafe(const std::string& source) {
     if (!figures.spawned || replayer)
         return;
     gate.reset();
-    const bool rolls = state->latest() && state->latest()->kind == protocol::VehicleKind::Ground;
-    if (host)
-        send(host->safeCommand(source));
-    else if (rolls)
-        send({protocol::SkidDrive{0.0, 0.0}, {source, state->line()}});
-    else
-        send({protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, {source, state->line()}});
+    std::optional<protocol::Command> safe;
+    if (host) {
+        agent::CausedCommand command = host->safeCommand(source);
+        safe = command.command;
+        send(command);
+    }
+    for (protocol::Command& stop : stops(safe))
+        send({std::move(stop), {source, state->line()}});
     sendDrive(true);
     link.flush();
 }
 
+/// A zero DRIVE for the kind of vehicle, unless a behavior knows better, and the end of all else that was set in
+/// motion.
+std::vector<protocol::Command> RobotSession::Private::stops(const std::optional<protocol::Command>& safe) const {
+    const auto& latest = state->latest();
+    std::vector<protocol::Command> stops;
+    if (!safe)
+        stops = zeroDrives(latest ? latest->kind : protocol::VehicleKind::Unknown);
+    for (const protocol::Command& stop : moving.stops()) {
+        if ((!safe || stop.index() != safe->index()) && std::ranges::find(stops, stop) == stops.end())
+            stops.push_back(stop);
+    }
+    return stops;
+}
+
 void RobotSession::Private::send(const agent::CausedCommand& command) {
     if (DriveGate::isDrive(command.command)) {
-        figures.traffic.drives_replaced += gate.holding();
-        gate.offer(command);
+        figures.traffic.drives_replaced += gate.offer(command);
         return;
     }
     write(command);
 }
 
 void RobotSession::Private::sendDrive(bool at_once) {
-    const auto drive = at_once ? gate.releaseNow(figures.now) : gate.release(figures.now);
-    if (drive)
-        write(*drive);
+    for (const agent::CausedCommand& drive : at_once ? gate.releaseNow(figures.now) : gate.release(figures.now))
+        write(drive);
 }
 
 void RobotSession::Private::write(const agent::CausedCommand& command) {
-    std::string text = protocol::write(command.command);
+    std::string text = protocol::write(command.command, dialect.dialect().value_or(protocol::Dialect::Ut2004));
+    dialect.sent(command.command);
+    moving.sent(command.command);
     if (recorder && connected())
         recorder->write({.kind = link::RecordKind::Out,
                          .line = {figures.lines_received},

@@ -19,10 +19,12 @@
 #include "core/mission/complaint_book.h"
 #include "core/mission/drive_gate.h"
 #include "core/mission/robot_session.h"
+#include "core/mission/safe_stop.h"
 #include "core/mission/scan_mapper.h"
 #include "core/mission/sensor_watch.h"
 #include "core/mission/update_collector.h"
 #include "core/modules/state.h"
+#include "core/protocol/dialect_detector.h"
 #include "core/protocol/reader.h"
 
 namespace usar::mission {
@@ -63,6 +65,7 @@ struct RobotSession::Private : link::ReplayTaker {
     void worthSaving();
     void step();
     void makeSafe(const std::string& source);
+    std::vector<protocol::Command> stops(const std::optional<protocol::Command>& safe) const;
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
     void write(const agent::CausedCommand& command);
@@ -115,6 +118,8 @@ struct RobotSession::Private : link::ReplayTaker {
     ComplaintBook complaints;
     SensorWatch sensors;
     DriveGate gate;
+    MovingParts moving;
+    protocol::DialectDetector dialect;
     ScanMapper mapper;
     UpdateCollector collector;
     ScanRecord record;

@@ -141,7 +141,9 @@ void RobotSession::Private::sent(const link::Record& out) {
     ++replay_traffic.lines_out;
     replay_traffic.bytes_out += out.bytes.size();
     Diagnostics ignored;
-    agent::CausedCommand command{protocol::readCommand(text, ignored), {std::string(out.name), out.trigger}};
+    const protocol::Dialect spelling = dialect.dialect().value_or(protocol::Dialect::Ut2004);
+    agent::CausedCommand command{protocol::readCommand(text, ignored, spelling), {std::string(out.name), out.trigger}};
+    dialect.sent(command.command);
     if (const auto* asked = std::get_if<protocol::Init>(&command.command)) {
         request.class_name = asked->class_name;
         request.robot_name = asked->robot_name;

@@ -13,6 +13,7 @@
 #include "core/link/replay.h"
 #include "core/mapping/height_map.h"
 #include "core/mapping/profile.h"
+#include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/traffic_counts.h"
 
@@ -41,7 +42,8 @@ struct SessionFigures {
     double lines_per_second = 0.0;     ///< of wall time
     protocol::TrafficCounts traffic;   ///< of this connection, or of the last one
     protocol::TrafficRates rates;
-    bool lockstep = false; ///< the server waits for us after each tick
+    std::optional<protocol::Dialect> dialect; ///< of this connection; absent until the server has shown it
+    bool lockstep = false;                    ///< the server waits for us after each tick
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
     bool behavior_running = false;
