@@ -1,5 +1,6 @@
 // The message inspector's part of MainWindow: its commands, what it sends, and what it remembers.
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QSettings>
 
 #include "app/main_window.h"
@@ -76,10 +77,13 @@ void MainWindow::wireMessages() {
                                    true);
     });
     connect(messages, &widgets::MessageList::saveRequested, this, [this] {
-        const QString path = QFileDialog::getSaveFileName(this, tr("Save messages"), tr("messages.txt"),
-                                                          tr("Text (*.txt);;JSON lines (*.jsonl)"));
-        if (!path.isEmpty())
-            views_.messages->saveShown(path);
+        QString kind;
+        const QString path = QFileDialog::getSaveFileName(this, tr("Save messages"), tr("messages"),
+                                                          tr("Text (*.txt);;JSON lines (*.jsonl)"), &kind);
+        if (path.isEmpty())
+            return;
+        const QString suffix = kind.contains(QStringLiteral("jsonl")) ? ".jsonl" : ".txt";
+        views_.messages->saveShown(QFileInfo(path).suffix().isEmpty() ? path + suffix : path);
     });
     connect(messages, &widgets::MessageList::resendRequested, this, [this](int connection, const QStringList& lines) {
         for (const QString& line : lines)

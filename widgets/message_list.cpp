@@ -90,6 +90,7 @@ void MessageList::wireView() {
     });
     connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] { noteSelection(); });
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MessageList::enableActions);
+    connect(view_, &QTableView::pressed, actions_.follow, [this] { actions_.follow->setChecked(false); });
     connect(view_, &QTableView::doubleClicked, actions_.details, [this] { actions_.details->setChecked(true); });
     connect(bar_, &MessageFilterBar::filterChanged, this, &MessageList::applyFilter);
     connect(model_, &MessageModel::filtered, this, [this] {

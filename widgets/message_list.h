@@ -41,7 +41,8 @@ struct MessageActions {
 };
 
 /// Takes lines at any rate and shows them with one insertion a frame; hidden or paused it only keeps them. Stays at
-/// the end until the person scrolls up; then the content stands still, also while old lines fall out. Lines with
+/// the end until the person scrolls up or clicks a line; then the content stands still, also while old lines fall out.
+/// Lines with
 /// diagnostics have a sign and a color, and say the reason as tooltip; commands say who sent them and on which line.
 /// Lines of many connections are kept together; those of the selected one are shown, or all. GUI thread.
 class MessageList : public QWidget {
