@@ -1,5 +1,7 @@
 #include "widgets/shortcut_sheet.h"
 
+#include <algorithm>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -86,7 +88,8 @@ ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::p
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(scroll);
-    resize(820, 520);
+    constexpr int scroll_bar_px = 24;
+    resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520); // never to be scrolled sideways
 }
 
 } // namespace usar::widgets

@@ -2,6 +2,8 @@
 #include <QLabel>
 #include <QListView>
 #include <QMainWindow>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -29,6 +31,7 @@ private slots:
     void paletteHidesWhatIsImpossible();
     void paletteIsLedByArrowKeys();
     void sheetListsEveryShortcut();
+    void sheetIsAsWideAsItsWords();
     void escapeTwiceCounts_data();
     void escapeTwiceCounts();
 
@@ -187,6 +190,14 @@ void tst_CommandRegistry::sheetListsEveryShortcut() {
     for (const auto& command : registry_->commands())
         QCOMPARE(texts.contains(command->spec.text), !command->spec.shortcuts.isEmpty());
     QVERIFY(texts.contains(QStringLiteral("Wheel")) && texts.contains(QStringLiteral("Ctrl+F")));
+}
+
+void tst_CommandRegistry::sheetIsAsWideAsItsWords() {
+    const QString long_gesture(120, u'w');
+    ShortcutSheet sheet(*registry_, {{long_gesture, QStringLiteral("zoom")}}, window_.get());
+    sheet.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&sheet));
+    QCOMPARE(sheet.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
 }
 
 void tst_CommandRegistry::escapeTwiceCounts_data() {
