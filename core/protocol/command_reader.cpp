@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/protocol/commands/drive_fields.h"
+#include "core/protocol/commands/path_node_fields.h"
 #include "core/protocol/commands/robot_fields.h"
 #include "core/protocol/commands/set_fields.h"
 #include "core/protocol/commands/world_fields.h"

@@ -1,6 +1,7 @@
 #include "core/protocol/command_writer.h"
 
 #include "core/protocol/commands/drive_fields.h"
+#include "core/protocol/commands/path_node_fields.h"
 #include "core/protocol/commands/robot_fields.h"
 #include "core/protocol/commands/set_fields.h"
 #include "core/protocol/commands/world_fields.h"

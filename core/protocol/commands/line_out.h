@@ -13,7 +13,6 @@
 #include "core/base/geometry.h"
 #include "core/base/numbers.h"
 #include "core/protocol/commands/checked_text.h"
-#include "core/protocol/commands/wire_degrees.h"
 #include "core/protocol/commands/wire_words.h"
 #include "core/protocol/dialect.h"
 #include "core/protocol/wire_frame.h"
@@ -54,17 +53,8 @@ public:
         if (value)
             number(key, acrossWire(*value));
     }
-    void degrees(std::string_view key, const std::optional<double>& angle_rad) {
-        if (!angle_rad)
-            return;
-        open(key);
-        appendDegrees(out_, finite(*angle_rad));
-        close();
-    }
-    void flippedDegrees(std::string_view key, const std::optional<double>& angle_rad) {
-        if (angle_rad)
-            degrees(key, acrossWire(*angle_rad));
-    }
+    void degrees(std::string_view key, const std::optional<double>& angle_rad);
+    void flippedDegrees(std::string_view key, const std::optional<double>& angle_rad);
 
     /// Whether the speeds that follow are per cent; `endScale` says so on the line.
     void beginScale(bool normalized) { normalized_ = normalized; }
@@ -109,27 +99,12 @@ public:
     void choice(std::string_view key, Value value) { mark(key, wordOf(value)); }
 
     /// As it is.
-    void vector(std::string_view key, const std::optional<Vec3>& value) {
-        if (!value)
-            return;
-        open(key);
-        add(*value);
-        close();
-    }
+    void vector(std::string_view key, const std::optional<Vec3>& value);
     /// From our frame to the wire's.
     void position(std::string_view key, const Vec3& value) { vector(key, acrossWire(value)); }
-    void pose(const Pose& pose) {
-        const Pose on_wire = acrossWire(pose);
-        vector("Location", on_wire.position_m);
-        vector("Rotation", Vec3(on_wire.roll_rad, on_wire.pitch_rad, on_wire.yaw_rad));
-    }
+    void pose(const Pose& pose);
     /// A pose, or the name of a start point.
-    void start(const std::variant<Pose, Token>& start) {
-        if (const Token* const name = std::get_if<Token>(&start))
-            text("Start", *name);
-        else
-            pose(std::get<Pose>(start));
-    }
+    void start(const std::variant<Pose, Token>& start);
 
     void open(std::string_view key) {
         out_ += " {";
@@ -139,13 +114,7 @@ public:
     void close() { out_ += '}'; }
     void add(std::string_view text) { out_.append(text); }
     void add(double value) { appendShortest(out_, finite(value)); }
-    void add(const Vec3& value) {
-        add(value.x());
-        out_ += ',';
-        add(value.y());
-        out_ += ',';
-        add(value.z());
-    }
+    void add(const Vec3& value);
 
     template <class Value>
     static std::string_view wordOf(Value value) {

@@ -37,14 +37,4 @@ void pace(LineIn& in, std::variant<WaypointSpeed, Seconds>& pace) {
         in.seconds("Time", pace.emplace<Seconds>(0.0));
 }
 
-void goal(LineIn& in, std::variant<Vec2, Token>& goal) {
-    if (in.segments().find("Pathnode"))
-        return in.text("Pathnode", goal.emplace<Token>("?"));
-    const Segment* const location = in.segments().find("Location");
-    if (!location)
-        return in.refuse(in.segments().line(), "MOVE needs a Location or a Pathnode");
-    const auto [x, y] = in.numbersOf<2>(*location);
-    goal = Vec2(acrossWire(Vec3(x, y, 0.0)).head<2>());
-}
-
 } // namespace usar::protocol
