@@ -312,7 +312,6 @@ void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection() {
 
 void tst_MessageModel::olderRowsComeInSlicesAboveTheNewest() {
     MessageModel model;
-    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.append(lines(0, 100'000));
     QSignalSpy filtered(&model, &MessageModel::filtered);
     model.setFilter({QStringLiteral("/SONAR.*$/")});
