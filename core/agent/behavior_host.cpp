@@ -32,12 +32,22 @@ void BehaviorHost::stopAfterThrow(const std::string& what) {
     port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " failed: " + what + "."});
 }
 
+template <class Module>
+void BehaviorHost::ask(Module& module, const std::string& subject) {
+    if (auto question = module.next(modules_.state.now()))
+        port_.send(*std::move(question), subject + " module");
+    for (const auto& [question, no_such_thing] : module.takeFailures()) {
+        const std::string what = question.name.empty() ? question.type : question.type + " " + question.name;
+        port_.publish(BehaviorEvent{.severity = Severity::Warning,
+                                    .text = no_such_thing ? "The server knows no " + what + ": it has no " + subject + "."
+                                                          : "No answer about the " + subject + " of " + what +
+                                                                " after three tries. Is it mounted on this robot?"});
+    }
+}
+
 void BehaviorHost::askQuestions() {
-    const Seconds now = modules_.state.now();
-    if (auto question = modules_.geometry.next(now))
-        port_.send(*std::move(question), "geometry module");
-    if (auto question = modules_.configuration.next(now))
-        port_.send(*std::move(question), "configuration module");
+    ask(modules_.geometry, "geometry");
+    ask(modules_.configuration, "configuration");
 }
 
 BehaviorHost::Output BehaviorHost::receive(const protocol::InfoLine& line) {

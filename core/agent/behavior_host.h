@@ -10,9 +10,9 @@
 namespace usar::agent {
 
 /// Owns the behavior and its modules. Lines and orders go in, caused commands and published values come out. The
-/// behavior ticks on every STA (thesis 3); questions that the modules have waiting are sent on every line. A behavior
-/// that throws is stopped: its safe command is sent and BehaviorFinished says what was thrown. A finished behavior is
-/// not called again. Used from its owner's thread.
+/// behavior ticks on every STA (thesis 3); questions that the modules have waiting are sent on every line, and those
+/// that nobody answers are reported as BehaviorEvent. A behavior that throws is stopped: its safe command is sent and
+/// BehaviorFinished says what was thrown. A finished behavior is not called again. Used from its owner's thread.
 class BehaviorHost {
 public:
     struct Output {
@@ -38,6 +38,8 @@ private:
     template <class Call>
     void guarded(Call&& call);
     void stopAfterThrow(const std::string& what);
+    template <class Module>
+    void ask(Module& module, const std::string& subject);
     void askQuestions();
     Output takeOutput();
 

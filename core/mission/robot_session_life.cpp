@@ -103,7 +103,7 @@ void RobotSession::Private::connectionLost() {
 }
 
 void RobotSession::Private::takeLine(std::string_view text) {
-    protocol::InfoLine line = reader.read(text);
+    const protocol::InfoLine& line = reader.read(text);
     ++figures.lines_received;
     dialect.take(text);
     figures.dialect = dialect.dialect();
@@ -122,7 +122,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
         output = host->receive(line);
     const bool is_tick = std::holds_alternative<protocol::RobotState>(line.message);
     if (observed)
-        collector.addLine(std::move(line)); // first, so that the frame of a finished behavior has its last line
+        collector.addLine(line); // first, so that the frame of a finished behavior has its last line
     takeOutput(output, is_tick);
     touched();
 }

@@ -10,37 +10,51 @@ namespace usar::mission {
 
 namespace {
 
-/// Types that are silent while there is nothing to tell (usarsim-protocol 5), and those that a table knows: a line of
-/// these that stayed generic is a damaged one.
-constexpr std::array<std::string_view, 15> not_watched{
-    "RFID",         "RFIDTag", "VictRFID",    "VictSensor", "HumanMotion", "Sound",    "Helper",      "Sonar",
-    "RangeScanner", "INS",     "GroundTruth", "Odometry",   "Encoder",     "Acoustic", "ObjectSensor"};
+/// Types that are silent while there is nothing to tell (usarsim-protocol 5).
+constexpr std::array<std::string_view, 10> not_watched{
+    "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
+    "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
+
+bool isWatched(std::string_view type) {
+    return !type.empty() &&
+           std::ranges::none_of(not_watched, [type](std::string_view one) { return protocol::sameWord(one, type); });
+}
 
 /// The first lines of a tick may come before the first that tells the server's time, which may be hours.
 constexpr Seconds clock_unknown{0.0};
+
+/// Of these a robot has one, however it is called.
+template <class Sensor>
+constexpr bool is_alone =
+    std::is_same_v<Sensor, protocol::InsReading> || std::is_same_v<Sensor, protocol::GroundTruthReading> ||
+    std::is_same_v<Sensor, protocol::OdometryReading>;
+
+bool tellsSomething(const protocol::NamedRange& range) {
+    return !std::isnan(range.range_m);
+}
+bool tellsSomething(const auto&) {
+    return true;
+}
 
 /// Calls `speak(type, name)` for each sensor that the message is a reading of.
 template <class Speak>
 struct Speakers {
     const Speak& speak;
 
-    void operator()(const protocol::SonarReadings& message) const {
-        for (const protocol::NamedRange& sonar : message.ranges)
-            if (!std::isnan(sonar.range_m))
-                speak("Sonar", sonar.name);
+    template <protocol::SensorMessage Sensor>
+    void operator()(const Sensor& message) const {
+        const std::string_view type = protocol::wireTypeOf(message);
+        if (!isWatched(type))
+            return;
+        protocol::forEachReading(message, [&](const std::string& name, const auto& reading) {
+            if (tellsSomething(reading))
+                speak(type, is_alone<Sensor> ? std::string_view() : std::string_view(name));
+        });
     }
-    void operator()(const protocol::RangeScan& message) const { speak(message.type, message.name); }
-    void operator()(const protocol::InsReading&) const { speak("INS", {}); }
-    void operator()(const protocol::GroundTruthReading&) const { speak("GroundTruth", {}); }
-    void operator()(const protocol::OdometryReading&) const { speak("Odometry", {}); }
-    void operator()(const protocol::EncoderReadings& message) const {
-        for (const protocol::EncoderTicks& encoder : message.encoders)
-            speak("Encoder", encoder.name);
-    }
+    /// A damaged line of a type that the table knows may be anybody's.
     void operator()(const protocol::GenericMessage& message) const {
-        const auto isType = [&](std::string_view type) { return protocol::sameWord(message.type, type); };
-        if (protocol::sameWord(message.type_word, "SEN") && !message.type.empty() &&
-            std::ranges::none_of(not_watched, isType))
+        if (protocol::sameWord(message.type_word, "SEN") && isWatched(message.type) &&
+            !protocol::isKnownSensor(message.type))
             speak(message.type, message.name);
     }
     void operator()(const auto&) const {}

@@ -14,14 +14,16 @@ struct Namer {
     std::string operator()(const protocol::StartPoses&) const { return "NFO StartPoses"; }
     std::string operator()(const protocol::LockstepInfo&) const { return "NFO Lockstep"; }
     std::string operator()(const protocol::RobotState&) const { return "STA"; }
-    std::string operator()(const protocol::SonarReadings&) const { return "SEN Sonar"; }
-    std::string operator()(const protocol::RangeScan& scan) const {
-        return scan.type.empty() ? "SEN" : "SEN " + scan.type;
+    std::string operator()(const protocol::PathNodes&) const { return "NFO PathNodes"; }
+    std::string operator()(const protocol::ClosestPathNode&) const { return "NFO Pathnode"; }
+    std::string operator()(const protocol::PackageState&) const { return "MISSTA"; }
+    std::string operator()(const protocol::EffecterState&) const { return "EFF"; }
+    std::string operator()(const protocol::WorldObjects&) const { return "STA"; }
+    template <protocol::SensorMessage Sensor>
+    std::string operator()(const Sensor& sensor) const {
+        const std::string_view type = protocol::wireTypeOf(sensor);
+        return type.empty() ? "SEN" : "SEN " + std::string(type);
     }
-    std::string operator()(const protocol::InsReading&) const { return "SEN INS"; }
-    std::string operator()(const protocol::GroundTruthReading&) const { return "SEN GroundTruth"; }
-    std::string operator()(const protocol::OdometryReading&) const { return "SEN Odometry"; }
-    std::string operator()(const protocol::EncoderReadings&) const { return "SEN Encoder"; }
     std::string operator()(const protocol::GeometryInfo&) const { return "GEO"; }
     std::string operator()(const protocol::ConfigurationInfo&) const { return "CONF"; }
     std::string operator()(const protocol::Response&) const { return "RES"; }
@@ -34,15 +36,14 @@ std::string streamName(const protocol::InfoMessage& message) {
 }
 
 bool isRobotData(const protocol::InfoMessage& message) {
-    if (const auto* generic = std::get_if<protocol::GenericMessage>(&message))
-        return protocol::sameWord(generic->type_word, "SEN") || protocol::sameWord(generic->type_word, "STA");
-    return std::holds_alternative<protocol::RobotState>(message) ||
-           std::holds_alternative<protocol::SonarReadings>(message) ||
-           std::holds_alternative<protocol::RangeScan>(message) ||
-           std::holds_alternative<protocol::InsReading>(message) ||
-           std::holds_alternative<protocol::GroundTruthReading>(message) ||
-           std::holds_alternative<protocol::OdometryReading>(message) ||
-           std::holds_alternative<protocol::EncoderReadings>(message);
+    return std::visit(
+        []<class Message>(const Message& one) {
+            if constexpr (std::is_same_v<Message, protocol::GenericMessage>)
+                return protocol::sameWord(one.type_word, "SEN") || protocol::sameWord(one.type_word, "STA");
+            else
+                return protocol::SensorMessage<Message> || std::is_same_v<Message, protocol::RobotState>;
+        },
+        message);
 }
 
 } // namespace usar::mission

@@ -92,7 +92,7 @@ void QueryModule<Question, Answer>::take(const protocol::InfoLine& line) {
             entry.state = QueryState::Ready;
             entry.answer = *answer;
         } else if (asked_now) {
-            entry.state = QueryState::Failed;
+            fail(entry, true);
         }
         if (asked_now)
             outstanding_.reset();
@@ -137,7 +137,13 @@ void QueryModule<Question, Answer>::giveUpOrWait(const Key& key) {
     if (entry.times_sent < most_tries)
         waiting_.push_back(key);
     else
-        entry.state = QueryState::Failed;
+        fail(entry, false);
+}
+
+template <class Question, class Answer>
+void QueryModule<Question, Answer>::fail(Entry& entry, bool no_such_thing) {
+    entry.state = QueryState::Failed;
+    failures_.push_back({entry.question, no_such_thing});
 }
 
 template class QueryModule<protocol::GetGeometry, GeometryInfo>;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/clock.h"
 #include "core/protocol/command.h"
@@ -33,6 +34,12 @@ public:
     const Answer* answer(const std::string& type, const std::string& name = {}) const;
 
     void take(const protocol::InfoLine& line);
+    /// Questions that have failed since the last call, each with the reason.
+    struct Failure {
+        Question question;
+        bool no_such_thing = false; ///< the server said so; else there was no answer
+    };
+    std::vector<Failure> takeFailures() { return std::exchange(failures_, {}); }
     /// The question to send now, if the line is free; marks it as sent at `now` (the protocol's clock).
     std::optional<protocol::Command> next(Seconds now);
 
@@ -48,10 +55,12 @@ private:
     static Key keyOf(const std::string& type, const std::string& name);
     bool answers(const Key& key, const Answer& answer, bool asked_now) const;
     void giveUpOrWait(const Key& key);
+    void fail(Entry& entry, bool no_such_thing);
 
     std::map<Key, Entry> entries_;
     std::deque<Key> waiting_;
     std::optional<std::pair<Key, Seconds>> outstanding_;
+    std::vector<Failure> failures_;
 };
 
 using GeometryModule = QueryModule<protocol::GetGeometry, protocol::GeometryInfo>;

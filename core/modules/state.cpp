@@ -1,8 +1,43 @@
 #include "core/modules/state.h"
 
+#include <algorithm>
+
+#include "core/protocol/segments.h"
+
 namespace usar::modules {
 
+namespace {
+
+template <class Part>
+const Part* partOf(const std::vector<Part>& parts, std::string_view name) {
+    const auto part =
+        std::ranges::find_if(parts, [name](const Part& one) { return protocol::sameWord(one.name, name); });
+    return part == parts.end() ? nullptr : &*part;
+}
+
+template <class Part>
+void replace(std::vector<Part>& parts, const Part& newest) {
+    if (const Part* const known = partOf(parts, newest.name))
+        parts[static_cast<std::size_t>(known - parts.data())] = newest;
+    else if (parts.size() < StateModule::most_parts)
+        parts.push_back(newest);
+}
+
+} // namespace
+
+const protocol::PackageState* StateModule::package(std::string_view name) const {
+    return partOf(packages_, name);
+}
+
+const protocol::EffecterState* StateModule::effecter(std::string_view name) const {
+    return partOf(effecters_, name);
+}
+
 void StateModule::take(const protocol::InfoLine& line) {
+    if (const auto* const package = std::get_if<protocol::PackageState>(&line.message))
+        replace(packages_, *package);
+    else if (const auto* const effecter = std::get_if<protocol::EffecterState>(&line.message))
+        replace(effecters_, *effecter);
     const auto* const state = std::get_if<protocol::RobotState>(&line.message);
     if (!state)
         return;

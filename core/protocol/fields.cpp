@@ -1,12 +1,13 @@
 #include "core/protocol/fields.h"
 
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/type_name.h"
+#include "core/protocol/described_fields.h"
+#include "core/protocol/field_list.h"
 #include "core/protocol/generic_fields.h"
 #include "core/protocol/segments.h"
 #include "core/protocol/vehicle_words.h"
@@ -15,163 +16,152 @@ namespace usar::protocol {
 
 namespace {
 
-/// Collects the fields of one message.
-struct Collector {
-    std::string source;
-    std::string item;
-    std::vector<Field> fields;
+void listAll(FieldList& fields, const GenericMessage& message) {
+    for (Field& field : genericFieldsOf(message))
+        fields.add(std::move(field));
+}
 
-    void text(std::string_view field, std::string_view value) {
-        fields.push_back({source, item, std::string(field), std::nullopt, std::string(value), {}});
-    }
-    void number(std::string_view field, double value, std::string_view unit = {}) {
-        if (std::isfinite(value))
-            fields.push_back({source, item, std::string(field), value, {}, std::string(unit)});
-        else
-            fields.push_back({source, item, std::string(field), std::nullopt, "nan", std::string(unit)});
-    }
-    template <class Number>
-    void number(std::string_view field, const std::optional<Number>& value, std::string_view unit = {}) {
-        if (value)
-            number(field, static_cast<double>(*value), unit);
-    }
-    void flag(std::string_view field, const std::optional<bool>& value) {
-        if (value)
-            text(field, *value ? "True" : "False");
-    }
-    void pose(const Pose& pose) {
-        number("x", pose.position_m.x(), "m");
-        number("y", pose.position_m.y(), "m");
-        number("z", pose.position_m.z(), "m");
-        number("roll", pose.roll_rad, "rad");
-        number("pitch", pose.pitch_rad, "rad");
-        number("yaw", pose.yaw_rad, "rad");
-    }
+void listAll(FieldList& fields, const GameInfo& game) {
+    fields.source = "NFO";
+    fields.text("game_type", game.game_type);
+    fields.text("level", game.level);
+    fields.number("time_limit", game.time_limit_min, "min");
+}
 
-    void add(const GenericMessage& message) { fields = genericFieldsOf(message); }
-    void add(const GameInfo& game) {
-        source = "NFO";
-        text("game_type", game.game_type);
-        text("level", game.level);
-        number("time_limit", game.time_limit_min, "min");
+void listPlaces(FieldList& fields, const std::vector<StartPose>& places) {
+    for (const StartPose& place : places) {
+        fields.item = place.name;
+        fields.pose(place.pose_in_map);
     }
-    void add(const StartPoses& start) {
-        source = "NFO StartPoses";
-        for (const StartPose& place : start.poses) {
-            item = place.name;
-            pose(place.pose_in_map);
-        }
-    }
-    void add(const LockstepInfo& lockstep) {
-        source = "NFO";
-        flag("lockstep", lockstep.on);
-    }
-    void add(const RobotState& state);
-    void add(const SonarReadings& sonars) {
-        source = "SEN Sonar";
-        for (const NamedRange& sonar : sonars.ranges) {
-            item = sonar.name;
-            number("range", sonar.range_m, "m");
-        }
-    }
-    void add(const RangeScan& scan);
-    void add(const InsReading& reading) {
-        source = "SEN INS";
-        item = reading.name;
-        pose(reading.base_in_map);
-    }
-    void add(const GroundTruthReading& reading) {
-        source = "SEN GroundTruth";
-        item = reading.name;
-        pose(reading.base_in_map);
-    }
-    void add(const OdometryReading& reading) {
-        source = "SEN Odometry";
-        item = reading.name;
-        if (!reading.base_in_start)
-            return;
-        number("x", reading.base_in_start->position_m.x(), "m");
-        number("y", reading.base_in_start->position_m.y(), "m");
-        number("yaw", reading.base_in_start->yaw_rad, "rad");
-    }
-    void add(const EncoderReadings& encoders) {
-        source = "SEN Encoder";
-        for (const EncoderTicks& encoder : encoders.encoders) {
-            item = encoder.name;
-            number("ticks", static_cast<double>(encoder.ticks));
-        }
-    }
-    void add(const GeometryInfo& geometry);
-    void add(const ConfigurationInfo& configuration) {
-        source = "CONF " + configuration.type;
-        for (const ConfiguredItem& configured : configuration.items) {
-            item = configured.name;
-            for (const Setting& setting : configured.settings)
-                fields.push_back({source, item, setting.key, setting.number, setting.value, {}});
-        }
-    }
-    void add(const Response& response) {
-        source = "RES " + response.type;
-        item = response.name;
-        text("status", response.ok ? "OK" : "Failed");
-    }
-};
+}
 
-void Collector::add(const RobotState& state) {
-    source = "STA";
+void listAll(FieldList& fields, const StartPoses& start) {
+    fields.source = "NFO StartPoses";
+    listPlaces(fields, start.poses);
+}
+
+void listAll(FieldList& fields, const PathNodes& path) {
+    fields.source = "NFO PathNodes";
+    listPlaces(fields, path.nodes);
+}
+
+void listAll(FieldList& fields, const ClosestPathNode& node) {
+    fields.source = "NFO Pathnode";
+    fields.item = node.name;
+    fields.vector("", node.position_in_map_m, "m");
+}
+
+void listAll(FieldList& fields, const LockstepInfo& lockstep) {
+    fields.source = "NFO";
+    fields.flag("lockstep", lockstep.on);
+}
+
+void listAll(FieldList& fields, const RobotState& state) {
+    fields.source = "STA";
     if (state.kind != VehicleKind::Unknown)
-        text("kind", wordOf(state.kind));
+        fields.text("kind", wordOf(state.kind));
     if (state.battery_left)
-        number("battery", state.battery_left->count(), "s");
-    number("front_steer", state.front_steer_rad, "rad");
-    number("rear_steer", state.rear_steer_rad, "rad");
-    flag("light", state.light_on);
-    number("light_intensity", state.light_intensity_pct, "%");
-    number("view", state.view);
+        fields.number("battery", state.battery_left->count(), "s");
+    fields.number("front_steer", state.front_steer_rad, "rad");
+    fields.number("rear_steer", state.rear_steer_rad, "rad");
+    fields.flag("light", state.light_on);
+    fields.number("light_intensity", state.light_intensity_pct, "%");
+    fields.number("view", state.view);
     for (const JointAngle& joint : state.joints) {
-        item = joint.name;
-        number("angle", joint.angle_rad, "rad");
+        fields.item = joint.name;
+        fields.number("angle", joint.angle_rad, "rad");
     }
-    item.clear();
+    fields.item.clear();
     for (const KeyValue& other : state.others)
         if (sameWord(other.key, "Type"))
-            text("kind", other.value);
-    for (Field& field : genericFieldsOf({source, {}, {}, state.others}))
-        fields.push_back(std::move(field));
+            fields.text("kind", other.value);
+    for (Field& field : genericFieldsOf({fields.source, {}, {}, state.others}))
+        fields.add(std::move(field));
 }
 
-void Collector::add(const RangeScan& scan) {
-    source = scan.type.empty() ? "SEN" : "SEN " + scan.type;
-    item = scan.name;
-    number("resolution", scan.resolution_rad, "rad");
-    number("fov", scan.fov_rad, "rad");
-    const ListSummary summary = summaryOf(scan.ranges_m);
-    number("count", static_cast<double>(scan.ranges_m.size()));
-    number("minimum", summary.minimum, "m");
-    number("mean", summary.mean, "m");
-    number("maximum", summary.maximum, "m");
+void listAll(FieldList& fields, const PackageState& package) {
+    fields.source = "MISSTA";
+    listDescribed(fields, package);
 }
 
-void Collector::add(const GeometryInfo& geometry) {
-    source = "GEO " + geometry.type;
-    item = geometry.robot_class;
-    static constexpr std::array sizes = {"length", "width", "height"};
-    static constexpr std::array centers = {"center_x", "center_y", "center_z"};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (geometry.dimensions_m)
-            number(sizes[static_cast<std::size_t>(axis)], (*geometry.dimensions_m)[axis], "m");
+void listAll(FieldList& fields, const EffecterState& effecter) {
+    fields.source = "EFF " + effecter.type;
+    fields.item = effecter.name;
+    fields.flag("closed", effecter.closed);
+    fields.flag("on", effecter.on);
+    if (!effecter.tool.empty())
+        fields.text("tool", effecter.tool);
+    if (!effecter.tool_type.empty())
+        fields.text("tool_type", effecter.tool_type);
+}
+
+void listAll(FieldList& fields, const WorldObjects& world) {
+    fields.source = "STA";
+    for (const WorldObject& object : world.objects) {
+        fields.item = object.name;
+        fields.pose(object.object_in_map);
+        if (object.size_m)
+            fields.vector("size", *object.size_m, "m");
+        if (!object.memory.empty())
+            fields.text("memory", object.memory);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        if (geometry.center_of_gravity_m)
-            number(centers[static_cast<std::size_t>(axis)], (*geometry.center_of_gravity_m)[axis], "m");
+}
+
+void listAll(FieldList& fields, const GeometryInfo& geometry) {
+    fields.source = "GEO " + geometry.type;
+    fields.item = geometry.robot_class;
+    if (geometry.dimensions_m) {
+        fields.number("length", geometry.dimensions_m->x(), "m");
+        fields.number("width", geometry.dimensions_m->y(), "m");
+        fields.number("height", geometry.dimensions_m->z(), "m");
     }
-    number("wheel_radius", geometry.wheel_radius_m, "m");
-    number("wheel_separation", geometry.wheel_separation_m, "m");
-    number("wheel_base", geometry.wheel_base_m, "m");
+    if (geometry.center_of_gravity_m) {
+        fields.number("center_x", geometry.center_of_gravity_m->x(), "m");
+        fields.number("center_y", geometry.center_of_gravity_m->y(), "m");
+        fields.number("center_z", geometry.center_of_gravity_m->z(), "m");
+    }
+    fields.number("wheel_radius", geometry.wheel_radius_m, "m");
+    fields.number("wheel_separation", geometry.wheel_separation_m, "m");
+    fields.number("wheel_base", geometry.wheel_base_m, "m");
     for (const MountedItem& mounted : geometry.items) {
-        item = mounted.name;
-        pose(mounted.item_in_mount);
-        text("mount", mounted.mount);
+        fields.item = mounted.name;
+        fields.pose(mounted.item_in_mount);
+        fields.text("mount", mounted.mount);
+        if (mounted.tip_in_item_m)
+            fields.vector("tip", *mounted.tip_in_item_m, "m");
+    }
+}
+
+void listAll(FieldList& fields, const ConfigurationInfo& configuration) {
+    fields.source = "CONF " + configuration.type;
+    for (const ConfiguredItem& configured : configuration.items)
+        for (const Setting& setting : configured.settings)
+            fields.add({fields.source, configured.name, setting.key, setting.number, setting.value, {}});
+}
+
+void listAll(FieldList& fields, const Response& response) {
+    fields.source = "RES " + response.type;
+    fields.item = response.name;
+    fields.text("status", response.ok ? "OK" : "Failed");
+    fields.number("tag_id", response.tag_id);
+    if (response.memory)
+        fields.text("memory", *response.memory);
+    for (const ResponsePart& part : response.parts) {
+        fields.item = sameWord(part.key, "Name") ? part.value : part.key + " " + part.value;
+        fields.number("fov", part.fov_rad, "rad");
+        if (response.parts.size() > 1)
+            fields.text("part_status", part.ok ? "OK" : "Failed");
+    }
+}
+
+template <SensorMessage Sensor>
+void listAll(FieldList& fields, const Sensor& sensor) {
+    fields.source = wireTypeOf(sensor).empty() ? "SEN" : "SEN " + std::string(wireTypeOf(sensor));
+    if constexpr (Described<Sensor>) {
+        listDescribed(fields, sensor);
+    } else {
+        fields.item = sensor.name;
+        list(fields, sensor);
     }
 }
 
@@ -195,9 +185,13 @@ std::string Field::path() const {
 }
 
 std::vector<Field> fieldsOf(const InfoMessage& message) {
-    Collector collector;
-    std::visit([&collector](const auto& value) { collector.add(value); }, message);
-    return std::move(collector.fields);
+    FieldList fields;
+    std::visit([&fields](const auto& value) { listAll(fields, value); }, message);
+    return fields.take();
+}
+
+std::string_view containerOf(const InfoMessage& message) {
+    return std::visit([]<class Message>(const Message&) { return typeName<Message>(); }, message);
 }
 
 std::optional<Seconds> timeOf(const InfoMessage& message) {

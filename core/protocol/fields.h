@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -30,6 +31,8 @@ struct Field {
 /// All values of `message` in the server's order, but for its time. Vectors give a field an axis; long lists (a scan)
 /// give count, minimum, mean and maximum of what is a number.
 std::vector<Field> fieldsOf(const InfoMessage& message);
+/// The name of the struct that holds the message: "RangeScan", "GenericMessage".
+std::string_view containerOf(const InfoMessage& message);
 /// The message's own time stamp, if it carries one.
 std::optional<Seconds> timeOf(const InfoMessage& message);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "core/base/cause.h"
@@ -9,15 +10,23 @@
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/game_info.h"
 #include "core/protocol/info/generic.h"
-#include "core/protocol/info/pose_sensors.h"
-#include "core/protocol/info/range_sensors.h"
+#include "core/protocol/info/packages.h"
 #include "core/protocol/info/robot_state.h"
+#include "core/protocol/info/world_objects.h"
+#include "core/protocol/sensors/table.h"
 
 namespace usar::protocol {
 
-using InfoMessage =
-    std::variant<GenericMessage, GameInfo, StartPoses, LockstepInfo, RobotState, SonarReadings, RangeScan, InsReading,
-                 GroundTruthReading, OdometryReading, EncoderReadings, GeometryInfo, ConfigurationInfo, Response>;
+template <class... Sensors>
+std::variant<GenericMessage, GameInfo, StartPoses, PathNodes, ClosestPathNode, LockstepInfo, RobotState, PackageState,
+             EffecterState, WorldObjects, GeometryInfo, ConfigurationInfo, Response, Sensors...>
+    variantWith(TypeList<Sensors...>);
+
+/// What every server says, and the sensors of the table.
+using InfoMessage = decltype(variantWith(SensorTypes{}));
+
+/// Whether the table has a row for a Type of SEN, in any case.
+bool isKnownSensor(std::string_view type);
 
 /// One info line: its number on the connection, its raw text, its value, and what was wrong with it.
 struct InfoLine {

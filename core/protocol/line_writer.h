@@ -1,19 +1,19 @@
 // Segments of one info line, spelled and rounded as Unreal prints them.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/base/numbers.h"
+#include "core/protocol/schema.h"
 
 namespace usar::protocol {
-
-/// Unreal rounds where it prints a bare float or a vector whole, and cuts where its formatter prints four decimals
-/// (usarsim-protocol 1.7).
-enum class Decimals { TwoRounded, FourCut };
 
 /// Appends to a text that somebody else owns and that must outlive it.
 class LineWriter {
@@ -42,6 +42,14 @@ public:
         number(values.z(), decimals);
     }
 
+    void numbers(const std::vector<double>& values, Decimals decimals) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (i > 0)
+                out_ += ',';
+            number(values[i], decimals);
+        }
+    }
+
     void segment(std::string_view key, std::string_view value) {
         open(key);
         text(value);
@@ -57,7 +65,15 @@ public:
         numbers(values, decimals);
         close();
     }
-    void whole(std::string_view key, long long value) { segment(key, std::to_string(value)); }
+    void whole(long long value) {
+        std::array<char, 24> digits;
+        out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    }
+    void whole(std::string_view key, long long value) {
+        open(key);
+        whole(value);
+        close();
+    }
     /// As Unreal's string of a bool.
     void boolean(std::string_view key, bool value) { segment(key, value ? "True" : "False"); }
     /// STA, RES and the scanner print a bare float, all other sensors a formatted one. Nothing for a message without

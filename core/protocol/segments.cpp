@@ -20,6 +20,7 @@ Segment segmentOf(std::string_view text, std::size_t offset) {
 void Segments::read(std::string_view line, Diagnostics& diagnostics) {
     line_ = line;
     segments_.clear();
+    bool nested = false;
     std::size_t open = line.find('{');
     type_word_ = trimmed(line.substr(0, open));
     while (open != std::string_view::npos) {
@@ -28,8 +29,14 @@ void Segments::read(std::string_view line, Diagnostics& diagnostics) {
         const std::string_view text = line.substr(start, close - start);
         if (close == std::string_view::npos)
             diagnostics.push_back({Severity::Warning, open, "the closing brace is missing"});
-        if (const std::size_t inner = text.find('{'); inner != std::string_view::npos)
+        if (const std::size_t inner = text.find('{'); inner != std::string_view::npos && !nested) {
+            nested = true; // said once a line
             diagnostics.push_back({Severity::Warning, start + inner, "an opening brace inside a segment"});
+        }
+        if (segments_.size() == most_segments) {
+            diagnostics.push_back({Severity::Warning, open, "too many segments; the rest is left out"});
+            return;
+        }
         if (const Segment segment = segmentOf(text, start); !segment.key.empty())
             segments_.push_back(segment);
         open = close == std::string_view::npos ? close : line.find('{', close + 1);

@@ -25,8 +25,12 @@ struct Segment {
 /// meant to be reused so that reading allocates nothing in steady state.
 class Segments {
 public:
+    /// No server sends a hundredth of it; what comes behind is left out (a warning).
+    static constexpr std::size_t most_segments = 65536;
+
     /// Cuts `line`. A missing closing brace makes the rest of the line the last segment (a warning); a brace inside a
-    /// segment stays in its value (a warning); stray text, stray closing braces and braces around nothing are ignored.
+    /// segment stays in its value (a warning, said once a line); stray text, stray closing braces and braces around
+    /// nothing are ignored.
     void read(std::string_view line, Diagnostics& diagnostics);
 
     std::string_view line() const { return line_; }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/protocol/described_writer.h"
 #include "core/protocol/line_writer.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
@@ -10,15 +11,6 @@
 namespace usar::protocol {
 
 namespace {
-
-Vec3 anglesOf(const Pose& on_wire) {
-    return {on_wire.roll_rad, on_wire.pitch_rad, on_wire.yaw_rad};
-}
-
-/// The same angles in [0, 2 pi), as UT2004's ground truth and INS have them.
-Vec3 positiveAnglesOf(const Pose& on_wire) {
-    return anglesOf(on_wire).unaryExpr([](double angle_rad) { return angle_rad < 0 ? angle_rad + 2 * pi : angle_rad; });
-}
 
 void writeSegments(LineWriter& line, const std::vector<KeyValue>& segments) {
     for (const KeyValue& segment : segments) {
@@ -43,20 +35,34 @@ void writeInto(LineWriter& line, const GameInfo& game) {
         line.whole("TimeLimit", *game.time_limit_min);
 }
 
-void writeInto(LineWriter& line, const StartPoses& start) {
+void writePlaces(LineWriter& line, std::string_view count_key, const std::vector<StartPose>& places) {
     line.text("NFO");
-    line.whole("StartPoses", static_cast<long long>(start.poses.size()));
-    for (std::size_t i = 0; i < start.poses.size(); ++i) {
-        const Pose on_wire = acrossWire(start.poses[i].pose_in_map);
+    line.whole(count_key, static_cast<long long>(places.size()));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Pose on_wire = acrossWire(places[i].pose_in_map);
         line.text(i == 0 ? " {" : " ");
-        line.text(start.poses[i].name);
+        line.text(places[i].name);
         line.text(" ");
         line.numbers(on_wire.position_m, Decimals::TwoRounded);
         line.text(" ");
         line.numbers(anglesOf(on_wire), Decimals::TwoRounded);
     }
-    if (!start.poses.empty())
+    if (!places.empty())
         line.close();
+}
+
+void writeInto(LineWriter& line, const StartPoses& start) {
+    writePlaces(line, "StartPoses", start.poses);
+}
+
+void writeInto(LineWriter& line, const PathNodes& path) {
+    writePlaces(line, "PathNodes", path.nodes);
+}
+
+void writeInto(LineWriter& line, const ClosestPathNode& node) {
+    line.text("NFO");
+    line.segment("Pathnode", node.name);
+    line.segment("Location", acrossWire(node.position_in_map_m), Decimals::FourCut);
 }
 
 void writeInto(LineWriter& line, const LockstepInfo& lockstep) {
@@ -86,73 +92,53 @@ void writeInto(LineWriter& line, const RobotState& state) {
     writeSegments(line, state.others);
 }
 
-void writeInto(LineWriter& line, const SonarReadings& sonars) {
-    line.text("SEN");
-    line.time(sonars.time, Decimals::FourCut);
-    line.segment("Type", "Sonar");
-    for (const NamedRange& sonar : sonars.ranges) {
-        line.open("Name");
-        line.text(sonar.name);
-        line.text(" Range ");
-        line.number(sonar.range_m, Decimals::FourCut);
-        line.close();
+void writeInto(LineWriter& line, const PackageState& package) {
+    line.text("MISSTA");
+    line.time(package.time, Decimals::TwoRounded);
+    writeDescribed(line, package);
+}
+
+void writeInto(LineWriter& line, const EffecterState& effecter) {
+    line.text("EFF");
+    line.time(effecter.time, Decimals::FourCut);
+    line.segment("Type", effecter.type);
+    line.segment("Name", effecter.name);
+    if (effecter.closed)
+        line.segment("Status", *effecter.closed ? "CLOSED" : "OPEN");
+    if (effecter.on)
+        line.text(*effecter.on ? " {On}" : " {Off}");
+    if (!effecter.tool_type.empty())
+        line.segment("ToolType", effecter.tool_type);
+    if (!effecter.tool.empty())
+        line.segment("Tool", effecter.tool);
+}
+
+/// With whole braces, for nobody gains by the server's broken ones.
+void writeInto(LineWriter& line, const WorldObjects& world) {
+    line.text("STA");
+    for (const WorldObject& object : world.objects) {
+        const Pose on_wire = acrossWire(object.object_in_map);
+        line.segment("Name", object.name);
+        if (object.size_m)
+            line.segment("Size", *object.size_m, Decimals::FourCut);
+        line.segment("Location", on_wire.position_m, Decimals::FourCut);
+        if (!object.memory.empty())
+            line.segment("Memory", object.memory);
+        line.segment("Rotation", anglesOf(on_wire), Decimals::FourCut);
     }
 }
 
-void writeInto(LineWriter& line, const RangeScan& scan) {
-    line.text("SEN");
-    line.time(scan.time, Decimals::TwoRounded);
-    if (!scan.type.empty())
-        line.segment("Type", scan.type);
-    line.segment("Name", scan.name);
-    line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);
-    line.segment("FOV", scan.fov_rad, Decimals::FourCut);
-    line.open("Range");
-    for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-        if (i > 0)
-            line.text(",");
-        line.number(scan.ranges_m[i], Decimals::FourCut);
+/// The scanner writes itself; it alone of the sensors prints its time as a bare float.
+template <SensorMessage Sensor>
+void writeInto(LineWriter& line, const Sensor& sensor) {
+    if constexpr (Described<Sensor>) {
+        line.text("SEN");
+        line.time(sensor.time, Decimals::FourCut);
+        line.segment("Type", wireTypeOf(sensor));
+        writeDescribed(line, sensor);
+    } else {
+        write(line, sensor);
     }
-    line.close();
-}
-
-void writePoseSensor(LineWriter& line, std::string_view type, const std::optional<Seconds>& time, std::string_view name,
-                     const Pose& base_in_map) {
-    const Pose on_wire = acrossWire(base_in_map);
-    line.text("SEN");
-    line.time(time, Decimals::FourCut);
-    line.segment("Type", type);
-    line.segment("Name", name);
-    line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
-    line.segment("Orientation", positiveAnglesOf(on_wire), Decimals::TwoRounded);
-}
-
-void writeInto(LineWriter& line, const InsReading& reading) {
-    writePoseSensor(line, "INS", reading.time, reading.name, reading.base_in_map);
-}
-
-void writeInto(LineWriter& line, const GroundTruthReading& reading) {
-    writePoseSensor(line, "GroundTruth", reading.time, reading.name, reading.base_in_map);
-}
-
-void writeInto(LineWriter& line, const OdometryReading& reading) {
-    line.text("SEN");
-    line.time(reading.time, Decimals::FourCut);
-    line.segment("Type", "Odometry");
-    if (!reading.name.empty())
-        line.segment("Name", reading.name);
-    if (!reading.base_in_start)
-        return;
-    const Pose on_wire = acrossWire(*reading.base_in_start);
-    line.segment("Pose", {on_wire.position_m.x(), on_wire.position_m.y(), on_wire.yaw_rad}, Decimals::FourCut);
-}
-
-void writeInto(LineWriter& line, const EncoderReadings& readings) {
-    line.text("SEN");
-    line.time(readings.time, Decimals::FourCut);
-    line.segment("Type", "Encoder");
-    for (const EncoderTicks& encoder : readings.encoders)
-        line.segment("Name", encoder.name + " Tick " + std::to_string(encoder.ticks));
 }
 
 void writeItem(LineWriter& line, const MountedItem& item) {
@@ -168,6 +154,8 @@ void writeItem(LineWriter& line, const MountedItem& item) {
         line.text(item.mount);
     }
     line.close();
+    if (item.tip_in_item_m)
+        line.segment("Tip", acrossWire(*item.tip_in_item_m), Decimals::FourCut);
 }
 
 void writeInto(LineWriter& line, const GeometryInfo& geometry) {
@@ -209,8 +197,20 @@ void writeInto(LineWriter& line, const Response& response) {
     line.text("RES");
     line.time(response.time, Decimals::TwoRounded);
     line.segment("Type", response.type);
-    line.segment("Name", response.name);
-    line.segment("Status", response.ok ? "OK" : "Failed");
+    for (const ResponsePart& part : response.parts) {
+        line.segment(part.key, part.value);
+        if (part.fov_rad)
+            line.segment("FOV", *part.fov_rad, Decimals::FourCut);
+        line.segment("Status", part.ok ? "OK" : "Failed");
+    }
+    if (response.parts.empty()) {
+        line.segment("Name", response.name);
+        line.segment("Status", response.ok ? "OK" : "Failed");
+    }
+    if (response.tag_id)
+        line.whole("ID", *response.tag_id);
+    if (response.memory)
+        line.segment("Mem", *response.memory);
 }
 
 } // namespace

@@ -61,7 +61,8 @@ void ToyAirRobot::obey(const protocol::Command& command) {
         if (on_ground_)
             ins_ = set->base_in_map;
         if (!faults_.no_response)
-            answers_.push_back(protocol::Response{now_, "INS", set->sensor_name, on_ground_});
+            answers_.push_back(
+                protocol::Response{.time = now_, .type = "INS", .name = set->sensor_name, .ok = on_ground_});
     }
 }
 

@@ -34,6 +34,7 @@ private slots:
     void oneQuestionIsOutstandingAtATime();
     void asksAgainAfterASecond();
     void failsAfterThreeTriesAndCanBeAskedAgain();
+    void saysWhichQuestionsFailedAndWhy();
     void aLostQuestionLetsOthersPass();
     void aLateAnswerStillCounts();
     void anUnaskedAnswerChangesOnlyWhatWasAskedFor();
@@ -94,6 +95,23 @@ void tst_Query::failsAfterThreeTriesAndCanBeAskedAgain() {
         QVERIFY(!sent(geometry, now_s).isEmpty());
     QVERIFY(sent(geometry, 7.0).isEmpty());
     QVERIFY(geometry.state("Laser") == QueryState::Failed);
+}
+
+void tst_Query::saysWhichQuestionsFailedAndWhy() {
+    GeometryModule geometry;
+    geometry.query("Laser");
+    sent(geometry, 0);
+    hear(geometry, "GEO {Type Laser}");
+    geometry.query("Sonar", "F9");
+    for (int now_s = 1; now_s < 9; ++now_s)
+        sent(geometry, now_s);
+    const auto failures = geometry.takeFailures();
+    QCOMPARE(failures.size(), std::size_t(2));
+    QCOMPARE(failures[0].question.type, std::string("Laser"));
+    QVERIFY(failures[0].no_such_thing);
+    QCOMPARE(failures[1].question.name, std::string("F9"));
+    QVERIFY(!failures[1].no_such_thing);
+    QVERIFY(geometry.takeFailures().empty());
 }
 
 void tst_Query::aLostQuestionLetsOthersPass() {

@@ -35,19 +35,21 @@ private slots:
     void keepsUnknownSensorsByTypeAndName();
     void aDamagedReadingReplacesNoGoodOne();
     void groupedUnknownSensorsDoNotPileUp();
+    void tellsSensorsOfOneNameApartByType();
+    void aFloodOfNamesIsBounded();
 };
 
 void tst_Sensor::knowsNothingAtFirst() {
     const modules::SensorModule sensors;
     QVERIFY(!sensors.sonar("F1") && !sensors.scan() && !sensors.ins() && !sensors.groundTruth());
     QVERIFY(!sensors.odometry() && !sensors.encoder("L") && !sensors.generic("GPS", "GPS"));
-    QVERIFY(sensors.sonars().empty());
+    QVERIFY(sensors.all<protocol::SonarReadings>().empty());
 }
 
 void tst_Sensor::filesSonarsByName() {
     const Fed fed({"SEN {Time 5} {Type Sonar} {Name F1 Range 4.5} {Name F2 Range 2.5}",
                    "SEN {Time 6} {Type Sonar} {Name Rear} {Range 1.5}"});
-    QCOMPARE(fed.sensors.sonars().size(), std::size_t(3));
+    QCOMPARE(fed.sensors.all<protocol::SonarReadings>().size(), std::size_t(3));
     QCOMPARE(fed.sensors.sonar("F2")->value.range_m, 2.5);
     QCOMPARE(fed.sensors.sonar("Rear")->time.count(), 6.0);
     QVERIFY(!fed.sensors.sonar("F3"));
@@ -103,17 +105,17 @@ void tst_Sensor::noNewsReplacesNothing() {
              "SEN {Time 2} {Type GroundTruth} {Name GT} {Location 2,0,0} {Orientation 0,0,0}"});
     fed.sensors.take(fed.reader.read(head.toStdString()), Seconds(9));
     QCOMPARE(fed.sensors.odometry()->line.value, 1u);
-    QCOMPARE(fed.sensors.generic("Tachometer", "T")->line.value, 2u);
+    QCOMPARE(fed.sensors.newest<protocol::TachometerReading>("T")->line.value, 2u);
     QCOMPARE(fed.sensors.sonar("F1")->line.value, 3u);
     QCOMPARE(fed.sensors.groundTruth()->line.value, 4u);
 }
 
 void tst_Sensor::keepsUnknownSensorsByTypeAndName() {
-    const Fed fed({"SEN {Type GPS} {Name A} {Fix 0} {Satellites 0}", "SEN {Type gps} {Name A} {Fix 1} {Satellites 7}",
-                   "SEN {Type GPS} {Name B} {Fix 0} {Satellites 1}", "EFF {Type GPS} {Name A} {On}"});
-    QCOMPARE(fed.sensors.generic("GPS", "A")->line.value, 2u);
-    QCOMPARE(fed.sensors.generic("Gps", "B")->line.value, 3u);
-    QVERIFY(!fed.sensors.generic("GPS", "C"));
+    const Fed fed({"SEN {Type Dosis} {Name A} {Dose 0}", "SEN {Type dosis} {Name A} {Dose 1}",
+                   "SEN {Type Dosis} {Name B} {Dose 0}", "EFF {Type Dosis} {Name A} {On}"});
+    QCOMPARE(fed.sensors.generic("Dosis", "A")->line.value, 2u);
+    QCOMPARE(fed.sensors.generic("DOSIS", "B")->line.value, 3u);
+    QVERIFY(!fed.sensors.generic("Dosis", "C"));
 }
 
 void tst_Sensor::aDamagedReadingReplacesNoGoodOne() {
@@ -124,10 +126,27 @@ void tst_Sensor::aDamagedReadingReplacesNoGoodOne() {
 }
 
 void tst_Sensor::groupedUnknownSensorsDoNotPileUp() {
-    const Fed fed({"SEN {Type Touch} {Name Left Touch False} {Name Right Touch False}",
-                   "SEN {Type Touch} {Name Left Touch True} {Name Right Touch False}"});
-    QCOMPARE(fed.sensors.generic("Touch", "Left")->line.value, 2u);
-    QVERIFY(!fed.sensors.generic("Touch", "Left Touch False"));
+    const Fed fed({"SEN {Type Feeler} {Name Left Feels False} {Name Right Feels False}",
+                   "SEN {Type Feeler} {Name Left Feels True} {Name Right Feels False}"});
+    QCOMPARE(fed.sensors.generic("Feeler", "Left")->line.value, 2u);
+    QVERIFY(!fed.sensors.generic("Feeler", "Left Feels False"));
+}
+
+void tst_Sensor::tellsSensorsOfOneNameApartByType() {
+    const Fed fed({"SEN {Type RangeScanner} {Name S} {Resolution 0.1} {FOV 0.2} {Range 1,1,1}",
+                   "SEN {Type IRScanner} {Name S} {Resolution 0.1} {FOV 0.2} {Range 2,2,2}",
+                   "SEN {Type IMU} {Name S} {AngularVel 0,0,0.5}"});
+    QCOMPARE(fed.sensors.all<protocol::RangeScan>().size(), std::size_t(2));
+    QCOMPARE(fed.sensors.scan("S")->value.ranges_m[0], 1.0);
+    QCOMPARE(fed.sensors.all<protocol::RangeScan>()[1].content.value.ranges_m[0], 2.0);
+    QCOMPARE(fed.sensors.newest<protocol::ImuReading>()->value.angular_velocity_rad_s->z(), -0.5);
+}
+
+void tst_Sensor::aFloodOfNamesIsBounded() {
+    Fed fed({});
+    for (int i = 0; i < 1000; ++i)
+        fed.sensors.take(fed.reader.read("SEN {Type Sonar} {Name S" + std::to_string(i) + " Range 1}"), Seconds(1));
+    QCOMPARE(fed.sensors.all<protocol::SonarReadings>().size(), std::size_t(256));
 }
 
 QTEST_APPLESS_MAIN(tst_Sensor)

@@ -8,6 +8,7 @@ using namespace usar;
 class tst_State : public QObject {
     Q_OBJECT
 private slots:
+    void keepsTheNewestOfEveryPackageAndEffecter();
     void knowsNothingBeforeTheFirstState();
     void theNewestStateReplacesTheOld();
     void theClockNeverRunsBackward();
@@ -95,6 +96,24 @@ void tst_State::otherLinesChangeNothing() {
     QCOMPARE(state.now().count(), 10.0);
     QCOMPARE(state.line().value, 1u);
     QCOMPARE(state.latest()->battery_left->count(), 5.0);
+}
+
+void tst_State::keepsTheNewestOfEveryPackageAndEffecter() {
+    protocol::Reader reader;
+    modules::StateModule state;
+    QVERIFY(!state.package("CameraPanTilt"));
+    state.take(
+        reader.read("MISSTA {Time 1} {Name CameraPanTilt} {Link 1} {Value 0.1} {Torque -20.00} {Link 2} {Value 0}"));
+    state.take(reader.read("ASTA {Time 1} {Name Arm} {Link 1} {Value 0.5}"));
+    state.take(reader.read("MISSTA {Time 2} {Name CameraPantilt} {Link 1} {Value 0.2} {Link 2} {Value -0.3}"));
+    state.take(reader.read("EFF {Time 2} {Type Gripper} {Name G} {Status CLOSED}"));
+    QCOMPARE(state.packages().size(), std::size_t(2));
+    const protocol::PackageState* const camera = state.package("CameraPanTilt");
+    QCOMPARE(camera->links.size(), std::size_t(2));
+    QCOMPARE(camera->links[0].value, 0.2);
+    QVERIFY(!camera->links[0].torque_n_m);
+    QCOMPARE(camera->links[1].value, -0.3);
+    QVERIFY(*state.effecter("G")->closed);
 }
 
 QTEST_APPLESS_MAIN(tst_State)

@@ -94,19 +94,19 @@ void tst_Fields::namesEveryValueOfAMessage_data() {
     row("configuration", "CONF {Type Sonar} {Name F} {MaxRange 5.0} {Paning True}",
         "CONF Sonar/F/MaxRange=5.00; CONF Sonar/F/Paning=True");
     row("response", "RES {Type INS} {Name I} {Status Failed}", "RES INS/I/status=Failed");
-    row("generic number and text", "SEN {Time 1} {Type CO2Sensor} {Name C} {Gas CO2} {Density 0.5}",
-        "SEN CO2Sensor/C/Gas=CO2; SEN CO2Sensor/C/Density=0.50");
+    row("generic number and text", "SEN {Time 1} {Type Geiger} {Name C} {Source Radon} {Dose 0.5}",
+        "SEN Geiger/C/Source=Radon; SEN Geiger/C/Dose=0.50");
     row("generic vectors stay in the wire's frame",
         "SEN {Type X} {Name N} {Location 1,2,3} {Orientation 0,1,2} {Vel 1,2}",
         "SEN X/N/Location.x=1.00; SEN X/N/Location.y=2.00; SEN X/N/Location.z=3.00; SEN X/N/Orientation.roll=0.00; "
         "SEN X/N/Orientation.pitch=1.00; SEN X/N/Orientation.yaw=2.00; SEN X/N/Vel.0=1.00; SEN X/N/Vel.1=2.00");
-    row("generic groups", "MISSTA {Time 1} {Name Cam} {Link 1} {Value 0.5} {Link 2} {Value 0.25}",
-        "MISSTA/Cam Link 1/Link=1.00; MISSTA/Cam Link 1/Value=0.50; MISSTA/Cam Link 2/Link=2.00; "
-        "MISSTA/Cam Link 2/Value=0.25");
-    row("generic pairs", "SEN {Type IR} {Name A Range 0.5} {Name B Range 1.#INF}",
-        "SEN IR/A/Range=0.50; SEN IR/B/Range=nan");
-    row("generic composite", "SEN {Type GPS} {Name G} {Latitude 39,8.03,N}", "SEN GPS/G/Latitude=39,8.03,N");
-    row("generic lone word", "EFF {Type Effector} {Name V} {On}", "EFF Effector/V/On=");
+    row("generic groups", "SEN {Time 1} {Type Arm} {Name Cam} {Link 1} {Value 0.5} {Link 2} {Value 0.25}",
+        "SEN Arm/Cam Link 1/Link=1.00; SEN Arm/Cam Link 1/Value=0.50; SEN Arm/Cam Link 2/Link=2.00; "
+        "SEN Arm/Cam Link 2/Value=0.25");
+    row("generic pairs", "SEN {Type Feeler} {Name A Depth 0.5} {Name B Depth 1.#INF}",
+        "SEN Feeler/A/Depth=0.50; SEN Feeler/B/Depth=nan");
+    row("generic composite", "SEN {Type Star} {Name G} {Latitude 39,8.03,N}", "SEN Star/G/Latitude=39,8.03,N");
+    row("generic lone word", "SEN {Type Lamp} {Name V} {On}", "SEN Lamp/V/On=");
     row("generic long list", "SEN {Type Depth} {Name D} {Values 1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,}",
         "SEN Depth/D/Values.count=17.00; SEN Depth/D/Values.minimum=1.00; SEN Depth/D/Values.mean=9.00; "
         "SEN Depth/D/Values.maximum=17.00");

@@ -45,8 +45,8 @@ private slots:
     void readsStartPosesInAllForms_data();
     void readsStartPosesInAllForms();
     void readsStateOfEveryDialect();
-    void keepsTheStateOfThingsGeneric_data();
-    void keepsTheStateOfThingsGeneric();
+    void answersToGetStaAreThingsInTheWorld_data();
+    void answersToGetStaAreThingsInTheWorld();
     void readsSonarsGroupedAndSingle_data();
     void readsSonarsGroupedAndSingle();
     void readsScannersByShape_data();
@@ -151,15 +151,38 @@ void tst_Reader::readsStateOfEveryDialect() {
     QVERIFY(cleanly<RobotState>("STA {Type staticplatform} {Time 1}").kind == VehicleKind::StaticPlatform);
 }
 
-void tst_Reader::keepsTheStateOfThingsGeneric_data() {
+void tst_Reader::answersToGetStaAreThingsInTheWorld_data() {
     QTest::addColumn<QByteArray>("line");
-    QTest::newRow("answer to GetSTA") << QByteArray("STA {Name Box1} {Size 0.5,0.5,0.5} {Location 1,2,3}");
-    QTest::newRow("a bare word") << QByteArray("STA");
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("warnings");
+    QTest::newRow("whole braces") << QByteArray("STA {Name Box1} {Size 0.5,0.5,0.5} {Location 1,2,3} {Memory hi there} "
+                                                "{Rotation 0,0,1.5}")
+                                  << 1 << 0;
+    QTest::newRow("the server's own braces, two things")
+        << QByteArray(
+               "STA {Name Box1} {Size 0.5,0.5,0.5} {Location 1,2,3 {Memory {hi there} {Rotation 0,0,1.5} {Name B} "
+               "{Size 1,1,1} {Location 4,5,6 {Memory {} {Rotation 0,0,0}")
+        << 2 << 1;
+    QTest::newRow("no thing at all") << QByteArray("STA") << 0 << 0;
 }
 
-void tst_Reader::keepsTheStateOfThingsGeneric() {
+void tst_Reader::answersToGetStaAreThingsInTheWorld() {
     QFETCH(QByteArray, line);
-    cleanly<GenericMessage>(line.toStdString());
+    QFETCH(int, count);
+    QFETCH(int, warnings);
+    const InfoLine result = read(line.toStdString());
+    const auto* const world = std::get_if<WorldObjects>(&result.message);
+    QVERIFY(world);
+    QCOMPARE(static_cast<int>(world->objects.size()), count);
+    QCOMPARE(static_cast<int>(result.diagnostics.size()), warnings);
+    if (count == 0)
+        return;
+    const WorldObject& box = world->objects.front();
+    QCOMPARE(box.name, std::string("Box1"));
+    QCOMPARE(box.memory, std::string("hi there"));
+    QVERIFY(*box.size_m == Vec3(0.5, 0.5, 0.5));
+    QVERIFY(box.object_in_map.position_m == Vec3(1, -2, -3));
+    QCOMPARE(box.object_in_map.yaw_rad, -1.5);
 }
 
 void tst_Reader::readsSonarsGroupedAndSingle_data() {
@@ -444,8 +467,8 @@ void tst_Reader::warnsOfDamageAndKeepsTheRest() {
 void tst_Reader::keepsUnknownLinesWhole() {
     const auto message = cleanly<GenericMessage>("EFF {Time 4} {Type Gripper} {Name G1} {On}");
     QVERIFY(message ==
-            (GenericMessage{"EFF", "Gripper", "G1", {{"Time", "4"}, {"Type", "Gripper"}, {"Name", "G1"}, {"On", ""}}}));
-    const auto grouped = cleanly<GenericMessage>("SEN {Type IR} {Name IR1 Range 0.5} {Name IR2 Range 0.8}");
+            (GenericMessage{"WHO", "Gripper", "G1", {{"Time", "4"}, {"Type", "Gripper"}, {"Name", "G1"}, {"On", ""}}}));
+    const auto grouped = cleanly<GenericMessage>("SEN {Type Feeler} {Name IR1 Range 0.5} {Name IR2 Range 0.8}");
     QCOMPARE(grouped.name, std::string("IR1"));
     QCOMPARE(grouped.segments[1].value, std::string("IR1 Range 0.5"));
     QCOMPARE(cleanly<GenericMessage>("HTTP/1.1 400 Bad Request").type_word, std::string("HTTP/1.1 400 Bad Request"));

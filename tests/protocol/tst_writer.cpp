@@ -156,8 +156,10 @@ void tst_Writer::discreteMessagesComeBackExactly() {
         .kind = VehicleKind::Legged, .time = Seconds(2.25), .battery_left = Seconds(7), .light_on = true};
     QVERIFY(readAgain(state) == state);
     QCOMPARE(readAgain(RobotState{.time = Seconds(1), .battery_left = Seconds(6.9)}).battery_left->count(), 6.0);
-    const Response response{Seconds(1), "INS", "INS", true};
+    const Response response{Seconds(1), "INS", "INS", true, {{"Name", "INS", true, std::nullopt}}, std::nullopt, {}};
     QVERIFY(readAgain(response) == response);
+    const Response tag{Seconds(1), "RFID", "R", true, {{"Name", "R", true, std::nullopt}}, 118, "seen by robot 2"};
+    QVERIFY(readAgain(tag) == tag);
     const GameInfo game{"G", "L", 5};
     QVERIFY(readAgain(game) == game);
     const ConfigurationInfo numbers{"AerialVehicle", {{"AirRobot", {{"MaxLinearVelocity", "", 5.0}}}}};

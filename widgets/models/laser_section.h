@@ -6,7 +6,7 @@
 
 #include <QPointF>
 
-#include "core/protocol/info/range_sensors.h"
+#include "core/protocol/sensors/range_scan.h"
 
 namespace usar::widgets {
 

@@ -10,16 +10,19 @@ struct NameOf {
     std::string operator()(const protocol::GenericMessage& m) const {
         return m.type_word + ' ' + m.type + ' ' + m.name;
     }
-    std::string operator()(const protocol::SonarReadings& m) const {
-        return m.ranges.empty() ? std::string() : m.ranges.front().name;
+    std::string operator()(const protocol::PackageState& m) const { return m.name; }
+    std::string operator()(const protocol::EffecterState& m) const { return m.type + ' ' + m.name; }
+    /// Type and first name: of a group, all sensors come together each time.
+    template <protocol::SensorMessage Sensor>
+    std::string operator()(const Sensor& m) const {
+        std::string stream(protocol::wireTypeOf(m));
+        bool first = true;
+        protocol::forEachReading(m, [&](const std::string& name, const auto&) {
+            if (std::exchange(first, false))
+                (stream += ' ') += name;
+        });
+        return stream;
     }
-    std::string operator()(const protocol::EncoderReadings& m) const {
-        return m.encoders.empty() ? std::string() : m.encoders.front().name;
-    }
-    std::string operator()(const protocol::RangeScan& m) const { return m.name; }
-    std::string operator()(const protocol::InsReading& m) const { return m.name; }
-    std::string operator()(const protocol::GroundTruthReading& m) const { return m.name; }
-    std::string operator()(const protocol::OdometryReading& m) const { return m.name; }
     std::string operator()(const protocol::GeometryInfo& m) const {
         return m.type + ' ' + (m.items.empty() ? std::string() : m.items.front().name);
     }

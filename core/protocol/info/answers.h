@@ -15,6 +15,7 @@ struct MountedItem {
     std::string name{};
     Pose item_in_mount{};
     std::string mount{};
+    std::optional<Vec3> tip_in_item_m{}; ///< of a gripper or an arm (UDK)
     bool operator==(const MountedItem&) const = default;
 };
 
@@ -57,13 +58,26 @@ struct ConfigurationInfo {
     bool operator==(const ConfigurationInfo&) const = default;
 };
 
+/// One thing that a result tells of. `key` is Name, Config, Viewport1 …, `value` what follows it. A zoom of 0 resets a
+/// camera to its default angle and yet reports Failed (usarsim-protocol 4.8).
+struct ResponsePart {
+    std::string key{};
+    std::string value{};
+    bool ok = false;
+    std::optional<double> fov_rad{}; ///< of a camera
+    bool operator==(const ResponsePart&) const = default;
+};
+
 /// RES, the result of SET (UT2004 only). Where one line tells of several things (all cameras, viewports), `name` is the
-/// first and `ok` means that every one of them is.
+/// first and `ok` means that every one of them is; `parts` has them one by one.
 struct Response {
     std::optional<Seconds> time{};
     std::string type{};
     std::string name{};
     bool ok = false;
+    std::vector<ResponsePart> parts{};
+    std::optional<long long> tag_id{};   ///< of an RFID tag that was read
+    std::optional<std::string> memory{}; ///< of that tag; may hold spaces
     bool operator==(const Response&) const = default;
 };
 

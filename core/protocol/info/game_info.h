@@ -30,6 +30,19 @@ struct StartPoses {
     bool operator==(const StartPoses&) const = default;
 };
 
+/// NFO after GETPATHNODES (UDK): places that its avatars walk by.
+struct PathNodes {
+    std::vector<StartPose> nodes{};
+    bool operator==(const PathNodes&) const = default;
+};
+
+/// NFO after GETCLOSESTPATHNODE (UDK).
+struct ClosestPathNode {
+    std::string name{};
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const ClosestPathNode&) const = default;
+};
+
 /// NFO {Lockstep True}: our own server's answer to LOCKSTEP; a real server never sends it.
 struct LockstepInfo {
     bool on = false;

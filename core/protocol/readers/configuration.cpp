@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/base/numbers.h"
-#include "core/protocol/readers/table.h"
+#include "core/protocol/readers/info_readers.h"
 
 namespace usar::protocol {
 
@@ -13,25 +13,25 @@ std::optional<double> finite(std::optional<double> number) {
 
 } // namespace
 
-std::optional<InfoMessage> readConfiguration(LineReading& line) {
+bool read(LineReading& line, ConfigurationInfo& out) {
     const Segments& segments = line.segments();
     if (!segments.find("Type") && !segments.find("Name"))
-        return std::nullopt;
-    ConfigurationInfo result;
-    result.type = segments.value("Type");
+        return false;
+    out.type = segments.value("Type");
+    out.items.clear();
     for (const Segment& segment : segments.all()) {
         if (sameWord(segment.key, "Type"))
             continue;
         if (sameWord(segment.key, "Name")) {
-            result.items.push_back({std::string(segment.value), {}});
+            out.items.push_back({std::string(segment.value), {}});
             continue;
         }
-        if (result.items.empty())
-            result.items.emplace_back();
-        result.items.back().settings.push_back(
+        if (out.items.empty())
+            out.items.emplace_back();
+        out.items.back().settings.push_back(
             {std::string(segment.key), std::string(segment.value), finite(readNumber(segment.value))});
     }
-    return result;
+    return true;
 }
 
 } // namespace usar::protocol

@@ -3,7 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/protocol/readers/table.h"
+#include "core/protocol/readers/info_readers.h"
 #include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
@@ -45,20 +45,22 @@ bool readNamed(LineReading& line, NamedPairs pairs, std::vector<StartPose>& pose
     return pose.has_value();
 }
 
-std::optional<InfoMessage> readStartPoses(LineReading& line, const Segment& count) {
-    StartPoses result;
+/// Everything but the count, which says how many `what` there should be.
+bool readPlaces(LineReading& line, std::string_view count_key, std::string_view what, std::vector<StartPose>& poses) {
+    poses.clear();
+    const Segment* const count = line.segments().find(count_key);
     for (const Segment& segment : line.segments().all()) {
-        if (segment.text.data() == count.text.data())
+        if (&segment == count)
             continue;
         const NamedPairs pairs(segment.value);
         const bool named = sameWord(segment.key, "Name") && pairs.name() != segment.value;
-        if (!(named ? readNamed(line, pairs, result.poses) : readTriplets(line, segment.text, result.poses)))
-            return std::nullopt;
+        if (!(named ? readNamed(line, pairs, poses) : readTriplets(line, segment.text, poses)))
+            return false;
     }
-    if (readInteger(count.value) != static_cast<long long>(result.poses.size()))
-        line.warn(count.text, "announced '" + std::string(count.value) + "' start poses, sent " +
-                                  std::to_string(result.poses.size()));
-    return result;
+    if (readInteger(count->value) != static_cast<long long>(poses.size()))
+        line.warn(count->text, "announced '" + std::string(count->value) + "' " + std::string(what) + ", sent " +
+                                   std::to_string(poses.size()));
+    return true;
 }
 
 std::optional<int> timeLimit(LineReading& line) {
@@ -70,17 +72,36 @@ std::optional<int> timeLimit(LineReading& line) {
 
 } // namespace
 
-std::optional<InfoMessage> readGameInfo(LineReading& line) {
+bool read(LineReading& line, StartPoses& out) {
+    return readPlaces(line, "StartPoses", "start poses", out.poses);
+}
+
+bool read(LineReading& line, PathNodes& out) {
+    return readPlaces(line, "PathNodes", "path nodes", out.nodes);
+}
+
+bool read(LineReading& line, ClosestPathNode& out) {
+    out.name = line.segments().value("Pathnode");
+    const std::optional<Vec3> on_wire_m = line.threeNumbers(line.segments().value("Location"));
+    if (on_wire_m)
+        out.position_in_map_m = acrossWire(*on_wire_m);
+    return on_wire_m.has_value();
+}
+
+bool read(LineReading& line, LockstepInfo& out) {
+    const std::optional<bool> on = line.boolean("Lockstep");
+    out.on = on.value_or(false);
+    return on.has_value();
+}
+
+bool read(LineReading& line, GameInfo& out) {
     const Segments& segments = line.segments();
-    if (const Segment* const count = segments.find("StartPoses"))
-        return readStartPoses(line, *count);
-    if (segments.find("Lockstep")) {
-        const std::optional<bool> on = line.boolean("Lockstep");
-        return on ? std::optional<InfoMessage>(LockstepInfo{*on}) : std::nullopt;
-    }
     if (!segments.find("Gametype") && !segments.find("Level"))
-        return std::nullopt;
-    return GameInfo{std::string(segments.value("Gametype")), std::string(segments.value("Level")), timeLimit(line)};
+        return false;
+    out.game_type = segments.value("Gametype");
+    out.level = segments.value("Level");
+    out.time_limit_min = timeLimit(line);
+    return true;
 }
 
 } // namespace usar::protocol

@@ -1,7 +1,8 @@
 #include <string>
 #include <utility>
 
-#include "core/protocol/readers/table.h"
+#include "core/protocol/readers/info_readers.h"
+#include "core/protocol/refill.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
 
@@ -12,7 +13,7 @@ namespace {
 /// Collects the items of a GEO while its segments go by, grouped or single, links of a mission package among them.
 class Items {
 public:
-    explicit Items(LineReading& line) : line_(line) {}
+    Items(LineReading& line, std::vector<MountedItem>& items) : line_(line), items_(items) {}
 
     void takePair(std::string_view key, std::string_view value) {
         if (sameWord(key, "Location"))
@@ -25,6 +26,8 @@ public:
             mount_ += "_Link" + std::string(value);
         else if (sameWord(key, "Link"))
             openLink(value);
+        else if (sameWord(key, "Tip"))
+            tip_ = value;
         else if (sameWord(key, "ParentLink") || sameWord(key, "Parent"))
             mount_ = value.starts_with('-') || value == "0" ? base_mount_ : group_ + "_Link" + std::string(value);
     }
@@ -37,9 +40,8 @@ public:
     }
 
     /// False when an item was damaged.
-    bool finish(std::vector<MountedItem>& items) {
+    bool finish() {
         close();
-        items = std::move(items_);
         return good_;
     }
 
@@ -55,25 +57,29 @@ private:
         if (!location_.empty() || !orientation_.empty()) {
             const std::optional<Pose> pose = line_.pose(location_, orientation_);
             good_ &= pose.has_value();
-            items_.push_back({name_, pose.value_or(Pose{}), mount_});
+            MountedItem& item = items_.next();
+            item = {name_, pose.value_or(Pose{}), mount_, std::nullopt};
+            if (!tip_.empty())
+                good_ &= take(line_, tip_, item.tip_in_item_m, Crossing::Vector);
         }
-        location_ = orientation_ = {};
+        location_ = orientation_ = tip_ = {};
         mount_.clear();
     }
 
     LineReading& line_;
-    std::vector<MountedItem> items_;
+    Refill<MountedItem> items_;
     std::string group_;
     std::string name_;
     std::string mount_;
     std::string base_mount_ = "HARD";
     std::string_view location_;
     std::string_view orientation_;
+    std::string_view tip_;
     bool good_ = true;
 };
 
 bool readItems(LineReading& line, std::vector<MountedItem>& items) {
-    Items collected(line);
+    Items collected(line, items);
     for (const Segment& segment : line.segments().all()) {
         if (!sameWord(segment.key, "Name")) {
             collected.takePair(segment.key, segment.value);
@@ -86,7 +92,7 @@ bool readItems(LineReading& line, std::vector<MountedItem>& items) {
         while (pairs.next(key, value))
             collected.takePair(key, value);
     }
-    return collected.finish(items);
+    return collected.finish();
 }
 
 /// A vector that may be absent; false when it is there and damaged.
@@ -97,32 +103,30 @@ bool readOptional(LineReading& line, std::string_view key, std::optional<Vec3>& 
     return !segment || vector;
 }
 
-std::optional<InfoMessage> readRobot(LineReading& line, GeometryInfo result) {
-    result.robot_class = line.segments().value("Name");
+bool readRobot(LineReading& line, GeometryInfo& out) {
+    out.robot_class = line.segments().value("Name");
     std::optional<Vec3> center_on_wire_m;
-    if (!readOptional(line, "Dimensions", result.dimensions_m) || !readOptional(line, "COG", center_on_wire_m))
-        return std::nullopt;
+    if (!readOptional(line, "Dimensions", out.dimensions_m) || !readOptional(line, "COG", center_on_wire_m))
+        return false;
     if (center_on_wire_m)
-        result.center_of_gravity_m = acrossWire(*center_on_wire_m);
-    result.wheel_radius_m = line.number("WheelRadius");
-    result.wheel_separation_m = line.number("WheelSeparation");
-    result.wheel_base_m = line.number("WheelBase");
-    return result;
+        out.center_of_gravity_m = acrossWire(*center_on_wire_m);
+    out.wheel_radius_m = line.number("WheelRadius");
+    out.wheel_separation_m = line.number("WheelSeparation");
+    out.wheel_base_m = line.number("WheelBase");
+    return true;
 }
 
 } // namespace
 
-std::optional<InfoMessage> readGeometry(LineReading& line) {
+bool read(LineReading& line, GeometryInfo& out) {
     const Segments& segments = line.segments();
     if (!segments.find("Type") && !segments.find("Name"))
-        return std::nullopt;
-    GeometryInfo result;
-    result.type = segments.value("Type");
-    if (result.type.empty() || vehicleKindOf(result.type) != VehicleKind::Unknown || segments.find("Dimensions"))
-        return readRobot(line, std::move(result));
-    if (!readItems(line, result.items))
-        return std::nullopt;
-    return result;
+        return false;
+    out = {};
+    out.type = segments.value("Type");
+    if (out.type.empty() || vehicleKindOf(out.type) != VehicleKind::Unknown || segments.find("Dimensions"))
+        return readRobot(line, out);
+    return readItems(line, out.items);
 }
 
 } // namespace usar::protocol

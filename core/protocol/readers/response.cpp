@@ -1,23 +1,54 @@
-#include "core/protocol/readers/table.h"
+#include "core/base/numbers.h"
+#include "core/protocol/readers/info_readers.h"
+#include "core/protocol/refill.h"
 
 namespace usar::protocol {
 
-std::optional<InfoMessage> readResponse(LineReading& line) {
+namespace {
+
+/// A status belongs to the last thing before it; the first word of a thing begins it.
+void readParts(LineReading& line, Response& out) {
+    Refill<ResponsePart> parts(out.parts);
+    ResponsePart* part = nullptr;
+    bool closed = true;
+    for (const KeyedText& pair : line.pairs(false)) {
+        if (sameWord(pair.key, "Status")) {
+            if (part)
+                part->ok = sameWord(pair.value, "OK");
+            out.ok &= sameWord(pair.value, "OK");
+            closed = true;
+        } else if (sameWord(pair.key, "FOV")) {
+            if (part)
+                part->fov_rad = line.numberIn(pair.value);
+        } else if (closed && !sameWord(pair.key, "ID") && !sameWord(pair.key, "Mem")) {
+            part = &parts.next();
+            part->key = pair.key;
+            part->value = pair.value;
+            part->ok = false;
+            part->fov_rad.reset();
+            closed = false;
+        }
+    }
+}
+
+} // namespace
+
+bool read(LineReading& line, Response& out) {
     const Segments& segments = line.segments();
     if (!segments.find("Status")) {
         line.error(segments.line(), "a result without Status");
-        return std::nullopt;
+        return false;
     }
-    Response result;
-    result.time = line.time();
-    result.type = segments.value("Type");
-    result.name = segments.value("Name");
-    result.ok = true;
-    for (const Segment& segment : segments.all()) {
-        if (sameWord(segment.key, "Status"))
-            result.ok &= sameWord(segment.value, "OK");
-    }
-    return result;
+    out.time = line.time();
+    out.type = segments.value("Type");
+    out.name = segments.value("Name");
+    out.ok = true;
+    readParts(line, out);
+    const Segment* const id = segments.find("ID");
+    out.tag_id = id ? readInteger(id->value) : std::nullopt;
+    const Segment* const memory = segments.find("Mem");
+    out.memory = memory ? std::optional<std::string>(memory->value) : std::nullopt;
+    return true;
 }
 
 } // namespace usar::protocol

@@ -4,7 +4,8 @@
 #include <limits>
 
 #include "core/base/numbers.h"
-#include "core/protocol/readers/table.h"
+#include "core/protocol/readers/info_readers.h"
+#include "core/protocol/refill.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
 
@@ -43,36 +44,39 @@ std::optional<double> steeringAngle(LineReading& line, std::string_view key) {
 
 /// The joints, and what no field holds: nothing that a server says is dropped.
 void readRest(LineReading& line, RobotState& state) {
+    Refill<JointAngle> joints(state.joints);
+    Refill<KeyValue> others(state.others);
     for (const Segment& segment : line.segments().all()) {
         const bool own = isOwnKey(segment.key);
         const double angle_rad = readNumber(segment.value).value_or(std::numeric_limits<double>::quiet_NaN());
         const bool unknown_kind = sameWord(segment.key, "Type") && state.kind == VehicleKind::Unknown;
-        if (!own && !isNoJoint(segment.key) && std::isfinite(angle_rad))
-            state.joints.push_back({std::string(segment.key), angle_rad});
-        else if (!own || unknown_kind || line.segments().find(segment.key) != &segment)
-            state.others.push_back({std::string(segment.key), std::string(segment.value)});
+        if (!own && !isNoJoint(segment.key) && isPlausible(angle_rad)) {
+            JointAngle& joint = joints.next();
+            joint.name = segment.key;
+            joint.angle_rad = angle_rad;
+        } else if (!own || unknown_kind || line.segments().find(segment.key) != &segment) {
+            KeyValue& other = others.next();
+            other.key = segment.key;
+            other.value = segment.value;
+        }
     }
 }
 
 } // namespace
 
-std::optional<InfoMessage> readRobotState(LineReading& line) {
+bool read(LineReading& line, RobotState& state) {
     const Segments& segments = line.segments();
-    // CONTROL GetSTA is answered with an STA of a thing in the world: it has a Size or a Name, never a robot's state.
-    if (segments.find("Size") || segments.find("Name") || segments.all().empty())
-        return std::nullopt;
-    RobotState state;
     state.kind = vehicleKindOf(segments.value("Type"));
     state.time = line.time();
-    if (const std::optional<double> battery_s = line.number("Battery"))
-        state.battery_left = Seconds(*battery_s);
+    const std::optional<double> battery_s = line.number("Battery");
+    state.battery_left = battery_s ? std::optional(Seconds(*battery_s)) : std::nullopt;
     state.front_steer_rad = steeringAngle(line, "FrontSteer");
     state.rear_steer_rad = steeringAngle(line, "RearSteer");
     state.light_on = line.boolean("LightToggle");
     state.light_intensity_pct = wholeNumber(line, "LightIntensity");
     state.view = wholeNumber(line, "View");
     readRest(line, state);
-    return state;
+    return true;
 }
 
 } // namespace usar::protocol

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/protocol/info/pose_sensors.h"
+#include "core/protocol/sensors/pose.h"
 
 namespace usar::sim {
 

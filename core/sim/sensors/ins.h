@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/random.h"
-#include "core/protocol/info/pose_sensors.h"
+#include "core/protocol/sensors/pose.h"
 
 namespace usar::sim {
 

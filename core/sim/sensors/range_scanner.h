@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/protocol/info/range_sensors.h"
+#include "core/protocol/sensors/range_scan.h"
 #include "core/sim/noise.h"
 #include "core/sim/sensors/rays.h"
 

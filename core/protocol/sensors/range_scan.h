@@ -1,4 +1,4 @@
-// SEN of the range family: sonars and the scanner.
+// SEN RangeScanner and its kin: one plane of ranges.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,13 @@
 
 namespace usar::protocol {
 
-/// One range; NaN where the server sent no number.
-struct NamedRange {
-    std::string name{};
-    double range_m = 0.0;
-    bool operator==(const NamedRange&) const = default;
-};
+class FieldList;
+class LineReading;
+class LineWriter;
 
-/// SEN Sonar: all sonars of a tick (UT2004) or one of them (UDK). The reading saturates at the maximum range.
-struct SonarReadings {
-    std::optional<Seconds> time{};
-    std::vector<NamedRange> ranges{};
-    bool operator==(const SonarReadings&) const = default;
-};
-
-/// SEN RangeScanner and its kin. Beams run from right to left: index 0 looks at -fov/2 (right; counter-clockwise
-/// positive), the last one at +fov/2. The count of values rules, not the quotient of field of view and resolution. A
-/// miss reads the maximum range; NaN where the server sent no number.
+/// Beams run from right to left: index 0 looks at -fov/2 (right; counter-clockwise positive), the last one at +fov/2.
+/// The count of values rules, not the quotient of field of view and resolution. A miss reads the maximum range; NaN
+/// where the server sent no number.
 struct RangeScan {
     std::optional<Seconds> time{};
     std::string name{};
@@ -34,6 +24,8 @@ struct RangeScan {
     double fov_rad = 0.0;
     std::vector<double> ranges_m{};
     std::string type = "RangeScanner"; ///< on the wire; scanners go by many: IRScanner, Laser …
+
+    static constexpr std::string_view wire_types = "RangeScanner|IRScanner";
 
     /// Angle between neighbouring beams. UT2004 cuts 0.01745 to 0.0174 on the wire, which adds up to half a degree over
     /// 181 beams; field of view and count give the true step wherever they agree with the resolution to 2 %.
@@ -46,5 +38,11 @@ struct RangeScan {
     double beamAngle_rad(std::size_t index) const { return -fov_rad / 2.0 + static_cast<double>(index) * step_rad(); }
     bool operator==(const RangeScan&) const = default;
 };
+
+bool read(LineReading& line, RangeScan& out);
+/// Scanners go by many names (RangeScanner, IRScanner, Laser …): any SEN with one FOV, one Resolution and a Range.
+bool readByShape(LineReading& line, RangeScan& out);
+void write(LineWriter& line, const RangeScan& scan);
+void list(FieldList& fields, const RangeScan& scan);
 
 } // namespace usar::protocol

@@ -1,0 +1,92 @@
+// Lists the values of any container that describes itself (core/protocol/schema.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/protocol/field_list.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+struct ValueLister {
+    FieldList& fields;
+    std::string_view field;
+    std::string_view unit;
+    bool is_angles;
+
+    void operator()(double value) const { fields.number(field, value, unit); }
+    void operator()(long long value) const { fields.number(field, static_cast<double>(value), unit); }
+    void operator()(bool value) const { fields.flag(field, value); }
+    void operator()(Present value) const { fields.flag(field, value == Present::Yes); }
+    void operator()(const std::string& value) const {
+        if (!value.empty())
+            fields.text(field, value);
+    }
+    void operator()(Seconds value) const { fields.number(field, value.count(), unit); }
+    void operator()(const Vec3& value) const { fields.vector(field, value, unit, is_angles); }
+    /// Only what moves on the ground has a pose in one segment.
+    void operator()(const Pose& value) const {
+        fields.number("x", value.position_m.x(), "m");
+        fields.number("y", value.position_m.y(), "m");
+        fields.number("yaw", value.yaw_rad, "rad");
+    }
+    void operator()(const std::vector<double>& values) const { fields.values(field, values, unit); }
+    template <class T>
+    void operator()(const std::optional<T>& value) const {
+        if (value)
+            (*this)(*value);
+    }
+};
+
+template <class Owner, class Member>
+void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& item) {
+    ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);
+}
+
+template <class Owner>
+void listItem(FieldList& fields, const Owner& owner, const PoseItem<Owner>& item) {
+    fields.pose(owner.*item.member);
+}
+
+template <class Owner>
+void listItems(FieldList& fields, const Owner& owner) {
+    forEachItem<Owner>([&](const auto& item) { listItem(fields, owner, item); });
+}
+
+/// What an element's group was opened with, or its place where that says nothing that tells it from others.
+template <class Element>
+std::string openingValue(const Element& element, std::size_t number) {
+    constexpr auto first = std::get<0>(Element::items());
+    if constexpr (std::is_same_v<std::decay_t<decltype(element.*first.member)>, long long>)
+        return std::to_string(element.*first.member);
+    else
+        return std::to_string(number);
+}
+
+/// `fields.source` is set. Groups become items: "F1", or "CameraPanTilt Link 1".
+template <Described T>
+void listDescribed(FieldList& fields, const T& message) {
+    if constexpr (requires { message.name; })
+        fields.item = message.name;
+    listItems(fields, message);
+    if constexpr (HasGroups<T>) {
+        constexpr auto groups = T::groups();
+        const std::string name = fields.item;
+        std::size_t number = 0;
+        for (const auto& element : message.*groups.member) {
+            ++number;
+            if constexpr (requires { element.name; })
+                fields.item = element.name;
+            else
+                fields.item = (name.empty() ? "" : name + " ") + std::string(groups.opening_key) + " " +
+                              openingValue(element, number);
+            listItems(fields, element);
+        }
+        fields.item = name;
+    }
+}
+
+} // namespace usar::protocol

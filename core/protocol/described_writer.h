@@ -1,0 +1,113 @@
+// Writes any container that describes itself (core/protocol/schema.h), as a UT2004 server does.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/protocol/line_writer.h"
+#include "core/protocol/schema.h"
+#include "core/protocol/wire_frame.h"
+
+namespace usar::protocol {
+
+inline Vec3 anglesOf(const Pose& pose) {
+    return {pose.roll_rad, pose.pitch_rad, pose.yaw_rad};
+}
+
+/// The same angles in [0, 2 pi), as UT2004's ground truth and INS have them.
+inline Vec3 positiveAnglesOf(const Pose& pose) {
+    return anglesOf(pose).unaryExpr([](double angle_rad) { return angle_rad < 0 ? angle_rad + 2 * pi : angle_rad; });
+}
+
+struct ValueWriter {
+    LineWriter& line;
+    Crossing crossing;
+    Decimals decimals;
+
+    void operator()(double value) const {
+        line.number(crossing == Crossing::Turn ? acrossWire(value) : value, decimals);
+    }
+    void operator()(long long value) const { line.whole(value); }
+    void operator()(bool value) const { line.text(value ? "True" : "False"); }
+    void operator()(Present) const {}
+    void operator()(const std::string& value) const { line.text(value); }
+    void operator()(Seconds value) const { line.number(value.count(), decimals); }
+    void operator()(const Vec3& value) const {
+        if (crossing == Crossing::Angles)
+            line.numbers(anglesOf(acrossWire(Pose{Vec3::Zero(), value.x(), value.y(), value.z()})), decimals);
+        else
+            line.numbers(crossing == Crossing::Vector ? acrossWire(value) : value, decimals);
+    }
+    void operator()(const Pose& value) const {
+        const Pose on_wire = acrossWire(value);
+        line.numbers(Vec3(on_wire.position_m.x(), on_wire.position_m.y(), on_wire.yaw_rad), decimals);
+    }
+    void operator()(const std::vector<double>& values) const { line.numbers(values, decimals); }
+    template <class T>
+    void operator()(const std::optional<T>& value) const {
+        (*this)(*value);
+    }
+};
+
+template <class Member>
+bool isThere(const Member& member) {
+    if constexpr (std::is_same_v<Member, Present>)
+        return member == Present::Yes;
+    else if constexpr (requires { member.has_value(); })
+        return member.has_value();
+    else if constexpr (requires { member.empty(); })
+        return !member.empty();
+    else
+        return true;
+}
+
+/// `in_segment`: the segment is open and takes several pairs.
+template <class Owner, class Member>
+void writeItem(LineWriter& line, const Owner& owner, const Item<Owner, Member>& item, bool in_segment) {
+    const Member& member = owner.*item.member;
+    if (!isThere(member))
+        return;
+    line.text(in_segment ? " " : " {");
+    line.text(item.key);
+    if constexpr (!std::is_same_v<Member, Present>)
+        line.text(" ");
+    ValueWriter{line, item.crossing, item.decimals}(member);
+    if (!in_segment)
+        line.close();
+}
+
+template <class Owner>
+void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item, bool) {
+    const Pose on_wire = acrossWire(owner.*item.member);
+    line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
+    line.segment("Orientation", item.angles_positive ? positiveAnglesOf(on_wire) : anglesOf(on_wire),
+                 Decimals::TwoRounded);
+}
+
+template <class Owner>
+void writeItems(LineWriter& line, const Owner& owner, bool in_segment = false) {
+    forEachItem<Owner>([&](const auto& item) { writeItem(line, owner, item, in_segment); });
+}
+
+/// Everything behind the type word, Time and Type.
+template <Described T>
+void writeDescribed(LineWriter& line, const T& message) {
+    if constexpr (requires { message.name; })
+        if (!message.name.empty())
+            line.segment("Name", message.name);
+    writeItems(line, message);
+    if constexpr (HasGroups<T>) {
+        for (const auto& element : message.*T::groups().member) {
+            if constexpr (requires { element.name; }) {
+                line.open("Name");
+                line.text(element.name);
+                writeItems(line, element, true);
+                line.close();
+            } else {
+                writeItems(line, element);
+            }
+        }
+    }
+}
+
+} // namespace usar::protocol

@@ -1,0 +1,62 @@
+#include "core/protocol/field_list.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/protocol/generic_fields.h"
+
+namespace usar::protocol {
+
+std::string FieldList::partOf(std::string_view field, std::string_view part) {
+    std::string name(field);
+    if (!field.empty())
+        name += '.';
+    return name.append(part);
+}
+
+void FieldList::text(std::string_view field, std::string_view value) {
+    fields_.push_back({source, item, std::string(field), std::nullopt, std::string(value), {}});
+}
+
+void FieldList::number(std::string_view field, double value, std::string_view unit) {
+    if (std::isfinite(value))
+        fields_.push_back({source, item, std::string(field), value, {}, std::string(unit)});
+    else
+        fields_.push_back({source, item, std::string(field), std::nullopt, "nan", std::string(unit)});
+}
+
+void FieldList::flag(std::string_view field, const std::optional<bool>& value) {
+    if (value)
+        text(field, *value ? "True" : "False");
+}
+
+void FieldList::vector(std::string_view field, const Vec3& value, std::string_view unit, bool is_angles) {
+    static constexpr std::array axes = {"x", "y", "z"};
+    static constexpr std::array angles = {"roll", "pitch", "yaw"};
+    for (std::size_t i = 0; i < 3; ++i)
+        number(partOf(field, is_angles ? angles[i] : axes[i]), value[static_cast<Eigen::Index>(i)], unit);
+}
+
+void FieldList::pose(const Pose& pose) {
+    vector("", pose.position_m, "m");
+    vector("", {pose.roll_rad, pose.pitch_rad, pose.yaw_rad}, "rad", true);
+}
+
+void FieldList::values(std::string_view field, std::span<const double> values, std::string_view unit) {
+    if (values.size() > longest_list) {
+        summary(field, values, unit);
+        return;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+        number(partOf(field, std::to_string(i)), values[i], unit);
+}
+
+void FieldList::summary(std::string_view field, std::span<const double> values, std::string_view unit) {
+    const ListSummary summed = summaryOf(values);
+    number(partOf(field, "count"), static_cast<double>(values.size()));
+    number(partOf(field, "minimum"), summed.minimum, unit);
+    number(partOf(field, "mean"), summed.mean, unit);
+    number(partOf(field, "maximum"), summed.maximum, unit);
+}
+
+} // namespace usar::protocol

@@ -1,0 +1,144 @@
+// Reads any container that describes itself (core/protocol/schema.h).
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/protocol/readers/line_reading.h"
+#include "core/protocol/refill.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+using Pairs = std::span<const KeyedText>;
+
+/// Values that a container cannot do without.
+template <class Member>
+inline constexpr bool is_required = std::is_same_v<Member, double> || std::is_same_v<Member, long long> ||
+                                    std::is_same_v<Member, Vec3> || std::is_same_v<Member, Pose>;
+
+/// What became of the items of one container. Nothing found is no news; something missing beside something found, or
+/// something damaged, leaves the line generic.
+struct ItemsFound {
+    bool any = false;
+    bool damaged = false;
+    std::string_view missing{};
+
+    bool usable() const { return any && !damaged && missing.empty(); }
+};
+
+template <class Owner, class Member>
+void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Member>& item, ItemsFound& found) {
+    Member& member = owner.*item.member;
+    const KeyedText* const pair = findPair(pairs, item.key, item.other_key);
+    if (pair) {
+        found.any = true;
+        found.damaged |= !take(line, pair->value, member, item.crossing);
+        return;
+    }
+    clear(member);
+    if (is_required<Member>)
+        found.missing = item.key;
+}
+
+template <class Owner>
+void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner>& item, ItemsFound& found) {
+    const KeyedText* const location = findPair(pairs, "Location");
+    const KeyedText* const orientation = findPair(pairs, "Orientation", "Rotation");
+    if (!location && !orientation) {
+        found.missing = "Location";
+        return;
+    }
+    found.any = true;
+    if (!location || !orientation) {
+        found.damaged = true;
+        line.error(line.segments().line(), "a pose needs Location and Orientation");
+        return;
+    }
+    const std::optional<Pose> pose = line.pose(location->value, orientation->value);
+    found.damaged |= !pose;
+    owner.*item.member = pose.value_or(Pose{});
+}
+
+template <class Owner>
+ItemsFound readItems(LineReading& line, Pairs pairs, Owner& owner) {
+    ItemsFound found;
+    forEachItem<Owner>([&](const auto& item) { readItem(line, pairs, owner, item, found); });
+    if (found.any && !found.damaged && !found.missing.empty())
+        line.error(line.segments().line(), std::string(found.missing) + " is missing");
+    return found;
+}
+
+/// Reads the groups of `pairs`, which begins with the first opening key, or with values of a group without one. False
+/// when one is damaged.
+template <class Owner, class Element>
+bool readGroups(LineReading& line, Pairs pairs, Owner& owner, const Groups<Owner, Element>& groups) {
+    Refill<Element> elements(owner.*groups.member);
+    const auto opens = [&groups](const KeyedText& pair) {
+        return sameWord(pair.key, groups.opening_key) ||
+               (!groups.other_key.empty() && sameWord(pair.key, groups.other_key));
+    };
+    bool good = true;
+    while (!pairs.empty()) {
+        const auto end = std::find_if(pairs.begin() + 1, pairs.end(), opens);
+        const Pairs group = pairs.first(static_cast<std::size_t>(end - pairs.begin()));
+        Element& element = elements.next();
+        const ItemsFound found = readItems(line, group, element);
+        if constexpr (requires { element.name; }) {
+            if (opens(group.front()))
+                element.name = group.front().value;
+            else
+                element.name.clear();
+        }
+        if (!found.usable())
+            elements.drop();
+        good &= !found.any || found.usable();
+        pairs = pairs.subspan(group.size());
+    }
+    return good;
+}
+
+/// Fills all of `out`, which may hold an older reading. False when the line must stay a GenericMessage: without a
+/// diagnostic where it tells nothing (a bare head), with one where it is damaged.
+template <Described T>
+bool readDescribed(LineReading& line, T& out) {
+    const Pairs pairs = line.pairs(NamedGroups<T>);
+    out.time = line.time();
+    if constexpr (requires { out.name; })
+        out.name = line.segments().value("Name");
+    if constexpr (requires { out.type; })
+        out.type = line.segments().value("Type");
+    Pairs head = pairs;
+    bool any = false;
+    if constexpr (HasGroups<T>) {
+        constexpr auto groups = T::groups();
+        const auto first = std::ranges::find_if(pairs, [&groups](const KeyedText& pair) {
+            return sameWord(pair.key, groups.opening_key) ||
+                   (!groups.other_key.empty() && sameWord(pair.key, groups.other_key));
+        });
+        head = pairs.first(static_cast<std::size_t>(first - pairs.begin()));
+        // Sensors without a name: the values come before any.
+        const bool nameless = NamedGroups<T> && first == pairs.end();
+        if (!readGroups(line, nameless ? pairs : pairs.subspan(head.size()), out, groups))
+            return false;
+        any = !(out.*groups.member).empty();
+    }
+    if constexpr (HasItems<T>) {
+        const ItemsFound found = readItems(line, head, out);
+        any |= found.any;
+        if (found.any && !found.usable())
+            return false;
+        if (!found.missing.empty())
+            return false;
+    }
+    return any;
+}
+
+} // namespace usar::protocol

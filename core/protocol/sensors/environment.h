@@ -1,0 +1,125 @@
+// SEN of the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and the soccer ball's Helper.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+struct SoundReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    double loudness_db = 0.0;
+    std::optional<Seconds> duration{};
+
+    static constexpr std::string_view wire_types = "Sound";
+    static constexpr auto items() {
+        return std::tuple(
+            item("Loudness", &SoundReading::loudness_db, "loudness", "dB", Crossing::None, Decimals::TwoRounded),
+            item("Duration", &SoundReading::duration, "duration", "s", Crossing::None, Decimals::TwoRounded));
+    }
+    bool operator==(const SoundReading&) const = default;
+};
+
+/// A sound that UDK's ears hear: too far to place, or with the unit vector toward it in the sensor's frame.
+struct HeardSound {
+    Present far = Present::No;
+    std::optional<Vec3> direction{};
+    std::optional<double> volume{};
+    std::optional<Seconds> duration{};
+    std::optional<Seconds> delay{};
+
+    static constexpr auto items() {
+        return std::tuple(item("Far", &HeardSound::far, "far"),
+                          item("Direction", &HeardSound::direction, "direction", "", Crossing::Vector),
+                          item("Volume", &HeardSound::volume, "volume"),
+                          item("Duration", &HeardSound::duration, "duration", "s"),
+                          item("Delay", &HeardSound::delay, "delay", "s"));
+    }
+    bool operator==(const HeardSound&) const = default;
+};
+
+/// `silence` is the server's {None}.
+struct AcousticReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    Present silence = Present::No;
+    std::vector<HeardSound> sounds{};
+
+    static constexpr std::string_view wire_types = "Acoustic";
+    static constexpr auto items() { return std::tuple(item("None", &AcousticReading::silence, "silence")); }
+    static constexpr auto groups() { return protocol::groups("Direction", &AcousticReading::sounds, "Far"); }
+    bool operator==(const AcousticReading&) const = default;
+};
+
+struct GasReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::string gas{};
+    double density = 0.0; ///< as sent; the unit is nowhere said
+
+    static constexpr std::string_view wire_types = "CO2Sensor";
+    static constexpr auto items() {
+        return std::tuple(item("Gas", &GasReading::gas, "gas"),
+                          item("Density", &GasReading::density, "density", "", Crossing::None, Decimals::TwoRounded));
+    }
+    bool operator==(const GasReading&) const = default;
+};
+
+/// Where the camera of a soccer robot sees the ball (thesis 5.2). The picture's axes are the camera's own, so the three
+/// numbers stay as the wire has them.
+struct BallReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::optional<Vec3> position{};
+    std::optional<bool> visible{};
+
+    static constexpr std::string_view wire_types = "Helper";
+    static constexpr auto items() {
+        return std::tuple(item("Pos3D", &BallReading::position, "position"),
+                          item("Visible", &BallReading::visible, "visible"));
+    }
+    bool operator==(const BallReading&) const = default;
+};
+
+struct MissionTimeReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    long long minutes = 0;
+
+    static constexpr std::string_view wire_types = "MissionTime";
+    static constexpr auto items() {
+        return std::tuple(item("Minutes", &MissionTimeReading::minutes, "minutes", "min"));
+    }
+    bool operator==(const MissionTimeReading&) const = default;
+};
+
+struct SeenObject {
+    std::string tag{};
+    Pose object_in_map{};
+    std::optional<Vec3> hit_in_map_m{};
+    std::string material{}; ///< "None" where it has none
+
+    static constexpr auto items() {
+        return std::tuple(item("Object", &SeenObject::tag, "tag"), pose(&SeenObject::object_in_map),
+                          item("HitLoc", &SeenObject::hit_in_map_m, "hit", "m", Crossing::Vector, Decimals::TwoRounded),
+                          item("Material", &SeenObject::material, "material"));
+    }
+    bool operator==(const SeenObject&) const = default;
+};
+
+struct ObjectsReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::vector<SeenObject> objects{};
+
+    static constexpr std::string_view wire_types = "ObjectSensor";
+    static constexpr auto groups() { return protocol::groups("Object", &ObjectsReading::objects); }
+    bool operator==(const ObjectsReading&) const = default;
+};
+
+} // namespace usar::protocol

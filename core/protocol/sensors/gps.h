@@ -1,0 +1,33 @@
+// SEN GPS.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/clock.h"
+
+namespace usar::protocol {
+
+class FieldList;
+class LineReading;
+class LineWriter;
+
+/// Latitude is north positive, longitude east positive; both absent without a fix, which takes four satellites. On the
+/// wire they are whole degrees, minutes and a letter.
+struct GpsReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::optional<double> latitude_rad{};
+    std::optional<double> longitude_rad{};
+    bool fix = false;
+    std::optional<long long> satellites{};
+
+    static constexpr std::string_view wire_types = "GPS";
+    bool operator==(const GpsReading&) const = default;
+};
+
+bool read(LineReading& line, GpsReading& out);
+void write(LineWriter& line, const GpsReading& reading);
+void list(FieldList& fields, const GpsReading& reading);
+
+} // namespace usar::protocol

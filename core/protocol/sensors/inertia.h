@@ -1,0 +1,61 @@
+// SEN of what feels forces: Accel, AcceleroMeter, IMU (all UDK).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/clock.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+/// Acceleration in the body's frame, without gravity.
+struct AccelerationReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    Vec3 acceleration_m_s2 = Vec3::Zero();
+
+    static constexpr std::string_view wire_types = "Accel";
+    static constexpr auto items() {
+        return std::tuple(
+            item("Acceleration", &AccelerationReading::acceleration_m_s2, "acceleration", "m/s²", Crossing::Vector));
+    }
+    bool operator==(const AccelerationReading&) const = default;
+};
+
+/// What an accelerometer at rest really shows: acceleration with gravity, body frame.
+struct AccelerometerReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    Vec3 proper_acceleration_m_s2 = Vec3::Zero();
+
+    static constexpr std::string_view wire_types = "AcceleroMeter";
+    static constexpr auto items() {
+        return std::tuple(item("ProperAcceleration", &AccelerometerReading::proper_acceleration_m_s2,
+                               "proper_acceleration", "m/s²", Crossing::Vector));
+    }
+    bool operator==(const AccelerometerReading&) const = default;
+};
+
+/// Body frame; vectors of turning point along their axis, counter-clockwise positive.
+struct ImuReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::optional<Vec3> acceleration_m_s2{};
+    std::optional<Vec3> angular_velocity_rad_s{};
+    std::optional<Vec3> angular_acceleration_rad_s2{};
+    std::optional<Vec3> roll_pitch_yaw_rad{};
+
+    static constexpr std::string_view wire_types = "IMU";
+    static constexpr auto items() {
+        return std::tuple(
+            item("XYZAcceleration", &ImuReading::acceleration_m_s2, "acceleration", "m/s²", Crossing::Vector),
+            item("AngularVel", &ImuReading::angular_velocity_rad_s, "angular_velocity", "rad/s", Crossing::Vector),
+            item("AngularAccel", &ImuReading::angular_acceleration_rad_s2, "angular_acceleration", "rad/s²",
+                 Crossing::Vector),
+            item("Rotation", &ImuReading::roll_pitch_yaw_rad, "orientation", "rad", Crossing::Angles));
+    }
+    bool operator==(const ImuReading&) const = default;
+};
+
+} // namespace usar::protocol

@@ -1,0 +1,32 @@
+// SEN Touch and TouchArray.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+struct NamedTouch {
+    std::string name{};
+    bool touched = false;
+
+    static constexpr auto items() { return std::tuple(item("Touch", &NamedTouch::touched, "touched")); }
+    bool operator==(const NamedTouch&) const = default;
+};
+
+/// All touch sensors of a tick (UT2004) or one of them, or a ring of bumpers (UDK).
+struct TouchReadings {
+    std::optional<Seconds> time{};
+    std::vector<NamedTouch> touches{};
+    std::string type = "Touch"; ///< on the wire
+
+    static constexpr std::string_view wire_types = "Touch|TouchArray";
+    static constexpr auto groups() { return protocol::groups("Name", &TouchReadings::touches); }
+    bool operator==(const TouchReadings&) const = default;
+};
+
+} // namespace usar::protocol

@@ -1,0 +1,108 @@
+// SEN that look for people: VictSensor, VictRFID, HumanMotion, GroundTruthPlayers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+/// Head, Arm, Hand, Chest, Pelvis, Leg or Foot; there are false alarms.
+struct SeenPart {
+    std::string part{};
+    std::optional<Vec3> part_in_sensor_m{};
+
+    static constexpr auto items() {
+        return std::tuple(item("PartName", &SeenPart::part, "part"), item("Location", &SeenPart::part_in_sensor_m, "",
+                                                                          "m", Crossing::Vector, Decimals::TwoRounded));
+    }
+    bool operator==(const SeenPart&) const = default;
+};
+
+/// Every fourth tick. Without victims it has a status instead (NoVictims), and at times no name.
+struct VictimReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::vector<SeenPart> parts{};
+    std::optional<std::string> status{};
+
+    static constexpr std::string_view wire_types = "VictSensor";
+    static constexpr auto items() { return std::tuple(item("Status", &VictimReading::status, "status")); }
+    static constexpr auto groups() { return protocol::groups("PartName", &VictimReading::parts); }
+    bool operator==(const VictimReading&) const = default;
+};
+
+/// `id` is text, and "None" when the tag is too far to be read.
+struct TaggedVictim {
+    std::string id{};
+    std::string victim_name{}; ///< some versions only
+    std::string status{};
+    std::optional<Vec3> victim_in_reader_m{};
+
+    static constexpr auto items() {
+        return std::tuple(
+            item("ID", &TaggedVictim::id, "id", "", Crossing::None, Decimals::FourCut, "VictimId"),
+            item("VictimName", &TaggedVictim::victim_name, "name"),
+            item("Status", &TaggedVictim::status, "status", "", Crossing::None, Decimals::FourCut, "VictimStatus"),
+            item("Location", &TaggedVictim::victim_in_reader_m, "", "m", Crossing::Vector, Decimals::TwoRounded));
+    }
+    bool operator==(const TaggedVictim&) const = default;
+};
+
+struct VictimTagReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::vector<TaggedVictim> victims{};
+
+    static constexpr std::string_view wire_types = "VictRFID";
+    static constexpr auto groups() { return protocol::groups("ID", &VictimTagReading::victims, "VictimId"); }
+    bool operator==(const VictimTagReading&) const = default;
+};
+
+struct HumanMotionReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    double probability = 0.0; ///< 0 .. 1
+
+    static constexpr std::string_view wire_types = "HumanMotion";
+    static constexpr auto items() {
+        return std::tuple(
+            item("Prob", &HumanMotionReading::probability, "probability", "", Crossing::None, Decimals::TwoRounded));
+    }
+    bool operator==(const HumanMotionReading&) const = default;
+};
+
+/// `position_uu` is Unreal's own, in Unreal units.
+struct Player {
+    long long number = 0;
+    std::string anchor{};
+    std::optional<bool> is_player{};
+    std::optional<Vec3> player_in_map_m{};
+    std::optional<Vec3> position_uu{};
+
+    static constexpr auto items() {
+        return std::tuple(
+            item("PlayerNum", &Player::number, "number"), item("Anchor", &Player::anchor, "anchor"),
+            item("IsPlayer", &Player::is_player, "is_player"),
+            item("Location", &Player::player_in_map_m, "", "m", Crossing::Vector, Decimals::TwoRounded),
+            item("UTLocation", &Player::position_uu, "position_uu", "", Crossing::None, Decimals::TwoRounded));
+    }
+    bool operator==(const Player&) const = default;
+};
+
+struct PlayersReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::optional<long long> count{};
+    std::vector<Player> players{};
+
+    static constexpr std::string_view wire_types = "GroundTruthPlayers";
+    static constexpr auto items() { return std::tuple(item("Players", &PlayersReading::count, "count")); }
+    static constexpr auto groups() { return protocol::groups("PlayerNum", &PlayersReading::players); }
+    bool operator==(const PlayersReading&) const = default;
+};
+
+} // namespace usar::protocol

@@ -1,0 +1,47 @@
+// SEN of what turns: Encoder, Tachometer.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/protocol/schema.h"
+
+namespace usar::protocol {
+
+struct EncoderTicks {
+    std::string name{};
+    long long ticks = 0; ///< taken as it is: the P2DX counts down when it rolls forward
+
+    static constexpr auto items() { return std::tuple(item("Tick", &EncoderTicks::ticks, "ticks")); }
+    bool operator==(const EncoderTicks&) const = default;
+};
+
+/// All encoders of a tick (UT2004) or one of them (UDK).
+struct EncoderReadings {
+    std::optional<Seconds> time{};
+    std::vector<EncoderTicks> encoders{};
+
+    static constexpr std::string_view wire_types = "Encoder";
+    static constexpr auto groups() { return protocol::groups("Name", &EncoderReadings::encoders); }
+    bool operator==(const EncoderReadings&) const = default;
+};
+
+/// Speed and angle of each wheel in the robot's own order; positive is forward. Two calls in one instant give a name
+/// only (UDK), which is no news.
+struct TachometerReading {
+    std::optional<Seconds> time{};
+    std::string name{};
+    std::vector<double> speeds_rad_s{};
+    std::vector<double> angles_rad{};
+
+    static constexpr std::string_view wire_types = "Tachometer";
+    static constexpr auto items() {
+        return std::tuple(item("Vel", &TachometerReading::speeds_rad_s, "speed", "rad/s"),
+                          item("Pos", &TachometerReading::angles_rad, "angle", "rad"));
+    }
+    bool operator==(const TachometerReading&) const = default;
+};
+
+} // namespace usar::protocol
