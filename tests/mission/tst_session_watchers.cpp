@@ -81,8 +81,8 @@ void tst_SessionWatchers::sensorsAreToldApartByName() {
 
 void tst_SessionWatchers::unknownTypesAreWatchedToo() {
     SensorWatch watch(Seconds{3.0});
-    watch.saw(protocol::GenericMessage{.type_word = "SEN", .type = "CO2Sensor", .name = "Nose"}, Seconds{1.0});
-    QCOMPARE(watch.newlySilent(Seconds{5.0}), std::vector<std::string>{"CO2Sensor Nose"});
+    watch.saw(protocol::GenericMessage{.type_word = "SEN", .type = "Geiger", .name = "Nose"}, Seconds{1.0});
+    QCOMPARE(watch.newlySilent(Seconds{5.0}), std::vector<std::string>{"Geiger Nose"});
 }
 
 void tst_SessionWatchers::typesThatSpeakOnlyOnEventsAreNot_data() {
