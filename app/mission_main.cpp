@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 
 #include "app/headless_simulator.h"
+#include "app/lines_verb.h"
 #include "app/locations.h"
 #include "app/quit_signals.h"
 #include "app/replay_verbs.h"
@@ -118,6 +119,8 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
+    if (QCoreApplication::arguments().value(1) == "lines")
+        return app::runLinesVerb(QCoreApplication::arguments().mid(1));
     if (mission::isReplayVerb(QCoreApplication::arguments().value(1)))
         return app::runReplayVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));

@@ -3,26 +3,15 @@
 
 #include <benchmark/benchmark.h>
 
-#include <QApplication>
 #include <QEventLoop>
 #include <QImage>
 
+#include "tests/bench/bench_application.h"
 #include "widgets/map_view.h"
 
 using namespace usar;
 
 namespace {
-
-/// One application for all benches; no window system is needed to paint into a picture.
-void needApplication() {
-    if (qApp)
-        return;
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    static int argc = 1;
-    static char name[] = "usar-bench";
-    static char* argv[] = {name, nullptr};
-    new QApplication(argc, argv); // lives as long as the program
-}
 
 void fill(widgets::MapView& view) {
     mapping::HeightMap map(0.25);
@@ -44,7 +33,7 @@ void fill(widgets::MapView& view) {
 }
 
 void mapFrame(benchmark::State& state) {
-    needApplication();
+    bench::needApplication();
     widgets::MapView view;
     view.resize(1920, 1080);
     fill(view);

@@ -38,8 +38,8 @@ std::vector<std::string> scanLines() {
     return lines;
 }
 
-/// In the order of a tick (usarsim-protocol 1.8): sonars, scanner, INS, odometry, encoders, ground truth, a package,
-/// state.
+/// In the order of a tick (usarsim-protocol 1.8): sonars, scanner, INS, odometry, encoders, ground truth, GPS, a
+/// package, state.
 std::vector<std::string> trafficLines() {
     Random random = seeded(1, 2);
     std::vector<std::string> lines;
@@ -49,16 +49,13 @@ std::vector<std::string> trafficLines() {
         SonarReadings sonars{time, {}};
         for (int i = 1; i <= 8; ++i)
             sonars.ranges.push_back({"F" + std::to_string(i), uniform(random, 0.1, 5.0)});
-        const GenericMessage package{
-            "MISSTA",
-            "",
-            "",
-            {{"Time", "1.00"}, {"Name", "CameraPanTilt"}, {"Link", "1"}, {"Value", "0.0000"}, {"Torque", "-20.00"}}};
+        const PackageState package{time, "CameraPanTilt", {{1, 0.1, -20.0}, {2, -0.2, -20.0}}};
         for (const InfoMessage& message : std::initializer_list<InfoMessage>{
                  sonars, scanAt(tick, random), InsReading{std::nullopt, "INS", pose},
                  OdometryReading{std::nullopt, "Odometry", pose},
                  EncoderReadings{std::nullopt, {{"ECLeft", tick}, {"ECRight", -tick}}},
-                 GroundTruthReading{time, "GroundTruth", pose}, package,
+                 GroundTruthReading{time, "GroundTruth", pose},
+                 GpsReading{.name = "GPS", .fix = false, .satellites = 0}, package,
                  RobotState{
                      .kind = VehicleKind::Ground, .time = time, .battery_left = Seconds(1200), .light_on = false}})
             write(message, lines.emplace_back());
@@ -84,8 +81,8 @@ void readAll(benchmark::State& state, const std::vector<std::string>& lines, Rea
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(lines.size()));
 }
 
-InfoMessage readTyped(Reader& reader, const std::string& line) {
-    return reader.read(line).message;
+const InfoLine* readTyped(Reader& reader, const std::string& line) {
+    return &reader.read(line);
 }
 
 /// The least that any reader must do: every number of the line, into a list that is reused.

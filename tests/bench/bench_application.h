@@ -1,0 +1,17 @@
+// The application that benchmarks of Qt code need.
+#pragma once
+
+#include <QApplication>
+
+namespace usar::bench {
+
+/// One for the whole program, made when the first benchmark asks; no window system is needed to paint into a picture.
+inline void needApplication() {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    static int argc = 1;
+    static char name[] = "usar-bench";
+    static char* argv[] = {name, nullptr};
+    static QApplication application(argc, argv);
+}
+
+} // namespace usar::bench
