@@ -58,5 +58,5 @@ inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const Behavi
 
 } // namespace usar::agent
 
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/1"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/2"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

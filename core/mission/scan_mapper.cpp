@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/protocol/segments.h"
+#include "core/protocol/info/configurations.h"
 
 namespace usar::mission {
 
@@ -23,11 +23,9 @@ void ScanMapper::takeScan(const protocol::RangeScan& scan, LineNumber line) {
 }
 
 void ScanMapper::takeConfiguration(const protocol::ConfigurationInfo& configuration) {
-    if (!protocol::sameWord(configuration.type, "RangeScanner"))
-        return;
-    for (const protocol::ConfiguredItem& item : configuration.items)
-        if (const auto maximum_m = item.number("MaxRange"); maximum_m && *maximum_m > 0.0)
-            maximum_m_[item.name] = *maximum_m;
+    for (const protocol::SensorConfiguration& sensor : protocol::sensorConfigurationsOf(configuration))
+        if (sensor.fov_rad && sensor.range_max_m && *sensor.range_max_m > 0.0) // a scanner of whatever type
+            maximum_m_[sensor.name] = *sensor.range_max_m;
 }
 
 double ScanMapper::maximumOf(const std::string& scanner) const {

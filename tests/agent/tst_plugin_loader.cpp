@@ -45,7 +45,7 @@ private slots:
         QTest::newRow("another interface") << "wrong_interface.so"
                                            << "org.example.ImageFilter/1";
         QTest::newRow("a newer interface") << "wrong_version.so"
-                                           << "version 2 of the plugin interface";
+                                           << "version 1 of the plugin interface";
         QTest::newRow("metadata without behaviors") << "missing_metadata.so"
                                                     << "lack \"behaviors\"";
         QTest::newRow("behaviors that are not there") << "promises_more.so"

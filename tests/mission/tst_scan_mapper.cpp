@@ -20,7 +20,7 @@ agent::ScanPlacement downFrom(double x_m, std::uint64_t line) {
 }
 
 protocol::ConfigurationInfo maximumRange(const std::string& name, double maximum_m) {
-    return {"RangeScanner", {{name, {{"MaxRange", std::to_string(maximum_m), maximum_m}}}}};
+    return {"IRScanner", {{name, {{"MaxRange", std::to_string(maximum_m), maximum_m}, {"Fov", "3.1415", 3.1415}}}}};
 }
 
 } // namespace
