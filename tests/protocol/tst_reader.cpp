@@ -465,7 +465,7 @@ void tst_Reader::warnsOfDamageAndKeepsTheRest() {
 }
 
 void tst_Reader::keepsUnknownLinesWhole() {
-    const auto message = cleanly<GenericMessage>("EFF {Time 4} {Type Gripper} {Name G1} {On}");
+    const auto message = cleanly<GenericMessage>("WHO {Time 4} {Type Gripper} {Name G1} {On}");
     QVERIFY(message ==
             (GenericMessage{"WHO", "Gripper", "G1", {{"Time", "4"}, {"Type", "Gripper"}, {"Name", "G1"}, {"On", ""}}}));
     const auto grouped = cleanly<GenericMessage>("SEN {Type Feeler} {Name IR1 Range 0.5} {Name IR2 Range 0.8}");
