@@ -36,8 +36,8 @@ template <class Module>
 void BehaviorHost::ask(Module& module, const std::string& subject) {
     if (auto question = module.next(modules_.state.now()))
         port_.send(*std::move(question), subject + " module");
-    for (const auto& [question, no_such_thing] : module.takeFailures()) {
-        const std::string what = question.name.empty() ? question.type : question.type + " " + question.name;
+    for (const auto& [type, name, no_such_thing] : module.takeFailures()) {
+        const std::string what = name.empty() ? type : type + " " + name;
         port_.publish(BehaviorEvent{.severity = Severity::Warning,
                                     .text = no_such_thing ? "The server knows no " + what + ": it has no " + subject + "."
                                                           : "No answer about the " + subject + " of " + what +

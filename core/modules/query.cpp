@@ -92,7 +92,7 @@ void QueryModule<Question, Answer>::take(const protocol::InfoLine& line) {
             entry.state = QueryState::Ready;
             entry.answer = *answer;
         } else if (asked_now) {
-            fail(entry, true);
+            fail(key, entry, true);
         }
         if (asked_now)
             outstanding_.reset();
@@ -137,13 +137,15 @@ void QueryModule<Question, Answer>::giveUpOrWait(const Key& key) {
     if (entry.times_sent < most_tries)
         waiting_.push_back(key);
     else
-        fail(entry, false);
+        fail(key, entry, false);
 }
 
 template <class Question, class Answer>
-void QueryModule<Question, Answer>::fail(Entry& entry, bool no_such_thing) {
+void QueryModule<Question, Answer>::fail(const Key& key, Entry& entry, bool no_such_thing) {
     entry.state = QueryState::Failed;
-    failures_.push_back({entry.question, no_such_thing});
+    const auto& asked = entry.question;
+    failures_.push_back(
+        {asked ? asked->type.text() : key.first, asked ? asked->name.text() : key.second, no_such_thing});
 }
 
 template class QueryModule<protocol::GetGeometry, GeometryInfo>;

@@ -36,7 +36,8 @@ public:
     void take(const protocol::InfoLine& line);
     /// Questions that have failed since the last call, each with the reason.
     struct Failure {
-        Question question;
+        std::string type;
+        std::string name;
         bool no_such_thing = false; ///< the server said so; else there was no answer
     };
     std::vector<Failure> takeFailures() { return std::exchange(failures_, {}); }
@@ -55,7 +56,7 @@ private:
     static Key keyOf(const std::string& type, const std::string& name);
     bool answers(const Key& key, const Answer& answer, bool asked_now) const;
     void giveUpOrWait(const Key& key);
-    void fail(Entry& entry, bool no_such_thing);
+    void fail(const Key& key, Entry& entry, bool no_such_thing);
 
     std::map<Key, Entry> entries_;
     std::deque<Key> waiting_;

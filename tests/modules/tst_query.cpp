@@ -107,9 +107,9 @@ void tst_Query::saysWhichQuestionsFailedAndWhy() {
         sent(geometry, now_s);
     const auto failures = geometry.takeFailures();
     QCOMPARE(failures.size(), std::size_t(2));
-    QCOMPARE(failures[0].question.type, std::string("Laser"));
+    QCOMPARE(failures[0].type, std::string("Laser"));
     QVERIFY(failures[0].no_such_thing);
-    QCOMPARE(failures[1].question.name, std::string("F9"));
+    QCOMPARE(failures[1].name, std::string("F9"));
     QVERIFY(!failures[1].no_such_thing);
     QVERIFY(geometry.takeFailures().empty());
 }
