@@ -9,6 +9,17 @@ constexpr bool is_one_of = (std::is_same_v<T, Kinds> || ...);
 
 } // namespace
 
+Command::Command() = default;
+Command::Command(const Command& other) = default;
+Command::Command(Command&& other) noexcept = default;
+Command& Command::operator=(const Command& other) = default;
+Command& Command::operator=(Command&& other) noexcept = default;
+Command::~Command() = default;
+
+bool Command::operator==(const Command& other) const {
+    return static_cast<const CommandVariant&>(*this) == static_cast<const CommandVariant&>(other);
+}
+
 bool isDrive(const Command& command) {
     return std::visit(
         []<class T>(const T&) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "core/base/alternatives.h"
 #include "core/protocol/commands/drive.h"
 #include "core/protocol/commands/joint.h"
 #include "core/protocol/commands/package.h"
@@ -24,7 +27,7 @@ struct RawCommand {
     bool operator==(const RawCommand&) const = default;
 };
 
-using Command =
+using CommandVariant =
     std::variant<RawCommand, Init, GetStartPoses, AerialDrive, SkidDrive, AckermannDrive, OmniDrive, NauticDrive,
                  JointDrive, MultiDrive, DriveSwitches, GetGeometry, GetConfiguration, SetInsPose, ResetSensor, ScanNow,
                  ReadTag, WriteTag, ReleaseTag, CountTags, UseGripper, UseToolChanger, SetItem, SetJoint, ZoomCamera,
@@ -32,6 +35,25 @@ using Command =
                  CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject, RunConveyor,
                  AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates, GetPathNodes, GetClosestPathNode,
                  GoToNode, WalkTo, PauseWalk, ResumeWalk, Lockstep, Step, Test, Pause>;
+
+/// The variant, to be used as one; what copies fifty alternatives is compiled in one place.
+class Command : public CommandVariant {
+public:
+    Command();
+    Command(const Command& other);
+    Command(Command&& other) noexcept;
+    Command& operator=(const Command& other);
+    Command& operator=(Command&& other) noexcept;
+    ~Command();
+
+    /// One of the alternatives.
+    template <AlternativeOf<CommandVariant> One>
+    Command(One&& one) : CommandVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
+
+    bool operator==(const Command& other) const;
+    /// The variant has one that its alternatives have not, and meta types ask for it.
+    friend bool operator<(const Command&, const Command&) = delete;
+};
 
 /// DRIVE and MULTIDRIVE of any kind: what moves a robot and replaces what was said before.
 bool isDrive(const Command& command);

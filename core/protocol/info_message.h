@@ -3,8 +3,11 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "core/base/alternatives.h"
 #include "core/base/cause.h"
 #include "core/base/diagnostics.h"
 #include "core/protocol/info/answers.h"
@@ -23,7 +26,28 @@ std::variant<GenericMessage, GameInfo, StartPoses, PathNodes, ClosestPathNode, L
     variantWith(TypeList<Sensors...>);
 
 /// What every server says, and the sensors of the table.
-using InfoMessage = decltype(variantWith(SensorTypes{}));
+using InfoVariant = decltype(variantWith(SensorTypes{}));
+
+/// The variant, to be used as one. Copying forty alternatives takes the compiler many seconds, so it is done in one
+/// place and not wherever a message is kept.
+class InfoMessage : public InfoVariant {
+public:
+    InfoMessage();
+    InfoMessage(const InfoMessage& other);
+    InfoMessage(InfoMessage&& other) noexcept;
+    InfoMessage& operator=(const InfoMessage& other);
+    InfoMessage& operator=(InfoMessage&& other) noexcept;
+    ~InfoMessage();
+
+    /// One of the alternatives.
+    template <AlternativeOf<InfoVariant> Message>
+    InfoMessage(Message&& message)
+        : InfoVariant(std::in_place_type<std::decay_t<Message>>, std::forward<Message>(message)) {}
+
+    bool operator==(const InfoMessage& other) const;
+    /// The variant has one that its alternatives have not, and meta types ask for it.
+    friend bool operator<(const InfoMessage&, const InfoMessage&) = delete;
+};
 
 /// Whether the table has a row for a Type of SEN, in any case.
 bool isKnownSensor(std::string_view type);

@@ -46,7 +46,7 @@ Reader::Reader() {
 void Reader::forgetBuffers() {
     segments_ = {};
     pairs_ = {};
-    places_ = makePlaces(std::make_index_sequence<std::variant_size_v<InfoMessage>>());
+    places_ = makePlaces(std::make_index_sequence<std::variant_size_v<InfoVariant>>());
 }
 
 const InfoLine& Reader::read(std::string_view line) {

@@ -277,7 +277,7 @@ template <std::size_t... kind>
 constexpr auto makersOf(std::index_sequence<kind...>) {
     using Make = Command (*)(Dice&);
     return std::array<Make, sizeof...(kind)>{
-        [](Dice& dice) { return any(dice, Kind<std::variant_alternative_t<kind, Command>>{}); }...};
+        [](Dice& dice) { return any(dice, Kind<std::variant_alternative_t<kind, CommandVariant>>{}); }...};
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace any {
 
-inline constexpr std::size_t kinds = std::variant_size_v<usar::protocol::Command>;
+inline constexpr std::size_t kinds = std::variant_size_v<usar::protocol::CommandVariant>;
 
 /// One of this alternative of Command that says something in that dialect; a raw one is a word that no reader knows.
 usar::protocol::Command command(std::size_t kind, usar::protocol::Dialect dialect, usar::Random& random);
