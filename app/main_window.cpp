@@ -45,6 +45,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wirePanels();
     wireMission();
     wireMessages();
+    wireReplay();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
@@ -69,6 +70,10 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
     const ServerTarget& server = options_.server;
+    if (!options_.recording.isEmpty()) {
+        views_.time->setSteerable(false); // until a simulator is connected to
+        return openRecording(options_.recording);
+    }
     views_.connection->setServer(server.embedded ? widgets::ServerChoice::Embedded : widgets::ServerChoice::Real);
     if (!server.embedded)
         views_.connection->setAddress(server.host, server.port);
@@ -96,7 +101,8 @@ void MainWindow::wireControl() {
     connect(&control_, &MissionControl::robotAdded, this, [this](int id) {
         presenter_.showRow(id);
         selectRobot(id);
-        views_.hint->setDone(0, true);
+        if (!control_.robot(id)->isReplay())
+            views_.hint->setDone(0, true);
     });
     connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name) {
         views_.robots->removeRobot(id);
@@ -118,8 +124,15 @@ void MainWindow::wireControl() {
         presenter_.show(id, *update, id == selected_);
         if (id != selected_)
             return;
-        views_.connection->setRate(update->figures.lines_per_second);
+        views_.connection->setRate(update->figures.replay ? std::nullopt
+                                                          : std::optional(update->figures.lines_per_second));
         views_.time->setClock(update->figures.now);
+        if (update->task && views_.map->area() != update->task->area_in_map) {
+            views_.behavior->setArea(update->task->area_in_map);
+            views_.map->setArea(update->task->area_in_map);
+            views_.map->fit();
+        }
+        showReplay();
         refreshRunState();
         showTitle();
     });

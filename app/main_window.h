@@ -41,11 +41,15 @@ public:
 public slots:
     void selectRobot(int id);
     void openMission(const QString& path);
+    void openRecording(const QString& path) { control_.openRecording(path); }
     /// What the selected robot is set up to do.
     void saveMission(const QString& path);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    /// A mission or a recording may be dropped anywhere on the window.
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     void registerCommands();
@@ -58,6 +62,7 @@ private:
     void registerTimeCommands();
     void registerLayoutCommands();
     void registerMessageCommands();
+    void registerReplayCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -65,6 +70,13 @@ private:
     void wirePanels();
     void wireMission();
     void wireMessages();
+    void wireReplay();
+    /// Bar and badge of the selected robot.
+    void showReplay();
+    void orderReplay(const mission::ReplayOrder& order);
+    void seekBy(Seconds span);
+    void chooseRecording();
+    void setRecording(bool on);
     void restoreSettings();
     void saveSettings() const;
     void restoreMessages();

@@ -10,8 +10,6 @@ namespace usar::app {
 
 namespace {
 
-constexpr int most_robots = 9; // one key each
-
 constexpr std::chrono::seconds closing_patience{5};
 
 } // namespace
@@ -63,8 +61,9 @@ void MissionControl::connectTo(const ServerTarget& target) {
 }
 
 void MissionControl::disconnectFromServer() {
-    for (const auto& robot : robots())
-        remove(robot->view().id);
+    for (const Robot* robot : robots())
+        if (!robot->isReplay()) // it needs no server
+            remove(robot->view().id);
     next_.reset();
     simulator_.stop();
     level_.clear();
@@ -96,13 +95,15 @@ void MissionControl::connectRobot(Robot* robot) {
         const auto truth = truths_.find(robot->view().id);
         return truth == truths_.end() ? std::nullopt : std::optional(truth->second);
     });
-    connect(robot, &Robot::noticed, this, [this, robot](const mission::Notice& notice) {
-        const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
-        const QString key = who + "/" + QString::fromStdString(notice.topic);
-        if (notice.over)
-            return emit cured(key);
-        emit noticed(key, {notice.severity, who.toStdString() + ": " + notice.text, notice.topic, false});
-    });
+    connect(robot, &Robot::noticed, this, [this, robot](const mission::Notice& notice) { tell(robot, notice); });
+}
+
+void MissionControl::tell(Robot* robot, const mission::Notice& notice) {
+    const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
+    const QString key = who + "/" + QString::fromStdString(notice.topic);
+    if (notice.over)
+        return emit cured(key);
+    emit noticed(key, {notice.severity, who.toStdString() + ": " + notice.text, notice.topic, false});
 }
 
 void MissionControl::linkMoved(Robot* robot) {
@@ -141,6 +142,8 @@ Result<int> MissionControl::spawn(mission::SpawnRequest request) {
     for (const Robot* other : robots())
         if (other->view().spawn.robot_name == request.robot_name)
             return failure("there is a robot of this name already", request.robot_name, "Choose another name");
+    if (recording_)
+        record(*next_, request);
     next_->spawn(id, request);
     robots_[id] = std::move(next_);
     emit robotAdded(id);
@@ -207,7 +210,7 @@ void MissionControl::remove(int id) {
 }
 
 void MissionControl::spawnAgain(int id) {
-    if (Robot* robot = this->robot(id))
+    if (Robot* robot = this->robot(id); robot && !robot->isReplay())
         robot->spawn(id, robot->view().spawn);
 }
 

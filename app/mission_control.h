@@ -76,6 +76,11 @@ public:
     bool resultFolderChosen() const { return keeper_.folderChosen(); }
     bool anythingToSave() const;
     void exportResults(int id);
+    /// Every robot that is live, and each that comes, into a file of its own in the result folder. On at first.
+    void setRecording(bool on);
+    bool recording() const { return recording_; }
+    /// Shown as a robot of its own, paused at its beginning; `replayAdded` says its id. Live robots go on.
+    void openRecording(const QString& path);
     /// Stops every robot and saves what is not saved; `readyToClose` follows. A session that hangs is waited for five
     /// seconds. After `exportFailed` nothing more happens until this is called again, or `stayOpen`.
     void prepareToClose();
@@ -89,6 +94,8 @@ signals:
     void worldKnown(const usar::app::WorldPicture& world);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void robotAdded(int id);
+    /// Before `robotAdded`.
+    void replayAdded(int id);
     void robotRemoved(int id, const QString& name);
     void robotLinkChanged(int id);
     /// Of the connection that waits for its robot.
@@ -104,10 +111,17 @@ signals:
     void readyToClose();
 
 private:
+    static constexpr int most_robots = 9; ///< one key each
+
     int nextId() const;
     Robot* robotOn(int connection) const;
     void openNext();
     void connectRobot(Robot* robot);
+    void connectReplay(Robot* robot);
+    void addReplay(Robot* robot, const mission::RecordingFacts& facts, const QString& complaint);
+    void record(Robot& robot, const mission::SpawnRequest& as);
+    QString unusedName(const QString& name) const;
+    void tell(Robot* robot, const mission::Notice& notice);
     void linkMoved(Robot* robot);
     void finished(Robot* robot, bool success, const QString& reason);
     void exported(int id, const QStringList& files);
@@ -125,7 +139,9 @@ private:
     QString level_;
     Rectangle world_extent_in_map_; ///< empty on a real server
     std::map<int, std::unique_ptr<Robot>> robots_;
-    std::unique_ptr<Robot> next_;           ///< connected, not spawned
+    std::unique_ptr<Robot> next_;                 ///< connected, not spawned
+    std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
+    bool recording_ = true;
     std::map<int, sim::RobotTruth> truths_; ///< for the summary only
     bool closing_ = false;
 };

@@ -56,7 +56,8 @@ Result<Options> readOptions(const QStringList& arguments) {
                        {"out", "Folder for results.", "folder"},
                        {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
                        {"theme", "light or dark.", "theme"}});
-    parser.addPositionalArgument("mission", "A mission file to open.", "[MISSION.json]");
+    parser.addPositionalArgument("file", "A mission to open, or a recording to replay.",
+                                 "[MISSION.json | RECORDING.usarrec]");
     if (!parser.parse(arguments))
         return failure(parser.errorText().toStdString(), "", "Try --help");
     if (parser.isSet("help"))
@@ -68,7 +69,8 @@ Result<Options> readOptions(const QStringList& arguments) {
     options.result_folder = parser.value("out");
     if (parser.isSet("plugins"))
         options.plugin_folders = pluginFolders() + parser.values("plugins");
-    options.mission_file = parser.positionalArguments().value(0);
+    const QString file = parser.positionalArguments().value(0);
+    (file.endsWith(".usarrec") ? options.recording : options.mission_file) = file;
     const QString theme = parser.value("theme");
     if (theme == "light")
         options.theme = widgets::Theme::Light;

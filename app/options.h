@@ -17,6 +17,7 @@ struct Options {
     std::optional<widgets::Theme> theme; ///< none: the one used last
     QStringList plugin_folders;          ///< empty: those that come with the program
     QString mission_file;                ///< opened at the start, if any
+    QString recording;                   ///< the same; then no server is connected to
 };
 
 /// `arguments` as the program got them, its own name first. Handles --help and --version by ending the program; what is

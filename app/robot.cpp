@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/agent/guarded_plugin.h"
+#include "core/base/numbers.h"
 
 namespace usar::app {
 
@@ -57,6 +58,8 @@ void Robot::connectSession() {
     });
     connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
     connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
+    connect(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
+    connect(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
 }
 
 template <class Call>
@@ -131,7 +134,55 @@ void Robot::requestRecord() {
     later([](mission::RobotSession& session) { session.requestRecord(); });
 }
 
+void Robot::startRecording(const QString& path, const mission::RecordingFacts& facts) {
+    later([=](mission::RobotSession& session) { (void)session.startRecording(path, facts); }); // trouble is a notice
+}
+
+void Robot::stopRecording() {
+    later([](mission::RobotSession& session) { session.stopRecording(); });
+}
+
+void Robot::openRecording(const QString& path) {
+    view_.recording = path;
+    later([=](mission::RobotSession& session) { session.openRecording(path); });
+}
+
+void Robot::orderReplay(const mission::ReplayOrder& order) {
+    later([=](mission::RobotSession& session) { session.orderReplay(order); });
+}
+
+void Robot::becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts) {
+    view_.id = id;
+    view_.spawn.robot_name = robot_name.toStdString();
+    if (const auto found = facts.find("class"); found != facts.end())
+        view_.spawn.class_name = found->second;
+    if (const auto found = facts.find("cell_size_m"); found != facts.end())
+        view_.cell_size_m = readNumber(found->second).value_or(view_.cell_size_m);
+}
+
+/// A replay was wound back: what was seen until now has not happened yet.
+void Robot::forget() {
+    RobotView fresh;
+    fresh.connection = view_.connection;
+    fresh.id = view_.id;
+    fresh.spawn = view_.spawn;
+    fresh.link = view_.link;
+    fresh.cell_size_m = view_.cell_size_m;
+    fresh.recording = view_.recording;
+    view_ = std::move(fresh);
+}
+
 void Robot::take(const mission::SessionUpdate& update) {
+    if (update.rewound)
+        forget();
+    if (update.task) {
+        view_.behavior_id = update.task->behavior_id;
+        view_.area_in_map = update.task->area_in_map;
+        view_.finished.reset();
+        view_.covered_cells.clear();
+        for (const auto& [index, tile] : view_.tiles)
+            countCovered(*tile);
+    }
     view_.figures = update.figures;
     for (const agent::Published& published : update.published)
         take(published);
@@ -139,7 +190,7 @@ void Robot::take(const mission::SessionUpdate& update) {
         view_.tiles[tile->index] = tile;
         countCovered(*tile);
     }
-    if (!update.tiles.empty())
+    if (!update.tiles.empty() && !isReplay())
         view_.unsaved = true;
     if (update.height_range)
         view_.height_range = update.height_range;

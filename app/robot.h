@@ -36,6 +36,7 @@ struct RobotView {
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
     bool paused = false;                             ///< by the person, or until the behavior ends it
     bool unsaved = false;                            ///< scanned since the last export
+    QString recording;                               ///< the file that is replayed; empty: live
 };
 
 /// Lives in the GUI thread; the session lives in its own. Calls are queued to it and never wait.
@@ -50,7 +51,9 @@ public:
     bool spawned() const { return view_.id != 0; }
     /// Part of the mission area whose height is known; nothing without an area.
     std::optional<double> coverage_pct() const;
-    bool running() const { return view_.figures.behavior_running && !view_.finished; }
+    /// A behavior of ours: one in a replay has run.
+    bool running() const { return view_.figures.behavior_running && !view_.finished && !isReplay(); }
+    bool isReplay() const { return !view_.recording.isEmpty(); }
 
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
@@ -65,6 +68,13 @@ public:
     void stop();
     void send(const protocol::Command& command, const std::string& source);
     void requestRecord();
+    void startRecording(const QString& path, const mission::RecordingFacts& facts);
+    void stopRecording();
+    /// Instead of `open`; `replayOpened` or `replayFailed` follows.
+    void openRecording(const QString& path);
+    void orderReplay(const mission::ReplayOrder& order);
+    /// From now on it is the robot of that recording.
+    void becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts);
     void markSaved() { view_.unsaved = false; }
     void markUnsaved() { view_.unsaved = true; }
 
@@ -75,11 +85,14 @@ signals:
     void behaviorFinished(bool success, const QString& reason);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
+    void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
+    void replayFailed(const QString& reason);
 
 private:
     void connectSession();
     void take(const mission::SessionUpdate& update);
     void take(const agent::Published& published);
+    void forget();
     void countCovered(const mapping::HeightTile& tile);
     template <class Call>
     void later(Call call);

@@ -8,12 +8,19 @@ namespace usar::app {
 
 namespace {
 
+/// Nothing of a replay has been played.
+bool notBegun(const RobotView& view) {
+    return !view.recording.isEmpty() && view.figures.lines_received == 0;
+}
+
 widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
-            view.link.state != link::LinkState::Connected};
+            view.link.state != link::LinkState::Connected && !notBegun(view)};
 }
 
 QString stateText(const RobotView& view) {
+    if (notBegun(view))
+        return QObject::tr("not begun");
     if (view.link.state != link::LinkState::Connected)
         return QObject::tr("no link");
     if (view.finished)
@@ -52,6 +59,8 @@ bool silent(const std::optional<Seconds>& heard, Seconds now) {
 
 void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
     const RobotView& view = control_.robot(id)->view();
+    if (update.rewound)
+        restart(view, selected);
     showRow(id);
     showOnMap(view, update, selected);
     feedMessages(view.connection, update);
@@ -61,6 +70,15 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     noteHeard(update);
     showInstruments(view, update);
     feedPanels(update);
+}
+
+void RobotPresenter::restart(const RobotView& view, bool selected) {
+    views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
+    if (!selected)
+        return;
+    select(view.id);
+    views_.map->clearMarks(); // the update brings those that there are
+    views_.status->clear(QObject::tr("Replay"));
 }
 
 void RobotPresenter::showRow(int id) {
@@ -74,8 +92,8 @@ void RobotPresenter::showRow(int id) {
     row.number = id;
     row.name = QString::fromStdString(view.spawn.robot_name);
     row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
-    row.state = stateText(view);
-    row.stale = view.link.state != link::LinkState::Connected;
+    row.state = view.recording.isEmpty() ? stateText(view) : QObject::tr("replay · %1").arg(stateText(view));
+    row.stale = view.link.state != link::LinkState::Connected && !notBegun(view);
     if (view.status && view.status->battery_used_pct)
         row.battery_pct = 100.0 - *view.status->battery_used_pct;
     views_.robots->updateRobot(row);

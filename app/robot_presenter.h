@@ -24,6 +24,8 @@ public:
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:
+    /// A replay was wound back: what was shown of it is void.
+    void restart(const RobotView& view, bool selected);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedPanels(const mission::SessionUpdate& update);

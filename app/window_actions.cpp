@@ -28,6 +28,8 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
     start_poses_.clear();
     views_.time->setSteerable(target.embedded);
     control_.connectTo(target);
+    if (control_.robot(selected_)) // a replay stays, and its map has gone with the old world's
+        selectRobot(selected_);
 }
 
 void MainWindow::showWorld(const WorldPicture& world) {
@@ -85,6 +87,7 @@ void MainWindow::selectRobot(int id) {
     followConnection();
     views_.robots->selectRobot(selected_);
     refreshRunState();
+    showReplay();
     showPlan();
     showTitle();
     commands_.refresh();
@@ -94,7 +97,7 @@ void MainWindow::showPlan() {
     commands_.refresh();
     const Rectangle area = views_.behavior->area();
     const Robot* robot = control_.robot(selected_);
-    if (robot && robot->running())
+    if (robot && (robot->running() || robot->isReplay()))
         return; // then the behavior itself says what it flies
     views_.hint->setDone(1, !area.empty());
     views_.map->setLanes(std::vector<Vec2>{});
@@ -139,6 +142,8 @@ void MainWindow::refreshRunState() {
     RunState state = RunState::NoRobot;
     if (robot && robot->running())
         state = robot->view().paused ? RunState::Paused : RunState::Running;
+    else if (robot && robot->isReplay())
+        state = RunState::Replay;
     else if (robot && robot->view().figures.spawned)
         state = RunState::Ready;
     const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();

@@ -32,6 +32,7 @@ void MainWindow::registerCommands() {
     registerTimeCommands();
     registerLayoutCommands();
     registerMessageCommands();
+    registerReplayCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -94,7 +95,7 @@ void MainWindow::registerMissionCommands() {
         [this](bool) { start(); },
         [this, running] {
             const Robot* robot = control_.robot(selected_);
-            return robot && robot->view().figures.spawned && !running();
+            return robot && robot->view().figures.spawned && !running() && !robot->isReplay();
         });
     commands_.add(
         {"mission.pause",
@@ -157,7 +158,8 @@ void MainWindow::registerRobotCommands() {
         [this](bool) { control_.spawnAgain(selected_); },
         [this] {
             const Robot* robot = control_.robot(selected_);
-            return robot && !robot->view().figures.spawned && robot->view().link.state == link::LinkState::Connected;
+            return robot && !robot->isReplay() && !robot->view().figures.spawned &&
+                   robot->view().link.state == link::LinkState::Connected;
         });
     commands_.add(
         {"robot.remove",
@@ -223,7 +225,8 @@ void MainWindow::registerViewCommands() {
 
 void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
-                   {"file.open", "file.save", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
+                   {"file.open", "file.save", "-", "file.record", "file.open_recording", "-", "file.export",
+                    "file.folder", "file.show_folder", "-", "file.quit"});
     commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
@@ -241,6 +244,9 @@ void MainWindow::makeMenus() {
                     "messages.all_robots",   "messages.no_filter", "-",
                     "messages.copy",         "messages.copy_text", "messages.copy_json",
                     "messages.copy_shown",   "messages.save",      "messages.clear"});
+    commands_.fill(menuBar()->addMenu(tr("Re&play")),
+                   {"replay.play", "replay.step", "-", "replay.back", "replay.forward", "replay.begin", "-",
+                    "replay.faster", "replay.slower", "-", "replay.close"});
     auto* view = menuBar()->addMenu(tr("&View"));
     commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.operate",
                           "view.analyse", "view.debug", "-", "view.dark", "view.hint", "view.palette", "-"});

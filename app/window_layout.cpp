@@ -122,6 +122,7 @@ void MainWindow::restoreSettings() {
     // Offered where a real server is chosen; a start without a word about it always shows the embedded world.
     views_.connection->setAddress(settings.value("server/host", options_.server.host).toString(),
                                   quint16(settings.value("server/port", options_.server.port).toUInt()));
+    setRecording(settings.value("record", true).toBool());
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }
@@ -136,6 +137,7 @@ void MainWindow::saveSettings() const {
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());
+    settings.setValue("record", control_.recording());
     if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }

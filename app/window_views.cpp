@@ -31,6 +31,8 @@ void makeTopBar(QMainWindow& window, WindowViews& views) {
     views.connection->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(views.time = new TimeBar);
     bar->addSeparator();
+    bar->addWidget(views.record = new RecordBadge);
+    bar->addSeparator();
     bar->addWidget(views.stop_all = new StopButton);
 }
 
@@ -40,6 +42,8 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(views.hint = new HintStrip);
+    layout->addWidget(views.replay = new ReplayBar);
+    views.replay->hide();
     layout->addWidget(views.map = new MapView, 1);
     views.map->setOrientation(MapOrientation::YUp); // as exported pictures and GIS have it
     views.spawn_card = new SpawnCard(views.map);

@@ -18,6 +18,8 @@
 #include "widgets/notification_center.h"
 #include "widgets/parameter_form.h"
 #include "widgets/plot_view.h"
+#include "widgets/record_badge.h"
+#include "widgets/replay_bar.h"
 #include "widgets/robot_list.h"
 #include "widgets/sensor_panel.h"
 #include "widgets/sonar_columns_view.h"
@@ -35,7 +37,9 @@ struct WindowViews {
     widgets::ConnectionBar* connection = nullptr;
     widgets::TimeBar* time = nullptr;
     widgets::StopButton* stop_all = nullptr;
+    widgets::RecordBadge* record = nullptr;
     widgets::HintStrip* hint = nullptr;
+    widgets::ReplayBar* replay = nullptr; ///< visible while a replay is selected
     widgets::MapView* map = nullptr;
     widgets::SpawnCard* spawn_card = nullptr;
     widgets::RobotList* robots = nullptr;

@@ -226,6 +226,7 @@ void BehaviorPanel::setAreaToolActive(bool active) {
 bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
     robot_label_->setText(robot_name.isEmpty()         ? tr("No robot yet: double-click a start pose")
                           : state == RunState::NoRobot ? tr("%1 is not spawned").arg(robot_name)
+                          : state == RunState::Replay  ? tr("%1: nothing can be started").arg(robot_name)
                                                        : robot_name);
     if (std::exchange(run_state_, state) == state)
         return false;

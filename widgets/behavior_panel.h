@@ -21,7 +21,7 @@ class QToolButton;
 namespace usar::widgets {
 
 /// What the buttons may do now.
-enum class RunState { NoRobot, Ready, Running, Paused };
+enum class RunState { NoRobot, Ready, Running, Paused, Replay };
 
 /// Forwards intent as signals and shows what it is told; decides nothing. Lives in the GUI thread.
 class BehaviorPanel : public QWidget {

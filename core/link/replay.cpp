@@ -12,7 +12,7 @@ constexpr std::chrono::milliseconds turn_length{20};
 constexpr std::chrono::milliseconds longest_wait{50}; ///< so that the position moves for whoever looks at it
 
 RecordTime toRecordTime(Seconds span) {
-    return std::chrono::duration_cast<RecordTime>(span);
+    return std::chrono::round<RecordTime>(span); // cut off, the end of a recording would lie behind it
 }
 
 } // namespace

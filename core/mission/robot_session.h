@@ -21,9 +21,10 @@ using RecordingFacts = std::map<std::string, std::string>;
 /// What a person may ask of a replay; several at once where several are set.
 struct ReplayOrder {
     std::optional<bool> play{};
-    std::optional<double> speed{}; ///< 0.1 to 100, or infinity
-    std::optional<Seconds> seek{}; ///< from the recording's beginning
-    bool step = false;             ///< to the next bytes of the server
+    std::optional<double> speed{};    ///< 0.1 to 100, or infinity
+    std::optional<Seconds> seek{};    ///< from the recording's beginning
+    std::optional<Seconds> seek_by{}; ///< from where it stands, or is on the way to
+    bool step = false;                ///< to the next bytes of the server
 };
 
 struct SpawnRequest {

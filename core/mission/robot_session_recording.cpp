@@ -45,8 +45,10 @@ void RobotSession::stopRecording() {
 }
 
 Result<void> RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {
-    facts["host"] = link.status().host.toStdString();
-    facts["port"] = std::to_string(link.status().port);
+    if (!link.status().host.isEmpty()) {
+        facts["host"] = link.status().host.toStdString();
+        facts["port"] = std::to_string(link.status().port);
+    }
     facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
     facts["cell_size_m"].clear();
     appendShortest(facts["cell_size_m"], mapper.map().cellSize_m());

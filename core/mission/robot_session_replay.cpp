@@ -51,6 +51,8 @@ void RobotSession::orderReplay(const ReplayOrder& order) {
         d_->replayer->setSpeed(*order.speed);
     if (order.seek)
         d_->replayer->seek(*order.seek);
+    if (order.seek_by)
+        d_->replayer->seek(d_->replayer->figures().position + *order.seek_by);
     if (order.play)
         d_->replayer->setPlaying(*order.play);
     if (order.step)
@@ -122,10 +124,14 @@ void RobotSession::Private::opened(std::string_view) {
     touched();
 }
 
+/// Closed by ourselves, as every recording ends, what was said last still holds; a lost connection makes it stale.
 void RobotSession::Private::closed(std::string_view reason) {
+    figures.behavior_running = false;
+    if (reason.empty())
+        return;
     setReplayLink(link::LinkState::Disconnected, reason);
     setSpawn(SpawnState::None);
-    figures.lockstep = figures.behavior_running = false;
+    figures.lockstep = false;
 }
 
 void RobotSession::Private::line(std::string_view text, LineNumber number) {

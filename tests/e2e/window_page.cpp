@@ -18,6 +18,7 @@ WindowPage::WindowPage(const WindowSetup& setup) {
     options.result_folder = result_folder_;
     options.plugin_folders = setup.plugin_folders;
     options.mission_file = setup.mission_file;
+    options.recording = setup.recording;
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);
     window_->show();

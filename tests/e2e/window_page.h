@@ -17,6 +17,7 @@ struct WindowSetup {
     QString result_folder{}; ///< empty: a temporary one
     QStringList plugin_folders{};
     QString mission_file{};
+    QString recording{};
     QString settings_folder{};  ///< empty: a temporary one, that of a first start
     quint16 simulator_port = 0; ///< 0: any free one
 };

@@ -89,6 +89,7 @@ private slots:
     void aFileThatCannotBeOpenedIsNamed();
     void aRecordingThatCannotBeWrittenIsANoticeAndTheSessionGoesOn();
     void aReplayCanBeLeftForALiveConnection();
+    void aLostConnectionIsStaleInTheReplayAndOneWeClosedIsNot();
 
 private:
     QTemporaryDir folder_;
@@ -99,7 +100,7 @@ private:
 
 QString tst_SessionRecording::recordAFlight(SessionFixture& live, int ticks) {
     const QString path = newPath();
-    live.session.startRecording(path, {{"robot", "R1"}, {"class", "USARBot.AirRobot"}});
+    (void)live.session.startRecording(path, {{"robot", "R1"}, {"class", "USARBot.AirRobot"}});
     if (!live.spawnNow())
         return {};
     live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {{0.0, 0.0}, {10.0, 20.0}}});
@@ -292,6 +293,30 @@ void tst_SessionRecording::aReplayCanBeLeftForALiveConnection() {
     other.session.orderReplay({.play = true});
     QVERIFY(other.spawnNow());
     QVERIFY(other.tickNow());
+}
+
+void tst_SessionRecording::aLostConnectionIsStaleInTheReplayAndOneWeClosedIsNot() {
+    for (const bool lost : {true, false}) {
+        SessionFixture live(SessionFixture::patientLimits());
+        const QString path = newPath();
+        QVERIFY(live.session.startRecording(path, {}));
+        QVERIFY(live.spawnNow());
+        QSignalSpy link(&live.session, &RobotSession::linkChanged);
+        if (lost)
+            live.server.hangUp();
+        else
+            live.session.close();
+        QTRY_VERIFY(!link.isEmpty());
+        live.session.stopRecording();
+        RobotSession session;
+        QSignalSpy ended(&session, &RobotSession::replayEnded);
+        session.openRecording(path);
+        session.orderReplay({.play = true, .speed = as_fast_as_it_can});
+        QTRY_COMPARE(ended.size(), 1);
+        QCOMPARE(session.linkStatus().state, lost ? link::LinkState::Disconnected : link::LinkState::Connected);
+        QCOMPARE(session.figures().spawned, !lost);
+        QCOMPARE(session.linkStatus().trouble.contains("closed the connection"), lost);
+    }
 }
 
 QTEST_GUILESS_MAIN(tst_SessionRecording)

@@ -1,0 +1,162 @@
+// A real flight, recorded by the window, and watched again in it.
+#include <QDir>
+#include <QMimeData>
+#include <QTest>
+
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+QStringList recordingsIn(const QString& folder) {
+    return QDir(folder).entryList({"*.usarrec"}, QDir::Files);
+}
+
+} // namespace
+
+class tst_WindowReplay : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void theReplayShowsWhatTheFlightShowed();
+    void aRecordingIsDroppedOnTheWindow();
+    void theCommandLineOpensARecordingWithoutAServer();
+    void nothingCanBeSentAndTheLiveRobotGoesOn();
+    void recordingIsTurnedOffAndOn();
+    void aFileThatIsNoRecordingIsRefusedWithAMend();
+
+private:
+    bool opens(WindowPage& page);
+
+    QTemporaryDir folder_;
+    QString recording_;
+    std::size_t tiles_ = 0;
+    std::size_t marks_ = 0;
+};
+
+void tst_WindowReplay::initTestCase() {
+    WindowPage page({.result_folder = folder_.path()});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.doubleClickStartPose("PlayerStart");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->text().contains("MB"), soon_ms);
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-15, -10}, {15, 10}});
+    page.chooseSpeed("max");
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished.has_value(), flight_ms);
+    tiles_ = page.knownTiles();
+    marks_ = page.robot(1)->marks.size();
+    QVERIFY(tiles_ > 0);
+    page.window().control().remove(1);
+    QTRY_COMPARE_WITH_TIMEOUT(recordingsIn(folder_.path()).size(), 1, soon_ms);
+    recording_ = QDir(folder_.path()).filePath(recordingsIn(folder_.path()).first());
+    QVERIFY2(recording_.contains("/R1_"), qPrintable(recording_));
+}
+
+bool tst_WindowReplay::opens(WindowPage& page) {
+    page.window().openRecording(recording_);
+    return QTest::qWaitFor(
+        [&] {
+            const auto* view = page.robot(page.window().selectedRobot());
+            return view && !view->recording.isEmpty() && view->figures.replay;
+        },
+        soon_ms);
+}
+
+void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
+    WindowPage page;
+    QVERIFY(opens(page));
+    const int id = page.window().selectedRobot();
+    QVERIFY(page.window().views().replay->isVisible());
+    QVERIFY(!page.robot(id)->figures.replay->playing);
+    page.pressKey(Qt::Key_Space);
+    for (int i = 0; i < 7; ++i)
+        page.pressKey(Qt::Key_Up, Qt::AltModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(id)->finished && !page.robot(id)->figures.replay->playing, flight_ms);
+    QCOMPARE(page.knownTiles(), tiles_);
+    QCOMPARE(page.robot(id)->marks.size(), marks_);
+    QVERIFY(page.robot(id)->trail_m.size() > 10);
+    QVERIFY(page.window().views().messages->model().rowCount() > 100);
+    QVERIFY(!page.robot(id)->unsaved);
+    page.screenshot("replay_done");
+
+    const double span_s = page.robot(id)->figures.replay->span.count();
+    QSlider* slider = page.window().views().replay->slider();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, {1, slider->height() / 2});
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() == 0 && page.robot(id)->marks.empty(), soon_ms);
+    QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 2, slider->height() / 2});
+    QTRY_COMPARE_WITH_TIMEOUT(page.knownTiles(), tiles_, soon_ms);
+    QCOMPARE(page.robot(id)->marks.size(), marks_);
+    page.pressKey(Qt::Key_Left, Qt::AltModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(page.robot(id)->figures.replay->position.count() - (span_s - 10.0)) < 0.5,
+                             soon_ms);
+}
+
+void tst_WindowReplay::aRecordingIsDroppedOnTheWindow() {
+    WindowPage page;
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(recording_)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&page.window(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&page.window(), &drop);
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().replay->isVisible(), soon_ms);
+}
+
+void tst_WindowReplay::theCommandLineOpensARecordingWithoutAServer() {
+    WindowPage page({.recording = recording_});
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().replay->isVisible(), soon_ms);
+    QVERIFY2(page.connectionText().contains("Not connected"), qPrintable(page.connectionText()));
+    page.pressKey(Qt::Key_Period);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.lines_received > 0, soon_ms);
+}
+
+void tst_WindowReplay::nothingCanBeSentAndTheLiveRobotGoesOn() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(opens(page));
+    const int replay = page.window().selectedRobot();
+    QCOMPARE(replay, 2);
+    QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
+    page.window().control().robot(replay)->send(protocol::GetStartPoses{}, "operator: box");
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("This is a replay").contains("Connect"), soon_ms);
+    QVERIFY(page.robot(1)->figures.spawned);
+    page.pressKey(Qt::Key_1);
+    QTRY_VERIFY(!page.window().views().replay->isVisible());
+    page.pressKey(Qt::Key_2);
+    QTRY_VERIFY(page.window().views().replay->isVisible());
+    page.window().commands().action("replay.close")->trigger();
+    QTRY_VERIFY(!page.robot(2));
+    QVERIFY(page.robot(1)->figures.spawned);
+}
+
+void tst_WindowReplay::recordingIsTurnedOffAndOn() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().commands().action("file.record")->trigger();
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QCOMPARE(page.window().views().record->text(), QString("not recorded"));
+    QVERIFY(recordingsIn(page.resultFolder()).isEmpty());
+    page.window().commands().action("file.record")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->text().contains("MB"), soon_ms);
+    QCOMPARE(recordingsIn(page.resultFolder()).size(), 1);
+    page.screenshot("recording");
+    page.window().commands().action("file.record")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(page.window().views().record->text(), QString("not recorded"), soon_ms);
+}
+
+void tst_WindowReplay::aFileThatIsNoRecordingIsRefusedWithAMend() {
+    WindowPage page;
+    page.window().openRecording(folder_.filePath("none.usarrec"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("none.usarrec").contains("Check the name"), soon_ms);
+}
+
+USAR_E2E_MAIN(tst_WindowReplay)
+#include "tst_window_replay.moc"
