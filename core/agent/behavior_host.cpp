@@ -81,6 +81,8 @@ CausedCommand BehaviorHost::safeCommand(const std::string& source) const {
         const auto& state = modules_.state.latest();
         if (state && state->kind == protocol::VehicleKind::Ground)
             return {protocol::SkidDrive{0.0, 0.0}, cause};
+        if (state && state->kind == protocol::VehicleKind::Nautic)
+            return {protocol::NauticDrive{0.0, 0.0, 0.0}, cause};
         return {protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, cause};
     }
 }

@@ -180,12 +180,16 @@ private slots:
         QCOMPARE(safe.cause.trigger.value, std::uint64_t(9));
     }
 
-    void theLastResortStopsBothSidesOfAGroundRobot() {
-        protocol::InfoLine on_wheels = state(9, 1.0);
-        std::get<protocol::RobotState>(on_wheels.message).kind = protocol::VehicleKind::Ground;
-        host->receive(on_wheels);
+    void theLastResortStopsARobotOfItsKind() {
+        const auto lastResort = [this](protocol::VehicleKind kind) {
+            protocol::InfoLine line = state(9, 1.0);
+            std::get<protocol::RobotState>(line.message).kind = kind;
+            host->receive(line);
+            return host->safeCommand("operator").command;
+        };
         script.safe_throws = true;
-        QVERIFY(host->safeCommand("operator").command == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+        QVERIFY(lastResort(protocol::VehicleKind::Ground) == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+        QVERIFY(lastResort(protocol::VehicleKind::Nautic) == protocol::Command(protocol::NauticDrive{0.0, 0.0, 0.0}));
     }
 };
 

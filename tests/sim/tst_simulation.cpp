@@ -223,6 +223,24 @@ private slots:
         QVERIFY(anyContains(simulation->takeLog(), "second INIT"));
     }
 
+    void ignoresWhatIsForOtherRobotsAndTellsTheLog_data() {
+        QTest::addColumn<QString>("line");
+        for (const char* line : {"DRIVE {Speed 3} {FrontSteer 0.5}", "MULTIDRIVE {FLFlipper 0.5}", "TRACE {On true}",
+                                 "MISPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", "CONTROL {Type Kill} {Name Box1}",
+                                 "GETPATHNODES", "ACT {Name Arm} {Gripper 1}", "EHLO example.org"})
+            QTest::newRow(line) << line;
+    }
+    void ignoresWhatIsForOtherRobotsAndTellsTheLog() {
+        QFETCH(QString, line);
+        const auto simulation = simulationOf(startWorld());
+        Talker talker(*simulation);
+        talker.say(init_on_ground);
+        talker.say(line.toStdString());
+        simulation->step();
+        QCOMPARE(simulation->robots().size(), 1u);
+        QVERIFY(anyContains(simulation->takeLog(), "not a command of this server"));
+    }
+
     void fliesAsItIsDriven() {
         const auto simulation = simulationOf(startWorld());
         Talker talker(*simulation);

@@ -138,6 +138,8 @@ private slots:
         QTest::newRow("another name") << "SET {Type INS} {Name INS2} {Opcode POSE} {Params 5,6,-7,0,0,0}" << false;
         QTest::newRow("five numbers") << "SET {Type INS} {Name INS} {Opcode POSE} {Params 5,6,-7,0,0}" << false;
         QTest::newRow("a sensor it has not got") << "SET {Type Encoder} {Name E} {Opcode RESET}" << false;
+        QTest::newRow("a camera it has not got") << "SET {Type Camera} {Name C} {Opcode Zoom} {Params 0.5}" << false;
+        QTest::newRow("a hand it has not got") << "SET {Type Gripper} {Opcode CLOSE}" << false;
     }
     void setFailsWhereItCannotBeDone() {
         QFETCH(QString, set);
