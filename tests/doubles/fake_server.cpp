@@ -14,8 +14,12 @@ bool FakeServer::listen(quint16 port) {
 
 void FakeServer::accept() {
     while (QTcpSocket* socket = server_.nextPendingConnection()) {
-        client_ = socket;
         ++connection_count_;
+        if (kept_) {
+            socket->setParent(this);
+            continue;
+        }
+        client_ = socket;
         connect(socket, &QTcpSocket::readyRead, this, [this, socket] { read(socket); });
         connect(socket, &QTcpSocket::disconnected, socket, &QObject::deleteLater);
         if (on_connect)
@@ -28,16 +32,21 @@ void FakeServer::read(QTcpSocket* socket) {
         QByteArray line = socket->readLine();
         while (line.endsWith('\n') || line.endsWith('\r'))
             line.chop(1);
+        if (kept_ && socket != kept_)
+            continue;
         heard_.append(line);
+        speaking_ = socket;
         if (on_line)
             on_line(line);
+        speaking_.clear();
     }
 }
 
 void FakeServer::say(const QByteArray& bytes) {
-    if (client_) {
-        client_->write(bytes);
-        client_->flush();
+    const QPointer<QTcpSocket>& to = kept_ ? kept_ : client_;
+    if (to) {
+        to->write(bytes);
+        to->flush();
     }
 }
 

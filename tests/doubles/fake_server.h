@@ -12,7 +12,7 @@
 
 namespace usar::test {
 
-/// Loopback only. Talks to the newest client. Lives in the test's thread.
+/// Loopback only. Talks to the newest client, or keeps to one. Lives in the test's thread.
 class FakeServer : public QObject {
     Q_OBJECT
 public:
@@ -26,6 +26,9 @@ public:
     /// Called for each new client, and for each line that a client sent (without its terminator).
     std::function<void()> on_connect;
     std::function<void(const QByteArray& line)> on_line;
+
+    /// From now on talks to the client whose line is being obeyed; others may connect and hear nothing.
+    void keepClient() { kept_ = speaking_; }
 
     void say(const QByteArray& bytes);
     /// One write per `chunk_size` bytes, each pushed out at once.
@@ -45,6 +48,8 @@ private:
 
     QTcpServer server_;
     QPointer<QTcpSocket> client_;
+    QPointer<QTcpSocket> kept_;     ///< the only one, when set
+    QPointer<QTcpSocket> speaking_; ///< while its line is obeyed
     QList<QByteArray> heard_;
     int connection_count_ = 0;
 };

@@ -23,6 +23,11 @@ class FloodingServer {
 public:
     FloodingServer() {
         server_ = new test::FakeRobotServer;
+        // The window has a connection for the next robot, too; the flood is this one's.
+        server_->on_command = [this](const QByteArray& line) {
+            if (line.startsWith("INIT"))
+                server_->keepClient();
+        };
         server_->moveToThread(&thread_);
         thread_.start();
         QMetaObject::invokeMethod(

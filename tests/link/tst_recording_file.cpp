@@ -237,7 +237,7 @@ void tst_RecordingFile::aFullDiskIsSaidOnceAndLeavesWholeRecords() {
     const QString file = path("full.usarrec");
     std::vector<Error> troubles;
     {
-        const auto writer = RecordingWriter::create(file, {}, {}, {.buffer_bytes = 1 << 20, .flush = 1ms});
+        const auto writer = RecordingWriter::create(file, {}, {}, {.buffer_bytes = 256 << 20, .flush = 1ms});
         QVERIFY(writer);
         QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
         QElapsedTimer patience;

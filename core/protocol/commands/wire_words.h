@@ -19,6 +19,8 @@ struct WireWord {
     std::string_view word;
     Value value;
 };
+template <class Value>
+WireWord(std::string_view, Value) -> WireWord<Value>; // Clang 14 does not deduce it
 
 /// Specialised below for each enumeration that goes over the wire.
 template <class Value>
