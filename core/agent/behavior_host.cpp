@@ -39,9 +39,10 @@ void BehaviorHost::ask(Module& module, const std::string& subject) {
     for (const auto& [type, name, no_such_thing] : module.takeFailures()) {
         const std::string what = name.empty() ? type : type + " " + name;
         port_.publish(BehaviorEvent{.severity = Severity::Warning,
-                                    .text = no_such_thing ? "The server knows no " + what + ": it has no " + subject + "."
-                                                          : "No answer about the " + subject + " of " + what +
-                                                                " after three tries. Is it mounted on this robot?"});
+                                    .text = no_such_thing
+                                                ? "The server knows no " + what + ": it has no " + subject + "."
+                                                : "No answer about the " + subject + " of " + what +
+                                                      " after three tries. Is it mounted on this robot?"});
     }
 }
 

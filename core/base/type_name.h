@@ -5,8 +5,8 @@
 
 namespace usar {
 
-/// Without its namespaces: "RangeScan". From what GCC and Clang say of a function, "… [with T = usar::RangeScan; …]" and
-/// "… [T = usar::RangeScan]"; not for templates, whose arguments have colons as well.
+/// Without its namespaces: "RangeScan". From what GCC and Clang say of a function, "… [with T = usar::RangeScan; …]"
+/// and "… [T = usar::RangeScan]"; not for templates, whose arguments have colons as well.
 template <class T>
 constexpr std::string_view typeName() {
     std::string_view text = __PRETTY_FUNCTION__;

@@ -113,7 +113,7 @@ private:
     RecordTime end_;
     double speed_ = 1.0;
     bool playing_ = false;
-    bool ended_ = false; ///< nothing has been asked since
+    bool ended_ = false;    ///< nothing has been asked since
     bool connected_ = true; ///< a recording that does not say when it was opened is open
 };
 

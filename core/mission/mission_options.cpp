@@ -86,19 +86,19 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
 
 QString missionHelp() {
     return QStringLiteral(
-        "usar-mission run MISSION.json [options]\n"
-        "\n"
-        "Flies one mission without a window and writes its results.\n"
-        "\n"
-        "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
-        "  --seed N             noise and drift of the embedded simulator (1)\n"
-        "  --speed N|max        simulated seconds per second (max)\n"
-        "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
-        "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
-        "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
-        "\n"
-        "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
-        "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
+               "usar-mission run MISSION.json [options]\n"
+               "\n"
+               "Flies one mission without a window and writes its results.\n"
+               "\n"
+               "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
+               "  --seed N             noise and drift of the embedded simulator (1)\n"
+               "  --speed N|max        simulated seconds per second (max)\n"
+               "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
+               "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
+               "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
+               "\n"
+               "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
+               "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
            replayHelp();
 }
 
