@@ -99,7 +99,12 @@ QString missionHelp() {
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
-           replayHelp();
+           replayHelp() +
+           QStringLiteral("\n"
+                          "usar-mission lines FILE\n"
+                          "\n"
+                          "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
+                          "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n");
 }
 
 } // namespace usar::mission

@@ -112,7 +112,7 @@ void tst_MissionOptions::readsServerAddresses() {
 
 void tst_MissionOptions::helpNamesEveryOption() {
     for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out", "--record", "replay FILE",
-                               "--from", "--to", "text-to-recording"})
+                               "--from", "--to", "text-to-recording", "lines FILE"})
         QVERIFY2(missionHelp().contains(option), option);
 }
 

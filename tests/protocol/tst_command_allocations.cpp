@@ -1,31 +1,11 @@
-#include <cstdlib>
-#include <new>
-
 #include <QTest>
 
 #include "any_command.h"
 #include "core/protocol/command_writer.h"
+#include "tests/doubles/allocation_counter.h"
 
 using namespace usar;
 using namespace usar::protocol;
-
-namespace {
-std::size_t allocations = 0;
-} // namespace
-
-// Of the whole program; Qt's own are counted, too, which is why nothing of Qt stands between two looks at the counter.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* const memory = std::malloc(size))
-        return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 class tst_CommandAllocations : public QObject {
     Q_OBJECT

@@ -1,32 +1,12 @@
 // Reading costs no allocation per line once every kind of line has been seen: counted at the operator itself.
 #include <QTest>
 
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/reader.h"
-
-namespace {
-
-std::size_t allocations = 0;
-
-} // namespace
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* const memory = std::malloc(size))
-        return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+#include "tests/doubles/allocation_counter.h"
 
 using namespace usar;
 using namespace usar::protocol;
