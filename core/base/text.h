@@ -18,6 +18,17 @@ constexpr char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// ASCII comparison without regard to case, as servers and clients of all ages need. Most words that are compared
+/// differ in length or first letter, so it is inline.
+constexpr bool sameWord(std::string_view a, std::string_view b) {
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && lowerCase(a[i]) != lowerCase(b[i]))
+            return false;
+    return true;
+}
+
 /// `text` without the spaces around it.
 constexpr std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isSpace(text.front()))

@@ -53,9 +53,8 @@ QJsonArray toJson(const Diagnostics& diagnostics) {
 
 bool isCommand(std::string_view text) {
     const std::string_view word = trimmed(text.substr(0, text.find('{')));
-    return std::ranges::any_of(protocol::commandRules(), [word](const protocol::CommandRule& rule) {
-        return protocol::sameWord(rule.word, word);
-    });
+    return std::ranges::any_of(protocol::commandRules(),
+                               [word](const protocol::CommandRule& rule) { return sameWord(rule.word, word); });
 }
 
 /// The segments as they are: what a command's own struct holds is for programs, and its frame is not the wire's.

@@ -8,7 +8,7 @@
 #include <QTemporaryFile>
 
 #include "core/base/numbers.h"
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::mission {
 
@@ -87,7 +87,7 @@ Result<void> checkFolderIsWritable(const QString& folder) {
 
 Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses) {
     const auto found = std::ranges::find_if(
-        poses.poses, [&](const protocol::StartPose& pose) { return protocol::sameWord(pose.name, mission.start); });
+        poses.poses, [&](const protocol::StartPose& pose) { return sameWord(pose.name, mission.start); });
     if (found != poses.poses.end())
         return found->pose_in_map;
     std::string names;

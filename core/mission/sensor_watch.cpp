@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::mission {
 
@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 10> not_watched{
 
 bool isWatched(std::string_view type) {
     return !type.empty() &&
-           std::ranges::none_of(not_watched, [type](std::string_view one) { return protocol::sameWord(one, type); });
+           std::ranges::none_of(not_watched, [type](std::string_view one) { return sameWord(one, type); });
 }
 
 /// The first lines of a tick may come before the first that tells the server's time, which may be hours.
@@ -53,8 +53,7 @@ struct Speakers {
     }
     /// A damaged line of a type that the table knows may be anybody's.
     void operator()(const protocol::GenericMessage& message) const {
-        if (protocol::sameWord(message.type_word, "SEN") && isWatched(message.type) &&
-            !protocol::isKnownSensor(message.type))
+        if (sameWord(message.type_word, "SEN") && isWatched(message.type) && !protocol::isKnownSensor(message.type))
             speak(message.type, message.name);
     }
     void operator()(const auto&) const {}

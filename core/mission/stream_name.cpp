@@ -1,6 +1,6 @@
 #include "core/mission/stream_name.h"
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::mission {
 
@@ -39,7 +39,7 @@ bool isRobotData(const protocol::InfoMessage& message) {
     return std::visit(
         []<class Message>(const Message& one) {
             if constexpr (std::is_same_v<Message, protocol::GenericMessage>)
-                return protocol::sameWord(one.type_word, "SEN") || protocol::sameWord(one.type_word, "STA");
+                return sameWord(one.type_word, "SEN") || sameWord(one.type_word, "STA");
             else
                 return protocol::SensorMessage<Message> || std::is_same_v<Message, protocol::RobotState>;
         },

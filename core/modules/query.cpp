@@ -104,7 +104,7 @@ bool QueryModule<Question, Answer>::answers(const Key& key, const Answer& answer
     const auto& [type, name] = key;
     if (type == robot_type)
         return isAboutRobot(answer);
-    if (!protocol::sameWord(type, answer.type))
+    if (!sameWord(type, answer.type))
         return false;
     return name.empty() || speaksOf(answer, name) || (asked_now && !tellsSomething(answer));
 }

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/protocol/fields.h"
 
 namespace usar::modules {
 
 bool hasNews(const protocol::GenericMessage& message) {
     return std::ranges::any_of(message.segments, [&message](const protocol::KeyValue& segment) {
-        if (protocol::sameWord(segment.key, "Name"))
+        if (sameWord(segment.key, "Name"))
             return segment.value != message.name; // a grouped one holds values beside the name
-        return !protocol::sameWord(segment.key, "Type") && !protocol::sameWord(segment.key, "Time");
+        return !sameWord(segment.key, "Type") && !sameWord(segment.key, "Time");
     });
 }
 

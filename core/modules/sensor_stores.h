@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/protocol/info_message.h"
-#include "core/protocol/segments.h"
 
 namespace usar::modules {
 
@@ -39,7 +39,7 @@ public:
     /// nullptr where there is none; an empty name or type stands for any.
     const Content* find(std::string_view name, std::string_view type = {}) const {
         const auto place = std::ranges::find_if(places_, [&](const Place& one) {
-            return (name.empty() || one.name == name) && (type.empty() || protocol::sameWord(one.type, type));
+            return (name.empty() || one.name == name) && (type.empty() || sameWord(one.type, type));
         });
         return place == places_.end() ? nullptr : &place->content;
     }
@@ -49,7 +49,7 @@ public:
     /// nullptr when there are too many.
     Content* findOrMake(std::string_view type, std::string_view name) {
         const auto place = std::ranges::find_if(
-            places_, [&](const Place& one) { return one.name == name && protocol::sameWord(one.type, type); });
+            places_, [&](const Place& one) { return one.name == name && sameWord(one.type, type); });
         if (place != places_.end())
             return &place->content;
         if (places_.size() >= most_sensors)
@@ -105,7 +105,7 @@ void forEachSensorReading(const protocol::InfoMessage& message, File&& file) {
                     file(protocol::wireTypeOf(one), name, reading, static_cast<const Message*>(nullptr));
                 });
             else if constexpr (std::is_same_v<Message, protocol::GenericMessage>)
-                if (protocol::sameWord(one.type_word, "SEN") && hasNews(one))
+                if (sameWord(one.type_word, "SEN") && hasNews(one))
                     file(std::string_view(one.type), one.name, one, static_cast<const Message*>(nullptr));
         },
         message);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::modules {
 
@@ -10,8 +10,7 @@ namespace {
 
 template <class Part>
 const Part* partOf(const std::vector<Part>& parts, std::string_view name) {
-    const auto part =
-        std::ranges::find_if(parts, [name](const Part& one) { return protocol::sameWord(one.name, name); });
+    const auto part = std::ranges::find_if(parts, [name](const Part& one) { return sameWord(one.name, name); });
     return part == parts.end() ? nullptr : &*part;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/numbers.h"
-#include "core/base/text.h"
 
 namespace usar::protocol {
 
@@ -56,11 +55,6 @@ std::string_view Segments::value(std::string_view key) const {
 std::optional<double> Segments::number(std::string_view key) const {
     const NumberPrefix prefix = readNumberPrefix(value(key));
     return prefix.used == 0 ? std::nullopt : std::optional(prefix.value);
-}
-
-bool sameWord(std::string_view a, std::string_view b) {
-    return a.size() == b.size() &&
-           std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lowerCase(x) == lowerCase(y); });
 }
 
 NamedPairs::NamedPairs(std::string_view value_of_name) : name_(value_of_name) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/text.h"
 
 namespace usar::protocol {
 
@@ -52,9 +53,6 @@ private:
     std::string_view type_word_;
     std::vector<Segment> segments_;
 };
-
-/// ASCII comparison without regard to case, as servers and clients of all ages need.
-bool sameWord(std::string_view a, std::string_view b);
 
 /// The pairs of a segment that holds several of them, `{Name F1 Range 4.5604}`. Nothing in the syntax tells it from a
 /// value with spaces; the rule of usarsim-protocol 1.4 does: the key is Name, an even number of words follows the

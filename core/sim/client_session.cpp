@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/segments.h"
@@ -90,7 +91,7 @@ void ClientSession::obeyUnknown(const std::string& line, const Log& log) {
     protocol::Segments segments;
     segments.read(line, diagnostics);
     // UT2004 answers every SET but that of a joint.
-    if (protocol::sameWord(segments.typeWord(), "SET") && !protocol::sameWord(segments.value("Type"), "Joint"))
+    if (sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint"))
         set_asked_ =
             protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
     else

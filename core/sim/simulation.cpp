@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 #include "core/sim/client_session.h"
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
@@ -87,7 +87,7 @@ Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
     if (!name)
         return std::get<Pose>(init.start);
     const auto found = std::find_if(world.start_poses.begin(), world.start_poses.end(),
-                                    [&](const NamedPose& start) { return protocol::sameWord(start.name, *name); });
+                                    [&](const NamedPose& start) { return sameWord(start.name, *name); });
     if (found != world.start_poses.end())
         return found->pose_in_map;
     log(client, "there is no start pose '" + name->text() + "'");

@@ -1,6 +1,6 @@
 #include "robots/airrobot/ins_reset.h"
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::airrobot {
 
@@ -8,10 +8,6 @@ namespace {
 
 constexpr Seconds answer_time{2.0};
 constexpr double same_place_m = 0.05;
-
-bool sameWord(const std::string& a, const char* b) {
-    return protocol::sameWord(a, b);
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 
 #include <QJsonArray>
 
+#include "core/base/text.h"
 #include "core/protocol/command_grammar.h"
 #include "core/protocol/reader.h"
 #include "core/protocol/segments.h"
@@ -17,9 +18,9 @@ namespace {
 
 std::string helpOf(std::string_view word, std::string_view key) {
     for (const protocol::CommandRule& rule : protocol::commandRules())
-        if (protocol::sameWord(rule.word, word))
+        if (sameWord(rule.word, word))
             for (const protocol::SegmentRule& segment : rule.segments)
-                if (protocol::sameWord(segment.key, key))
+                if (sameWord(segment.key, key))
                     return std::string(segment.help);
     return {};
 }

@@ -40,7 +40,7 @@ MessageRow rowOf(std::string text, const Cause& cause, std::uint64_t number, Sec
 
 LineFamily familyOf(const MessageRow& row) {
     const auto isOneOf = [](std::string_view word, std::initializer_list<std::string_view> words) {
-        return std::ranges::any_of(words, [&](std::string_view other) { return protocol::sameWord(word, other); });
+        return std::ranges::any_of(words, [&](std::string_view other) { return sameWord(word, other); });
     };
     std::string_view rest = row.type;
     const std::string_view word = takeWord(rest);

@@ -34,7 +34,6 @@ std::size_t readNumberList(std::string_view text, std::vector<double>& numbers) 
         text.remove_suffix(1);
     if (text.empty())
         return 0;
-    numbers.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1);
     std::size_t doubtful = 0;
     const char* at = text.data();
     const char* const end = at + text.size();

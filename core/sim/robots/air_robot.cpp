@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 #include "core/sim/robots/spawn_place.h"
 
 namespace usar::sim {
@@ -57,7 +57,7 @@ protocol::RobotState AirRobot::state(Seconds now) const {
 }
 
 protocol::GeometryInfo AirRobot::geometry(const std::string& type, const std::string& name) const {
-    if (!protocol::sameWord(type, "Robot"))
+    if (!sameWord(type, "Robot"))
         return sensors_.geometry(type, name);
     protocol::GeometryInfo info;
     info.type = "AerialVehicle";
@@ -68,7 +68,7 @@ protocol::GeometryInfo AirRobot::geometry(const std::string& type, const std::st
 }
 
 protocol::ConfigurationInfo AirRobot::configuration(const std::string& type, const std::string& name) const {
-    if (!protocol::sameWord(type, "Robot"))
+    if (!sameWord(type, "Robot"))
         return sensors_.configuration(type, name);
     const AirRobotParameters& p = body_.parameters();
     return {"AerialVehicle",

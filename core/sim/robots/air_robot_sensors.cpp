@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 
 namespace usar::sim {
 
@@ -108,7 +108,7 @@ std::vector<const AirRobotSensors::Item*> AirRobotSensors::find(const std::strin
                                                                 const std::string& name) const {
     std::vector<const Item*> found;
     for (const Item& item : items_)
-        if (protocol::sameWord(item.type, type) && (name.empty() || protocol::sameWord(item.mounted.name, name)))
+        if (sameWord(item.type, type) && (name.empty() || sameWord(item.mounted.name, name)))
             found.push_back(&item);
     return found;
 }
@@ -139,8 +139,7 @@ protocol::ConfigurationInfo AirRobotSensors::configuration(const std::string& ty
 
 bool AirRobotSensors::setIns(const protocol::SetInsPose& wanted, bool at_rest) {
     const std::string& name = ins_.parameters().name;
-    return (wanted.sensor_name.empty() || protocol::sameWord(wanted.sensor_name, name)) &&
-           ins_.set(wanted.base_in_map, at_rest);
+    return (wanted.sensor_name.empty() || sameWord(wanted.sensor_name, name)) && ins_.set(wanted.base_in_map, at_rest);
 }
 
 } // namespace usar::sim

@@ -1,6 +1,6 @@
 #include "core/sim/robots/robot.h"
 
-#include "core/protocol/segments.h"
+#include "core/base/text.h"
 #include "core/sim/robots/air_robot.h"
 
 namespace usar::sim {
@@ -8,7 +8,7 @@ namespace usar::sim {
 Result<std::unique_ptr<Robot>> spawnRobot(std::string_view class_name, const RobotSurroundings& surroundings,
                                           const RobotOptions& options) {
     const std::string_view bare_name = class_name.substr(class_name.rfind('.') + 1);
-    if (!protocol::sameWord(bare_name, "AirRobot"))
+    if (!sameWord(bare_name, "AirRobot"))
         return failure("unknown robot class", std::string(class_name), "This server has USARBot.AirRobot");
     return AirRobot::spawn(surroundings, options);
 }
