@@ -70,6 +70,14 @@ void TcpLink::send(std::string_view line) {
     socket_.write("\r\n", 2);
     ++counts_.lines_out;
     counts_.bytes_out += line.size() + 2;
+    if (unsentBytes() > limits_.most_unsent_bytes) // later, for the caller may be in the middle of its own affairs
+        QMetaObject::invokeMethod(this, &TcpLink::failWhereNobodyReads, Qt::QueuedConnection);
+}
+
+void TcpLink::failWhereNobodyReads() {
+    if (status_.state == LinkState::Connected && unsentBytes() > limits_.most_unsent_bytes)
+        failed(QStringLiteral("The server at %1 reads no commands any more: %2 MB wait to be sent. Restart it.")
+                   .arg(place(), QString::fromStdString(fixed(static_cast<double>(unsentBytes()) / 1e6, 1))));
 }
 
 protocol::TrafficCounts TcpLink::counts() const {

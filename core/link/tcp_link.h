@@ -35,6 +35,7 @@ struct LinkLimits {
     Seconds connect_timeout{5.0};
     Seconds first_retry{0.5};
     Seconds longest_retry{10.0};
+    std::size_t most_unsent_bytes = 16u << 20; ///< a server that lets more pile up has died; the link tries anew
 };
 
 /// Connects, reconnects with back-off until told to close, gives whole lines, and sends lines with CR LF. The back-off
@@ -64,6 +65,8 @@ public:
     void close();
     /// Queues the line; dropped while there is no connection.
     void send(std::string_view line);
+    /// Queued here because the server does not read; what the network holds is not among them.
+    std::size_t unsentBytes() const { return static_cast<std::size_t>(socket_.bytesToWrite()); }
     /// Hands what is queued to the network now instead of when the event loop gets to it.
     void flush() { socket_.flush(); }
     const LinkStatus& status() const { return status_; }
@@ -84,6 +87,7 @@ private:
     void takeBytes();
     void giveLine(std::string_view line);
     void takeError(QAbstractSocket::SocketError error);
+    void failWhereNobodyReads();
     QString place() const;
     QString foreignReason() const;
     QString reasonOf(QAbstractSocket::SocketError error) const;

@@ -36,10 +36,11 @@ struct SpawnRequest {
 /// How long a session waits before it says that something is missing. Tests shorten them.
 struct SessionLimits {
     link::LinkLimits link;
-    Seconds greeting{5.0};       ///< wall: no start poses after connect
-    Seconds spawn{5.0};          ///< wall: silence after INIT is a failed spawn (usarsim-protocol 2.4)
-    Seconds stale{2.0};          ///< wall: silence of a spawned robot
-    Seconds sensor_silence{3.0}; ///< protocol clock: a sensor that used to speak
+    Seconds greeting{5.0};               ///< wall: no start poses after connect
+    Seconds spawn{5.0};                  ///< wall: silence after INIT is a failed spawn (usarsim-protocol 2.4)
+    Seconds stale{2.0};                  ///< wall: silence of a spawned robot
+    Seconds sensor_silence{3.0};         ///< protocol clock: a sensor that used to speak
+    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait and the newest replace older ones
 };
 
 /// Link, reader, modules, behavior, height map. Lives in a session thread; all slots are called by queued connection

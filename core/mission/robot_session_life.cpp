@@ -331,6 +331,8 @@ void RobotSession::Private::send(const agent::CausedCommand& command) {
 }
 
 void RobotSession::Private::sendDrive(bool at_once) {
+    if (!at_once && congested())
+        return;
     for (const agent::CausedCommand& drive : at_once ? gate.releaseNow(figures.now) : gate.release(figures.now))
         write(drive);
 }

@@ -60,6 +60,7 @@ struct RobotSession::Private : link::ReplayTaker {
     void watch();
     void watchSilence();
     void watchSensors();
+    void watchQueue();
     void stopBehavior(const std::string& source, const std::string& reason);
     void finishBehavior(const agent::BehaviorFinished& finished, bool is_published);
     void worthSaving();
@@ -68,6 +69,8 @@ struct RobotSession::Private : link::ReplayTaker {
     std::vector<protocol::Command> stops(const std::optional<protocol::Command>& safe) const;
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
+    /// The server reads slower than we write.
+    bool congested() const { return link.unsentBytes() > limits.unsent_bytes; }
     void write(const agent::CausedCommand& command);
     void countTraffic();
     /// A word that needs no end.

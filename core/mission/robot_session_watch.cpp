@@ -20,7 +20,8 @@ std::string inWords(Seconds span) {
 void RobotSession::Private::watch() {
     watchSilence();
     watchSensors();
-    if (!figures.lockstep) // where the protocol clock stands still, nothing else would let it go
+    watchQueue();
+    if (!figures.lockstep && !congested()) // where the protocol clock stands still, nothing else would let it go
         sendDrive(true);
     if (const auto overlong = link.overlongCount(); overlong != figures.lines_overlong) {
         figures.lines_overlong = overlong;
@@ -53,6 +54,16 @@ void RobotSession::Private::watchSilence() {
                 "Nothing from " + request.robot_name + " for " + inWords(limits.stale) +
                     ": its values are stale. Is the simulation paused, or the network down?");
     }
+}
+
+void RobotSession::Private::watchQueue() {
+    if (congested() && !troubles.contains("queue"))
+        trouble(Severity::Warning, "queue",
+                "The server at " + placeOf(link.status()) +
+                    " reads slower than commands are sent: " + fixed(static_cast<double>(link.unsentBytes()) / 1e3, 0) +
+                    " kB wait. Until it reads on, the newest drive replaces older ones. Is it busy or stopped?");
+    else if (link.unsentBytes() == 0)
+        over("queue", "The server reads commands again.");
 }
 
 void RobotSession::Private::watchSensors() {

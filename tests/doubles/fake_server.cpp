@@ -27,7 +27,18 @@ void FakeServer::accept() {
     }
 }
 
+void FakeServer::setDeaf(bool on) {
+    deaf_ = on;
+    if (!client_)
+        return;
+    client_->setReadBufferSize(on ? 1 : 0); // once it is full, the socket stops reading
+    if (!on)
+        read(client_);
+}
+
 void FakeServer::read(QTcpSocket* socket) {
+    if (deaf_)
+        return;
     while (socket->canReadLine()) {
         QByteArray line = socket->readLine();
         while (line.endsWith('\n') || line.endsWith('\r'))

@@ -34,6 +34,8 @@ public:
     /// One write per `chunk_size` bytes, each pushed out at once.
     void sayInChunks(const QByteArray& bytes, qsizetype chunk_size);
     void hangUp();
+    /// Deaf, it leaves what the client sends in the network; hearing again, it takes all of it.
+    void setDeaf(bool on);
 
     bool hasClient() const { return client_ && client_->state() == QAbstractSocket::ConnectedState; }
     int connectionCount() const { return connection_count_; }
@@ -52,6 +54,7 @@ private:
     QPointer<QTcpSocket> speaking_; ///< while its line is obeyed
     QList<QByteArray> heard_;
     int connection_count_ = 0;
+    bool deaf_ = false;
 };
 
 } // namespace usar::test

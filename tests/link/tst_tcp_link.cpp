@@ -47,6 +47,7 @@ private slots:
     void dropsAnEndlessLineAndGoesOn();
     void mayBeClosedAndReopenedByWhoTakesTheLines();
     void sendingWithoutAConnectionIsHarmless();
+    void aServerThatReadsNoMoreIsLeftBeforeMemoryIsFull();
 
 private:
     std::unique_ptr<FakeServer> server_;
@@ -283,6 +284,33 @@ void tst_TcpLink::sendingWithoutAConnectionIsHarmless() {
     QTRY_COMPARE(opened.size(), 1);
     link_->send("GETSTARTPOSES");
     QTRY_COMPARE(server_->heard(), QList<QByteArray>{"GETSTARTPOSES"});
+}
+
+void tst_TcpLink::aServerThatReadsNoMoreIsLeftBeforeMemoryIsFull() {
+    LinkLimits limits = quickLimits();
+    limits.most_unsent_bytes = 1u << 20;
+    link_->setLimits(limits);
+    link_->open("127.0.0.1", server_->port());
+    QTRY_VERIFY(server_->hasClient() && link_->status().state == LinkState::Connected);
+    server_->setDeaf(true);
+    QString trouble;
+    connect(link_.get(), &TcpLink::statusChanged, this, [&](const LinkStatus& status) {
+        if (status.state == LinkState::Waiting)
+            trouble = status.trouble;
+    });
+    const QByteArray line(60, 'x');
+    std::size_t most_unsent = 0;
+    const auto send_some = [&] {
+        for (int i = 0; i < 2000; ++i)
+            link_->send({line.data(), static_cast<std::size_t>(line.size())});
+        most_unsent = std::max(most_unsent, link_->unsentBytes());
+        return !trouble.isEmpty();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(send_some(), 20000);
+    QVERIFY2(trouble.contains("reads no commands any more: 1."), qPrintable(trouble));
+    QVERIFY(most_unsent < limits.most_unsent_bytes + 200'000);
+    server_->setDeaf(false);
+    QTRY_COMPARE(link_->status().state, LinkState::Connected); // it tries anew
 }
 
 QTEST_GUILESS_MAIN(tst_TcpLink)

@@ -45,6 +45,7 @@ private slots:
     void spawnsAgainOnTheConnectionThatCameBack();
     void spawnsAgainAfterBothFailureAndALostLink();
     void commandsWithoutAConnectionAreSaidOnce();
+    void aServerThatReadsSlowlyGetsEveryCommandAndTheNewestDrive();
     void everyNoticeHasATopicAndDifferentOnesDiffer();
 };
 
@@ -326,6 +327,35 @@ void tst_RobotSessionTrouble::commandsWithoutAConnectionAreSaidOnce() {
     QVERIFY(f.connectNow());
     QVERIFY(f.saidOn("no connection", true));
     QVERIFY(f.server.heardOf("DRIVE").isEmpty()); // not kept for later either
+}
+
+void tst_RobotSessionTrouble::aServerThatReadsSlowlyGetsEveryCommandAndTheNewestDrive() {
+    SessionFixture f(SessionFixture::quickLimits());
+    QVERIFY(f.spawnNow());
+    f.server.forget();
+    f.server.setDeaf(true);
+    qsizetype sent = 0;
+    const auto send_until_said = [&] {
+        for (int i = 0; i < 1000; ++i)
+            f.session.sendCommand(protocol::RawCommand{"SET {Type RFID} {Name Dropper} {Opcode Release} {Params " +
+                                                       std::to_string(sent++) + "}"},
+                                  "operator: command box");
+        return f.said("reads slower than commands are sent");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(send_until_said(), 20000);
+    f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "operator: stick");
+    f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, "operator: stick");
+    QVERIFY(f.tickNow()); // reading goes on meanwhile
+    f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 3.0}, "operator: stick");
+    QCOMPARE(f.countSaid("reads slower than commands are sent"), std::size_t(1));
+    f.server.setDeaf(false);
+    QTRY_VERIFY(f.said("The server reads commands again."));
+    QTRY_COMPARE(f.server.heardOf("DRIVE").size(), 1);
+    QVERIFY(f.server.heardOf("DRIVE").at(0).contains("{AltitudeVelocity 3"));
+    const QList<QByteArray> heard = f.server.heardOf("SET");
+    QCOMPARE(heard.size(), sent);
+    for (qsizetype i = 0; i < sent; ++i)
+        QVERIFY(heard.at(i).endsWith("{Params " + QByteArray::number(i) + "}"));
 }
 
 void tst_RobotSessionTrouble::everyNoticeHasATopicAndDifferentOnesDiffer() {
