@@ -10,6 +10,8 @@ namespace usar::widgets {
 
 namespace {
 
+constexpr double scale_bar_px = 56.0; ///< its height over the lower edge, with its words
+
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
 }
@@ -150,7 +152,12 @@ void MapPainter::paintArea() {
     QString text = QStringLiteral("x %1 × y %2 m").arg(figure(area.width_m(), 1), figure(area.height_m(), 1));
     if (!content_.area.summary.isEmpty())
         text += QStringLiteral("  ·  ") + content_.area.summary;
-    paintChip(painter_, rect.bottomLeft() + QPointF(0.0, gap::small), text, Qt::AlignLeft | Qt::AlignTop);
+    const double below = rect.bottom() + gap::small;
+    if (below + gap::large < transform_.viewport.height() - scale_bar_px)
+        paintChip(painter_, QPointF(rect.left(), below), text, Qt::AlignLeft | Qt::AlignTop);
+    else
+        paintChip(painter_, QPointF(rect.left() + gap::small, rect.top() + gap::small), text,
+                  Qt::AlignLeft | Qt::AlignTop);
 }
 
 void MapPainter::paintAreaHandles(const Rectangle& area) {
