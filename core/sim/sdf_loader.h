@@ -10,7 +10,7 @@
 namespace usar::sim {
 
 /// Refuses missing files, broken XML and whatever SDFormat does not allow. libsdformat talks to one console per
-/// process: load from one thread at a time. Included by the world reader only, so that its headers stay out of
+/// process: load from one thread at a time. Included by readers only, so that its headers stay out of
 /// everyone's way.
 Result<sdf::Root> loadSdf(const std::filesystem::path& file);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace usar::sim {
 
@@ -15,6 +16,26 @@ Terrain::Terrain(std::size_t columns, std::size_t rows, double step_m, Vec2 orig
     const auto [lowest, highest] = std::minmax_element(heights_m_.begin(), heights_m_.end());
     minimum_m_ = *lowest;
     maximum_m_ = *highest;
+}
+
+std::optional<Terrain> Terrain::level(const Rectangle& extent, double z_m) {
+    constexpr double most_cells = 4096.0;
+    if (extent.empty())
+        return std::nullopt;
+    const double shorter_m = std::min(extent.width_m(), extent.height_m());
+    const double longer_m = std::max(extent.width_m(), extent.height_m());
+    for (double cells = 1.0; cells * longer_m / shorter_m <= most_cells; cells += 1.0) {
+        const double step_m = shorter_m / cells;
+        const double along = longer_m / step_m;
+        if (std::abs(along - std::round(along)) > 1e-9 * along)
+            continue;
+        const auto posts = [&](double side_m) { return static_cast<std::size_t>(std::lround(side_m / step_m)) + 1; };
+        const std::size_t columns = posts(extent.width_m());
+        const std::size_t rows = posts(extent.height_m());
+        return Terrain(columns, rows, step_m, extent.min_m,
+                       std::vector<float>(columns * rows, static_cast<float>(z_m)));
+    }
+    return std::nullopt;
 }
 
 Rectangle Terrain::extent() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -15,6 +16,8 @@ public:
     Terrain() = default;
     /// `heights_m.size()` == columns * rows; at least 2 posts each way; `origin_m` is the post with lowest x and y.
     Terrain(std::size_t columns, std::size_t rows, double step_m, Vec2 origin_m, std::vector<float> heights_m);
+    /// A level floor in as few posts as squares allow; nothing where the sides have no common measure.
+    static std::optional<Terrain> level(const Rectangle& extent, double z_m);
 
     std::size_t columns() const { return columns_; }
     std::size_t rows() const { return rows_; }
@@ -29,6 +32,8 @@ public:
 
     /// Height of the triangle under the point; points outside are clamped to the border.
     double height_m(const Vec2& point_m) const;
+
+    bool operator==(const Terrain&) const = default;
 
 private:
     std::size_t columns_ = 0;

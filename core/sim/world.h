@@ -1,8 +1,10 @@
-// A world as plain values: terrain, plants, boxes, water, start poses. What physics and rays are both built from.
+// A world as plain values: terrain, plants, boxes, water, start poses, and what sensors other than rays find in it.
+// What physics and rays are both built from. Map frame, metres.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -23,7 +25,7 @@ struct Plant {
     bool operator==(const Plant&) const = default;
 };
 
-/// A house, wall or shelf.
+/// A house, wall, shelf or ceiling.
 struct Box {
     Pose center_in_map;
     Vec3 size_m = Vec3::Zero();
@@ -43,13 +45,73 @@ struct NamedPose {
     bool operator==(const NamedPose&) const = default;
 };
 
+/// What an RFID reader finds and writes to.
+struct RfidTag {
+    int id = 0;
+    std::string memory;
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const RfidTag&) const = default;
+};
+
+/// In the order of `nameOf`.
+enum class VictimPartKind { Head, Arm, Hand, Chest, Pelvis, Leg, Foot };
+
+struct VictimPart {
+    VictimPartKind kind = VictimPartKind::Head;
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const VictimPart&) const = default;
+};
+
+/// A person to be found; the victim sensor sees parts, not persons.
+struct Victim {
+    std::string name;
+    std::string status; ///< free text of the wire, as "Calm"
+    std::vector<VictimPart> parts;
+    bool operator==(const Victim&) const = default;
+};
+
+struct SoundSource {
+    std::string name;
+    double loudness_db = 0.0; ///< 1 m away
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const SoundSource&) const = default;
+};
+
+struct GasSource {
+    std::string gas = "CO2";
+    double density = 0.0; ///< what a sensor 1 m away reads
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const GasSource&) const = default;
+};
+
+/// Where the map's origin lies on Earth, x to the north. In degrees, north and east positive, as in files and on the
+/// wire: the GPS counts metres a degree. The default is that of the original simulator (robots-and-worlds, 4.8).
+struct GpsReference {
+    double latitude_deg = 39.0 + 8.0273 / 60.0;
+    double longitude_deg = -(77.0 + 12.998 / 60.0);
+    bool operator==(const GpsReference&) const = default;
+};
+
 struct World {
     std::string name; ///< Level on the wire
-    Terrain terrain;
+    Terrain terrain;  ///< may be empty where boxes are all there is to stand on
     std::vector<Plant> plants;
     std::vector<Box> boxes;
     std::optional<Water> water;
     std::vector<NamedPose> start_poses;
+    std::vector<RfidTag> rfid_tags;
+    std::vector<Victim> victims;
+    std::vector<SoundSource> sounds;
+    std::vector<GasSource> gases;
+    GpsReference gps_reference;
+    bool operator==(const World&) const = default;
 };
+
+/// The ground's, or all boxes' where there is none.
+Rectangle extentOf(const World& world);
+
+/// The wire's word: "Head", "Arm"...
+std::string_view nameOf(VictimPartKind kind);
+std::optional<VictimPartKind> victimPartKind(std::string_view name);
 
 } // namespace usar::sim

@@ -1,4 +1,4 @@
-// World folders to worlds: <name>/world.sdf (SDFormat 1.9), height.png (16 bit), plants.csv.
+// World folders to worlds: <name>/world.sdf (SDFormat 1.9) and, where it names them, height.png (16 bit), plants.csv.
 #pragma once
 
 #include <filesystem>

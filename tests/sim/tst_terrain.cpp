@@ -20,6 +20,10 @@ private slots:
     void extentSpansTheOuterPosts();
     void knowsLowestAndHighestPost();
     void anEmptyTerrainIsFlatAndHasNoExtent();
+    void aLevelFloorHasTheFewestSquarePosts_data();
+    void aLevelFloorHasTheFewestSquarePosts();
+    void noFloorWithoutACommonMeasure_data();
+    void noFloorWithoutACommonMeasure();
 };
 
 namespace {
@@ -102,6 +106,48 @@ void TestTerrain::anEmptyTerrainIsFlatAndHasNoExtent() {
     QVERIFY(terrain.empty());
     QVERIFY(terrain.extent().empty());
     QCOMPARE(terrain.height_m({3.0, 4.0}), 0.0);
+}
+
+void TestTerrain::aLevelFloorHasTheFewestSquarePosts_data() {
+    QTest::addColumn<double>("width_m");
+    QTest::addColumn<double>("depth_m");
+    QTest::addColumn<int>("columns");
+    QTest::addColumn<int>("rows");
+    QTest::newRow("a square") << 7.0 << 7.0 << 2 << 2;
+    QTest::newRow("twice as wide as deep") << 8.0 << 4.0 << 3 << 2;
+    QTest::newRow("twice as deep as wide") << 4.0 << 8.0 << 2 << 3;
+    QTest::newRow("two to three") << 12.0 << 8.0 << 4 << 3;
+    QTest::newRow("tenths") << 0.7 << 0.3 << 8 << 4;
+}
+
+void TestTerrain::aLevelFloorHasTheFewestSquarePosts() {
+    QFETCH(double, width_m);
+    QFETCH(double, depth_m);
+    QFETCH(int, columns);
+    QFETCH(int, rows);
+    const auto floor = Terrain::level({Vec2{-1.0, 2.0}, Vec2{-1.0 + width_m, 2.0 + depth_m}}, 1.5);
+    QVERIFY(floor);
+    QCOMPARE(floor->columns(), static_cast<std::size_t>(columns));
+    QCOMPARE(floor->rows(), static_cast<std::size_t>(rows));
+    QVERIFY(floor->extent().max_m.isApprox(Vec2{-1.0 + width_m, 2.0 + depth_m}, 1e-9));
+    QCOMPARE(floor->minimum_m(), 1.5f);
+    QCOMPARE(floor->maximum_m(), 1.5f);
+}
+
+void TestTerrain::noFloorWithoutACommonMeasure_data() {
+    QTest::addColumn<double>("width_m");
+    QTest::addColumn<double>("depth_m");
+    QTest::newRow("no width") << 0.0 << 1.0;
+    QTest::newRow("less than no depth") << 1.0 << -1.0;
+    QTest::newRow("a circle's side") << usar::pi << 1.0;
+    QTest::newRow("a line") << 100000.0 << 1.0;
+    QTest::newRow("not a number") << std::nan("") << 1.0;
+}
+
+void TestTerrain::noFloorWithoutACommonMeasure() {
+    QFETCH(double, width_m);
+    QFETCH(double, depth_m);
+    QVERIFY(!Terrain::level({Vec2::Zero(), Vec2{width_m, depth_m}}, 0.0));
 }
 
 QTEST_APPLESS_MAIN(TestTerrain)
