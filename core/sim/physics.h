@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "core/sim/articulation.h"
 #include "core/sim/world.h"
 
 namespace usar::sim {
@@ -18,33 +18,6 @@ namespace usar::sim {
 struct BodyId {
     std::uint32_t value = 0;
     auto operator<=>(const BodyId&) const = default;
-};
-
-/// Upright in its part's frame: axis along z.
-struct CylinderShape {
-    double radius_m = 0.0;
-    double height_m = 0.0;
-};
-/// `height_m` is without the two half-spheres at its ends.
-struct CapsuleShape {
-    double radius_m = 0.0;
-    double height_m = 0.0;
-};
-struct BoxShape {
-    Vec3 size_m = Vec3::Zero();
-};
-
-/// One convex part of a body. The body frame's origin is its center of mass.
-struct BodyPart {
-    std::variant<CylinderShape, CapsuleShape, BoxShape> shape;
-    Pose part_in_body;
-};
-
-struct BodyDescription {
-    double mass_kg = 1.0;
-    Vec3 inertia_kg_m2 = Vec3::Ones(); ///< about the body's axes
-    double friction = 0.9;
-    std::vector<BodyPart> parts;
 };
 
 struct BodyState {
@@ -60,9 +33,11 @@ enum class Surface { Ground, Plant, Building, Body };
 /// One point where a body was pressed during the last step.
 struct Contact {
     Surface surface = Surface::Ground;
-    Vec3 point_in_body_m = Vec3::Zero();
-    double impulse_n_s = 0.0;       ///< along the normal
-    double closing_speed_m_s = 0.0; ///< before the step, positive when approaching
+    Vec3 point_in_body_m = Vec3::Zero(); ///< in the frame of the link that was touched
+    double impulse_n_s = 0.0;            ///< along the normal
+    double closing_speed_m_s = 0.0;      ///< before the step, positive when approaching
+    int link = -1;                       ///< -1: the base
+    Vec3 normal_in_map = Vec3::UnitZ();  ///< out of what was touched
 };
 
 /// Deterministic on one build: the same calls give the same bits. Single-threaded; owned by a Simulation.
@@ -71,6 +46,9 @@ public:
     virtual ~Physics() = default;
 
     virtual BodyId add(const BodyDescription& description, const Pose& body_in_map) = 0;
+    /// Featherstone's reduced coordinates; all joints at 0 and without motors. The base is what `state`, `apply`,
+    /// `place` and `contacts` without a link mean. Links of one body do not touch each other.
+    virtual BodyId add(const ArticulatedDescription& description, const Pose& base_in_map) = 0;
     virtual void remove(BodyId body) = 0;
     /// Puts a body somewhere, at rest.
     virtual void place(BodyId body, const Pose& body_in_map) = 0;
@@ -81,6 +59,9 @@ public:
     virtual bool isStuck(BodyId body) = 0;
 
     virtual BodyState state(BodyId body) const = 0;
+    virtual BodyState state(BodyId body, std::size_t link) const = 0;
+    virtual JointState joint(BodyId body, std::size_t link) const = 0;
+    virtual void setMotor(BodyId body, std::size_t link, const JointMotor& motor) = 0;
     /// Acts during the next step only; adds up.
     virtual void apply(BodyId body, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     /// One fixed step under gravity (9.81 m/s2).
