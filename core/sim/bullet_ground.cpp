@@ -34,6 +34,12 @@ btTransform toBullet(const Pose& pose) {
     return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), toBullet(pose.position_m));
 }
 
+BodyState bodyState(const btTransform& body_in_map, const btVector3& velocity_m_s, const btVector3& rate_rad_s) {
+    const btQuaternion q = body_in_map.getRotation();
+    return {fromBullet(body_in_map.getOrigin()), Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()),
+            fromBullet(velocity_m_s), fromBullet(rate_rad_s)};
+}
+
 BulletGround::BulletGround(const World& world) {
     if (!world.terrain.empty())
         addTerrain(world.terrain);
@@ -99,7 +105,7 @@ void BulletGround::addObject(btCollisionShape* shape, const btVector3& origin, S
     object->setCollisionShape(shape);
     object->setWorldTransform(btTransform(btQuaternion::getIdentity(), origin));
     object->setFriction(1.0);
-    object->setRestitution(0.0);
+    object->setRestitution(1.0);                 // Bullet multiplies: the body decides
     object->setActivationState(ISLAND_SLEEPING); // else a sleeping robot's contacts are sought at every step
     object->setUserIndex(static_cast<int>(surface));
     objects_.push_back(std::move(object));

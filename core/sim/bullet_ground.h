@@ -20,6 +20,7 @@ inline Vec3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }
 btTransform toBullet(const Pose& pose);
+BodyState bodyState(const btTransform& body_in_map, const btVector3& velocity_m_s, const btVector3& rate_rad_s);
 
 /// Owns shapes and objects; each object's user index is its Surface. One compound for all plants keeps an empty world's
 /// step six times cheaper than 4000 separate bodies (robots-and-worlds 6).

@@ -170,8 +170,8 @@ private slots:
     void sleepsOnlyWhereAllowedAndWakesWhenHit() {
         const World world = slopeWorld(radians(20.0));
         const auto physics = makePhysics(world);
-        const BodyId body =
-            physics->add({1.0, Vec3::Constant(0.01), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}}, at(0.0, 0.0, 0.15));
+        const BodyDescription box{1.0, Vec3::Constant(0.01), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}};
+        const BodyId body = physics->add(box, at(0.0, 0.0, 0.15));
         run(*physics, Seconds{2.0});
         physics->letSleep(body, true);
         run(*physics, Seconds{3.0});

@@ -1,0 +1,71 @@
+// A body of several links in Bullet: Featherstone's reduced coordinates. Internal to the physics.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include "core/sim/bullet_body.h"
+#include "core/sim/bullet_shapes.h"
+
+namespace usar::sim {
+
+/// Of its joint motors Bullet wants the largest impulse, not the largest torque: it is set anew at each step. A joint's
+/// damping is a second motor that pulls toward standstill with no more than the damping torque, so that it never turns
+/// a joint around however light it is.
+class BulletMultiBody : public BulletBody {
+public:
+    /// The world outlives it.
+    BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description, const Pose& base_in_map,
+                    BodyId id);
+    ~BulletMultiBody() override;
+    BulletMultiBody(const BulletMultiBody&) = delete;
+    BulletMultiBody& operator=(const BulletMultiBody&) = delete;
+
+    /// The joints stay where they are.
+    void place(const Pose& base_in_map) override;
+    void letSleep(bool allowed) override;
+    BodyState state(int link) const override;
+    JointState joint(std::size_t link) const override;
+    void setMotor(std::size_t link, const JointMotor& motor) override;
+    void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
+    void beforeStep(Seconds dt) override;
+    void afterStep() override { refreshVelocities(); }
+    btVector3 velocityBefore(int link, const btVector3& point) const override;
+
+private:
+    struct Piece {
+        explicit Piece(const BodyDescription& description) : shape(description) {}
+        BulletShape shape;
+        std::unique_ptr<btMultiBodyLinkCollider> collider;
+    };
+    struct Joint {
+        std::unique_ptr<btMultiBodyJointLimitConstraint> limits;
+        std::unique_ptr<btMultiBodyJointMotor> damper;
+        std::unique_ptr<btMultiBodyJointMotor> motor; ///< there while a position or a speed is held
+        double damping = 0.0;
+        JointMotor wanted;
+    };
+
+    void addLink(int index, const LinkDescription& description);
+    void addPiece(int link, const BodyDescription& description, BodyId id);
+    void addConstraints(int index, const LinkDescription& description);
+    void drive(int index, Joint& joint, Seconds dt);
+    void moveColliders();
+    void refreshVelocities();
+    const btTransform& transform(int link) const;
+
+    btMultiBodyDynamicsWorld& world_;
+    btMultiBody body_;
+    std::vector<Piece> parts_; ///< the base first, as in the arrays below
+    std::vector<Joint> joints_;
+    std::vector<btVector3> velocities_; ///< of origins, map frame, after the last step
+    std::vector<btVector3> rates_;
+};
+
+} // namespace usar::sim

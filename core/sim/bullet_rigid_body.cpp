@@ -1,0 +1,59 @@
+#include "core/sim/bullet_rigid_body.h"
+
+#include "core/sim/bullet_ground.h"
+
+namespace usar::sim {
+
+BulletRigidBody::BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map,
+                                 BodyId id)
+    : world_(world)
+    , shape_(description) {
+    const btRigidBody::btRigidBodyConstructionInfo info(description.mass_kg, nullptr, shape_.compound(),
+                                                        toBullet(description.inertia_kg_m2));
+    rigid_ = std::make_unique<btRigidBody>(info);
+    markAsBody(*rigid_, description, id, -1);
+    rigid_->setWorldTransform(toBullet(body_in_map));
+    rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
+    world_.addRigidBody(rigid_.get(), body_group, ground_group | body_group);
+    restitution = description.restitution;
+    pieces_ = {{rigid_.get(), shape_.radius_m()}};
+}
+
+BulletRigidBody::~BulletRigidBody() {
+    world_.removeRigidBody(rigid_.get());
+}
+
+void BulletRigidBody::place(const Pose& body_in_map) {
+    rigid_->setWorldTransform(toBullet(body_in_map));
+    rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
+    rigid_->setLinearVelocity({0.0, 0.0, 0.0});
+    rigid_->setAngularVelocity({0.0, 0.0, 0.0});
+    rigid_->clearForces();
+    world_.updateSingleAabb(rigid_.get());
+}
+
+void BulletRigidBody::letSleep(bool allowed) {
+    rigid_->setSleepingThresholds(sleepy_m_s, sleepy_rad_s);
+    rigid_->setDeactivationTime(0.0);
+    rigid_->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
+}
+
+BodyState BulletRigidBody::state(int /*link*/) const {
+    return bodyState(rigid_->getWorldTransform(), rigid_->getLinearVelocity(), rigid_->getAngularVelocity());
+}
+
+void BulletRigidBody::apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) {
+    rigid_->applyCentralForce(toBullet(force_in_map_n));
+    rigid_->applyTorque(toBullet(torque_in_map_n_m));
+}
+
+void BulletRigidBody::beforeStep(Seconds /*dt*/) {
+    velocity_ = rigid_->getLinearVelocity();
+    rate_ = rigid_->getAngularVelocity();
+}
+
+btVector3 BulletRigidBody::velocityBefore(int /*link*/, const btVector3& point) const {
+    return velocity_ + rate_.cross(point - rigid_->getWorldTransform().getOrigin());
+}
+
+} // namespace usar::sim

@@ -1,0 +1,37 @@
+// One rigid body in Bullet. Internal to the physics.
+#pragma once
+
+#include <memory>
+
+#include <btBulletDynamicsCommon.h>
+
+#include "core/sim/bullet_body.h"
+#include "core/sim/bullet_shapes.h"
+
+namespace usar::sim {
+
+class BulletRigidBody : public BulletBody {
+public:
+    /// The world outlives it.
+    BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map, BodyId id);
+    ~BulletRigidBody() override;
+    BulletRigidBody(const BulletRigidBody&) = delete;
+    BulletRigidBody& operator=(const BulletRigidBody&) = delete;
+
+    void place(const Pose& body_in_map) override;
+    void letSleep(bool allowed) override;
+    BodyState state(int link) const override;
+    void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
+    void beforeStep(Seconds dt) override;
+    void afterStep() override {}
+    btVector3 velocityBefore(int link, const btVector3& point) const override;
+
+private:
+    btDynamicsWorld& world_;
+    BulletShape shape_;
+    std::unique_ptr<btRigidBody> rigid_;
+    btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, as `rate_`
+    btVector3 rate_{0.0, 0.0, 0.0};
+};
+
+} // namespace usar::sim
