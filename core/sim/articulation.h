@@ -12,23 +12,28 @@ namespace usar::sim {
 struct CylinderShape {
     double radius_m = 0.0;
     double height_m = 0.0;
+    bool operator==(const CylinderShape&) const = default;
 };
 /// `height_m` is without the two half-spheres at its ends.
 struct CapsuleShape {
     double radius_m = 0.0;
     double height_m = 0.0;
+    bool operator==(const CapsuleShape&) const = default;
 };
 struct BoxShape {
     Vec3 size_m = Vec3::Zero();
+    bool operator==(const BoxShape&) const = default;
 };
 struct SphereShape {
     double radius_m = 0.0;
+    bool operator==(const SphereShape&) const = default;
 };
 
 /// One convex part of a body.
 struct BodyPart {
     std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape> shape;
     Pose part_in_body;
+    bool operator==(const BodyPart&) const = default;
 };
 
 /// What is rigid. The body frame's origin is its center of mass. Without parts it touches nothing.
@@ -39,6 +44,7 @@ struct BodyDescription {
     std::vector<BodyPart> parts{};
     double restitution = 0.0;
     double rolling_friction_m = 0.0; ///< rolling resistance torque over normal force
+    bool operator==(const BodyDescription&) const = default;
 };
 
 enum class JointKind { Revolute, Prismatic };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/sim/articulation.h"
 #include "core/sim/terrain.h"
 
 namespace usar::sim {
@@ -43,6 +44,15 @@ struct NamedPose {
     std::string name;
     Pose pose_in_map;
     bool operator==(const NamedPose&) const = default;
+};
+
+/// A thing that robots push and kick: one rigid body.
+struct WorldObject {
+    std::string name;
+    std::string class_name; ///< the wire's word for its kind, as "USARModels.SoccerBall"
+    BodyDescription body;
+    Pose body_in_map; ///< when the simulation begins
+    bool operator==(const WorldObject&) const = default;
 };
 
 /// What an RFID reader finds and writes to.
@@ -97,6 +107,7 @@ struct World {
     Terrain terrain;  ///< may be empty where boxes are all there is to stand on
     std::vector<Plant> plants;
     std::vector<Box> boxes;
+    std::vector<WorldObject> objects;
     std::optional<Water> water;
     std::vector<NamedPose> start_poses;
     std::vector<RfidTag> rfid_tags;

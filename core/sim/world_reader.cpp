@@ -10,6 +10,7 @@
 #include "core/sim/sdf_fields.h"
 #include "core/sim/sdf_loader.h"
 #include "core/sim/world_marks_reader.h"
+#include "core/sim/world_object_reader.h"
 
 namespace usar::sim {
 
@@ -87,6 +88,8 @@ Result<void> Reading::readCollision(const sdf::Model& model, const sdf::Link& li
     case sdf::GeometryType::PLANE:
         return readFloor(*collision.Geom()->PlaneShape(), collision_in_map);
     case sdf::GeometryType::BOX:
+        if (!(collision.Geom()->BoxShape()->Size().Min() > 0.0))
+            return refuse("model \"" + model.Name() + "\" has a box without size", collision.Element());
         world_.boxes.push_back({collision_in_map, toVec3(collision.Geom()->BoxShape()->Size())});
         return {};
     default:
@@ -96,6 +99,16 @@ Result<void> Reading::readCollision(const sdf::Model& model, const sdf::Link& li
 }
 
 Result<void> Reading::readModel(const sdf::Model& model) {
+    if (!model.Static()) {
+        auto object = readObject(model, file_);
+        if (!object)
+            return tl::unexpected(object.error());
+        world_.objects.push_back(*std::move(object));
+        return {};
+    }
+    if (model.ModelCount() != 0)
+        return refuse("model \"" + model.Name() + "\" has models in it: give each a place in the world",
+                      model.Element());
     for (uint64_t l = 0; l < model.LinkCount(); ++l) {
         const sdf::Link& link = *model.LinkByIndex(l);
         for (uint64_t c = 0; c < link.CollisionCount(); ++c)

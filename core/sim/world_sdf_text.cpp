@@ -1,6 +1,7 @@
 #include "core/sim/world_sdf_text.h"
 
 #include <string_view>
+#include <variant>
 
 #include "core/base/numbers.h"
 
@@ -81,6 +82,56 @@ std::string boxModel(const Box& box, std::size_t number) {
                        shape("<box><size>" + size + "</size></box>"));
 }
 
+std::string tag(const std::string& name, const std::string& content) {
+    return "<" + name + ">" + content + "</" + name + ">";
+}
+
+struct GeometryText {
+    std::string operator()(const BoxShape& box) const {
+        return tag("box", tag("size", spaced(box.size_m.x(), box.size_m.y(), box.size_m.z())));
+    }
+    std::string operator()(const SphereShape& ball) const {
+        return tag("sphere", tag("radius", spaced(ball.radius_m)));
+    }
+    std::string operator()(const CylinderShape& rod) const {
+        return tag("cylinder", sizes(rod.radius_m, rod.height_m));
+    }
+    std::string operator()(const CapsuleShape& rod) const { return tag("capsule", sizes(rod.radius_m, rod.height_m)); }
+
+    static std::string sizes(double radius_m, double length_m) {
+        return tag("radius", spaced(radius_m)) + tag("length", spaced(length_m));
+    }
+};
+
+std::string inertialText(const BodyDescription& body) {
+    const Vec3& inertia = body.inertia_kg_m2;
+    return "        " +
+           tag("inertial", tag("mass", spaced(body.mass_kg)) +
+                               tag("inertia", tag("ixx", spaced(inertia.x())) + tag("iyy", spaced(inertia.y())) +
+                                                  tag("izz", spaced(inertia.z())))) +
+           "\n";
+}
+
+std::string objectModel(const WorldObject& object) {
+    const BodyDescription& body = object.body;
+    const std::string surface = tag(
+        "surface", tag("bounce", tag("restitution_coefficient", spaced(body.restitution))) +
+                       tag("friction", tag("bullet", tag("friction", spaced(body.friction)) +
+                                                         tag("rolling_friction", spaced(body.rolling_friction_m)))));
+    std::string text = "    <model name=\"" + escaped(object.name) + "\">\n" + poseLine(poseText(object.body_in_map));
+    if (!object.class_name.empty())
+        text += "      " + tag("usar:class_name", escaped(object.class_name)) + "\n";
+    text += "      <link name=\"link\">\n" + inertialText(body);
+    for (std::size_t i = 0; i < body.parts.size(); ++i) {
+        const std::string name = "_" + std::to_string(i + 1) + "\">";
+        const std::string geometry = std::visit(GeometryText{}, body.parts[i].shape);
+        const std::string placed = tag("pose", poseText(body.parts[i].part_in_body)) + tag("geometry", geometry);
+        text += "        <collision name=\"collision" + name + placed + surface + "</collision>\n";
+        text += "        <visual name=\"visual" + name + placed + "</visual>\n";
+    }
+    return text + "      </link>\n    </model>\n";
+}
+
 /// <usar:NAME ATTRIBUTES>content</usar:NAME>, on a line of its own.
 std::string mark(const std::string& name, const std::string& attributes, const std::string& content) {
     return "    <usar:" + name + attributes + ">" + content + "</usar:" + name + ">\n";
@@ -133,6 +184,8 @@ std::string sdfText(const World& world, const HeightScale& scale) {
         text += groundModel(world.terrain, scale);
     for (std::size_t i = 0; i < world.boxes.size(); ++i)
         text += boxModel(world.boxes[i], i + 1);
+    for (const WorldObject& object : world.objects)
+        text += objectModel(object);
     if (!world.plants.empty())
         text += mark("scatter", "", "<usar:uri>plants.csv</usar:uri>");
     if (world.water)

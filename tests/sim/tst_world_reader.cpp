@@ -10,11 +10,17 @@
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/test_worlds.h"
 
+using usar::Pose;
 using usar::doubles::pathOf;
 using usar::doubles::readAll;
 using usar::doubles::writeAll;
+using usar::sim::BoxShape;
+using usar::sim::CapsuleShape;
+using usar::sim::CylinderShape;
+using usar::sim::SphereShape;
 using usar::sim::VictimPartKind;
 using usar::sim::World;
+using usar::sim::WorldObject;
 
 class TestWorldReader : public QObject {
     Q_OBJECT
@@ -24,6 +30,8 @@ private slots:
     void readsBackWhatWasWritten();
     void northIsTheTopOfThePicture();
     void posesOfModelLinkAndCollisionAddUp();
+    void massesNeedNotSitInTheMiddleOfALink();
+    void whatIsNotSaidOfASurfaceIsUsual();
     void aWorldWithoutPlantsOrWaterIsFine();
     void refusesAndSaysWhere_data();
     void refusesAndSaysWhere();
@@ -54,12 +62,37 @@ private:
 
 namespace {
 
+WorldObject ball() {
+    WorldObject ball{.name = "ball", .class_name = "USARModels.SoccerBall", .body = {}, .body_in_map = {}};
+    ball.body = {.mass_kg = 0.06,
+                 .inertia_kg_m2 = usar::Vec3::Constant(7.4e-5),
+                 .friction = 0.5,
+                 .parts = {{SphereShape{0.043}, {}}},
+                 .restitution = 0.6,
+                 .rolling_friction_m = 0.001};
+    ball.body_in_map.position_m = {2.0, 0.5, 0.043};
+    return ball;
+}
+
+/// Of all shapes that there are.
+WorldObject barrow() {
+    WorldObject barrow{.name = "bar & row", .class_name = "", .body = {}, .body_in_map = {}};
+    barrow.body.mass_kg = 12.0;
+    barrow.body.inertia_kg_m2 = {0.8, 1.0, 1.2};
+    barrow.body.parts = {{BoxShape{{0.8, 0.5, 0.3}}, {}},
+                         {CylinderShape{0.2, 0.05}, {.position_m = {0.5, 0.0, -0.1}, .roll_rad = 0.5}},
+                         {CapsuleShape{0.02, 0.6}, {.position_m = {-0.5, 0.25, 0.0}, .pitch_rad = 0.25}}};
+    barrow.body_in_map = {.position_m = {-4.0, 3.0, 1.0}, .yaw_rad = 0.75};
+    return barrow;
+}
+
 /// 17 x 17 posts with heights in steps that files keep.
 World smallWorld() {
     World world = usar::doubles::woodedWorld(9, 12, 32.0);
     world.name = "small & <odd>";
     world.terrain = usar::doubles::terrainOf(17, 2.0, [](double x, double y) { return x / 8.0 + y * y / 64.0 - 3.0; });
     world.boxes = {{{.position_m = {4.0, -5.0, 1.5}, .yaw_rad = 0.4}, {3.0, 5.0, 3.0}}};
+    world.objects = {ball(), barrow()};
     world.rfid_tags = {{7, "exit <left> & \"up\"", {1.0, 2.0, 0.25}}, {0, "", {-1.0, 0.1, 0.0}}};
     world.victims = {
         {"Becky", "Calm", {{VictimPartKind::Head, {3.0, 1.0, 0.5}}, {VictimPartKind::Foot, {4.5, 1.0, 0.1}}}},
@@ -105,9 +138,20 @@ void TestWorldReader::readsBackWhatWasWritten() {
     QCOMPARE(read->boxes.size(), std::size_t{1});
     QVERIFY(read->boxes[0].size_m == world_.boxes[0].size_m);
     QVERIFY(read->boxes[0].center_in_map.isometry().isApprox(world_.boxes[0].center_in_map.isometry(), 1e-12));
-    // Angles go through a quaternion; but for their last bits it is the same world.
+    QCOMPARE(read->objects.size(), std::size_t{2});
+    QVERIFY(read->objects[0] == world_.objects[0]);
+    // Angles go through quaternions; but for their last bits it is the same world.
     auto same = *read;
     same.boxes = world_.boxes;
+    WorldObject& object = same.objects[1];
+    const WorldObject& written = world_.objects[1];
+    QVERIFY(object.body_in_map.isometry().isApprox(written.body_in_map.isometry(), 1e-12));
+    object.body_in_map = written.body_in_map;
+    for (std::size_t i = 0; i < object.body.parts.size(); ++i) {
+        Pose& part_in_body = object.body.parts[i].part_in_body;
+        QVERIFY(part_in_body.isometry().isApprox(written.body.parts[i].part_in_body.isometry(), 1e-12));
+        part_in_body = written.body.parts[i].part_in_body;
+    }
     QVERIFY(same == world_);
 }
 
@@ -125,6 +169,25 @@ void TestWorldReader::posesOfModelLinkAndCollisionAddUp() {
     const auto read = usar::sim::readWorld(folder());
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QVERIFY(read->boxes[0].center_in_map.position_m.isApprox(usar::Vec3{4.0, -4.0, 1.5}, 1e-9));
+}
+
+void TestWorldReader::massesNeedNotSitInTheMiddleOfALink() {
+    replace("<pose>2 0.5 0.043 0 0 0</pose>", "<pose>2 0.5 1 0 0 1.5707963267948966</pose>");
+    replace("<inertial><mass>0.06", "<inertial><pose>0.1 0 0 0 0 0</pose><mass>0.06");
+    const auto read = usar::sim::readWorld(folder());
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QVERIFY(read->objects[0].body_in_map.position_m.isApprox(usar::Vec3{2.0, 0.6, 1.0}, 1e-9));
+    QVERIFY(read->objects[0].body.parts[0].part_in_body.position_m.isApprox(usar::Vec3{-0.1, 0.0, 0.0}, 1e-9));
+}
+
+void TestWorldReader::whatIsNotSaidOfASurfaceIsUsual() {
+    replace("<bounce><restitution_coefficient>0.6</restitution_coefficient></bounce>", "");
+    replace("<friction>0.5</friction><rolling_friction>0.001</rolling_friction>", "");
+    const auto read = usar::sim::readWorld(folder());
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QCOMPARE(read->objects[0].body.friction, usar::sim::BodyDescription{}.friction);
+    QCOMPARE(read->objects[0].body.restitution, 0.0);
+    QCOMPARE(read->objects[0].body.rolling_friction_m, 0.0);
 }
 
 void TestWorldReader::aWorldWithoutPlantsOrWaterIsFine() {
@@ -203,8 +266,41 @@ void TestWorldReader::refusesAndSaysWhere_data() {
     QTest::newRow("a sound without a name") << QString(" name=\"alarm\"") << QString("") << QString("usar:sound");
     QTest::newRow("a sound nowhere") << QString("0 -4 2<") << QString("here<") << QString("usar:sound");
     QTest::newRow("a gas without a name") << QString(" gas=\"CO2\"") << QString("") << QString("usar:gas");
-    QTest::newRow("less than no gas") << QString("0.04") << QString("-0.04") << QString("usar:gas");
+    QTest::newRow("less than no gas") << QString("density=\"0.04") << QString("density=\"-0.04") << QString("usar:gas");
     QTest::newRow("a gas nowhere") << QString("3 1 0.6<") << QString("3 1 0.6 9<") << QString("usar:gas");
+    QTest::newRow("a box without size") << QString("<size>3 5 3</size>") << QString("<size>3 0 3</size>")
+                                        << QString("box without size");
+    QTest::newRow("a thing without mass")
+        << QString("<inertial><mass>0.06</mass>") << QString("<inertial><mass>0</mass>") << QString("ball");
+    QTest::newRow("a thing without inertia")
+        << QString("<ixx>7.4e-05</ixx>") << QString("<ixx>0</ixx>") << QString("ball");
+    QTest::newRow("a thing of unknown mass")
+        << QString(
+               "<inertial><mass>0.06</mass><inertia><ixx>7.4e-05</ixx><iyy>7.4e-05</iyy><izz>7.4e-05</izz></inertia>"
+               "</inertial>")
+        << QString("") << QString("\"ball\" needs an inertial");
+    QTest::newRow("a thing whose inertia is askew")
+        << QString("<ixx>7.4e-05</ixx>") << QString("<ixx>7.4e-05</ixx><ixy>1e-05</ixy>") << QString("main axes");
+    QTest::newRow("a thing of an unknown shape")
+        << QString("<sphere><radius>0.043</radius></sphere>") << QString("<plane><size>1 1</size></plane>")
+        << QString("\"ball\" has a shape");
+    QTest::newRow("a thing inside out") << QString("<radius>0.043") << QString("<radius>-0.043")
+                                        << QString("\"ball\" has a shape without size");
+    QTest::newRow("a thing of two links")
+        << QString("<link name=\"link\">\n        <inertial><mass>0.06")
+        << QString("<link name=\"other\"/><link name=\"link\">\n        <inertial><mass>0.06") << QString("one link");
+    QTest::newRow("a thing that touches nothing")
+        << QString("<link name=\"link\">\n        <inertial><mass>0.06</mass>")
+        << QString("<link name=\"link\"><inertial><mass>1</mass></inertial></link></model><model name=\"more\">"
+                   "<link name=\"link\">\n        <inertial><mass>0.06</mass>")
+        << QString("\"ball\" has no collision");
+    QTest::newRow("a thing that bounces higher than it fell")
+        << QString("<restitution_coefficient>0.6") << QString("<restitution_coefficient>1.6") << QString("");
+    QTest::newRow("a thing of two surfaces")
+        << QString("<friction>0.9</friction>") << QString("<friction>0.1</friction>") << QString("one surface");
+    QTest::newRow("a house in a house") << QString("<link name=\"link\">")
+                                        << QString("<model name=\"m\"><link name=\"l\"/></model><link name=\"link\">")
+                                        << QString("models in it");
     QTest::newRow("a place beyond the pole")
         << QString("-36.8764") << QString("-96.8764") << QString("usar:gps_reference");
     QTest::newRow("a place without a longitude")

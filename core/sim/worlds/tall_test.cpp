@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/random.h"
+#include "core/sim/worlds/building.h"
 #include "core/sim/worlds/spacing.h"
 #include "core/sim/worlds/tall_test_ground.h"
 
@@ -17,27 +18,6 @@ constexpr int trees = 2000;
 constexpr int bushes = 200;
 constexpr int houses = 3;
 constexpr double half_m = TallTestGround::side_m / 2.0;
-constexpr double spawn_height_m = 0.35;
-
-double wholeMillimetres(double value_m) {
-    return std::round(value_m * 1000.0) / 1000.0;
-}
-
-double between(Random& random, double low_m, double high_m) {
-    return wholeMillimetres(uniform(random, low_m, high_m));
-}
-
-Terrain makeTerrain(const TallTestGround& ground) {
-    const double step_m = TallTestGround::side_m / static_cast<double>(posts - 1);
-    std::vector<float> heights_m;
-    heights_m.reserve(posts * posts);
-    for (std::size_t row = 0; row < posts; ++row)
-        for (std::size_t column = 0; column < posts; ++column) {
-            const Vec2 at_m{static_cast<double>(column) * step_m - half_m, static_cast<double>(row) * step_m - half_m};
-            heights_m.push_back(static_cast<float>(std::round(ground.height_m(at_m) * 1024.0) / 1024.0));
-        }
-    return {posts, posts, step_m, Vec2::Constant(-half_m), std::move(heights_m)};
-}
 
 /// Puts things down one after the other; each sees what stands already.
 class Planter {
@@ -58,8 +38,6 @@ private:
     }
     bool isFree(const Vec2& at_m, double radius_m) const;
     bool growsHere(const Vec2& at_m);
-    double lowestGround_m(const Vec2& at_m, double radius_m) const;
-    Plant tree(const Vec2& at_m);
     std::optional<Box> house();
 
     World& world_;
@@ -92,36 +70,13 @@ bool Planter::growsHere(const Vec2& at_m) {
     return uniform(random_, 0.0, 1.0) < density;
 }
 
-double Planter::lowestGround_m(const Vec2& at_m, double radius_m) const {
-    double lowest_m = world_.terrain.height_m(at_m);
-    for (int i = 0; i < 8; ++i) {
-        const double angle_rad = pi * i / 4.0;
-        lowest_m = std::min(lowest_m,
-                            world_.terrain.height_m(at_m + radius_m * Vec2{std::cos(angle_rad), std::sin(angle_rad)}));
-    }
-    return std::floor(lowest_m * 1000.0) / 1000.0;
-}
-
-Plant Planter::tree(const Vec2& at_m) {
-    Plant tree;
-    tree.trunk_radius_m = between(random_, 0.12, 0.32);
-    tree.trunk_height_m = between(random_, 3.0, 7.0);
-    tree.crown = uniform(random_, 0.0, 1.0) < 0.5 ? CrownShape::Sphere : CrownShape::Cone;
-    tree.crown_radius_m = between(random_, 1.0, 2.5);
-    if (tree.crown == CrownShape::Cone)
-        tree.crown_height_m = between(random_, 3.0, 6.0);
-    // Slopes must not leave a gap under the trunk's lower side.
-    tree.base_in_map_m = {at_m.x(), at_m.y(), lowestGround_m(at_m, tree.trunk_radius_m)};
-    return tree;
-}
-
 void Planter::plantTrees() {
     // Far more tries than it takes; a bound all the same.
     for (int planted = 0, tries = 0; planted < trees && tries < 500 * trees; ++tries) {
         const Vec2 at_m = anywhere();
         if (!growsHere(at_m) || !trunks_.isClear(at_m, isMeadow(at_m) ? 6.5 : 2.5))
             continue;
-        const Plant plant = tree(at_m);
+        const Plant plant = makeTree(random_, world_.terrain, at_m);
         if (!isFree(at_m, plant.crown_radius_m))
             continue;
         world_.plants.push_back(plant);
@@ -137,7 +92,7 @@ void Planter::plantBushes() {
         bush.crown_radius_m = between(random_, 0.4, 1.0);
         if (!isFree(at_m, bush.crown_radius_m) || !trunks_.isClear(at_m, 1.5))
             continue;
-        bush.base_in_map_m = {at_m.x(), at_m.y(), lowestGround_m(at_m, 0.0)};
+        bush.base_in_map_m = {at_m.x(), at_m.y(), lowestGround_m(world_.terrain, at_m, 0.0)};
         world_.plants.push_back(bush);
         trunks_.add(at_m);
         ++planted;
@@ -183,14 +138,11 @@ World makeTallTest(std::uint64_t seed) {
     const TallTestGround ground(seed);
     World world;
     world.name = "tall_test";
-    world.terrain = makeTerrain(ground);
+    world.terrain = terrainOf({posts, posts, TallTestGround::side_m / static_cast<double>(posts - 1)},
+                              [&](const Vec2& at_m) { return ground.height_m(at_m); });
     world.water = Water{.surface_z_m = ground.water_z_m()};
-    for (const StartPlace& start : ground.starts()) {
-        const double z_m = wholeMillimetres(world.terrain.height_m(start.at_m) + spawn_height_m);
-        world.start_poses.push_back(
-            {start.name,
-             {.position_m = {start.at_m.x(), start.at_m.y(), z_m}, .yaw_rad = wholeMillimetres(start.yaw_rad)}});
-    }
+    for (const StartPlace& start : ground.starts())
+        world.start_poses.push_back(startOver(start, world.terrain.height_m(start.at_m)));
     Planter planter(world, ground, seed);
     planter.build();
     planter.plantTrees();

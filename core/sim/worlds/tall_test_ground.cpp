@@ -1,7 +1,6 @@
 #include "core/sim/worlds/tall_test_ground.h"
 
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "core/base/random.h"
@@ -18,23 +17,6 @@ constexpr double pond_radius_m = 13.0;
 
 double bell(double distance, double width) {
     return std::exp(-(distance / width) * (distance / width));
-}
-
-/// The point of a 4 m grid within +-`half_m` that is highest by `score`; a point without a score is no candidate.
-Vec2 bestOnGrid(double half_m, const std::function<std::optional<double>(const Vec2&)>& score) {
-    Vec2 best_m = Vec2::Zero();
-    double best = -1e300;
-    for (double y = -half_m; y <= half_m; y += 4.0)
-        for (double x = -half_m; x <= half_m; x += 4.0)
-            if (const auto value = score({x, y}); value && *value > best) {
-                best = *value;
-                best_m = {x, y};
-            }
-    return best_m;
-}
-
-double yawToward(const Vec2& from_m, const Vec2& to_m) {
-    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
 }
 
 } // namespace
@@ -85,7 +67,7 @@ double TallTestGround::height_m(const Vec2& point_m) const {
 void TallTestGround::chooseStarts() {
     const Vec2 ravine_edge_m{32.0, std::round(ravineLine_m(32.0)) + 16.0};
     const Vec2 corner_m{104.0, 104.0};
-    const Vec2 top_m = bestOnGrid(100.0, [&](const Vec2& at_m) -> std::optional<double> {
+    const Vec2 top_m = bestOnGrid(100.0, 4.0, [&](const Vec2& at_m) -> std::optional<double> {
         const bool apart = at_m.norm() > 45.0 && (at_m - corner_m).norm() > 30.0 && at_m.y() > -20.0;
         return apart ? std::optional(hills_m(at_m)) : std::nullopt;
     });
@@ -96,7 +78,7 @@ void TallTestGround::chooseStarts() {
 }
 
 void TallTestGround::choosePond() {
-    pond_m_ = bestOnGrid(96.0, [&](const Vec2& at_m) -> std::optional<double> {
+    pond_m_ = bestOnGrid(96.0, 4.0, [&](const Vec2& at_m) -> std::optional<double> {
         if (ravineDistance_m(at_m) < 35.0)
             return std::nullopt;
         for (const StartPlace& start : starts_)

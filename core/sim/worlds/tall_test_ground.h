@@ -2,19 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/sim/worlds/fractal_noise.h"
+#include "core/sim/worlds/start_places.h"
 
 namespace usar::sim {
-
-/// A place where robots appear; the ground around it is level and open.
-struct StartPlace {
-    std::string name;
-    Vec2 at_m = Vec2::Zero();
-    double yaw_rad = 0.0;
-};
 
 /// Shape after the thesis's DM-TallTestWorld as robots-and-worlds, section 5, reconstructs it; all sizes are ours.
 /// A pure function of seed and point; map frame, metres.
