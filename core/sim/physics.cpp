@@ -7,7 +7,7 @@
 #include "core/sim/bullet_ground.h"
 #include "core/sim/bullet_multi_body.h"
 #include "core/sim/bullet_rigid_body.h"
-#include "core/sim/bullet_solver.h"
+#include "core/sim/bullet_world.h"
 
 namespace usar::sim {
 
@@ -63,16 +63,15 @@ private:
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
-    BulletSolver solver_;
-    btMultiBodyDynamicsWorld dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+    btSequentialImpulseConstraintSolver rigid_solver_;
+    BulletSolver link_solver_;
+    BulletWorld dynamics_{dispatcher_, broadphase_, rigid_solver_, link_solver_, configuration_};
     std::map<BodyId, std::unique_ptr<BulletBody>> bodies_;
     BodyId last_;
 };
 
 BulletPhysics::BulletPhysics(const World& world) : terrain_(world.terrain), ground_(world) {
     dynamics_.setGravity({0.0, 0.0, -gravity_m_s2});
-    dynamics_.setForceUpdateAllAabbs(false);
-    BulletSolver::prepare(dynamics_.getSolverInfo());
     for (const auto& object : ground_.objects())
         dynamics_.addCollisionObject(object.get(), ground_group, body_group);
 }

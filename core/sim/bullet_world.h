@@ -1,0 +1,46 @@
+// Bullet's world for bodies of several links, which costs nothing while there are none. Internal to the physics.
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <btBulletDynamicsCommon.h>
+
+namespace usar::sim {
+
+/// Rigid bodies slide along their friction: one direction does, is half the work and lets a body rest. Links know no
+/// direction of sliding and need two; Bullet has one switch for all contacts. And what stands on links needs more
+/// iterations than what lies, as nothing remembers the impulses of the last step for them.
+class BulletSolver : public btMultiBodyConstraintSolver {
+public:
+    void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
+                             int manifold_count, btTypedConstraint** constraints, int constraint_count,
+                             btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,
+                             btIDebugDraw* drawer, btDispatcher* dispatcher) override;
+
+protected:
+    void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override;
+};
+
+/// While it has no links it steps as a plain world of rigid bodies does, bit by bit and as fast.
+class BulletWorld : public btMultiBodyDynamicsWorld {
+public:
+    /// All of it outlives the world.
+    BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,
+                BulletSolver& link_solver, btCollisionConfiguration& configuration);
+
+    void clearForces() override;
+    void applyGravity() override;
+    void integrateTransforms(btScalar dt) override;
+    void predictUnconstraintMotion(btScalar dt) override;
+    void saveKinematicState(btScalar dt) override;
+
+protected:
+    void calculateSimulationIslands() override;
+    void updateActivationState(btScalar dt) override;
+    void solveConstraints(btContactSolverInfo& info) override;
+
+private:
+    bool plain() const { return getNumMultibodies() == 0; }
+};
+
+} // namespace usar::sim
