@@ -1,21 +1,9 @@
 #include "app/headless_simulator.h"
 
-#include "app/locations.h"
+#include "app/simulator_files.h"
 #include "core/link/simulator_server.h"
-#include "core/sim/world_reader.h"
 
 namespace usar::app {
-
-namespace {
-
-Result<sim::World> loadWorld(const QString& name) {
-    const auto folder = findWorld(name);
-    if (!folder)
-        return tl::unexpected(folder.error());
-    return sim::readWorld(folder->toStdString());
-}
-
-} // namespace
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, std::uint64_t seed,
                                                                     std::optional<double> speed_x) {
@@ -30,6 +18,10 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     sim::SimulationOptions options;
     options.seed = seed;
     options.battery_life = sim::survey_battery_life;
+    sim::RobotsRead robots = loadRobots();
+    for (const Error& refused : robots.refused)
+        qWarning("%s", refused.text().c_str());
+    options.robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
     auto simulation = sim::Simulation::make(std::move(world), options);
     if (!simulation)
         return tl::unexpected(simulation.error());

@@ -40,6 +40,10 @@ Result<QString> findWorld(const QString& name_or_folder) {
     return findWorldIn(worldsFolder(), name_or_folder);
 }
 
+QString robotsFolder() {
+    return firstFolder({"../share/robots", "../share/usar-mission-control/robots"});
+}
+
 QStringList pluginFolders() {
     return {firstFolder({"../robots", "../lib/usar-mission-control/robots"})};
 }

@@ -38,6 +38,8 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
     });
     connect(&simulator_, &SimulatorHost::noted, this,
             [this](const QString& sentence) { note(Severity::Note, "simulator-log", sentence); });
+    connect(&simulator_, &SimulatorHost::robotRefused, this,
+            [this](const QString& sentence) { note(Severity::Warning, "robot-file", sentence); });
     connect(&simulator_, &SimulatorHost::movedPort, this,
             [this](const QString& sentence) { note(Severity::Warning, "simulator-port", sentence); });
     connect(&simulator_, &SimulatorHost::robotsChanged, this, [this](const std::vector<sim::RobotTruth>& truths) {

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/locations.h"
-#include "core/sim/world_reader.h"
+#include "app/simulator_files.h"
 
 namespace usar::app {
 
@@ -94,15 +93,17 @@ void SimulatorHost::retire() {
 
 /// Runs in the simulator's thread.
 void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
-    const Result<QString> folder = findWorld(spec.world);
-    if (!folder)
-        return emit failed(QString::fromStdString(folder.error().text()));
-    Result<sim::World> world = sim::readWorld(folder->toStdString());
+    Result<sim::World> world = loadWorld(spec.world);
     if (!world)
         return emit failed(QString::fromStdString(world.error().text()));
     const WorldPicture picture = pictureOf(*world);
-    auto simulation =
-        sim::Simulation::make(std::move(*world), {.seed = spec.seed, .battery_life = sim::survey_battery_life});
+    sim::RobotsRead robots = loadRobots();
+    for (const Error& refused : robots.refused)
+        emit robotRefused(QString::fromStdString(refused.text()));
+    auto simulation = sim::Simulation::make(
+        std::move(*world), {.seed = spec.seed,
+                            .battery_life = sim::survey_battery_life,
+                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots))});
     if (!simulation)
         return emit failed(QString::fromStdString(simulation.error().text()));
     auto* server = new link::SimulatorServer(std::move(*simulation), worker);

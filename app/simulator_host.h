@@ -45,6 +45,8 @@ signals:
     /// One sentence with the mend.
     void failed(const QString& reason);
     void noted(const QString& sentence);
+    /// A robot file that cannot be read; the others can be spawned.
+    void robotRefused(const QString& sentence);
     /// The wanted port belongs to another program; one sentence with the port that was taken instead.
     void movedPort(const QString& sentence);
     void figuresChanged(const usar::link::SimulatorFigures& figures);

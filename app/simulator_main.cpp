@@ -7,12 +7,11 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
-#include "app/locations.h"
 #include "app/quit_signals.h"
+#include "app/simulator_files.h"
 #include "core/base/numbers.h"
 #include "core/link/simulator_server.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world_reader.h"
 
 namespace {
 
@@ -87,14 +86,15 @@ int complain(const usar::Error& error) {
 }
 
 usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settings& settings) {
-    const auto folder = usar::app::findWorld(settings.world);
-    if (!folder)
-        return tl::unexpected(folder.error());
-    auto world = usar::sim::readWorld(folder->toStdString());
+    auto world = usar::app::loadWorld(settings.world);
     if (!world)
         return tl::unexpected(world.error());
     usar::sim::SimulationOptions options;
     options.seed = settings.seed;
+    usar::sim::RobotsRead robots = usar::app::loadRobots();
+    for (const usar::Error& refused : robots.refused)
+        complain(refused);
+    options.robots = std::make_shared<const usar::sim::RobotCatalog>(std::move(robots.robots));
     return usar::sim::Simulation::make(std::move(*world), options);
 }
 

@@ -83,34 +83,29 @@ void ClientSession::obey(const protocol::Command& command, const Spawn& spawn, c
     else if (!robot_)
         log("ignored " + quoted(command) + ": there is no robot on this connection");
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command))
-        obeyUnknown(protocol::write(command), log);
+        obeyUnknown(command, log);
 }
 
-void ClientSession::obeyUnknown(const std::string& line, const Log& log) {
+void ClientSession::obeyUnknown(const protocol::Command& command, const Log& log) {
+    const std::string line = protocol::write(command);
     Diagnostics diagnostics;
     protocol::Segments segments;
     segments.read(line, diagnostics);
     // UT2004 answers every SET but that of a joint.
     if (sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint"))
-        set_asked_ =
-            protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
+        set_asked_ = command;
     else
-        log("ignored " + quoted(line) + ": not a command of this server");
+        log("ignored " + quoted(line) + ": not a command of this server, or not for this robot");
 }
 
-/// False for what no robot of this server understands. One with an empty battery understands and does nothing.
+/// False for what this robot does not understand. One with an empty battery understands and does nothing.
 bool ClientSession::obeyForRobot(const protocol::Command& command) {
     if (const auto* const asked = std::get_if<protocol::GetGeometry>(&command))
         geometry_asked_ = *asked;
     else if (const auto* const configuration = std::get_if<protocol::GetConfiguration>(&command))
         configuration_asked_ = *configuration;
-    else if (const auto* const set = std::get_if<protocol::SetInsPose>(&command))
-        set_asked_ = *set;
-    else if (!std::holds_alternative<protocol::AerialDrive>(command) &&
-             !std::holds_alternative<protocol::SkidDrive>(command))
-        return false;
     else if (robot_->alive())
-        robot_->obey(command);
+        return robot_->obey(command);
     return true;
 }
 
@@ -147,16 +142,21 @@ void ClientSession::answer(Seconds now) {
     if (const auto asked = std::exchange(configuration_asked_, {}); asked && robot_->alive())
         send(robot_->configuration(asked->type, asked->name));
     if (const auto asked = std::exchange(set_asked_, {}); asked && robot_->alive())
-        send(std::visit([&](const auto& one) { return resultOf(one, now); }, *asked));
+        send(resultOf(*asked, now));
 }
 
-protocol::Response ClientSession::resultOf(const protocol::SetInsPose& asked, Seconds now) {
-    return {now, "INS", asked.sensor_name.empty() ? "INS" : asked.sensor_name.text(), robot_->set(asked)};
-}
-
-protocol::Response ClientSession::resultOf(protocol::Response failed, Seconds now) {
-    failed.time = now;
-    return failed;
+protocol::Response ClientSession::resultOf(const protocol::Command& asked, Seconds now) {
+    std::optional<protocol::Response> result = robot_->set(asked);
+    if (!result) {
+        const std::string line = protocol::write(asked);
+        Diagnostics diagnostics;
+        protocol::Segments segments;
+        segments.read(line, diagnostics);
+        result =
+            protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
+    }
+    result->time = now;
+    return *result;
 }
 
 void ClientSession::send(const protocol::InfoMessage& message) {

@@ -50,12 +50,11 @@ private:
     void take(std::string_view line, const Log& log);
     void obey(const protocol::Command& command, const Spawn& spawn, const Log& log);
     bool obeyForRobot(const protocol::Command& command);
-    void obeyUnknown(const std::string& line, const Log& log);
+    void obeyUnknown(const protocol::Command& command, const Log& log);
     void init(const protocol::Init& init, const Spawn& spawn, const Log& log);
     void startPoses();
     void answer(Seconds now);
-    protocol::Response resultOf(const protocol::SetInsPose& asked, Seconds now);
-    static protocol::Response resultOf(protocol::Response failed, Seconds now);
+    protocol::Response resultOf(const protocol::Command& asked, Seconds now);
     void send(const protocol::InfoMessage& message);
 
     const World& world_;
@@ -71,8 +70,7 @@ private:
     bool first_tick_ = true;
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;
-    /// A SET to try, or the answer to one that no sensor knows.
-    std::optional<std::variant<protocol::SetInsPose, protocol::Response>> set_asked_;
+    std::optional<protocol::Command> set_asked_;
     std::vector<protocol::InfoMessage> lines_;
 };
 

@@ -21,7 +21,7 @@ Result<void> checked(const World& world, const SimulationOptions& options) {
         return failure("nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
     if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
         return failure("a tick needs a length and at least one physics step", "simulation options");
-    if (!(options.battery_life > Seconds{0.0}))
+    if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
         return failure("a battery must last longer than 0 s", "simulation options");
     return {};
 }
@@ -38,6 +38,7 @@ struct Simulation::State {
     void log(ClientId client, const std::string& sentence);
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
     Pose startOf(ClientId client, const protocol::Init& init);
+    std::string knownClasses() const;
     void obeyAll();
     void move();
     void reportAll();
@@ -69,7 +70,12 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     robot.battery_life = options.battery_life;
     robot.scan_interval = options.tick;
     robot.noise = options.noise;
-    auto spawned_robot = spawnRobot(init.class_name, {world, caster, *physics}, robot);
+    const RobotModel* const model = options.robots ? findRobot(*options.robots, init.class_name.text()) : nullptr;
+    if (!model) {
+        log(client, "there is no robot class '" + init.class_name.text() + "' here; known are " + knownClasses());
+        return nullptr;
+    }
+    auto spawned_robot = Robot::spawn(*model, {world, caster, *physics}, robot);
     if (!spawned_robot) {
         log(client, spawned_robot.error().text());
         return nullptr;
@@ -80,6 +86,14 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     log(client, "spawned " + init.class_name.text() + " '" + init.robot_name.text() +
                     (beside ? "' beside the wanted place, where another robot is" : "'"));
     return std::move(*spawned_robot);
+}
+
+std::string Simulation::State::knownClasses() const {
+    std::string names;
+    if (options.robots)
+        for (const RobotModel& robot : *options.robots)
+            names += (names.empty() ? "" : ", ") + robot.class_name;
+    return names.empty() ? "none" : names;
 }
 
 Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {

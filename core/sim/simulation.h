@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/sim/robots/robot_model.h"
 #include "core/sim/world.h"
 
 namespace usar::sim {
@@ -19,10 +21,11 @@ inline constexpr Seconds survey_battery_life{86400.0};
 
 struct SimulationOptions {
     std::uint64_t seed = 1;
-    Seconds tick{0.2};               ///< UT2004 message tick
-    int physics_steps_per_tick = 50; ///< 250 Hz
-    Seconds battery_life{1200.0};
+    Seconds tick{0.2};                     ///< UT2004 message tick
+    int physics_steps_per_tick = 50;       ///< 250 Hz
+    std::optional<Seconds> battery_life{}; ///< instead of what each robot's file says
     bool noise = true;
+    std::shared_ptr<const RobotCatalog> robots{}; ///< what can be spawned
 };
 
 /// Identifies one connection.

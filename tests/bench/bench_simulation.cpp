@@ -6,9 +6,10 @@
 #include "core/base/numbers.h"
 #include "core/base/random.h"
 #include "core/sim/robots/air_robot_body.h"
-#include "core/sim/robots/air_robot_sensors.h"
+#include "core/sim/robots/robot.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world_reader.h"
+#include "tests/doubles/shipped_robots.h"
 
 namespace {
 
@@ -51,13 +52,14 @@ void sensorTick(benchmark::State& state) {
     const World world = tallTest();
     const auto physics = makePhysics(world);
     const RayCaster caster(world);
-    AirRobotBody robot(*physics, overTheStart(world, 6.0));
-    const WorldRays rays(caster, *physics, robot.id());
-    AirRobotSensors sensors({});
+    const RobotModel& model = *findRobot(*doubles::shippedRobots(), "AirRobot");
+    RobotOptions options;
+    options.base_in_map = overTheStart(world, 6.0).base_in_map;
+    const auto robot = std::move(*Robot::spawn(model, {world, caster, *physics}, options));
     std::vector<protocol::InfoMessage> lines;
     for (auto _ : state) {
         lines.clear();
-        sensors.measure(robot.state().pose(), Seconds{1.0}, false, rays, lines);
+        robot->measure(Seconds{1.0}, false, lines);
         benchmark::DoNotOptimize(lines.data());
     }
 }
@@ -67,6 +69,7 @@ BENCHMARK(sensorTick)->Unit(benchmark::kMicrosecond);
 void realTimeFactor(benchmark::State& state) {
     SimulationOptions options;
     options.battery_life = Seconds{1e6};
+    options.robots = doubles::shippedRobots();
     auto simulation = std::move(*Simulation::make(tallTest(), options));
     std::vector<ClientId> clients;
     for (int i = 0; i < state.range(0); ++i) {

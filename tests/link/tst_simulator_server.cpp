@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "core/link/simulator_server.h"
+#include "tests/doubles/shipped_robots.h"
 
 using namespace usar;
 using namespace usar::link;
@@ -22,7 +23,7 @@ sim::World flatWorld() {
 }
 
 std::unique_ptr<sim::Simulation> flatSimulation() {
-    return std::move(*sim::Simulation::make(flatWorld()));
+    return std::move(*sim::Simulation::make(flatWorld(), {.robots = doubles::shippedRobots()}));
 }
 
 const QByteArray init = "INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0,-0.3}\r\n";

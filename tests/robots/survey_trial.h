@@ -7,6 +7,7 @@
 
 #include "core/sim/worlds/tall_test.h"
 #include "robots/airrobot/descriptions.h"
+#include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"
 
 namespace usar::tests {
@@ -22,6 +23,7 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
         static_cast<int>(std::lround(options.physics_steps_per_tick * (tick / options.tick)));
     options.tick = tick;
     options.battery_life = limit; // the simulator cannot charge: the behavior's own battery is the one that counts
+    options.robots = doubles::shippedRobots();
     auto simulation = sim::Simulation::make(world, options);
     QVERIFY(simulation);
     const auto parameters = agent::ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters);

@@ -4,10 +4,13 @@
 
 #include "core/base/diagnostics.h"
 #include "core/protocol/segments.h"
+#include "tests/doubles/shipped_robots.h"
 
 namespace usar::sim {
 
 std::unique_ptr<Simulation> simulationOf(World world, SimulationOptions options) {
+    if (!options.robots)
+        options.robots = doubles::shippedRobots();
     auto made = Simulation::make(std::move(world), options);
     if (!made)
         throw std::runtime_error(made.error().text());

@@ -27,10 +27,16 @@ double limited(double value, double limit, bool normalized) {
 } // namespace
 
 AirRobotBody::AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobotParameters parameters)
+    : AirRobotBody(physics, physics.add(bodyOf(parameters), spawn.base_in_map), spawn, parameters) {
+    owns_body_ = true;
+}
+
+AirRobotBody::AirRobotBody(Physics& physics, BodyId body, const AirRobotSpawn& spawn, AirRobotParameters parameters)
     : physics_(physics)
     , parameters_(std::move(parameters))
     , water_z_m_(spawn.water_z_m)
-    , id_(physics.add(bodyOf(parameters_), spawn.base_in_map))
+    , id_(body)
+    , owns_body_(false)
     , rotors_(parameters_)
     , controller_(parameters_)
     , landing_itself_(spawn.near_ground)
@@ -41,7 +47,8 @@ AirRobotBody::AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobo
 }
 
 AirRobotBody::~AirRobotBody() {
-    physics_.remove(id_);
+    if (owns_body_)
+        physics_.remove(id_);
 }
 
 void AirRobotBody::drive(const protocol::AerialDrive& drive) {

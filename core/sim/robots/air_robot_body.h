@@ -27,7 +27,10 @@ struct AirRobotSpawn {
 /// until it is told to climb. `physics` must outlive it; belongs to one Simulation.
 class AirRobotBody {
 public:
+    /// With a body of its own, made from the parameters.
     AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobotParameters parameters = {});
+    /// For a body that somebody else has added and removes.
+    AirRobotBody(Physics& physics, BodyId body, const AirRobotSpawn& spawn, AirRobotParameters parameters);
     ~AirRobotBody();
     AirRobotBody(const AirRobotBody&) = delete;
     AirRobotBody& operator=(const AirRobotBody&) = delete;
@@ -45,6 +48,9 @@ public:
     const VelocityCommand& command() const { return command_; }
     MotorState motors() const { return motors_; }
     bool broken() const { return motors_ == MotorState::Broken; }
+    /// The battery is empty.
+    void switchOff() { battery_left_ = Seconds{0.0}; }
+    bool motorsOff() const { return motors_ == MotorState::Idle || ended(); }
     /// Standing or lying still, motors off.
     bool atRest() const;
     Seconds batteryLeft() const { return battery_left_; }
@@ -65,6 +71,7 @@ private:
     AirRobotParameters parameters_;
     std::optional<double> water_z_m_;
     BodyId id_;
+    bool owns_body_;
     Rotors rotors_;
     FlightController controller_;
     VelocityCommand command_;

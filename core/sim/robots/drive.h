@@ -38,7 +38,14 @@ public:
     virtual void addTo(std::vector<protocol::Setting>&) const {}
 };
 
-/// Fails where the model's drive lacks something, naming it.
-Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world);
+/// Where a robot appears.
+struct DriveBirth {
+    Pose base_in_map;
+    bool near_ground = false; ///< then what flies settles down by itself
+};
+
+/// Fails where the model's drive lacks something, naming it. What it is given must outlive it.
+Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
+                                         const DriveBirth& birth);
 
 } // namespace usar::sim

@@ -1,7 +1,8 @@
-// A robot of the simulator as the server sees it: it obeys, moves, measures and answers.
+// A robot of the simulator as the server sees it: it obeys, moves, measures and answers. Built from a robot model.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "core/protocol/info_message.h"
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
+#include "core/sim/robots/drive.h"
+#include "core/sim/robots/mission_package.h"
+#include "core/sim/robots/robot_body.h"
+#include "core/sim/robots/sensor_suite.h"
 
 namespace usar::sim {
 
@@ -24,8 +29,8 @@ struct RobotSurroundings {
 struct RobotOptions {
     Pose base_in_map;
     std::uint64_t seed = 1;
-    std::uint64_t number = 0; ///< of the spawn: each robot has random streams of its own
-    Seconds battery_life{1200.0};
+    std::uint64_t number = 0;              ///< of the spawn: each robot has random streams of its own
+    std::optional<Seconds> battery_life{}; ///< instead of the model's
     Seconds scan_interval{0.2};
     bool noise = true;
 };
@@ -39,29 +44,49 @@ struct RobotFigures {
     double distance_m = 0.0;
 };
 
+/// Owned by its client's session.
 class Robot {
 public:
-    virtual ~Robot() = default;
+    /// Raises the robot by up to a meter until it is free, as the game's engine does, and puts it beside another robot
+    /// that has its place; fails where that is not enough, and for a model that cannot be built. `model` must outlive
+    /// it.
+    static Result<std::unique_ptr<Robot>> spawn(const RobotModel& model, const RobotSurroundings& surroundings,
+                                                const RobotOptions& options);
 
-    /// A driving command; those of other vehicles are ignored.
-    virtual void obey(const protocol::Command& command) = 0;
-    virtual void beforeStep(Seconds dt) = 0;
-    virtual void afterStep(Seconds dt) = 0;
+    /// A driving command; those of other vehicles are ignored (false).
+    bool obey(const protocol::Command& command);
+    void beforeStep(Seconds dt);
+    void afterStep(Seconds dt);
 
     /// The lines of a tick in UT2004's order (usarsim-protocol 9.1). The first tick brings only what needs no history.
-    virtual void measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) = 0;
+    void measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out);
     /// With an empty battery a robot neither obeys nor answers.
-    virtual bool alive() const = 0;
-    virtual protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const = 0;
-    virtual protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const = 0;
-    virtual bool set(const protocol::SetInsPose& wanted) = 0;
+    bool alive() const { return battery_left_ > Seconds{0.0}; }
+    protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;
+    protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const;
+    /// Nothing where no part of it knows the command.
+    std::optional<protocol::Response> set(const protocol::Command& wanted);
 
-    virtual RobotFigures figures() const = 0;
+    RobotFigures figures() const;
+    const RobotBody& body() const { return body_; }
+
+private:
+    Robot(const RobotModel& model, const RobotSurroundings& surroundings, const RobotOptions& options);
+    Result<void> equip(const RobotSurroundings& surroundings, const RobotOptions& options);
+    bool atRest() const;
+    void discharge(Seconds dt);
+    void rightItself();
+    protocol::RobotState state(Seconds now) const;
+
+    RobotBody body_;
+    WorldRays rays_;
+    const World& world_;
+    std::unique_ptr<Drive> drive_;
+    SensorSuite sensors_;
+    std::vector<MissionPackage> packages_;
+    Seconds tick_;
+    Seconds battery_left_;
+    bool light_on_ = false;
 };
-
-/// Spawns by class name, with or without its package ("USARBot.AirRobot"), in any case. Fails for unknown classes and
-/// where there is no room.
-Result<std::unique_ptr<Robot>> spawnRobot(std::string_view class_name, const RobotSurroundings& surroundings,
-                                          const RobotOptions& options);
 
 } // namespace usar::sim

@@ -21,10 +21,12 @@ inline double numberOr(const Numbers& numbers, std::string_view key, double othe
     return found == numbers.end() ? otherwise : found->second;
 }
 
-/// A link that hangs on another by a joint; the link named `base` hangs on nothing.
+/// A link that hangs on another by a joint. Frames of links are those of the file; physics has its origins in the
+/// centers of mass instead.
 struct ModelLink {
     std::string name;
-    std::string joint;         ///< name of the joint that it hangs on
+    std::string joint; ///< name of the joint that it hangs on
+    Vec3 center_of_mass_in_link_m = Vec3::Zero();
     double torque_limit = 0.0; ///< of that joint: N m or N
     double speed_limit = 0.0;  ///< rad/s or m/s
 };
@@ -41,6 +43,7 @@ struct SensorModel {
     std::string name;
     int link = -1; ///< index of the link that carries it; -1: the base
     Pose sensor_in_link;
+    std::string mount; ///< as GEO tells it: HARD for the chassis, or the name of a part
     Numbers numbers;
     std::map<std::string, std::string, std::less<>> words;
 };
@@ -58,6 +61,7 @@ struct RobotModel {
     Vec3 dimensions_m = Vec3::Zero();
     Vec3 center_of_gravity_m = Vec3::Zero();
     Seconds battery_life{1200.0};
+    Vec3 center_of_mass_in_base_m = Vec3::Zero();
     ArticulatedDescription body;
     std::vector<ModelLink> links; ///< as `body.links`
     DriveModel drive;
@@ -65,11 +69,16 @@ struct RobotModel {
     std::vector<PackageModel> packages;
 
     double mass_kg() const;
+    /// All parts as one rigid body with its origin in the base's, joints at 0: for finding a free place.
+    BodyDescription whole() const;
     /// Index of the link on this joint; nothing where there is none.
     std::optional<int> linkOnJoint(std::string_view joint) const;
 };
 
 /// The robots that can be spawned, by class name without regard to case.
 using RobotCatalog = std::vector<RobotModel>;
+
+/// With or without its package, "USARBot.AirRobot"; nullptr where there is none.
+const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name);
 
 } // namespace usar::sim

@@ -1,0 +1,31 @@
+// Four rotors under the AirRobot's autopilot, as a drive.
+#pragma once
+
+#include "core/sim/robots/air_robot_body.h"
+#include "core/sim/robots/drive.h"
+
+namespace usar::sim {
+
+/// Settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit, tilt_limit …
+class RotorDrive : public Drive {
+public:
+    RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth);
+
+    bool obey(const protocol::Command& command) override;
+    void beforeStep(Seconds dt) override { body_.beforeStep(dt); }
+    void afterStep(Seconds dt) override { body_.afterStep(dt); }
+    void switchOff() override { body_.switchOff(); }
+    bool idle() const override { return body_.motorsOff(); }
+    bool broken() const override { return body_.broken(); }
+    int collisions() const override { return body_.collisions(); }
+    using Drive::addTo;
+    void addTo(std::vector<protocol::Setting>& settings) const override;
+
+private:
+    AirRobotBody body_;
+};
+
+/// The model's figures over the usual ones.
+AirRobotParameters airRobotParametersOf(const RobotModel& model);
+
+} // namespace usar::sim

@@ -1,0 +1,15 @@
+#include "core/sim/robots/drive.h"
+
+#include "core/sim/drives/rotor_drive.h"
+
+namespace usar::sim {
+
+Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World&,
+                                         const DriveBirth& birth) {
+    if (model.drive.kind == "rotors")
+        return std::make_unique<RotorDrive>(model, physics, body, birth);
+    return failure("no drive here is of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
+                   "Known are rotors, skid, ackermann, nautic and legs");
+}
+
+} // namespace usar::sim

@@ -1,0 +1,113 @@
+#include "core/sim/robots/mission_package.h"
+
+#include "core/base/text.h"
+
+namespace usar::sim {
+
+namespace {
+
+JointMotor::Mode modeOf(protocol::LinkOrder order) {
+    switch (order) {
+    case protocol::LinkOrder::Speed:
+        return JointMotor::Mode::Velocity;
+    case protocol::LinkOrder::Torque:
+        return JointMotor::Mode::Torque;
+    default:
+        return JointMotor::Mode::Position;
+    }
+}
+
+protocol::Setting number(std::string key, double value) {
+    return {std::move(key), "", value};
+}
+
+} // namespace
+
+MissionPackage::MissionPackage(const PackageModel& model, RobotBody& body) : model_(model), body_(body) {
+    for (const std::string& joint : model_.joints)
+        links_.push_back(static_cast<std::size_t>(body.model().linkOnJoint(joint).value_or(0)));
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        move(static_cast<int>(i) + 1, 0.0, protocol::LinkOrder::Angle);
+}
+
+const ModelLink& MissionPackage::link(std::size_t index) const {
+    return body_.model().links[links_[index]];
+}
+
+bool MissionPackage::obey(const protocol::Command& command) {
+    if (const auto* const drive = std::get_if<protocol::PackageDrive>(&command)) {
+        if (!sameWord(drive->package, name()))
+            return false;
+        for (const protocol::LinkTarget& target : drive->links)
+            move(target.link, target.value, target.order);
+        return true;
+    }
+    if (const auto* const turn = std::get_if<protocol::PackageRotation>(&command)) {
+        if (!sameWord(turn->package, name()))
+            return false;
+        move(1, turn->pan_rad, turn->order);
+        move(2, turn->tilt_rad, turn->order);
+        return true;
+    }
+    const auto* const actuator = std::get_if<protocol::ActuatorDrive>(&command);
+    if (!actuator || !sameWord(actuator->actuator, name()))
+        return false;
+    for (const protocol::LinkValue& target : actuator->links)
+        move(target.link, target.value, protocol::LinkOrder::Angle);
+    return true;
+}
+
+/// A link that it does not have is ignored, as servers ignore it.
+void MissionPackage::move(int number, double value, protocol::LinkOrder order) {
+    if (number < 1 || static_cast<std::size_t>(number) > links_.size())
+        return;
+    const auto index = static_cast<std::size_t>(number) - 1;
+    body_.physics().setMotor(body_.id(), links_[index],
+                             {modeOf(order), value, link(index).torque_limit, link(index).speed_limit});
+}
+
+void MissionPackage::switchOff() {
+    for (const std::size_t link : links_)
+        body_.physics().setMotor(body_.id(), link, {});
+}
+
+protocol::PackageState MissionPackage::state(Seconds now) const {
+    protocol::PackageState state{now, name(), {}};
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        state.links.push_back(
+            {static_cast<long long>(i) + 1, body_.joint(static_cast<int>(links_[i])).position, -link(i).torque_limit});
+    return state;
+}
+
+std::vector<protocol::MountedItem> MissionPackage::geometry() const {
+    std::vector<protocol::MountedItem> items;
+    std::string mount = "HARD";
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+        const LinkDescription& link = body_.model().body.links[links_[i]];
+        const Vec3 holder_center_m =
+            link.parent < 0 ? body_.model().center_of_mass_in_base_m
+                            : body_.model().links[static_cast<std::size_t>(link.parent)].center_of_mass_in_link_m;
+        Pose pivot_in_holder = link.link_in_parent;
+        pivot_in_holder.position_m = link.link_in_parent * link.pivot_in_link_m + holder_center_m;
+        std::string name = model_.name + "_Link" + std::to_string(i + 1);
+        items.push_back({name, pivot_in_holder, mount, {}});
+        mount = std::move(name);
+    }
+    return items;
+}
+
+std::vector<protocol::Setting> MissionPackage::settings() const {
+    std::vector<protocol::Setting> settings;
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+        const LinkDescription& joint = body_.model().body.links[links_[i]];
+        settings.push_back({"Link", std::to_string(i + 1), static_cast<double>(i + 1)});
+        settings.push_back({"JointType", joint.kind == JointKind::Revolute ? "Revolute" : "Prismatic", {}});
+        settings.push_back(number("MaxSpeed", link(i).speed_limit));
+        settings.push_back(number("MaxTorque", link(i).torque_limit));
+        settings.push_back(number("MinRange", joint.lower));
+        settings.push_back(number("MaxRange", joint.upper));
+    }
+    return settings;
+}
+
+} // namespace usar::sim

@@ -1,0 +1,47 @@
+// A robot's body in the physics, spoken of in the frames of its file: base, links and joints.
+#pragma once
+
+#include <vector>
+
+#include "core/sim/physics.h"
+#include "core/sim/robots/robot_model.h"
+
+namespace usar::sim {
+
+/// Adds the body, and removes it at its end. `physics` and `model` must outlive it.
+class RobotBody {
+public:
+    RobotBody(Physics& physics, const RobotModel& model, const Pose& base_in_map);
+    ~RobotBody();
+    RobotBody(const RobotBody&) = delete;
+    RobotBody& operator=(const RobotBody&) = delete;
+
+    const RobotModel& model() const { return model_; }
+    Physics& physics() const { return physics_; }
+    BodyId id() const { return id_; }
+
+    Pose base_in_map() const;
+    Vec3 velocity_in_map_m_s() const { return physics_.state(id_).velocity_m_s; }
+    /// Angular velocity.
+    Vec3 rate_in_map_rad_s() const { return physics_.state(id_).rate_rad_s; }
+    /// Of a link, or of the base where `link` is -1.
+    Eigen::Isometry3d link_in_map(int link) const;
+    JointState joint(int link) const { return physics_.joint(id_, static_cast<std::size_t>(link)); }
+
+    /// After each physics step: keeps which links were touched, and the way.
+    void afterStep();
+    /// Since the last call of `forgetTouches`.
+    bool touched(int link) const { return touched_[static_cast<std::size_t>(link + 1)]; }
+    void forgetTouches();
+    double distance_m() const { return distance_m_; }
+
+private:
+    Physics& physics_;
+    const RobotModel& model_;
+    BodyId id_;
+    std::vector<bool> touched_; ///< base first
+    Vec3 last_position_m_;
+    double distance_m_ = 0.0;
+};
+
+} // namespace usar::sim

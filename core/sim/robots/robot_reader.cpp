@@ -1,0 +1,323 @@
+#include "core/sim/robots/robot_reader.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/protocol/vehicle_words.h"
+#include "core/sim/sdf_loader.h"
+#include "core/sim/sdf_values.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr const char* mend = "Mend the file; resources/robots/README.md tells what a robot file says";
+constexpr std::string_view prefix = "usar:";
+
+std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
+    std::vector<const sdf::Joint*> joints;
+    for (uint64_t i = 0; i < model.JointCount(); ++i)
+        joints.push_back(model.JointByIndex(i));
+    return joints;
+}
+
+/// The words of all children of this name.
+std::vector<std::string> textsOf(const sdf::Element& parent, const std::string& name) {
+    std::vector<std::string> texts;
+    for (sdf::ElementPtr child = parent.GetFirstElement(); child; child = child->GetNextElement())
+        if (child->GetName() == name && child->GetValue())
+            texts.push_back(child->GetValue()->GetAsString());
+    return texts;
+}
+
+/// Our own children of an element by their names: what reads as a number, and what does not.
+void readSettings(const sdf::Element& parent, Numbers& numbers,
+                  std::map<std::string, std::string, std::less<>>* words) {
+    for (sdf::ElementPtr child = parent.GetFirstElement(); child; child = child->GetNextElement()) {
+        if (!child->GetName().starts_with(prefix) || !child->GetValue())
+            continue;
+        const std::string key = child->GetName().substr(prefix.size());
+        const std::string text = child->GetValue()->GetAsString();
+        if (const auto number = readNumber(text))
+            numbers[key] = *number;
+        else if (words)
+            (*words)[key] = text;
+    }
+}
+
+/// Fills a model from the elements of one file.
+class Reading {
+public:
+    Reading(const std::filesystem::path& file, const sdf::Model& source)
+        : file_(file)
+        , source_(source)
+        , joints_(jointsOf(source)) {}
+
+    Result<RobotModel> read();
+
+private:
+    Result<void> readFacts();
+    Result<void> readBase();
+    Result<void> hangLinks();
+    Result<void> hangLink(const sdf::Joint& joint, int parent);
+    Result<BodyDescription> bodyOf(const sdf::Link& link) const;
+    Result<BodyPart> partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const;
+    Result<void> readSensors();
+    Result<void> readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name);
+    Result<void> readDrive(const sdf::Element& facts);
+    Result<void> readPackages(const sdf::Element& facts);
+    Result<void> check() const;
+
+    tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), mend); }
+    const sdf::Link* linkNamed(const std::string& name) const { return source_.LinkByName(name); }
+    /// Of the center of mass, in the model's frame and with its axes.
+    static Pose bodyInModel(const sdf::Link& link);
+
+    std::filesystem::path file_;
+    const sdf::Model& source_;
+    std::vector<const sdf::Joint*> joints_;
+    const sdf::Link* base_ = nullptr;
+    RobotModel model_;
+};
+
+Pose Reading::bodyInModel(const sdf::Link& link) {
+    return toPose(link.RawPose()) * Pose{.position_m = toVec3(link.Inertial().Pose().Pos())};
+}
+
+Result<BodyPart> Reading::partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
+    Pose part_in_body = toPose(collision.RawPose());
+    part_in_body.position_m -= center_of_mass_m;
+    const sdf::Geometry& shape = *collision.Geom();
+    switch (shape.Type()) {
+    case sdf::GeometryType::BOX:
+        return BodyPart{BoxShape{toVec3(shape.BoxShape()->Size())}, part_in_body};
+    case sdf::GeometryType::CYLINDER:
+        return BodyPart{CylinderShape{shape.CylinderShape()->Radius(), shape.CylinderShape()->Length()}, part_in_body};
+    case sdf::GeometryType::CAPSULE:
+        return BodyPart{CapsuleShape{shape.CapsuleShape()->Radius(), shape.CapsuleShape()->Length()}, part_in_body};
+    case sdf::GeometryType::SPHERE:
+        return BodyPart{SphereShape{shape.SphereShape()->Radius()}, part_in_body};
+    default:
+        return refuse("the collision \"" + collision.Name() + "\" is neither box, cylinder, capsule nor sphere");
+    }
+}
+
+Result<BodyDescription> Reading::bodyOf(const sdf::Link& link) const {
+    const ignition::math::MassMatrix3d& mass = link.Inertial().MassMatrix();
+    if (!(mass.Mass() > 0.0) || mass.OffDiagonalMoments().Length() > 1e-9 ||
+        link.Inertial().Pose().Rot() != ignition::math::Quaterniond::Identity)
+        return refuse("the link \"" + link.Name() + "\" needs a mass above zero and moments about its own axes only");
+    BodyDescription body;
+    body.mass_kg = mass.Mass();
+    body.inertia_kg_m2 = toVec3(mass.DiagonalMoments());
+    for (uint64_t i = 0; i < link.CollisionCount(); ++i) {
+        auto part = partOf(*link.CollisionByIndex(i), toVec3(link.Inertial().Pose().Pos()));
+        if (!part)
+            return tl::unexpected(part.error());
+        body.parts.push_back(std::move(*part));
+    }
+    const sdf::Element& ours = *link.Element();
+    body.friction = numberOf(ours, "usar:friction").value_or(body.friction);
+    body.restitution = numberOf(ours, "usar:restitution").value_or(body.restitution);
+    body.rolling_friction_m = numberOf(ours, "usar:rolling_friction").value_or(body.rolling_friction_m);
+    return body;
+}
+
+Result<void> Reading::readFacts() {
+    model_.class_name = source_.Name();
+    const sdf::ElementPtr facts = source_.Element()->FindElement("usar:robot");
+    if (!facts)
+        return refuse("the model has no usar:robot");
+    model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind").value_or(""));
+    if (model_.kind == protocol::VehicleKind::Unknown)
+        return refuse("usar:kind is GroundVehicle, AerialVehicle, NauticVehicle, LeggedRobot or StaticPlatform");
+    model_.steering = textOf(*facts, "usar:steering").value_or("None");
+    const auto dimensions_m = readList<3>(textOf(*facts, "usar:dimensions").value_or(""));
+    if (!dimensions_m)
+        return refuse("usar:dimensions needs length, width and height");
+    model_.dimensions_m = {(*dimensions_m)[0], (*dimensions_m)[1], (*dimensions_m)[2]};
+    if (const auto center_m = readList<3>(textOf(*facts, "usar:center_of_gravity").value_or("")))
+        model_.center_of_gravity_m = {(*center_m)[0], (*center_m)[1], (*center_m)[2]};
+    model_.battery_life = Seconds{numberOf(*facts, "usar:battery").value_or(model_.battery_life.count())};
+    if (auto done = readDrive(*facts); !done)
+        return done;
+    return readPackages(*facts);
+}
+
+Result<void> Reading::readDrive(const sdf::Element& facts) {
+    const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
+    if (!drive)
+        return refuse("usar:robot has no usar:drive");
+    model_.drive.kind = attributeOf(*drive, "kind");
+    model_.drive.joints = textsOf(*drive, "usar:joint");
+    readSettings(*drive, model_.drive.numbers, nullptr);
+    return {};
+}
+
+Result<void> Reading::readPackages(const sdf::Element& facts) {
+    for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
+        if (child->GetName() != "usar:package")
+            continue;
+        PackageModel package{attributeOf(*child, "name"), textsOf(*child, "usar:joint")};
+        if (package.name.empty() || package.joints.empty())
+            return refuse("a usar:package needs a name and at least one usar:joint");
+        model_.packages.push_back(std::move(package));
+    }
+    return {};
+}
+
+Result<void> Reading::readBase() {
+    for (uint64_t i = 0; i < source_.LinkCount(); ++i) {
+        const sdf::Link& link = *source_.LinkByIndex(i);
+        const bool hangs = std::ranges::any_of(
+            joints_, [&](const sdf::Joint* joint) { return joint->ChildLinkName() == link.Name(); });
+        if (hangs)
+            continue;
+        if (base_)
+            return refuse("neither \"" + base_->Name() + "\" nor \"" + link.Name() + "\" hangs on a joint");
+        base_ = &link;
+    }
+    if (!base_)
+        return refuse("every link hangs on another: there is no base");
+    if (base_->RawPose() != ignition::math::Pose3d::Zero)
+        return refuse("the base \"" + base_->Name() + "\" must stand at the model's origin");
+    auto body = bodyOf(*base_);
+    if (!body)
+        return tl::unexpected(body.error());
+    model_.body.base = std::move(*body);
+    model_.center_of_mass_in_base_m = toVec3(base_->Inertial().Pose().Pos());
+    return {};
+}
+
+/// Parents before children, whatever the order of the file.
+Result<void> Reading::hangLinks() {
+    std::vector<std::pair<std::string, int>> open{{base_->Name(), -1}};
+    for (std::size_t next = 0; next < open.size(); ++next) {
+        const auto [parent_name, parent] = open[next];
+        for (const sdf::Joint* joint : joints_) {
+            if (joint->ParentLinkName() != parent_name)
+                continue;
+            if (auto done = hangLink(*joint, parent); !done)
+                return done;
+            open.emplace_back(joint->ChildLinkName(), static_cast<int>(model_.links.size()) - 1);
+        }
+    }
+    if (model_.links.size() != joints_.size())
+        return refuse("a joint has no way to the base \"" + base_->Name() + "\"");
+    return {};
+}
+
+Result<void> Reading::hangLink(const sdf::Joint& joint, int parent) {
+    const sdf::Link* const child = linkNamed(joint.ChildLinkName());
+    const sdf::Link* const holder = linkNamed(joint.ParentLinkName());
+    const sdf::JointAxis* const axis = joint.Axis();
+    const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
+    if (!child || !holder || !axis || (!turns && joint.Type() != sdf::JointType::PRISMATIC))
+        return refuse("the joint \"" + joint.Name() +
+                      "\" must be revolute, continuous or prismatic, between two links");
+    auto body = bodyOf(*child);
+    if (!body)
+        return tl::unexpected(body.error());
+    const Vec3 center_m = toVec3(child->Inertial().Pose().Pos());
+    LinkDescription link;
+    link.body = std::move(*body);
+    link.parent = parent;
+    link.link_in_parent = inverse(bodyInModel(*holder)) * bodyInModel(*child);
+    link.pivot_in_link_m = toVec3(joint.RawPose().Pos()) - center_m;
+    link.axis_in_link = toPose(joint.RawPose()).rotation() * toVec3(axis->Xyz());
+    link.kind = turns ? JointKind::Revolute : JointKind::Prismatic;
+    const bool limited = joint.Type() != sdf::JointType::CONTINUOUS && std::abs(axis->Lower()) < 1e9;
+    link.lower = limited ? axis->Lower() : 1.0;
+    link.upper = limited ? axis->Upper() : -1.0;
+    link.damping = axis->Damping();
+    model_.body.links.push_back(std::move(link));
+    model_.links.push_back({child->Name(), joint.Name(), center_m, axis->Effort(), axis->MaxVelocity()});
+    return {};
+}
+
+Result<void> Reading::readSensors() {
+    for (int index = -1; index < static_cast<int>(model_.links.size()); ++index) {
+        const std::string name = index < 0 ? base_->Name() : model_.links[static_cast<std::size_t>(index)].name;
+        const sdf::Link& link = *linkNamed(name);
+        for (uint64_t i = 0; i < link.SensorCount(); ++i)
+            if (auto done = readSensor(*link.SensorByIndex(i), index, name); !done)
+                return done;
+    }
+    return {};
+}
+
+Result<void> Reading::readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
+    SensorModel model;
+    model.type = attributeOf(*sensor.Element(), "usar:type");
+    model.name = sensor.Name();
+    model.link = link;
+    model.sensor_in_link = toPose(sensor.RawPose());
+    if (model.type.empty())
+        return refuse("the sensor \"" + model.name + "\" has no usar:type");
+    readSettings(*sensor.Element(), model.numbers, &model.words);
+    const auto mount = model.words.find("mount");
+    model.mount = mount != model.words.end() ? mount->second : link < 0 ? "HARD" : link_name;
+    model_.sensors.push_back(std::move(model));
+    return {};
+}
+
+Result<void> Reading::check() const {
+    std::set<std::string> names;
+    for (const SensorModel& sensor : model_.sensors)
+        if (!names.insert(sensor.type + " " + sensor.name).second)
+            return refuse("there are two sensors \"" + sensor.name + "\" of type " + sensor.type);
+    std::vector<std::string> wanted = model_.drive.joints;
+    for (const PackageModel& package : model_.packages)
+        wanted.insert(wanted.end(), package.joints.begin(), package.joints.end());
+    for (const std::string& joint : wanted)
+        if (!model_.linkOnJoint(joint))
+            return refuse("there is no joint \"" + joint + "\"");
+    return {};
+}
+
+Result<RobotModel> Reading::read() {
+    for (const auto step : {&Reading::readFacts, &Reading::readBase, &Reading::hangLinks, &Reading::readSensors})
+        if (auto done = (this->*step)(); !done)
+            return tl::unexpected(done.error());
+    if (auto done = check(); !done)
+        return tl::unexpected(done.error());
+    return std::move(model_);
+}
+
+} // namespace
+
+Result<RobotModel> readRobot(const std::filesystem::path& file) {
+    const auto root = loadSdf(file);
+    if (!root)
+        return tl::unexpected(root.error());
+    if (!root->Model())
+        return failure("there is no model in it", file.string(), mend);
+    return Reading(file, *root->Model()).read();
+}
+
+RobotsRead readRobots(const std::filesystem::path& folder) {
+    RobotsRead read;
+    std::error_code trouble;
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, trouble))
+        if (entry.path().extension() == ".sdf")
+            files.insert(entry.path());
+    if (trouble)
+        read.refused.push_back({"this folder of robots cannot be read", folder.string(), "Check its name"});
+    for (const std::filesystem::path& file : files) {
+        auto robot = readRobot(file);
+        if (!robot)
+            read.refused.push_back(robot.error());
+        else if (findRobot(read.robots, robot->class_name))
+            read.refused.push_back(
+                {"there is a " + robot->class_name + " already", file.string(), "Name it otherwise"});
+        else
+            read.robots.push_back(std::move(*robot));
+    }
+    return read;
+}
+
+} // namespace usar::sim

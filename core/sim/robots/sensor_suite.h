@@ -1,0 +1,43 @@
+// The sensors of one robot: measured in a tick's order, asked and set by type and name.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/sim/sensors/sensor.h"
+
+namespace usar::sim {
+
+struct SuiteBirth {
+    Pose base_in_map;
+    std::uint64_t seed = 1;
+    std::uint64_t robot_number = 0;
+    Seconds scan_interval{0.2};
+    bool noise = true;
+};
+
+/// Every sensor has a random stream of its own: sensors and robots that come later change nobody's noise. The setting
+/// `every` of a sensor makes it measure at each n-th tick only.
+class SensorSuite {
+public:
+    /// `robot` must outlive it. Fails for a sensor that cannot be built.
+    static Result<SensorSuite> make(const RobotModel& robot, const SuiteBirth& birth);
+
+    /// One tick; on the `first` only what needs no history.
+    void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);
+    /// Items of this type, all or the named one, in any case; the bare head when there is none.
+    protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;
+    protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const;
+    /// The first answer of the sensors that the command is meant for; nothing when there is none, or none knows it.
+    std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest);
+
+private:
+    std::vector<const Sensor*> find(const std::string& type, const std::string& name) const;
+
+    std::vector<std::unique_ptr<Sensor>> sensors_;
+    std::uint64_t ticks_ = 0;
+};
+
+} // namespace usar::sim

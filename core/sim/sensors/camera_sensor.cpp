@@ -1,0 +1,31 @@
+#include "core/sim/sensors/camera_sensor.h"
+
+#include <algorithm>
+
+namespace usar::sim {
+
+CameraSensor::CameraSensor(const SensorModel& model, const SensorBirth&)
+    : Sensor(model)
+    , default_rad_(number("fov", 1.396))
+    , smallest_rad_(number("min_fov", 0.349))
+    , largest_rad_(number("max_fov", 2.094))
+    , fov_rad_(default_rad_) {}
+
+std::vector<protocol::Setting> CameraSensor::settings() const {
+    return {setting("CameraDefFov", default_rad_), setting("CameraMinFov", smallest_rad_),
+            setting("CameraMaxFov", largest_rad_)};
+}
+
+std::optional<protocol::Response> CameraSensor::set(const protocol::Command& command, bool) {
+    const auto* const zoom = std::get_if<protocol::ZoomCamera>(&command);
+    if (!zoom)
+        return std::nullopt;
+    const double wanted_rad = zoom->field_of_view_rad;
+    fov_rad_ = wanted_rad == 0.0 ? default_rad_ : std::clamp(wanted_rad, smallest_rad_, largest_rad_);
+    const bool ok = wanted_rad > smallest_rad_ && wanted_rad <= largest_rad_;
+    protocol::Response answer = this->answer(ok);
+    answer.parts.push_back({"Name", model().name, ok, fov_rad_});
+    return answer;
+}
+
+} // namespace usar::sim

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/sim/sensors/motion_sensors.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double meters_per_degree_north = 111'200.0;
+constexpr double meters_per_degree_east = 71'670.0;
+constexpr double origin_latitude_deg = 39.0 + 8.0273 / 60.0;
+constexpr double origin_longitude_deg = -(77.0 + 12.998 / 60.0);
+constexpr int satellites_in_sky = 12;
+constexpr int satellites_for_fix = 4;
+constexpr double worst_sigma_m = 0.83; ///< with four of them
+constexpr double best_sigma_m = 0.25;  ///< with all
+constexpr double sky_m = 300.0;
+
+/// Spread over the sky above 10 degrees by the golden angle.
+std::vector<Vec3> makeSatellites() {
+    std::vector<Vec3> satellites;
+    for (int i = 0; i < satellites_in_sky; ++i) {
+        const double elevation_rad = radians(10.0 + 75.0 * i / satellites_in_sky);
+        const double azimuth_rad = i * pi * (3.0 - std::sqrt(5.0));
+        satellites.emplace_back(std::cos(elevation_rad) * std::cos(azimuth_rad),
+                                std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad));
+    }
+    return satellites;
+}
+
+} // namespace
+
+GpsSensor::GpsSensor(const SensorModel& model, const SensorBirth& birth)
+    : Sensor(model)
+    , noise_(birth.noise)
+    , random_(birth.random)
+    , scan_interval_(birth.scan_interval)
+    , satellites_(makeSatellites()) {}
+
+void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
+    const Vec3 at_m = sensor_in_map(view).translation();
+    const auto seen = std::ranges::count_if(
+        satellites_, [&](const Vec3& toward) { return view.rays.cast(at_m, toward, sky_m) >= sky_m; });
+    protocol::GpsReading reading{.name = model().name, .fix = seen >= satellites_for_fix, .satellites = seen};
+    if (reading.fix) {
+        const double share = static_cast<double>(seen - satellites_for_fix) / (satellites_in_sky - satellites_for_fix);
+        const double sigma_m = noise_ ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
+        const auto error_m = [&] { return sigma_m > 0.0 ? gaussian(random_, sigma_m) : 0.0; };
+        // x points north and y west: the wire's y points east (usarsim-protocol 3).
+        reading.latitude_rad = radians(origin_latitude_deg + (at_m.x() + error_m()) / meters_per_degree_north);
+        reading.longitude_rad = radians(origin_longitude_deg - (at_m.y() + error_m()) / meters_per_degree_east);
+    }
+    out.emplace_back(std::move(reading));
+}
+
+std::vector<protocol::Setting> GpsSensor::settings() const {
+    return {setting("ScanInterval", scan_interval_.count())};
+}
+
+} // namespace usar::sim
