@@ -72,7 +72,7 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     robot.noise = options.noise;
     const RobotModel* const model = options.robots ? findRobot(*options.robots, init.class_name.text()) : nullptr;
     if (!model) {
-        log(client, "there is no robot class '" + init.class_name.text() + "' here; known are " + knownClasses());
+        log(client, "unknown robot class '" + init.class_name.text() + "'; known here are " + knownClasses());
         return nullptr;
     }
     auto spawned_robot = Robot::spawn(*model, {world, caster, *physics}, robot);

@@ -180,7 +180,7 @@ private slots:
     void refusesInSilenceAndTellsTheLog_data() {
         QTest::addColumn<QString>("line");
         QTest::addColumn<QString>("logged");
-        QTest::newRow("unknown class") << "INIT {ClassName USARBot.P2DX} {Location 0,0,-1}"
+        QTest::newRow("unknown class") << "INIT {ClassName USARBot.Zerg} {Location 0,0,-1}"
                                        << "unknown robot class";
         QTest::newRow("inside a house") << "INIT {ClassName USARBot.AirRobot} {Location 20,-20,-2}"
                                         << "no room";

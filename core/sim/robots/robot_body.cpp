@@ -1,7 +1,5 @@
 #include "core/sim/robots/robot_body.h"
 
-#include <algorithm>
-
 namespace usar::sim {
 
 namespace {
@@ -47,7 +45,7 @@ void RobotBody::afterStep() {
 }
 
 void RobotBody::forgetTouches() {
-    std::ranges::fill(touched_, false);
+    touched_.assign(touched_.size(), false);
 }
 
 } // namespace usar::sim

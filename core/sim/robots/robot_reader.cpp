@@ -5,10 +5,12 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/text.h"
+#include <sdf/sdf.hh>
+
+#include "core/base/numbers.h"
 #include "core/protocol/vehicle_words.h"
+#include "core/sim/sdf_fields.h"
 #include "core/sim/sdf_loader.h"
-#include "core/sim/sdf_values.h"
 
 namespace usar::sim {
 
@@ -22,6 +24,21 @@ std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
     for (uint64_t i = 0; i < model.JointCount(); ++i)
         joints.push_back(model.JointByIndex(i));
     return joints;
+}
+
+/// What stands between the tags of the first child of this name; empty without one.
+std::string textOf(const sdf::Element& parent, const std::string& name) {
+    const sdf::ElementConstPtr child = parent.FindElement(name);
+    return child && child->GetValue() ? child->GetValue()->GetAsString() : std::string();
+}
+
+double numberIn(const sdf::Element& parent, const std::string& name, double otherwise) {
+    return readNumber(textOf(parent, name)).value_or(otherwise);
+}
+
+std::optional<Vec3> vectorIn(const sdf::Element& parent, const std::string& name) {
+    Vec3 vector = Vec3::Zero();
+    return readNumbers(textOf(parent, name), vector.data(), 3) ? std::optional(vector) : std::nullopt;
 }
 
 /// The words of all children of this name.
@@ -120,9 +137,9 @@ Result<BodyDescription> Reading::bodyOf(const sdf::Link& link) const {
         body.parts.push_back(std::move(*part));
     }
     const sdf::Element& ours = *link.Element();
-    body.friction = numberOf(ours, "usar:friction").value_or(body.friction);
-    body.restitution = numberOf(ours, "usar:restitution").value_or(body.restitution);
-    body.rolling_friction_m = numberOf(ours, "usar:rolling_friction").value_or(body.rolling_friction_m);
+    body.friction = numberIn(ours, "usar:friction", body.friction);
+    body.restitution = numberIn(ours, "usar:restitution", body.restitution);
+    body.rolling_friction_m = numberIn(ours, "usar:rolling_friction", body.rolling_friction_m);
     return body;
 }
 
@@ -131,17 +148,16 @@ Result<void> Reading::readFacts() {
     const sdf::ElementPtr facts = source_.Element()->FindElement("usar:robot");
     if (!facts)
         return refuse("the model has no usar:robot");
-    model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind").value_or(""));
+    model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind"));
     if (model_.kind == protocol::VehicleKind::Unknown)
         return refuse("usar:kind is GroundVehicle, AerialVehicle, NauticVehicle, LeggedRobot or StaticPlatform");
-    model_.steering = textOf(*facts, "usar:steering").value_or("None");
-    const auto dimensions_m = readList<3>(textOf(*facts, "usar:dimensions").value_or(""));
-    if (!dimensions_m)
-        return refuse("usar:dimensions needs length, width and height");
-    model_.dimensions_m = {(*dimensions_m)[0], (*dimensions_m)[1], (*dimensions_m)[2]};
-    if (const auto center_m = readList<3>(textOf(*facts, "usar:center_of_gravity").value_or("")))
-        model_.center_of_gravity_m = {(*center_m)[0], (*center_m)[1], (*center_m)[2]};
-    model_.battery_life = Seconds{numberOf(*facts, "usar:battery").value_or(model_.battery_life.count())};
+    model_.steering = textOf(*facts, "usar:steering");
+    const auto dimensions_m = vectorIn(*facts, "usar:dimensions");
+    if (model_.steering.empty() || !dimensions_m)
+        return refuse("usar:robot needs a usar:steering, and usar:dimensions of length, width and height");
+    model_.dimensions_m = *dimensions_m;
+    model_.center_of_gravity_m = vectorIn(*facts, "usar:center_of_gravity").value_or(Vec3::Zero());
+    model_.battery_life = Seconds{numberIn(*facts, "usar:battery", model_.battery_life.count())};
     if (auto done = readDrive(*facts); !done)
         return done;
     return readPackages(*facts);
@@ -151,7 +167,7 @@ Result<void> Reading::readDrive(const sdf::Element& facts) {
     const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
     if (!drive)
         return refuse("usar:robot has no usar:drive");
-    model_.drive.kind = attributeOf(*drive, "kind");
+    model_.drive.kind = attributeOf(*drive, "kind").value_or("");
     model_.drive.joints = textsOf(*drive, "usar:joint");
     readSettings(*drive, model_.drive.numbers, nullptr);
     return {};
@@ -161,7 +177,7 @@ Result<void> Reading::readPackages(const sdf::Element& facts) {
     for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
         if (child->GetName() != "usar:package")
             continue;
-        PackageModel package{attributeOf(*child, "name"), textsOf(*child, "usar:joint")};
+        PackageModel package{attributeOf(*child, "name").value_or(""), textsOf(*child, "usar:joint")};
         if (package.name.empty() || package.joints.empty())
             return refuse("a usar:package needs a name and at least one usar:joint");
         model_.packages.push_back(std::move(package));
@@ -251,7 +267,7 @@ Result<void> Reading::readSensors() {
 
 Result<void> Reading::readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
     SensorModel model;
-    model.type = attributeOf(*sensor.Element(), "usar:type");
+    model.type = attributeOf(*sensor.Element(), "usar:type").value_or("");
     model.name = sensor.Name();
     model.link = link;
     model.sensor_in_link = toPose(sensor.RawPose());
