@@ -1,13 +1,16 @@
 #include "core/sim/robots/drive.h"
 
+#include "core/sim/drives/nautic_drive.h"
 #include "core/sim/drives/rotor_drive.h"
 
 namespace usar::sim {
 
-Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World&,
+Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          const DriveBirth& birth) {
     if (model.drive.kind == "rotors")
         return std::make_unique<RotorDrive>(model, physics, body, birth);
+    if (model.drive.kind == "nautic")
+        return std::make_unique<NauticDrive>(model, physics, body, world);
     return failure("no drive here is of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
                    "Known are rotors, skid, ackermann, nautic and legs");
 }

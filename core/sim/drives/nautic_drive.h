@@ -1,0 +1,75 @@
+// A submarine's propeller, rudder and stern plane, and the water around its hull.
+#pragma once
+
+#include "core/sim/robots/drive.h"
+
+namespace usar::sim {
+
+/// Figures of a torpedo-shaped hull along the base's x, after the published REMUS model (robots-and-worlds 3.3).
+struct HullFigures {
+    double radius_m = 0.095;
+    double length_m = 1.6;
+    double volume_m3 = 0.0; ///< 0: trimmed to hang still in the water of its world
+    double buoyancy_z_m = 0.0; ///< center of buoyancy over the base's origin
+    double surge_drag_kg_m = 3.9;
+    double cross_drag_kg_m = 131.0;
+    double roll_drag_kg_m2 = 0.13;
+    double pitch_drag_kg_m2 = 188.0;
+    double yaw_drag_kg_m2 = 94.0;
+    double surge_added_mass_kg = 0.93;
+    double cross_added_mass_kg = 35.5;
+    double turn_added_inertia_kg_m2 = 4.88;
+    double fin_lift_kg_m = 9.64; ///< force = lift * speed^2 * angle
+    double fin_moment_kg = 6.15; ///< moment = this * speed^2 * angle
+    double propeller_limit_rad_s = 160.0;
+    double thrust_limit_n = 10.0; ///< at the limit; quadratic below
+    double rudder_limit_rad = 0.35;
+    double stern_plane_limit_rad = 0.35;
+    double fin_rate_rad_s = 1.0;
+};
+
+/// The drive's numbers carry the figures by name, without units: surge_drag, fin_lift, propeller_limit …
+HullFigures hullFiguresOf(const RobotModel& model);
+
+/// Buoyancy slice by slice along the hull, so that it floats, dives and falls in as it lies; quadratic drag that never
+/// turns a motion round within a step; added mass as a share of every force that is not a contact. The Coriolis part of
+/// the added mass is left out. Positive angles turn right and lift the nose, as the wire's positive yaw and pitch do.
+/// Without water it is a body that falls.
+class NauticDrive : public Drive {
+public:
+    NauticDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world);
+
+    bool obey(const protocol::Command& command) override;
+    void beforeStep(Seconds dt) override;
+    void switchOff() override;
+    bool idle() const override;
+    using Drive::addTo;
+    void addTo(protocol::RobotState& state) const override;
+    void addTo(std::vector<protocol::Setting>& settings) const override;
+
+private:
+    struct Wrench {
+        Vec3 force_n = Vec3::Zero(); ///< body frame, at the center of mass
+        Vec3 torque_n_m = Vec3::Zero();
+    };
+    double submergedShare(const BodyState& state, Wrench& buoyancy) const;
+    Wrench drag(const Vec3& velocity_m_s, const Vec3& rate_rad_s, double share, double dt_s) const;
+    Wrench propulsion(double surge_m_s, double share) const;
+    void turnFins(double dt_s);
+
+    const RobotModel& model_;
+    Physics& physics_;
+    BodyId body_;
+    std::optional<Water> water_;
+    HullFigures hull_;
+    Vec3 inertia_kg_m2_;
+    double mass_kg_;
+    double propeller_rad_s_ = 0.0;
+    double rudder_rad_ = 0.0;
+    double stern_plane_rad_ = 0.0;
+    double wanted_propeller_rad_s_ = 0.0;
+    double wanted_rudder_rad_ = 0.0;
+    double wanted_stern_plane_rad_ = 0.0;
+};
+
+} // namespace usar::sim
