@@ -80,6 +80,7 @@ struct JointMotor {
     double target = 0.0; ///< rad, rad/s or N m (m, m/s, N)
     double limit = 0.0;
     double largest_speed = 1e9; ///< of Position: how fast it goes there
+    bool operator==(const JointMotor&) const = default;
 };
 
 } // namespace usar::sim

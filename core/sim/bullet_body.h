@@ -26,6 +26,8 @@ public:
 
     virtual void place(const Pose& base_in_map) = 0;
     virtual void letSleep(bool allowed) = 0;
+    /// What it leaned on may be gone.
+    virtual void wake() = 0;
     virtual BodyState state(int link) const = 0;
     virtual JointState joint(std::size_t /*link*/) const { return {}; }
     virtual void setMotor(std::size_t /*link*/, const JointMotor& /*motor*/) {}

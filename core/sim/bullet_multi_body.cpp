@@ -128,6 +128,14 @@ void BulletMultiBody::letSleep(bool allowed) {
         part.collider->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
 }
 
+void BulletMultiBody::wake() {
+    if (!body_.getCanSleep())
+        return;
+    body_.wakeUp();
+    for (const Piece& part : parts_)
+        part.collider->forceActivationState(ACTIVE_TAG);
+}
+
 const btTransform& BulletMultiBody::transform(int link) const {
     return parts_[at(link)].collider->getWorldTransform();
 }
@@ -143,6 +151,9 @@ JointState BulletMultiBody::joint(std::size_t link) const {
 
 void BulletMultiBody::setMotor(std::size_t link, const JointMotor& motor) {
     Joint& joint = joints_.at(link);
+    if (motor == joint.wanted)
+        return;
+    wake();
     joint.wanted = motor;
     const bool holds = motor.mode == JointMotor::Mode::Position || motor.mode == JointMotor::Mode::Velocity;
     if (!holds && joint.motor) {

@@ -30,8 +30,10 @@ public:
     /// The joints stay where they are.
     void place(const Pose& base_in_map) override;
     void letSleep(bool allowed) override;
+    void wake() override;
     BodyState state(int link) const override;
     JointState joint(std::size_t link) const override;
+    /// Wakes the body where it is told something new.
     void setMotor(std::size_t link, const JointMotor& motor) override;
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     void beforeStep(Seconds dt) override;

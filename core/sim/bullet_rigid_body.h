@@ -20,6 +20,7 @@ public:
 
     void place(const Pose& body_in_map) override;
     void letSleep(bool allowed) override;
+    void wake() override { rigid_->activate(); }
     BodyState state(int link) const override;
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     void beforeStep(Seconds dt) override;

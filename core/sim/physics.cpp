@@ -32,8 +32,8 @@ public:
 
     BodyId add(const BodyDescription& description, const Pose& body_in_map) override;
     BodyId add(const ArticulatedDescription& description, const Pose& base_in_map) override;
-    void remove(BodyId id) override { bodies_.erase(id); }
-    void place(BodyId id, const Pose& body_in_map) override { bodies_.at(id)->place(body_in_map); }
+    void remove(BodyId id) override;
+    void place(BodyId id, const Pose& body_in_map) override;
     void letSleep(BodyId id, bool allowed) override { bodies_.at(id)->letSleep(allowed); }
     bool isStuck(BodyId id) override;
     BodyState state(BodyId id) const override { return bodies_.at(id)->state(-1); }
@@ -54,6 +54,7 @@ public:
 
 private:
     BulletBody* bodyOf(const btCollisionObject& object);
+    void wakeAll();
     void collectContacts();
     void record(const btPersistentManifold& manifold, const btManifoldPoint& point);
     void bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s);
@@ -94,6 +95,22 @@ BodyId BulletPhysics::add(const ArticulatedDescription& description, const Pose&
     const BodyId id{++last_.value};
     bodies_.emplace(id, std::make_unique<BulletMultiBody>(dynamics_, description, base_in_map, id));
     return id;
+}
+
+void BulletPhysics::remove(BodyId id) {
+    bodies_.erase(id);
+    wakeAll();
+}
+
+void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
+    bodies_.at(id)->place(body_in_map);
+    wakeAll();
+}
+
+// Sleepers wake when they are touched, not when what they lie on goes away.
+void BulletPhysics::wakeAll() {
+    for (auto& [id, body] : bodies_)
+        body->wake();
 }
 
 bool BulletPhysics::isStuck(BodyId id) {

@@ -1,0 +1,45 @@
+// A drive that steers its wheels as a car does: all of them roll about one center.
+#pragma once
+
+#include "core/sim/drives/wheeled_drive.h"
+
+namespace usar::sim {
+
+/// Of the model's drive joints the last ones are steered about the vertical, the others driven. Further settings:
+/// `steered`, how many are (2); `max_front_steer` and `max_rear_steer` (rad, 0). `wheel_base` is needed. The commanded
+/// angles are those of a bicycle in the middle, the commanded spin that of a wheel in the middle of the rear axle;
+/// inner and outer wheels get theirs from the common center.
+class AckermannDrive : public WheeledDrive {
+public:
+    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
+
+    bool obey(const protocol::Command& command) override;
+
+private:
+    AckermannDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels,
+                   const std::vector<std::size_t>& steered);
+
+    struct Steered {
+        std::size_t joint = 0;
+        double sign = 1.0; ///< of an axis that points up
+        bool front = true;
+    };
+
+    double frontSteer_rad() const override { return meanSteer_rad(true); }
+    double rearSteer_rad() const override { return meanSteer_rad(false); }
+    double largestFrontSteer_rad() const override { return largest_front_rad_; }
+    double largestRearSteer_rad() const override { return largest_rear_rad_; }
+    double meanSteer_rad(bool front) const;
+    void steer();
+
+    std::vector<Steered> steered_;
+    double largest_front_rad_;
+    double largest_rear_rad_;
+    double front_x_m_ = 0.0; ///< of the axles, in the base's frame
+    double rear_x_m_ = 0.0;
+    double spin_rad_s_ = 0.0; ///< as commanded, like the angles
+    double front_rad_ = 0.0;
+    double rear_rad_ = 0.0;
+};
+
+} // namespace usar::sim

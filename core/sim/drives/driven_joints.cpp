@@ -1,0 +1,194 @@
+#include "core/sim/drives/driven_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double still_rad_s = 0.02;
+
+using protocol::JointOpcode;
+using protocol::JointOrder;
+
+bool isInPackage(const RobotModel& model, const std::string& joint) {
+    return std::any_of(model.packages.begin(), model.packages.end(), [&](const PackageModel& package) {
+        return std::find(package.joints.begin(), package.joints.end(), joint) != package.joints.end();
+    });
+}
+
+JointOrder orderOf(JointOpcode opcode) {
+    switch (opcode) {
+    case JointOpcode::Speed:
+        return JointOrder::Speed;
+    case JointOpcode::Torque:
+        return JointOrder::Torque;
+    case JointOpcode::RelativeAngle:
+        return JointOrder::RelativeAngle;
+    case JointOpcode::RelativeSpeed:
+        return JointOrder::RelativeSpeed;
+    case JointOpcode::RelativeTorque:
+        return JointOrder::RelativeTorque;
+    case JointOpcode::Angle:
+    case JointOpcode::Stiffness:
+        break;
+    }
+    return JointOrder::Angle;
+}
+
+} // namespace
+
+double limitedTerm(double value, double limit, bool normalized) {
+    const double physical = normalized ? value / 100.0 * limit : value;
+    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
+}
+
+DrivenJoints::DrivenJoints(const RobotModel& model, Physics& physics, BodyId body) : physics_(physics), body_(body) {
+    std::vector<Eigen::Isometry3d> links_in_base;
+    for (std::size_t i = 0; i < model.body.links.size(); ++i) {
+        const LinkDescription& link = model.body.links[i];
+        const Eigen::Isometry3d link_in_parent = link.link_in_parent.isometry();
+        links_in_base.push_back(
+            link.parent < 0 ? link_in_parent
+                            : Eigen::Isometry3d(links_in_base[static_cast<std::size_t>(link.parent)] * link_in_parent));
+        const ModelLink& named = model.links[i];
+        Joint joint{named.joint, named.torque_limit, named.speed_limit, link.lower, link.upper};
+        joint.in_package = isInPackage(model, named.joint);
+        joint.pivot_in_base_m = links_in_base.back() * link.pivot_in_link_m;
+        joint.axis_in_base = links_in_base.back().linear() * link.axis_in_link;
+        joints_.push_back(std::move(joint));
+    }
+}
+
+std::optional<std::size_t> DrivenJoints::find(std::string_view joint) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (sameWord(joints_[i].name, joint))
+            return i;
+    return std::nullopt;
+}
+
+std::vector<std::size_t> DrivenJoints::obey(const protocol::Command& command) {
+    std::vector<std::size_t> obeying;
+    if (const auto* one = std::get_if<protocol::JointDrive>(&command)) {
+        const auto joint = find(one->joint);
+        if (joint && one->value && obey(*joint, one->order, *one->value, one->normalized))
+            obeying.push_back(*joint);
+    } else if (const auto* several = std::get_if<protocol::MultiDrive>(&command)) {
+        for (const protocol::JointAngleTarget& target : several->joints)
+            if (const auto joint = find(target.joint);
+                joint && obey(*joint, JointOrder::Angle, target.angle_rad, false))
+                obeying.push_back(*joint);
+    } else if (const auto* set = std::get_if<protocol::SetJoint>(&command)) {
+        obeying = obeySet(*set);
+    }
+    return obeying;
+}
+
+std::vector<std::size_t> DrivenJoints::obeySet(const protocol::SetJoint& wanted) {
+    std::vector<std::size_t> obeying;
+    const bool all = sameWord(wanted.joint.text(), "AllAngles") || sameWord(wanted.joint.text(), "AllJoints");
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if ((all ? !joints_[i].in_package : sameWord(joints_[i].name, wanted.joint)) && obeySet(i, wanted))
+            obeying.push_back(i);
+    return obeying;
+}
+
+bool DrivenJoints::obeySet(std::size_t joint, const protocol::SetJoint& wanted) {
+    if (wanted.opcode != JointOpcode::Stiffness)
+        return obey(joint, orderOf(wanted.opcode), wanted.value, false);
+    if (std::isnan(wanted.value) || joints_[joint].torque_limit <= 0.0)
+        return false;
+    joints_[joint].stiffness = std::clamp(wanted.value, 0.0, 1.0);
+    drive(joint, joints_[joint].motor);
+    return true;
+}
+
+bool DrivenJoints::obey(std::size_t joint, JointOrder order, double value, bool normalized) {
+    const Joint& known = joints_[joint];
+    if (known.torque_limit <= 0.0 || std::isnan(value))
+        return false;
+    const JointState now = state(joint);
+    switch (order) {
+    case JointOrder::Angle:
+        hold(joint, value);
+        break;
+    case JointOrder::RelativeAngle:
+        hold(joint, now.position + value);
+        break;
+    case JointOrder::Speed:
+        spin(joint, limitedTerm(value, known.speed_limit, normalized));
+        break;
+    case JointOrder::RelativeSpeed:
+        spin(joint, now.velocity + value);
+        break;
+    case JointOrder::Torque:
+        push(joint, limitedTerm(value, known.torque_limit, normalized));
+        break;
+    case JointOrder::RelativeTorque: {
+        const bool pushes = known.motor.mode == JointMotor::Mode::Torque;
+        push(joint, (pushes ? known.motor.target : 0.0) + value);
+        break;
+    }
+    case JointOrder::Brake:
+        drive(joint, {JointMotor::Mode::Velocity, 0.0, std::abs(limitedTerm(value, known.torque_limit, normalized)),
+                      known.speed_limit});
+        break;
+    }
+    return true;
+}
+
+void DrivenJoints::hold(std::size_t joint, double position) {
+    const Joint& known = joints_[joint];
+    const bool limited = known.lower <= known.upper;
+    const double target = limited ? std::clamp(position, known.lower, known.upper) : position;
+    drive(joint, {JointMotor::Mode::Position, target, known.torque_limit, known.speed_limit});
+}
+
+void DrivenJoints::spin(std::size_t joint, double speed) {
+    const Joint& known = joints_[joint];
+    drive(joint, {JointMotor::Mode::Velocity, limitedTerm(speed, known.speed_limit, false), known.torque_limit,
+                  known.speed_limit});
+}
+
+void DrivenJoints::push(std::size_t joint, double torque) {
+    const Joint& known = joints_[joint];
+    drive(joint, {JointMotor::Mode::Torque, limitedTerm(torque, known.torque_limit, false), known.torque_limit,
+                  known.speed_limit});
+}
+
+void DrivenJoints::release(std::size_t joint) {
+    drive(joint, {});
+}
+
+void DrivenJoints::releaseAll() {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (!joints_[i].in_package)
+            release(i);
+}
+
+void DrivenJoints::drive(std::size_t joint, const JointMotor& motor) {
+    joints_[joint].motor = motor;
+    JointMotor weaker = motor;
+    weaker.limit *= joints_[joint].stiffness;
+    physics_.setMotor(body_, joint, weaker);
+}
+
+bool DrivenJoints::still() const {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (std::abs(state(i).velocity) > still_rad_s)
+            return false;
+    return true;
+}
+
+std::vector<protocol::JointAngle> DrivenJoints::angles() const {
+    std::vector<protocol::JointAngle> angles;
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (joints_[i].torque_limit > 0.0 && joints_[i].lower <= joints_[i].upper && !joints_[i].in_package)
+            angles.push_back({joints_[i].name, state(i).position});
+    return angles;
+}
+
+} // namespace usar::sim

@@ -1,0 +1,71 @@
+// A robot's joints by name, and what commands to single joints do to them. Part of the drives.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/protocol/command.h"
+#include "core/protocol/info/robot_state.h"
+#include "core/sim/physics.h"
+#include "core/sim/robots/robot_model.h"
+
+namespace usar::sim {
+
+/// Joints are told by their links' indices. Each is driven with no more than its torque and speed; one without torque
+/// cannot be driven. Names are compared without regard to case: clients write MULTIDRIVE {FLflipper 1.5}.
+class DrivenJoints {
+public:
+    DrivenJoints(const RobotModel& model, Physics& physics, BodyId body);
+
+    std::optional<std::size_t> find(std::string_view joint) const;
+    /// JointDrive, MultiDrive and SetJoint: the joints that now do what was said. None where it is no such command or
+    /// the joints are not there. `normalized` speeds and torques are per cent of the joint's limits.
+    std::vector<std::size_t> obey(const protocol::Command& command);
+
+    void hold(std::size_t joint, double position);
+    void spin(std::size_t joint, double speed);
+    void push(std::size_t joint, double torque);
+    void release(std::size_t joint);
+    void releaseAll();
+
+    JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
+    double torqueLimit(std::size_t joint) const { return joints_[joint].torque_limit; }
+    double speedLimit(std::size_t joint) const { return joints_[joint].speed_limit; }
+    /// Of the pivot, in the base's frame with all joints at 0; the axis likewise.
+    const Vec3& pivot(std::size_t joint) const { return joints_[joint].pivot_in_base_m; }
+    const Vec3& axis(std::size_t joint) const { return joints_[joint].axis_in_base; }
+    /// None of them moves to speak of.
+    bool still() const;
+    /// Flippers and the like, with their angles: joints with torque and limits that no mission package moves.
+    std::vector<protocol::JointAngle> angles() const;
+
+private:
+    struct Joint {
+        std::string name;
+        double torque_limit = 0.0;
+        double speed_limit = 0.0;
+        double lower = 1.0;
+        double upper = -1.0;
+        bool in_package = false;
+        double stiffness = 1.0; ///< share of the torque that UDK's SET leaves it
+        JointMotor motor{};
+        Vec3 pivot_in_base_m = Vec3::Zero();
+        Vec3 axis_in_base = Vec3::UnitZ();
+    };
+
+    void drive(std::size_t joint, const JointMotor& motor);
+    bool obey(std::size_t joint, protocol::JointOrder order, double value, bool normalized);
+    std::vector<std::size_t> obeySet(const protocol::SetJoint& wanted);
+    bool obeySet(std::size_t joint, const protocol::SetJoint& wanted);
+
+    Physics& physics_;
+    BodyId body_;
+    std::vector<Joint> joints_;
+};
+
+/// Within -limit..limit, as per cent of it where normalized; what is no number is 0.
+double limitedTerm(double value, double limit, bool normalized);
+
+} // namespace usar::sim

@@ -1,0 +1,70 @@
+#include "core/sim/drives/driven_wheels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::sim {
+
+DrivenWheels::DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>& wheels, double acceleration_rad_s2)
+    : joints_(joints)
+    , acceleration_rad_s2_(acceleration_rad_s2) {
+    for (const std::size_t joint : wheels) {
+        Wheel wheel;
+        wheel.joint = joint;
+        wheel.sign = joints.axis(joint).y() < 0.0 ? -1.0 : 1.0;
+        wheels_.push_back(wheel);
+    }
+}
+
+void DrivenWheels::want(std::size_t wheel, double spin_rad_s) {
+    wheels_[wheel].wanted_rad_s = spin_rad_s;
+}
+
+void DrivenWheels::leave(std::size_t joint) {
+    for (Wheel& wheel : wheels_)
+        if (wheel.joint == joint)
+            wheel.ours = false;
+}
+
+void DrivenWheels::takeBack() {
+    for (Wheel& wheel : wheels_) {
+        if (!wheel.ours) {
+            wheel.now_rad_s = wheel.sign * joints_.state(wheel.joint).velocity;
+            wheel.told = false;
+        }
+        wheel.ours = true;
+    }
+}
+
+void DrivenWheels::step(Seconds dt) {
+    const double most_rad_s = acceleration_rad_s2_ * dt.count();
+    for (Wheel& wheel : wheels_) {
+        const double missing_rad_s = wheel.wanted_rad_s - wheel.now_rad_s;
+        if (!wheel.ours || (wheel.told && missing_rad_s == 0.0))
+            continue;
+        wheel.now_rad_s = acceleration_rad_s2_ > 0.0 && std::abs(missing_rad_s) > most_rad_s
+                              ? wheel.now_rad_s + std::copysign(most_rad_s, missing_rad_s)
+                              : wheel.wanted_rad_s;
+        joints_.spin(wheel.joint, wheel.sign * wheel.now_rad_s);
+        wheel.told = true;
+    }
+}
+
+bool DrivenWheels::braking() const {
+    return std::all_of(wheels_.begin(), wheels_.end(), [](const Wheel& wheel) {
+        return wheel.ours && wheel.told && wheel.wanted_rad_s == 0.0 && wheel.now_rad_s == 0.0;
+    });
+}
+
+double DrivenWheels::largestSpin() const {
+    double least_rad_s = joints_.speedLimit(wheels_.front().joint);
+    for (const Wheel& wheel : wheels_)
+        least_rad_s = std::min(least_rad_s, joints_.speedLimit(wheel.joint));
+    return least_rad_s;
+}
+
+double DrivenWheels::largestTorque() const {
+    return joints_.torqueLimit(wheels_.front().joint);
+}
+
+} // namespace usar::sim

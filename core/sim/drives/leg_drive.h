@@ -1,0 +1,36 @@
+// A drive by servos in named joints: legs, heads, arms.
+#pragma once
+
+#include "core/sim/drives/driven_joints.h"
+#include "core/sim/robots/drive.h"
+
+namespace usar::sim {
+
+/// Each joint goes to its commanded angle with no more than its torque and speed and holds it; all start at 0. It obeys
+/// MULTIDRIVE, DRIVE of one joint with all its orders, and SET of a joint, and tells all angles in STA. It may sleep
+/// while it stands and nobody asks for anything else.
+class LegDrive : public Drive {
+public:
+    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
+
+    bool obey(const protocol::Command& command) override;
+    void beforeStep(Seconds dt) override;
+    void switchOff() override;
+    bool idle() const override { return still_for_ > Seconds{0.0}; }
+
+    using Drive::addTo;
+    void addTo(protocol::RobotState& state) const override;
+
+private:
+    LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
+
+    DrivenJoints joints_;
+    std::vector<std::pair<std::string, std::size_t>> named_; ///< as STA tells them
+    Physics& physics_;
+    BodyId body_;
+    bool off_ = false;
+    bool may_sleep_ = false;
+    Seconds still_for_{0.0};
+};
+
+} // namespace usar::sim

@@ -1,0 +1,55 @@
+// What drives on wheels of every steering have in common. Part of the drives.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/sim/drives/driven_wheels.h"
+#include "core/sim/robots/drive.h"
+
+namespace usar::sim {
+
+/// Settings of the model's drive: `wheel_radius`, `wheel_separation` and `wheel_base` (m) for GEO, `acceleration` of a
+/// wheel's spin (rad/s2; unlimited where it is absent). What a wheel can do (torque, speed) are its joint's limits.
+/// Joints other than the wheels, flippers say, obey commands to single joints. It may sleep while its wheels brake.
+class WheeledDrive : public Drive {
+public:
+    void beforeStep(Seconds dt) override;
+    void switchOff() override;
+    bool idle() const override { return off_ || (wheels_.braking() && !others_moving_); }
+
+    using Drive::addTo;
+    void addTo(protocol::RobotState& state) const override;
+    void addTo(protocol::GeometryInfo& geometry) const override;
+    void addTo(std::vector<protocol::Setting>& settings) const override;
+
+protected:
+    /// `wheels` are the driven ones.
+    WheeledDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels);
+
+    /// Counter-clockwise; of skid-steered robots 0.
+    virtual double frontSteer_rad() const { return 0.0; }
+    virtual double rearSteer_rad() const { return 0.0; }
+    virtual double largestFrontSteer_rad() const { return 0.0; }
+    virtual double largestRearSteer_rad() const { return 0.0; }
+
+    bool off() const { return off_; }
+    /// Commands to single joints; true where one of them is here.
+    bool obeyJoint(const protocol::Command& command);
+
+    DrivenJoints joints_;
+    DrivenWheels wheels_;
+
+private:
+    Physics& physics_;
+    BodyId body_;
+    std::optional<double> wheel_radius_m_;
+    std::optional<double> wheel_separation_m_;
+    std::optional<double> wheel_base_m_;
+    bool off_ = false;
+    bool may_sleep_ = false;
+    bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
+};
+
+/// The links on these joints, or which one is not there.
+Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints);
+
+} // namespace usar::sim
