@@ -1,7 +1,10 @@
 #include "core/sim/robots/drive.h"
 
+#include "core/sim/drives/ackermann_drive.h"
+#include "core/sim/drives/leg_drive.h"
 #include "core/sim/drives/nautic_drive.h"
 #include "core/sim/drives/rotor_drive.h"
+#include "core/sim/drives/skid_drive.h"
 
 namespace usar::sim {
 
@@ -11,6 +14,12 @@ Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physi
         return std::make_unique<RotorDrive>(model, physics, body, birth);
     if (model.drive.kind == "nautic")
         return std::make_unique<NauticDrive>(model, physics, body, world);
+    if (model.drive.kind == "skid")
+        return SkidDrive::make(model, physics, body);
+    if (model.drive.kind == "ackermann")
+        return AckermannDrive::make(model, physics, body);
+    if (model.drive.kind == "legs")
+        return LegDrive::make(model, physics, body);
     return failure("no drive here is of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
                    "Known are rotors, skid, ackermann, nautic and legs");
 }
