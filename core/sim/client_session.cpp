@@ -7,6 +7,7 @@
 #include "core/protocol/command_writer.h"
 #include "core/protocol/segments.h"
 #include "core/protocol/writer.h"
+#include "core/sim/world_controller.h"
 
 namespace usar::sim {
 
@@ -63,7 +64,7 @@ std::string ClientSession::takeOutput() {
     return std::exchange(output_, {});
 }
 
-void ClientSession::obeyWaiting(const Spawn& spawn, const Log& log) {
+void ClientSession::obeyWaiting(const Host& host) {
     while (!waiting_.empty()) {
         const protocol::Command command = std::move(waiting_.front());
         waiting_.pop_front();
@@ -73,17 +74,28 @@ void ClientSession::obeyWaiting(const Spawn& spawn, const Log& log) {
                 return;
             continue;
         }
-        obey(command, spawn, log);
+        obey(command, host);
     }
 }
 
-void ClientSession::obey(const protocol::Command& command, const Spawn& spawn, const Log& log) {
+void ClientSession::obey(const protocol::Command& command, const Host& host) {
     if (const auto* const wanted = std::get_if<protocol::Init>(&command))
-        init(*wanted, spawn, log);
+        init(*wanted, host);
+    else if (WorldController::isControl(command))
+        control(command, host);
     else if (!robot_)
-        log("ignored " + quoted(command) + ": there is no robot on this connection");
+        host.log("ignored " + quoted(command) + ": there is no robot on this connection");
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command))
-        obeyUnknown(command, log);
+        obeyUnknown(command, host.log);
+}
+
+void ClientSession::control(const protocol::Command& command, const Host& host) {
+    if (!controls_)
+        return host.log("ignored " + quoted(command) + ": this connection is no world controller's");
+    if (const auto* const asked = std::get_if<protocol::GetObjectStates>(&command))
+        return send(host.objectStates(*asked));
+    if (const auto trouble = host.control(command))
+        host.log("ignored " + quoted(command) + ": " + *trouble);
 }
 
 void ClientSession::obeyUnknown(const protocol::Command& command, const Log& log) {
@@ -109,14 +121,17 @@ bool ClientSession::obeyForRobot(const protocol::Command& command) {
     return true;
 }
 
-void ClientSession::init(const protocol::Init& wanted, const Spawn& spawn, const Log& log) {
-    if (initialized_) {
-        log("ignored a second INIT: one connection is one robot");
-        return;
-    }
-    robot_ = spawn(wanted);
+void ClientSession::init(const protocol::Init& wanted, const Host& host) {
+    if (initialized_)
+        return host.log("ignored a second INIT: one connection is one robot");
     robot_name_ = wanted.robot_name;
-    initialized_ = robot_ != nullptr; // after a refused INIT the client may try again
+    const std::string_view class_name = wanted.class_name.text();
+    const std::string_view bare_name = class_name.substr(class_name.rfind('.') + 1);
+    controls_ = sameWord(bare_name, "WorldController");
+    const bool is_station = sameWord(bare_name, "ComStation"); // a base station without sensors or motion: no data
+    if (!controls_ && !is_station)
+        robot_ = host.spawn(wanted);
+    initialized_ = robot_ || controls_ || is_station; // after a refused INIT the client may try again
 }
 
 void ClientSession::startPoses() {

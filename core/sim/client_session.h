@@ -35,23 +35,30 @@ public:
     /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
     /// could not answer them), or it has said STEP.
     bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ > 0; }
-    bool idle() const { return !robot_ && waiting_.empty(); }
+    bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
     const std::string& robotName() const { return robot_name_; }
 
-    /// Spawns for an INIT.
-    using Spawn = std::function<std::unique_ptr<Robot>(const protocol::Init&)>;
-    void obeyWaiting(const Spawn& spawn, const Log& log);
+    /// What the simulation does for its clients.
+    struct Host {
+        std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
+        /// A CONTROL; a sentence where it cannot be obeyed.
+        std::function<std::optional<std::string>(const protocol::Command&)> control;
+        std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
+        Log log;
+    };
+    void obeyWaiting(const Host& host);
     /// Answers, then the robot's lines.
     void report(Seconds now);
 
 private:
     void take(std::string_view line, const Log& log);
-    void obey(const protocol::Command& command, const Spawn& spawn, const Log& log);
+    void obey(const protocol::Command& command, const Host& host);
+    void control(const protocol::Command& command, const Host& host);
     bool obeyForRobot(const protocol::Command& command);
     void obeyUnknown(const protocol::Command& command, const Log& log);
-    void init(const protocol::Init& init, const Spawn& spawn, const Log& log);
+    void init(const protocol::Init& init, const Host& host);
     void startPoses();
     void answer(Seconds now);
     protocol::Response resultOf(const protocol::Command& asked, Seconds now);
@@ -67,6 +74,7 @@ private:
     std::unique_ptr<Robot> robot_;
     std::string robot_name_;
     bool initialized_ = false;
+    bool controls_ = false; ///< a world controller's connection
     bool first_tick_ = true;
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;

@@ -16,8 +16,8 @@
 
 namespace usar::sim {
 
-/// `what` on the element's line: libsdformat knows those of SDFormat's own elements; those of ours are sought in the file
-/// by the element's place among its parent's.
+/// `what` on the element's line: libsdformat knows those of SDFormat's own elements; those of ours are sought in the
+/// file by the element's place among its parent's.
 tl::unexpected<Error> refusal(const std::string& what, const std::filesystem::path& file, const sdf::Element& element);
 
 Pose toPose(const ignition::math::Pose3d& pose);

@@ -9,6 +9,8 @@
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
 #include "core/sim/robots/robot.h"
+#include "core/sim/scene.h"
+#include "core/sim/world_controller.h"
 
 namespace usar::sim {
 
@@ -33,7 +35,9 @@ struct Simulation::State {
         : world(std::move(world_))
         , options(options_)
         , physics(makePhysics(world))
-        , caster(world) {}
+        , caster(world)
+        , scene(makeScene(world, *physics))
+        , controller(world, *physics, scene) {}
 
     void log(ClientId client, const std::string& sentence);
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
@@ -48,6 +52,8 @@ struct Simulation::State {
     SimulationOptions options;
     std::unique_ptr<Physics> physics;
     RayCaster caster;
+    Scene scene;
+    WorldController controller;
     std::map<ClientId, ClientSession> sessions;
     ClientId last_client;
     std::uint64_t spawned = 0;
@@ -75,7 +81,7 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
         log(client, "unknown robot class '" + init.class_name.text() + "'; known here are " + knownClasses());
         return nullptr;
     }
-    auto spawned_robot = Robot::spawn(*model, {world, caster, *physics}, robot);
+    auto spawned_robot = Robot::spawn(*model, {world, caster, *physics, scene}, robot);
     if (!spawned_robot) {
         log(client, spawned_robot.error().text());
         return nullptr;
@@ -111,8 +117,10 @@ Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
 void Simulation::State::obeyAll() {
     for (auto& [id, session] : sessions) {
         const ClientId client = id;
-        session.obeyWaiting([&](const protocol::Init& init) { return spawn(client, init); },
-                            [&](const std::string& sentence) { log(client, sentence); });
+        session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
+                             [&](const protocol::Command& command) { return controller.obey(command, client.value); },
+                             [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
+                             [&](const std::string& sentence) { log(client, sentence); }});
     }
 }
 
@@ -121,12 +129,13 @@ void Simulation::State::move() {
     for (auto& [id, session] : sessions)
         if (session.robot())
             robots.push_back(session.robot());
-    if (robots.empty())
+    if (robots.empty() && scene.objects.empty())
         return;
     const Seconds dt = options.tick / options.physics_steps_per_tick;
     for (int i = 0; i < options.physics_steps_per_tick; ++i) {
         for (Robot* const robot : robots)
             robot->beforeStep(dt);
+        carryObjects(scene, *physics, dt);
         physics->step(dt);
         for (Robot* const robot : robots)
             robot->afterStep(dt);
@@ -134,6 +143,7 @@ void Simulation::State::move() {
 }
 
 void Simulation::State::reportAll() {
+    refresh(scene, *physics);
     for (auto& [id, session] : sessions)
         session.report(now());
 }
@@ -156,6 +166,7 @@ ClientId Simulation::connect() {
 
 void Simulation::disconnect(ClientId client) {
     state_->sessions.erase(client);
+    state_->controller.clientLeft(client.value);
 }
 
 void Simulation::receive(ClientId client, std::string_view bytes) {

@@ -53,9 +53,10 @@ void sensorTick(benchmark::State& state) {
     const auto physics = makePhysics(world);
     const RayCaster caster(world);
     const RobotModel& model = *findRobot(*doubles::shippedRobots(), "AirRobot");
+    Scene scene;
     RobotOptions options;
     options.base_in_map = overTheStart(world, 6.0).base_in_map;
-    const auto robot = std::move(*Robot::spawn(model, {world, caster, *physics}, options));
+    const auto robot = std::move(*Robot::spawn(model, {world, caster, *physics, scene}, options));
     std::vector<protocol::InfoMessage> lines;
     for (auto _ : state) {
         lines.clear();

@@ -53,13 +53,15 @@ private slots:
     void everyRobotSpeaksAndOurReaderUnderstandsIt_data() {
         QTest::addColumn<QString>("kinds");
         QTest::newRow("AirRobot") << "SEN Sonar,SEN RangeScanner,SEN INS,SEN GroundTruth,STA";
-        QTest::newRow("P2DX") << "SEN Sonar,SEN RangeScanner,SEN INS,SEN Odometry,SEN Encoder,SEN GroundTruth,SEN GPS,"
-                                 "MISSTA,STA";
-        QTest::newRow("P2AT") << "SEN Sonar,SEN RangeScanner,SEN INS,SEN Odometry,SEN Encoder,SEN GroundTruth,SEN GPS,"
-                                 "MISSTA,STA";
+        QTest::newRow("P2DX")
+            << "SEN Sonar,SEN RangeScanner,SEN INS,SEN Odometry,SEN Encoder,SEN VictSensor,SEN GroundTruth,SEN GPS,"
+               "MISSTA,STA";
+        QTest::newRow("P2AT")
+            << "SEN Sonar,SEN RangeScanner,SEN INS,SEN Odometry,SEN Encoder,SEN VictSensor,SEN GroundTruth,SEN GPS,"
+               "MISSTA,STA";
         QTest::newRow("Sedan") << "SEN RangeScanner,SEN INS,SEN GroundTruth,SEN GPS,SEN Tachometer,STA";
         QTest::newRow("Submarine") << "SEN Range,SEN GroundTruth,MISSTA,STA";
-        QTest::newRow("ERS") << "SEN INS,SEN Touch,SEN GroundTruth,STA";
+        QTest::newRow("ERS") << "SEN INS,SEN Touch,SEN GroundTruth,SEN Helper,STA";
     }
     void everyRobotSpeaksAndOurReaderUnderstandsIt() {
         QFETCH(QString, kinds);
@@ -157,8 +159,9 @@ private slots:
         const Vec3 drift_m_s = robot.truth().velocity_in_map_m_s;
         QVERIFY2(std::abs(drift_m_s.z()) < 0.05 && drift_m_s.norm() < 0.3,
                  qPrintable(QString::number(drift_m_s.norm())));
-        QVERIFY(std::abs(robot.truth().base_in_map.roll_rad) < 0.1 &&
-                std::abs(robot.truth().base_in_map.pitch_rad) < 0.2);
+        const Pose lies = robot.truth().base_in_map;
+        QVERIFY2(std::abs(lies.roll_rad) < 0.1 && std::abs(lies.pitch_rad) < 0.2,
+                 qPrintable(QString("%1 %2").arg(lies.roll_rad).arg(lies.pitch_rad)));
         robot.talker.say("DRIVE {Propeller 160} {SternPlane -0.2}");
         robot.steps(100);
         QVERIFY(robot.truth().base_in_map.position_m.z() < afloat_m - 2.0);

@@ -106,6 +106,17 @@ double NauticDrive::submergedShare(const BodyState& state, Wrench& buoyancy) con
     return share;
 }
 
+/// Of the whole robot, about the base's center of mass: what hangs on the base pulls at its own place.
+NauticDrive::Wrench NauticDrive::weight(const BodyState& state) const {
+    const Vec3 down_in_body = state.rotation.conjugate() * -Vec3::UnitZ();
+    Wrench weight{mass_kg_ * gravity_m_s2 * down_in_body};
+    for (std::size_t i = 0; i < model_.body.links.size(); ++i) {
+        const Vec3 link_m = state.rotation.conjugate() * (physics_.state(body_, i).position_m - state.position_m);
+        weight.torque_n_m += link_m.cross(model_.body.links[i].body.mass_kg * gravity_m_s2 * down_in_body);
+    }
+    return weight;
+}
+
 NauticDrive::Wrench NauticDrive::drag(const Vec3& v, const Vec3& w, double share, double dt_s) const {
     Wrench drag;
     drag.force_n = {dragOn(v.x(), share * hull_.surge_drag_kg_m, mass_kg_, dt_s),
@@ -142,7 +153,7 @@ void NauticDrive::beforeStep(Seconds dt) {
     const double share = submergedShare(state, sum);
     if (share <= 0.0)
         return;
-    const Vec3 weight_n = state.rotation.conjugate() * Vec3(0.0, 0.0, -mass_kg_ * gravity_m_s2);
+    const Wrench weight = this->weight(state);
     for (const Wrench& part :
          {drag(velocity_m_s, rate_rad_s, share, dt.count()), propulsion(velocity_m_s.x(), share)}) {
         sum.force_n += part.force_n;
@@ -154,8 +165,9 @@ void NauticDrive::beforeStep(Seconds dt) {
     const Vec3 added_kg_m2 = share * Vec3(0.0, hull_.turn_added_inertia_kg_m2, hull_.turn_added_inertia_kg_m2);
     const Vec3 moved = Vec3::Constant(mass_kg_).cwiseQuotient(Vec3::Constant(mass_kg_) + added_kg);
     const Vec3 turned = inertia_kg_m2_.cwiseQuotient(inertia_kg_m2_ + added_kg_m2);
-    const Vec3 force_n = moved.cwiseProduct(sum.force_n + weight_n) - weight_n;
-    physics_.apply(body_, state.rotation * force_n, state.rotation * turned.cwiseProduct(sum.torque_n_m));
+    const Vec3 force_n = moved.cwiseProduct(sum.force_n + weight.force_n) - weight.force_n;
+    const Vec3 torque_n_m = turned.cwiseProduct(sum.torque_n_m + weight.torque_n_m) - weight.torque_n_m;
+    physics_.apply(body_, state.rotation * force_n, state.rotation * torque_n_m);
 }
 
 void NauticDrive::switchOff() {

@@ -53,6 +53,7 @@ private:
         Vec3 torque_n_m = Vec3::Zero();
     };
     double submergedShare(const BodyState& state, Wrench& buoyancy) const;
+    Wrench weight(const BodyState& state) const;
     Wrench drag(const Vec3& velocity_m_s, const Vec3& rate_rad_s, double share, double dt_s) const;
     Wrench propulsion(double surge_m_s, double share) const;
     void turnFins(double dt_s);

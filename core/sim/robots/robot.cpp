@@ -49,6 +49,7 @@ Robot::Robot(const RobotModel& model, const RobotSurroundings& surroundings, con
     : body_(surroundings.physics, model, options.base_in_map)
     , rays_(surroundings.caster, surroundings.physics, body_.id())
     , world_(surroundings.world)
+    , scene_(surroundings.scene)
     , tick_(options.scan_interval)
     , battery_left_(options.battery_life.value_or(model.battery_life)) {}
 
@@ -116,7 +117,7 @@ void Robot::discharge(Seconds dt) {
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
     if (alive()) {
-        sensors_.measure({now, tick_, body_, rays_, world_}, first, out);
+        sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
             out.emplace_back(package.state(now));
     }

@@ -24,6 +24,7 @@ struct RobotSurroundings {
     const World& world;
     const RayCaster& caster;
     Physics& physics;
+    Scene& scene;
 };
 
 struct RobotOptions {
@@ -81,6 +82,7 @@ private:
     RobotBody body_;
     WorldRays rays_;
     const World& world_;
+    Scene& scene_;
     std::unique_ptr<Drive> drive_;
     SensorSuite sensors_;
     std::vector<MissionPackage> packages_;

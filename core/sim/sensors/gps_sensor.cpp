@@ -9,8 +9,6 @@ namespace {
 
 constexpr double meters_per_degree_north = 111'200.0;
 constexpr double meters_per_degree_east = 71'670.0;
-constexpr double origin_latitude_deg = 39.0 + 8.0273 / 60.0;
-constexpr double origin_longitude_deg = -(77.0 + 12.998 / 60.0);
 constexpr int satellites_in_sky = 12;
 constexpr int satellites_for_fix = 4;
 constexpr double worst_sigma_m = 0.83; ///< with four of them
@@ -48,8 +46,10 @@ void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
         const double sigma_m = noise_ ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
         const auto error_m = [&] { return sigma_m > 0.0 ? gaussian(random_, sigma_m) : 0.0; };
         // x points north and y west: the wire's y points east (usarsim-protocol 3).
-        reading.latitude_rad = radians(origin_latitude_deg + (at_m.x() + error_m()) / meters_per_degree_north);
-        reading.longitude_rad = radians(origin_longitude_deg - (at_m.y() + error_m()) / meters_per_degree_east);
+        reading.latitude_rad =
+            radians(view.world.gps_reference.latitude_deg + (at_m.x() + error_m()) / meters_per_degree_north);
+        reading.longitude_rad =
+            radians(view.world.gps_reference.longitude_deg - (at_m.y() + error_m()) / meters_per_degree_east);
     }
     out.emplace_back(std::move(reading));
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/sim/sensors/camera_sensor.h"
+#include "core/sim/sensors/finding_sensors.h"
 #include "core/sim/sensors/motion_sensors.h"
 #include "core/sim/sensors/range_sensors.h"
 
@@ -45,8 +46,9 @@ Made makeOdometry(const SensorModel& model, const SensorBirth& birth) {
     return std::make_unique<OdometrySensor>(model, birth, *left, *right);
 }
 
-Made makeTouch(const SensorModel& model, const SensorBirth&) {
-    return std::make_unique<TouchSensor>(model);
+template <class One>
+Made makePlain(const SensorModel& model, const SensorBirth&) {
+    return std::make_unique<One>(model);
 }
 
 struct Row {
@@ -64,12 +66,18 @@ constexpr std::array rows{
     Row{"INS", make<InsSensor>},
     Row{"Odometry", makeOdometry},
     Row{"Encoder", makeEncoder},
-    Row{"Touch", makeTouch},
+    Row{"Touch", makePlain<TouchSensor>},
+    Row{"RFID", makePlain<RfidSensor>},
+    Row{"VictSensor", make<VictimSensor>},
     Row{"GroundTruth", make<GroundTruthSensor>},
     Row{"GPS", make<GpsSensor>},
     Row{"Tachometer", make<TachometerSensor>},
     Row{"Accel", make<AccelerationSensor, false>},
     Row{"AcceleroMeter", make<AccelerationSensor, true>},
+    Row{"HumanMotion", make<HumanMotionSensor>},
+    Row{"Sound", make<SoundSensor>},
+    Row{"CO2Sensor", makePlain<GasSensor>},
+    Row{"Helper", make<BallSensor>},
     Row{"Camera", make<CameraSensor>},
 };
 

@@ -11,6 +11,7 @@
 #include "core/protocol/command.h"
 #include "core/protocol/info_message.h"
 #include "core/sim/robots/robot_body.h"
+#include "core/sim/scene.h"
 #include "core/sim/sensors/rays.h"
 #include "core/sim/world.h"
 
@@ -23,6 +24,7 @@ struct SensorView {
     const RobotBody& body;
     const Rays& rays;
     const World& world;
+    Scene& scene;
 };
 
 /// What a sensor is born with.

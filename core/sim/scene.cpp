@@ -1,0 +1,95 @@
+#include "core/sim/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::sim {
+
+namespace {
+
+Vec3 halfSizeOf(const CylinderShape& shape) {
+    return {shape.radius_m, shape.radius_m, shape.height_m / 2.0};
+}
+Vec3 halfSizeOf(const CapsuleShape& shape) {
+    return {shape.radius_m, shape.radius_m, shape.height_m / 2.0 + shape.radius_m};
+}
+Vec3 halfSizeOf(const BoxShape& shape) {
+    return shape.size_m / 2.0;
+}
+Vec3 halfSizeOf(const SphereShape& shape) {
+    return Vec3::Constant(shape.radius_m);
+}
+
+/// Around all parts, along the body's axes.
+Eigen::AlignedBox3d boundsOf(const BodyDescription& body) {
+    Eigen::AlignedBox3d bounds(Vec3::Zero().eval());
+    for (const BodyPart& part : body.parts) {
+        const Vec3 half_m = std::visit([](const auto& shape) { return halfSizeOf(shape); }, part.shape);
+        const Vec3 reach_m = part.part_in_body.isometry().linear().cwiseAbs() * half_m;
+        bounds.extend(part.part_in_body.position_m - reach_m);
+        bounds.extend(part.part_in_body.position_m + reach_m);
+    }
+    return bounds;
+}
+
+void turn(SceneObject& object, double dt_s) {
+    object.body_in_map.roll_rad = normalizedAngle(object.body_in_map.roll_rad + object.motion.spin_rad_s.x() * dt_s);
+    object.body_in_map.pitch_rad = normalizedAngle(object.body_in_map.pitch_rad + object.motion.spin_rad_s.y() * dt_s);
+    object.body_in_map.yaw_rad = normalizedAngle(object.body_in_map.yaw_rad + object.motion.spin_rad_s.z() * dt_s);
+}
+
+void go(SceneObject& object, double dt_s) {
+    ObjectMotion& motion = object.motion;
+    double way_m = motion.speed_m_s * dt_s;
+    while (way_m > 0.0 && motion.next_waypoint < motion.waypoints_in_map_m.size()) {
+        const Vec3 left_m = motion.waypoints_in_map_m[motion.next_waypoint] - object.body_in_map.position_m;
+        const double step_m = std::min(way_m, left_m.norm());
+        if (left_m.norm() > 0.0)
+            object.body_in_map.position_m += step_m * left_m.normalized();
+        way_m -= step_m;
+        if (step_m < left_m.norm())
+            return;
+        ++motion.next_waypoint;
+        if (motion.loop && motion.waypoints_in_map_m.size() > 1)
+            motion.next_waypoint %= motion.waypoints_in_map_m.size();
+    }
+}
+
+} // namespace
+
+SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object) {
+    const Eigen::AlignedBox3d bounds = boundsOf(object.body);
+    SceneObject added;
+    added.name = object.name;
+    added.class_name = object.class_name;
+    added.body = physics.add(object.body, object.body_in_map);
+    added.body_in_map = object.body_in_map;
+    added.size_m = bounds.sizes();
+    added.radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm();
+    return scene.objects.emplace_back(std::move(added));
+}
+
+Scene makeScene(const World& world, Physics& physics) {
+    Scene scene{{}, world.rfid_tags};
+    for (const WorldObject& object : world.objects)
+        addObject(scene, physics, object);
+    return scene;
+}
+
+void refresh(Scene& scene, const Physics& physics) {
+    for (SceneObject& object : scene.objects)
+        object.body_in_map = physics.state(object.body).pose();
+}
+
+void carryObjects(Scene& scene, Physics& physics, Seconds dt) {
+    for (SceneObject& object : scene.objects) {
+        if (!object.motion.carries())
+            continue;
+        turn(object, dt.count());
+        if (object.motion.moving)
+            go(object, dt.count());
+        physics.place(object.body, object.body_in_map);
+    }
+}
+
+} // namespace usar::sim

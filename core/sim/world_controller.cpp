@@ -1,0 +1,232 @@
+#include "core/sim/world_controller.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/text.h"
+
+namespace usar::sim {
+
+namespace {
+
+/// Sizes, masses and how they roll; figures are ours, for no source tells the game's.
+struct Kind {
+    std::string_view name;
+    enum class Shape { Box, Sphere, Cylinder } shape;
+    Vec3 size_m;
+    double density_kg_m3;
+    double friction;
+    double restitution;
+    double rolling_m;
+};
+
+const std::array kinds{
+    Kind{"Box", Kind::Shape::Box, {0.5, 0.5, 0.5}, 80.0, 0.6, 0.1, 0.0},
+    Kind{"Crate", Kind::Shape::Box, {1.0, 1.0, 1.0}, 60.0, 0.6, 0.1, 0.0},
+    Kind{"Brick", Kind::Shape::Box, {0.24, 0.115, 0.071}, 1800.0, 0.8, 0.1, 0.0},
+    Kind{"Ball", Kind::Shape::Sphere, {0.22, 0.22, 0.22}, 80.0, 0.5, 0.6, 0.003},
+    Kind{"SoccerBall", Kind::Shape::Sphere, {0.086, 0.086, 0.086}, 180.0, 0.5, 0.6, 0.002},
+    Kind{"Barrel", Kind::Shape::Cylinder, {0.6, 0.6, 0.9}, 150.0, 0.6, 0.1, 0.002},
+    Kind{"Cylinder", Kind::Shape::Cylinder, {0.3, 0.3, 0.5}, 200.0, 0.6, 0.1, 0.002},
+};
+
+BodyDescription bodyOf(const Kind& kind, const Vec3& scale) {
+    const Vec3 s = kind.size_m.cwiseProduct(scale);
+    BodyDescription body;
+    body.friction = kind.friction;
+    body.restitution = kind.restitution;
+    body.rolling_friction_m = kind.rolling_m;
+    const double r = s.x() / 2.0;
+    switch (kind.shape) {
+    case Kind::Shape::Box:
+        body.parts = {{BoxShape{s}, {}}};
+        body.mass_kg = kind.density_kg_m3 * s.prod();
+        body.inertia_kg_m2 = body.mass_kg / 12.0 * (Vec3::Constant(s.squaredNorm()) - s.cwiseProduct(s));
+        break;
+    case Kind::Shape::Sphere:
+        body.parts = {{SphereShape{r}, {}}};
+        body.mass_kg = kind.density_kg_m3 * 4.0 / 3.0 * pi * r * r * r;
+        body.inertia_kg_m2 = Vec3::Constant(0.4 * body.mass_kg * r * r);
+        break;
+    case Kind::Shape::Cylinder:
+        body.parts = {{CylinderShape{r, s.z()}, {}}};
+        body.mass_kg = kind.density_kg_m3 * pi * r * r * s.z();
+        body.inertia_kg_m2 = {body.mass_kg / 12.0 * (3.0 * r * r + s.z() * s.z()),
+                              body.mass_kg / 12.0 * (3.0 * r * r + s.z() * s.z()), body.mass_kg / 2.0 * r * r};
+        break;
+    }
+    return body;
+}
+
+std::string_view withoutPackage(std::string_view class_name) {
+    return class_name.substr(class_name.rfind('.') + 1);
+}
+
+} // namespace
+
+std::optional<BodyDescription> builtInBody(std::string_view class_name, const Vec3& scale) {
+    const std::string_view bare_name = withoutPackage(class_name);
+    const auto kind = std::ranges::find_if(kinds, [&](const Kind& one) { return sameWord(one.name, bare_name); });
+    return kind == kinds.end() ? std::nullopt : std::optional(bodyOf(*kind, scale));
+}
+
+bool WorldController::isControl(const protocol::Command& command) {
+    return std::visit(
+        [](const auto& one) {
+            using One = std::decay_t<decltype(one)>;
+            return std::is_same_v<One, protocol::CreateObject> || std::is_same_v<One, protocol::KillObject> ||
+                   std::is_same_v<One, protocol::KillAllObjects> || std::is_same_v<One, protocol::PlaceObject> ||
+                   std::is_same_v<One, protocol::ShiftObject> || std::is_same_v<One, protocol::SpinObject> ||
+                   std::is_same_v<One, protocol::AddWaypoints> || std::is_same_v<One, protocol::ClearWaypoints> ||
+                   std::is_same_v<One, protocol::FollowWaypoints> || std::is_same_v<One, protocol::GetObjectStates>;
+        },
+        static_cast<const protocol::CommandVariant&>(command));
+}
+
+SceneObject* WorldController::find(std::string_view name) const {
+    const auto found =
+        std::ranges::find_if(scene_.objects, [name](const SceneObject& one) { return sameWord(one.name, name); });
+    return found == scene_.objects.end() ? nullptr : &*found;
+}
+
+WorldController::Answer WorldController::missing(std::string_view name) const {
+    return "there is no object '" + std::string(name) + "'";
+}
+
+template <class Keep>
+void WorldController::removeUnless(Keep&& keep) {
+    std::erase_if(scene_.objects, [&](const SceneObject& object) {
+        if (keep(object))
+            return false;
+        physics_.remove(object.body);
+        return true;
+    });
+}
+
+WorldController::Answer WorldController::create(const protocol::CreateObject& wanted, std::uint32_t client) {
+    const Vec3 scale = wanted.scale.value_or(Vec3::Ones());
+    if (!wanted.object_name.text().empty() && find(wanted.object_name))
+        return "there is an object '" + wanted.object_name.text() + "' already";
+    if (!(scale.minCoeff() > 0.0) || scale.maxCoeff() > 100.0)
+        return "an object's scale must be above 0 and at most 100";
+    auto body = builtInBody(wanted.class_name.text(), scale);
+    if (!body)
+        return "unknown object class '" + wanted.class_name.text() +
+               "'; known are Box, Crate, Brick, Ball, SoccerBall, Barrel, Cylinder";
+    WorldObject object{wanted.object_name.text(), std::string(wanted.class_name.text()), std::move(*body), {}};
+    if (object.name.empty())
+        object.name = std::string(withoutPackage(object.class_name)) + std::to_string(scene_.objects.size() + 1);
+    if (const auto* const start = std::get_if<protocol::Token>(&wanted.start)) {
+        const auto pose =
+            std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *start); });
+        if (pose == world_.start_poses.end())
+            return "there is no start pose '" + start->text() + "'";
+        object.body_in_map = pose->pose_in_map;
+    } else {
+        object.body_in_map = std::get<Pose>(wanted.start);
+    }
+    SceneObject& added = addObject(scene_, physics_, object);
+    added.memory = wanted.memory;
+    if (!wanted.permanent.value_or(false))
+        added.goes_with = client;
+    return {};
+}
+
+WorldController::Answer WorldController::move(const protocol::Token& name, const Pose& body_in_map) {
+    SceneObject* const object = find(name);
+    if (!object)
+        return missing(name);
+    object->body_in_map = body_in_map;
+    physics_.place(object->body, body_in_map);
+    return {};
+}
+
+WorldController::Answer WorldController::follow(const protocol::FollowWaypoints& wanted) {
+    SceneObject* const object = find(wanted.object_name);
+    if (!object)
+        return missing(wanted.object_name);
+    ObjectMotion& motion = object->motion;
+    if (const auto* const speed = std::get_if<protocol::WaypointSpeed>(&wanted.pace)) {
+        motion.speed_m_s = speed->speed_m_s;
+    } else {
+        double way_m = 0.0;
+        Vec3 at_m = object->body_in_map.position_m;
+        for (const Vec3& point_m : motion.waypoints_in_map_m) {
+            way_m += (point_m - at_m).norm();
+            at_m = point_m;
+        }
+        const double time_s = std::get<Seconds>(wanted.pace).count();
+        motion.speed_m_s = time_s > 0.0 ? way_m / time_s : 0.0;
+    }
+    motion.loop = wanted.loop.value_or(motion.loop);
+    motion.moving = wanted.moving.value_or(true);
+    return {};
+}
+
+WorldController::Answer WorldController::obey(const protocol::Command& command, std::uint32_t client) {
+    if (const auto* const wanted = std::get_if<protocol::CreateObject>(&command))
+        return create(*wanted, client);
+    if (const auto* const kill = std::get_if<protocol::KillObject>(&command)) {
+        if (!find(kill->object_name))
+            return missing(kill->object_name);
+        removeUnless([&](const SceneObject& one) { return !sameWord(one.name, kill->object_name); });
+        return {};
+    }
+    if (const auto* const kill = std::get_if<protocol::KillAllObjects>(&command)) {
+        removeUnless([&](const SceneObject& one) {
+            return kill->within &&
+                   !Eigen::AlignedBox3d(kill->within->min_m, kill->within->max_m).contains(one.body_in_map.position_m);
+        });
+        return {};
+    }
+    if (const auto* const place = std::get_if<protocol::PlaceObject>(&command))
+        return move(place->object_name, place->object_in_map);
+    if (const auto* const follow_points = std::get_if<protocol::FollowWaypoints>(&command))
+        return follow(*follow_points);
+    return std::visit(
+        [&](const auto& one) -> Answer {
+            using One = std::decay_t<decltype(one)>;
+            if constexpr (requires { one.object_name; }) {
+                SceneObject* const object = find(one.object_name);
+                if (!object)
+                    return missing(one.object_name);
+                if constexpr (std::is_same_v<One, protocol::ShiftObject>) {
+                    Pose moved = object->body_in_map;
+                    moved.position_m += one.shift.position_m;
+                    moved.roll_rad += one.shift.roll_rad;
+                    moved.pitch_rad += one.shift.pitch_rad;
+                    moved.yaw_rad += one.shift.yaw_rad;
+                    return move(one.object_name, moved);
+                } else if constexpr (std::is_same_v<One, protocol::SpinObject>) {
+                    object->motion.spin_rad_s = one.rates_rad_s;
+                } else if constexpr (std::is_same_v<One, protocol::AddWaypoints>) {
+                    auto& points = object->motion.waypoints_in_map_m;
+                    points.insert(points.end(), one.points_in_map_m.begin(), one.points_in_map_m.end());
+                } else if constexpr (std::is_same_v<One, protocol::ClearWaypoints>) {
+                    const Vec3 spin_rad_s = object->motion.spin_rad_s;
+                    object->motion = {};
+                    object->motion.spin_rad_s = spin_rad_s;
+                }
+            }
+            return {};
+        },
+        static_cast<const protocol::CommandVariant&>(command));
+}
+
+protocol::WorldObjects WorldController::states(const protocol::GetObjectStates& asked) const {
+    protocol::WorldObjects states;
+    for (const SceneObject& object : scene_.objects) {
+        const bool named = asked.object_name.text().empty() || sameWord(asked.object_name, object.name);
+        const bool of_class = asked.class_name.text().empty() ||
+                              sameWord(withoutPackage(asked.class_name.text()), withoutPackage(object.class_name));
+        if (named && of_class)
+            states.objects.push_back({object.name, object.size_m, object.body_in_map, object.memory});
+    }
+    return states;
+}
+
+void WorldController::clientLeft(std::uint32_t client) {
+    removeUnless([client](const SceneObject& one) { return one.goes_with != client; });
+}
+
+} // namespace usar::sim

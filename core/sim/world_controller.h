@@ -1,0 +1,48 @@
+// Obeys CONTROL: makes, moves and removes things while the simulation runs (usarsim-protocol 5.8).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/protocol/command.h"
+#include "core/protocol/info/world_objects.h"
+#include "core/sim/scene.h"
+
+namespace usar::sim {
+
+/// Where the things are that it works on. All of it outlives it.
+class WorldController {
+public:
+    WorldController(const World& world, Physics& physics, Scene& scene)
+        : world_(world)
+        , physics_(physics)
+        , scene_(scene) {}
+
+    static bool isControl(const protocol::Command& command);
+    /// A sentence where the command cannot be obeyed, for the server's log.
+    std::optional<std::string> obey(const protocol::Command& command, std::uint32_t client);
+    protocol::WorldObjects states(const protocol::GetObjectStates& asked) const;
+    /// Things that are not permanent leave with who made them.
+    void clientLeft(std::uint32_t client);
+
+private:
+    using Answer = std::optional<std::string>;
+    Answer create(const protocol::CreateObject& wanted, std::uint32_t client);
+    Answer move(const protocol::Token& name, const Pose& body_in_map);
+    Answer follow(const protocol::FollowWaypoints& wanted);
+    template <class Keep>
+    void removeUnless(Keep&& keep);
+    SceneObject* find(std::string_view name) const;
+    Answer missing(std::string_view name) const;
+
+    const World& world_;
+    Physics& physics_;
+    Scene& scene_;
+};
+
+/// A thing of one of the built-in kinds (Box, Crate, Ball, SoccerBall, Barrel, Cylinder, Brick), in any case, with or
+/// without package; nothing for other words.
+std::optional<BodyDescription> builtInBody(std::string_view class_name, const Vec3& scale);
+
+} // namespace usar::sim

@@ -1,0 +1,204 @@
+#include <QtTest>
+
+#include "tests/sim/talker.h"
+#include "tests/sim/tiny_worlds.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+/// A world, and a world controller's connection.
+struct Controlled {
+    std::unique_ptr<Simulation> simulation;
+    Talker talker;
+
+    explicit Controlled(World world = flatWorld()) : simulation(simulationOf(std::move(world))), talker(*simulation) {
+        talker.hearText();
+        talker.say("INIT {ClassName USARBot.WorldController} {Name WC}");
+    }
+    void steps(int count) {
+        for (int i = 0; i < count; ++i)
+            simulation->step();
+    }
+    std::vector<protocol::WorldObject> states(const std::string& which = {}) {
+        talker.hearText();
+        talker.say("CONTROL {Type GetSTA}" + which);
+        simulation->step();
+        const auto found = talker.hearLast<protocol::WorldObjects>();
+        return found ? found->objects : std::vector<protocol::WorldObject>();
+    }
+    bool logged(const char* words) {
+        for (const std::string& sentence : simulation->takeLog())
+            if (sentence.find(words) != std::string::npos)
+                return true;
+        return false;
+    }
+};
+
+} // namespace
+
+class tst_WorldController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void createsThingsThatFallAndRest() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName USARModels.Box} {Name B1} {Location 2,-3,-2} {Memory left "
+                         "here}");
+        world.steps(20);
+        const auto states = world.states();
+        QCOMPARE(states.size(), std::size_t(1));
+        QCOMPARE(states[0].name, std::string("B1"));
+        const Vec3 at_m = states[0].object_in_map.position_m;
+        QVERIFY2((at_m - Vec3(2, 3, 0.25)).norm() < 0.1 && std::abs(at_m.z() - 0.25) < 0.01,
+                 qPrintable(QString("%1 %2 %3").arg(at_m.x()).arg(at_m.y()).arg(at_m.z())));
+        QVERIFY(states[0].size_m && (*states[0].size_m - Vec3(0.5, 0.5, 0.5)).norm() < 0.02);
+        QCOMPARE(states[0].memory, std::string("left here"));
+    }
+
+    void killsOneAllAndThoseInABox() {
+        Controlled world;
+        for (const char* at : {"0,0,-1", "5,0,-1", "10,0,-1", "15,0,-1"})
+            world.talker.say(std::string("CONTROL {Type Create} {ClassName Ball} {Location ") + at + "}");
+        QCOMPARE(world.states().size(), std::size_t(4));
+        world.talker.say("CONTROL {Type KillAll} {MinPos -1,-1,-5} {MaxPos 6,1,5}");
+        QCOMPARE(world.states().size(), std::size_t(2));
+        const std::string name = world.states().front().name;
+        world.talker.say("CONTROL {Type Kill} {Name " + name + "}");
+        QCOMPARE(world.states().size(), std::size_t(1));
+        QVERIFY(world.states(" {Name " + name + "}").empty());
+        world.talker.say("CONTROL {Type KillAll}");
+        QVERIFY(world.states().empty());
+    }
+
+    void movesAbsolutelyAndByAStep() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 0,0,-0.25}");
+        world.talker.say("CONTROL {Type AbsMove} {Name B} {Location 4,1,-0.26} {Rotation 0,0,1}");
+        world.talker.say("CONTROL {Type RelMove} {Name B} {Location 1,0,0} {Rotation 0,0,0}");
+        const auto states = world.states();
+        QCOMPARE(states.size(), std::size_t(1));
+        QVERIFY((states[0].object_in_map.position_m.head<2>() - Vec2(5, -1)).norm() < 0.02);
+        QVERIFY(std::abs(states[0].object_in_map.yaw_rad + 1.0) < 0.02);
+    }
+
+    void turnsAThingAtItsRate() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 0,0,-1}");
+        world.talker.say("CONTROL {Type Rotate} {Name B} {Speed 0,0,0.5}");
+        world.steps(10);
+        const double before_rad = world.states()[0].object_in_map.yaw_rad;
+        world.steps(4); // and one that states() takes: a second
+        const double after_rad = world.states()[0].object_in_map.yaw_rad;
+        QVERIFY2(std::abs(normalizedAngle(after_rad - before_rad) + 0.5) < 0.01,
+                 qPrintable(QString::number(after_rad - before_rad)));
+    }
+
+    void walksItsWayPoints_data() {
+        QTest::addColumn<QString>("pace");
+        QTest::addColumn<int>("ticks");
+        QTest::newRow("at a speed") << "{Speed 2}" << 20; // 8 m
+        QTest::newRow("within a time") << "{Time 4}" << 20;
+    }
+    void walksItsWayPoints() {
+        QFETCH(QString, pace);
+        QFETCH(int, ticks);
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 0,0,-1}");
+        world.talker.say("CONTROL {Type AddWP} {Name B} {WP 4,0,-1;4,4,-1}");
+        world.talker.say("CONTROL {Type SetWP} {Name B} " + pace.toStdString() + " {Moving true}");
+        world.steps(ticks / 2);
+        const Vec3 half_m = world.states()[0].object_in_map.position_m;
+        QVERIFY2((half_m - Vec3(4, 0, 1)).norm() < 0.6, qPrintable(QString::number(half_m.x())));
+        world.steps(ticks / 2 + 1);
+        QVERIFY((world.states()[0].object_in_map.position_m.head<2>() - Vec2(4, -4)).norm() < 0.05);
+    }
+
+    void thingsLeaveWithTheControllerUnlessPermanent() {
+        auto simulation = simulationOf(flatWorld());
+        {
+            Talker first(*simulation);
+            first.say("INIT {ClassName WorldController} {Name A}");
+            first.say("CONTROL {Type Create} {ClassName Box} {Name Goes} {Location 0,0,-1}");
+            first.say("CONTROL {Type Create} {ClassName Box} {Name Stays} {Location 3,0,-1} {Permanent true}");
+            simulation->step();
+            simulation->disconnect(first.id());
+        }
+        Talker second(*simulation);
+        second.say("INIT {ClassName WorldController} {Name B}");
+        second.say("CONTROL {Type GetSTA}");
+        simulation->step();
+        const auto left = second.hearLast<protocol::WorldObjects>();
+        QVERIFY(left);
+        QCOMPARE(left->objects.size(), std::size_t(1));
+        QCOMPARE(left->objects[0].name, std::string("Stays"));
+    }
+
+    void refusesWithAWordInTheLog_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("unknown class") << "CONTROL {Type Create} {ClassName Unicorn}"
+                                       << "known are Box";
+        QTest::newRow("unknown thing") << "CONTROL {Type Kill} {Name Nobody}"
+                                       << "no object 'Nobody'";
+        QTest::newRow("unknown start") << "CONTROL {Type Create} {ClassName Box} {Start Moon}"
+                                       << "no start pose 'Moon'";
+        QTest::newRow("no size") << "CONTROL {Type Create} {ClassName Box} {Scale 0,1,1}"
+                                 << "scale must be above 0";
+    }
+    void refusesWithAWordInTheLog() {
+        QFETCH(QString, line);
+        QFETCH(QString, words);
+        Controlled world;
+        world.talker.say(line.toStdString());
+        world.steps(1);
+        QVERIFY(world.logged(words.toUtf8().constData()));
+        QVERIFY(world.states().empty());
+    }
+
+    void onlyAControllerControls() {
+        auto simulation = simulationOf(flatWorld());
+        Talker robot(*simulation);
+        robot.say("INIT {ClassName P2DX} {Name R} {Location 0,0,-0.2}");
+        robot.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 3,0,-1}");
+        simulation->step();
+        bool said = false;
+        for (const std::string& sentence : simulation->takeLog())
+            said |= sentence.find("no world controller's") != std::string::npos;
+        QVERIFY(said);
+    }
+
+    void aRobotSeesAndPushesWhatStandsInItsWay() {
+        Controlled world;
+        Talker robot(*world.simulation);
+        robot.say("INIT {ClassName P2DX} {Name R} {Location 0,0,-0.2}");
+        world.steps(5);
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 1.5,0,-0.26}");
+        world.steps(3);
+        robot.hearText();
+        world.steps(1);
+        double ahead_m = 0.0;
+        for (const protocol::InfoLine& line : robot.hear())
+            if (const auto* const scan = std::get_if<protocol::RangeScan>(&line.message))
+                ahead_m = scan->ranges_m.at(90);
+        QVERIFY2(std::abs(ahead_m - (1.25 - 0.056)) < 0.03, qPrintable(QString::number(ahead_m)));
+        robot.say("DRIVE {Left 6} {Right 6}");
+        world.steps(30);
+        QVERIFY(world.states()[0].object_in_map.position_m.x() > 2.0);
+    }
+
+    void aBaseStationHearsNothing() {
+        auto simulation = simulationOf(flatWorld());
+        Talker station(*simulation);
+        station.hearText();
+        station.say("INIT {ClassName USARBot.ComStation} {Name Base} {Location 0,0,0}");
+        for (int i = 0; i < 5; ++i)
+            simulation->step();
+        QVERIFY(station.hearText().empty());
+        QVERIFY(simulation->robots().empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_WorldController)
+#include "tst_world_controller.moc"
