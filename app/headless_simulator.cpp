@@ -53,7 +53,7 @@ HeadlessSimulator::~HeadlessSimulator() {
 }
 
 Rectangle HeadlessSimulator::extent() const {
-    return simulation_->world().terrain.extent();
+    return sim::extentOf(simulation_->world());
 }
 
 mission::Truth HeadlessSimulator::truth() const {

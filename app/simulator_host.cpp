@@ -20,7 +20,7 @@ int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m)
 
 WorldPicture pictureOf(const sim::World& world) {
     constexpr int side = 512;
-    WorldPicture picture{QString::fromStdString(world.name), world.terrain.extent(), {}};
+    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}};
     if (world.terrain.empty())
         return picture;
     picture.relief = QImage(side, side, QImage::Format_Grayscale8);

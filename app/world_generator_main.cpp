@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "\n");
         return 2;
     }
-    const auto done = usar::sim::generateWorld(arguments[0], static_cast<std::uint64_t>(*seed), arguments[2]);
+    const auto done =
+        usar::sim::generateWorld(arguments[0], static_cast<std::uint64_t>(*seed), USAR_WORLD_DATA, arguments[2]);
     if (!done) {
         std::fprintf(stderr, "%s\n", done.error().text().c_str());
         return 1;

@@ -9,6 +9,8 @@ namespace usar::sim {
 
 namespace {
 
+constexpr double under_ceiling_m = 1e-6;
+
 struct PlacedBox {
     Vec3 center_m;
     Vec3 half_size_m;
@@ -25,21 +27,42 @@ bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
     return to_center.squaredNorm() - along * along <= box.radius_m * box.radius_m + 1e-9;
 }
 
+/// Whether it lies level over all the ground, as ceilings do.
+bool covers(const PlacedBox& box, const Rectangle& ground) {
+    if (ground.empty() || !box.box_in_map.isIdentity(1e-9))
+        return false;
+    const Vec2 center_m = box.center_m.head<2>();
+    const Vec2 half_m = box.half_size_m.head<2>() + Vec2::Constant(1e-9);
+    return Rectangle{center_m - half_m, center_m + half_m}.contains(ground);
+}
+
 } // namespace
 
 struct RayCaster::Index {
     explicit Index(const World& world) : plants(world.plants), ground(world.terrain) {
+        for (const Box& box : world.boxes) {
+            const Vec3 half_size_m = box.size_m / 2.0;
+            boxes.push_back({box.center_in_map.position_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(),
+                             half_size_m.norm()});
+        }
+        findTopAndBottom(world);
+    }
+
+    void findTopAndBottom(const World& world) {
         top_m = world.terrain.maximum_m();
+        bottom_m = world.terrain.minimum_m();
         if (!world.plants.empty())
             top_m = std::max(top_m, plants.maximum_z_m());
-        for (const Box& box : world.boxes) {
-            const Vec3& center_m = box.center_in_map.position_m;
-            const Vec3 half_size_m = box.size_m / 2.0;
-            boxes.push_back(
-                {center_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(), half_size_m.norm()});
-            top_m = std::max(top_m, center_m.z() + half_size_m.norm());
+        for (const PlacedBox& box : boxes) {
+            top_m = std::max(top_m, box.center_m.z() + box.radius_m);
+            bottom_m = std::min(bottom_m, box.center_m.z() - box.radius_m);
         }
         top_m += 1.0;
+        for (const PlacedBox& box : boxes) {
+            const double underside_m = box.center_m.z() - box.half_size_m.z();
+            if (covers(box, world.terrain.extent()) && underside_m > static_cast<double>(world.terrain.maximum_m()))
+                top_m = std::min(top_m, underside_m - under_ceiling_m);
+        }
     }
 
     double castAtThings(const Ray& ray, double maximum_m) const {
@@ -53,7 +76,8 @@ struct RayCaster::Index {
     PlantIndex plants;
     TerrainRays ground;
     std::vector<PlacedBox> boxes;
-    double top_m = 0.0; ///< above everything
+    double top_m = 0.0;    ///< above everything; under the ceiling where there is one
+    double bottom_m = 0.0; ///< below everything
 };
 
 RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_unique<const Index>(world)) {}
@@ -67,7 +91,7 @@ double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maxim
 }
 
 double RayCaster::surface_m(const Vec2& point_m) const {
-    const double ground_m = world_->terrain.height_m(point_m);
+    const double ground_m = world_->terrain.empty() ? index_->bottom_m : world_->terrain.height_m(point_m);
     const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};
     return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m);
 }

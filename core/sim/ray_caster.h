@@ -19,7 +19,8 @@ public:
     /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector. Water is not seen. A ray
     /// that starts inside something solid or below ground measures 0.
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
-    /// What a ray from straight above meets first: the true surface (ground, crown or roof) at a point.
+    /// What a ray from straight above meets first: the true surface (ground, crown or roof) at a point. Under a box
+    /// that covers all the ground, the ceiling of a closed room, it is what lies below the ceiling.
     double surface_m(const Vec2& point_m) const;
 
 private:

@@ -76,14 +76,28 @@ std::string groundModel(const Terrain& terrain, const HeightScale& scale) {
         shape("<heightmap><uri>height.png</uri><size>" + size + "</size><pos>" + position + "</pos></heightmap>"));
 }
 
-std::string boxModel(const Box& box, std::size_t number) {
-    const std::string size = spaced(box.size_m.x(), box.size_m.y(), box.size_m.z());
-    return staticModel("box_" + std::to_string(number), poseLine(poseText(box.center_in_map)),
-                       shape("<box><size>" + size + "</size></box>"));
-}
-
 std::string tag(const std::string& name, const std::string& content) {
     return "<" + name + ">" + content + "</" + name + ">";
+}
+
+/// Collision and visual of one shape in a link.
+std::string placedShape(std::size_t number, const std::string& pose, const std::string& geometry,
+                        const std::string& surface) {
+    const std::string name = "_" + std::to_string(number) + "\">";
+    const std::string placed = tag("pose", pose) + tag("geometry", geometry);
+    return "        <collision name=\"collision" + name + placed + surface + "</collision>\n" +
+           "        <visual name=\"visual" + name + placed + "</visual>\n";
+}
+
+/// All in one model: libsdformat takes 7 ms for each model in a world, and hardly any for a shape in a link.
+std::string buildings(const std::vector<Box>& boxes) {
+    std::string shapes;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Vec3& size_m = boxes[i].size_m;
+        shapes += placedShape(i + 1, poseText(boxes[i].center_in_map),
+                              tag("box", tag("size", spaced(size_m.x(), size_m.y(), size_m.z()))), "");
+    }
+    return staticModel("buildings", "", "      <link name=\"link\">\n" + shapes + "      </link>\n");
 }
 
 struct GeometryText {
@@ -122,13 +136,9 @@ std::string objectModel(const WorldObject& object) {
     if (!object.class_name.empty())
         text += "      " + tag("usar:class_name", escaped(object.class_name)) + "\n";
     text += "      <link name=\"link\">\n" + inertialText(body);
-    for (std::size_t i = 0; i < body.parts.size(); ++i) {
-        const std::string name = "_" + std::to_string(i + 1) + "\">";
-        const std::string geometry = std::visit(GeometryText{}, body.parts[i].shape);
-        const std::string placed = tag("pose", poseText(body.parts[i].part_in_body)) + tag("geometry", geometry);
-        text += "        <collision name=\"collision" + name + placed + surface + "</collision>\n";
-        text += "        <visual name=\"visual" + name + placed + "</visual>\n";
-    }
+    for (std::size_t i = 0; i < body.parts.size(); ++i)
+        text += placedShape(i + 1, poseText(body.parts[i].part_in_body),
+                            std::visit(GeometryText{}, body.parts[i].shape), surface);
     return text + "      </link>\n    </model>\n";
 }
 
@@ -182,8 +192,8 @@ std::string sdfText(const World& world, const HeightScale& scale) {
                        escaped(world.name) + "\">\n";
     if (!world.terrain.empty())
         text += groundModel(world.terrain, scale);
-    for (std::size_t i = 0; i < world.boxes.size(); ++i)
-        text += boxModel(world.boxes[i], i + 1);
+    if (!world.boxes.empty())
+        text += buildings(world.boxes);
     for (const WorldObject& object : world.objects)
         text += objectModel(object);
     if (!world.plants.empty())

@@ -27,6 +27,9 @@ private slots:
     void seesThroughWater();
     void surfaceIsTheTopOfWhateverStandsThere_data();
     void surfaceIsTheTopOfWhateverStandsThere();
+    void surfaceOfARoomLiesUnderItsCeiling();
+    void aRoofOverAPartIsASurface();
+    void boxesWithoutGroundHaveASurface();
     void agreesWithTryingEveryTriangle();
     void verticalRaysMeetTheTerrainHeight();
     void agreesWithTryingEveryPlant();
@@ -259,6 +262,32 @@ void TestRayCaster::surfaceIsTheTopOfWhateverStandsThere() {
     world.plants = {roundTree()};
     world.boxes = {{Pose{.position_m = {-20.0, -20.0, 2.0}, .yaw_rad = 0.3}, {6.0, 8.0, 4.0}}};
     QVERIFY(std::abs(RayCaster(world).surface_m(point_m) - surface_m) < 1e-9);
+}
+
+void TestRayCaster::surfaceOfARoomLiesUnderItsCeiling() {
+    World world = usar::doubles::flatWorld(20.0);
+    world.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {20.0, 20.0, 1.0}},
+                   {Pose{.position_m = {5.0, 5.0, 0.5}}, {2.0, 2.0, 1.0}},
+                   {Pose{.position_m = {-5.0, 5.0, 1.5}}, {2.0, 2.0, 3.0}}};
+    const RayCaster caster(world);
+    QVERIFY(std::abs(caster.surface_m({0.0, 0.0})) < 1e-9);
+    QVERIFY(std::abs(caster.surface_m({5.0, 5.0}) - 1.0) < 1e-9);
+    QVERIFY2(std::abs(caster.surface_m({-5.0, 5.0}) - 3.0) < 1e-5, "a pillar up to the ceiling");
+    QCOMPARE(caster.cast({0.0, 0.0, 1.0}, Vec3::UnitZ(), 20.0), 2.0);
+}
+
+void TestRayCaster::aRoofOverAPartIsASurface() {
+    World world = usar::doubles::flatWorld(20.0);
+    world.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {20.0, 19.0, 1.0}}};
+    QVERIFY(std::abs(RayCaster(world).surface_m({0.0, 0.0}) - 4.0) < 1e-9);
+}
+
+void TestRayCaster::boxesWithoutGroundHaveASurface() {
+    World world;
+    world.boxes = {{Pose{.position_m = {0.0, 0.0, -2.5}}, {20.0, 20.0, 1.0}},
+                   {Pose{.position_m = {5.0, 5.0, -1.5}}, {2.0, 2.0, 1.0}}};
+    QVERIFY(std::abs(RayCaster(world).surface_m({0.0, 0.0}) + 2.0) < 1e-9);
+    QVERIFY(std::abs(RayCaster(world).surface_m({5.0, 5.0}) + 1.0) < 1e-9);
 }
 
 void TestRayCaster::agreesWithTryingEveryTriangle() {

@@ -44,6 +44,8 @@ private:
 
 namespace {
 
+const std::filesystem::path data = USAR_SOURCE_DIR "/resources/worlds";
+
 const World& tallTest(int seed) {
     static std::map<int, World> made;
     const auto [entry, is_new] = made.try_emplace(seed);
@@ -91,8 +93,8 @@ void TestWorldGenerator::addSeeds() {
 void TestWorldGenerator::equalSeedsGiveEqualBytes() {
     const QTemporaryDir a;
     const QTemporaryDir b;
-    QVERIFY(usar::sim::generateWorld("tall_test", 7, pathOf(a)));
-    QVERIFY(usar::sim::generateWorld("tall_test", 7, pathOf(b)));
+    QVERIFY(usar::sim::generateWorld("tall_test", 7, data, pathOf(a)));
+    QVERIFY(usar::sim::generateWorld("tall_test", 7, data, pathOf(b)));
     for (const char* name : {"world.sdf", "height.png", "plants.csv"}) {
         const std::string bytes = readAll(pathOf(a) / name);
         QVERIFY2(bytes.size() > 1000, name);
@@ -107,7 +109,7 @@ void TestWorldGenerator::otherSeedsGiveOtherWorlds() {
 
 void TestWorldGenerator::whatIsWrittenReadsBackEqual() {
     const QTemporaryDir folder;
-    QVERIFY(usar::sim::generateWorld("tall_test", 1, pathOf(folder)));
+    QVERIFY(usar::sim::generateWorld("tall_test", 1, data, pathOf(folder)));
     const auto read = usar::sim::readWorld(pathOf(folder));
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     const World& made = tallTest(1);
@@ -126,7 +128,7 @@ void TestWorldGenerator::whatIsWrittenReadsBackEqual() {
 
 void TestWorldGenerator::refusesAnUnknownNameAndSaysTheKnown() {
     const QTemporaryDir folder;
-    const auto made = usar::sim::generateWorld("atlantis", 1, pathOf(folder));
+    const auto made = usar::sim::generateWorld("atlantis", 1, data, pathOf(folder));
     QVERIFY(!made);
     QCOMPARE(made.error().where, std::string("atlantis"));
     QVERIFY(made.error().mend.find("tall_test") != std::string::npos);
@@ -135,7 +137,7 @@ void TestWorldGenerator::refusesAnUnknownNameAndSaysTheKnown() {
 void TestWorldGenerator::saysWhenTheFolderCannotBeMade() {
     const QTemporaryDir folder;
     usar::doubles::writeAll(pathOf(folder) / "file", "in the way");
-    const auto made = usar::sim::generateWorld("tall_test", 1, pathOf(folder) / "file" / "world");
+    const auto made = usar::sim::generateWorld("tall_test", 1, data, pathOf(folder) / "file" / "world");
     QVERIFY(!made);
     QVERIFY(!made.error().mend.empty());
 }

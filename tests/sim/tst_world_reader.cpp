@@ -164,11 +164,14 @@ void TestWorldReader::northIsTheTopOfThePicture() {
 }
 
 void TestWorldReader::posesOfModelLinkAndCollisionAddUp() {
-    replace("<pose>4 -5 1.5 0 0 0.4</pose>\n      <link name=\"link\">",
-            "<pose>4 -5 1.5 0 0 1.5707963267948966</pose>\n      <link name=\"link\"><pose>1 0 0 0 0 0</pose>");
+    replace(
+        "<model name=\"buildings\">\n      <static>true</static>\n      <link name=\"link\">",
+        "<model name=\"buildings\">\n      <static>true</static>\n      <pose>3 -3 1 0 0 1.5707963267948966</pose>\n"
+        "      <link name=\"link\"><pose>1 0 0 0 0 0</pose>");
+    replace("<pose>4 -5 1.5 0 0 0.4</pose>", "<pose>0 1 0.5 0 0 0</pose>");
     const auto read = usar::sim::readWorld(folder());
     QVERIFY2(read, read ? "" : read.error().text().c_str());
-    QVERIFY(read->boxes[0].center_in_map.position_m.isApprox(usar::Vec3{4.0, -4.0, 1.5}, 1e-9));
+    QVERIFY(read->boxes[0].center_in_map.position_m.isApprox(usar::Vec3{2.0, -2.0, 1.5}, 1e-9));
 }
 
 void TestWorldReader::massesNeedNotSitInTheMiddleOfALink() {
