@@ -33,7 +33,7 @@ double PointLookoutGround::inland_m(const Vec2& point_m) const {
 
 /// 1 where the coast is a cliff, 0 where it is a beach.
 double PointLookoutGround::cliffs(const Vec2& point_m) const {
-    return smoothStep(-0.1, 0.2, cliffs_.at(point_m + shift_m_));
+    return smoothStep(-0.35, 0.3, cliffs_.at(point_m + shift_m_));
 }
 
 double PointLookoutGround::land_m(const Vec2& point_m, double inland_m) const {
