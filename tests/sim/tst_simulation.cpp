@@ -226,8 +226,8 @@ private slots:
     void ignoresWhatIsForOtherRobotsAndTellsTheLog_data() {
         QTest::addColumn<QString>("line");
         for (const char* line : {"DRIVE {Speed 3} {FrontSteer 0.5}", "MULTIDRIVE {FLFlipper 0.5}", "TRACE {On true}",
-                                 "MISPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", "CONTROL {Type Kill} {Name Box1}",
-                                 "GETPATHNODES", "ACT {Name Arm} {Gripper 1}", "EHLO example.org"})
+                                 "MISPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", "GETPATHNODES",
+                                 "ACT {Name Arm} {Gripper 1}", "EHLO example.org"})
             QTest::newRow(line) << line;
     }
     void ignoresWhatIsForOtherRobotsAndTellsTheLog() {
