@@ -40,6 +40,13 @@ Result<QString> findWorld(const QString& name_or_folder) {
     return findWorldIn(worldsFolder(), name_or_folder);
 }
 
+QStringList worldNames() {
+    const QDir worlds(worldsFolder());
+    QStringList names = worlds.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    names.removeIf([&worlds](const QString& name) { return !worlds.exists(name + "/world.sdf"); });
+    return names;
+}
+
 QString robotsFolder() {
     return firstFolder({"../share/robots", "../share/usar-mission-control/robots"});
 }

@@ -13,6 +13,8 @@ namespace usar::app {
 Result<QString> findWorld(const QString& name_or_folder);
 /// The same with another folder for the worlds.
 Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder);
+/// Those that come with the program, by name.
+QStringList worldNames();
 /// The folder of the robot files.
 QString robotsFolder();
 /// Folders that hold behavior plugins, most specific first.

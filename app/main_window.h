@@ -54,6 +54,11 @@ protected:
 private:
     void registerCommands();
     void registerFileCommands();
+    void registerWorldCommands();
+    void fillWorldMenu(QMenu* menu);
+    /// The embedded simulator starts anew in it.
+    void chooseWorld(const QString& name_or_folder);
+    std::vector<agent::RobotDescription> robotsToSpawn(const QStringList& classes) const;
     void registerMissionCommands();
     void registerRobotCommands();
     void registerMapCommands();

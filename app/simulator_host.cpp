@@ -20,7 +20,7 @@ int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m)
 
 WorldPicture pictureOf(const sim::World& world) {
     constexpr int side = 512;
-    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}};
+    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}};
     if (world.terrain.empty())
         return picture;
     picture.relief = QImage(side, side, QImage::Format_Grayscale8);
@@ -96,8 +96,10 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     Result<sim::World> world = loadWorld(spec.world);
     if (!world)
         return emit failed(QString::fromStdString(world.error().text()));
-    const WorldPicture picture = pictureOf(*world);
+    WorldPicture picture = pictureOf(*world);
     sim::RobotsRead robots = loadRobots();
+    for (const sim::RobotModel& robot : robots.robots)
+        picture.robot_classes << QString::fromStdString(robot.class_name);
     for (const Error& refused : robots.refused)
         emit robotRefused(QString::fromStdString(refused.text()));
     auto simulation = sim::Simulation::make(

@@ -22,7 +22,8 @@ struct SimulatorSpec {
 struct WorldPicture {
     QString name;
     Rectangle extent_in_map;
-    QImage relief; ///< shaded terrain, row 0 = highest y
+    QImage relief;             ///< shaded terrain, row 0 = highest y
+    QStringList robot_classes; ///< that can be spawned there, without package
 };
 
 /// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.

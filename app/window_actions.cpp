@@ -1,4 +1,5 @@
 // What MainWindow does when it is asked: each action is a few lines that ask MissionControl and tell the views.
+#include <algorithm>
 #include <cmath>
 
 #include <QApplication>
@@ -26,6 +27,7 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
     for (auto& [id, draft] : drafts_)
         draft.area_in_map.reset(); // of another world
     start_poses_.clear();
+    views_.spawn_card->setRobots(control_.plugins().robots());
     views_.time->setSteerable(target.embedded);
     control_.connectTo(target);
     if (control_.robot(selected_)) // a replay stays, and its map has gone with the old world's
@@ -37,9 +39,30 @@ void MainWindow::showWorld(const WorldPicture& world) {
     views_.map->setBackground(world.relief, world.extent_in_map);
     views_.behavior->setAreaLimits(world.extent_in_map);
     views_.map->fitWorld();
+    views_.spawn_card->setRobots(robotsToSpawn(world.robot_classes));
     views_.time->setSpeed(1.0);
     views_.time->setPaused(false);
     views_.sensors->setPaused(false);
+    commands_.refresh();
+}
+
+/// What plugins can drive, and then what the embedded simulator has besides: those are driven by commands alone.
+std::vector<agent::RobotDescription> MainWindow::robotsToSpawn(const QStringList& classes) const {
+    std::vector<agent::RobotDescription> robots = control_.plugins().robots();
+    for (const QString& name : classes) {
+        const std::string class_name = "USARBot." + name.toStdString();
+        const bool known = std::ranges::any_of(
+            robots, [&](const agent::RobotDescription& robot) { return robot.class_name == class_name; });
+        if (!known)
+            robots.push_back({class_name, name.toStdString(), {}, {}});
+    }
+    return robots;
+}
+
+void MainWindow::chooseWorld(const QString& name_or_folder) {
+    options_.server.simulator.world = name_or_folder;
+    views_.connection->setServer(widgets::ServerChoice::Embedded);
+    connectTo(widgets::ServerChoice::Embedded, {}, 0);
     commands_.refresh();
 }
 

@@ -29,6 +29,7 @@ void MainWindow::registerCommands() {
     registerMapCommands();
     registerViewCommands();
     registerLinkCommands();
+    registerWorldCommands();
     registerTimeCommands();
     registerLayoutCommands();
     registerMessageCommands();
@@ -233,9 +234,11 @@ void MainWindow::makeMenus() {
                    {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
                     "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "robot.spawn_again",
                     "robot.remove"});
-    commands_.fill(menuBar()->addMenu(tr("&Server")),
-                   {"link.connect", "link.disconnect", "-", "time.pause", "time.step", "time.faster", "time.slower",
-                    "time.real", "time.max", "-", "link.figures"});
+    auto* server = menuBar()->addMenu(tr("&Server"));
+    commands_.fill(server, {"link.connect", "link.disconnect", "-"});
+    fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
+    commands_.fill(server, {"-", "time.pause", "time.step", "time.faster", "time.slower", "time.real", "time.max", "-",
+                            "link.figures"});
     commands_.fill(menuBar()->addMenu(tr("M&essages")),
                    {"messages.find",         "messages.command",   "-",
                     "messages.pause",        "messages.follow",    "messages.details",

@@ -70,10 +70,13 @@ SpawnCard::SpawnCard(QWidget* over)
 }
 
 void SpawnCard::setRobots(const std::vector<agent::RobotDescription>& robots) {
+    const QString chosen = class_->currentData().toString();
+    const QSignalBlocker quiet(class_);
     robots_ = robots;
     class_->clear();
     for (const auto& robot : robots_)
         class_->addItem(QString::fromStdString(robot.name), QString::fromStdString(robot.class_name));
+    class_->setCurrentIndex(std::max(0, class_->findData(chosen)));
     listBehaviors();
 }
 

@@ -30,7 +30,8 @@ class SpawnCard : public QFrame {
 public:
     explicit SpawnCard(QWidget* over);
 
-    /// What the loaded plugins can drive; keeps no pointer into it.
+    /// What can be spawned, with the behaviors that plugins have for it; the class that is chosen stays so if it is
+    /// among them. Keeps no pointer into the list.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
     /// Beside `at` (global), within the widget that it lies over.
     void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);

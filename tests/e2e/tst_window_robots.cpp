@@ -6,6 +6,7 @@
 #include <QTreeView>
 
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/inspector_page.h"
 #include "tests/e2e/window_page.h"
 
 using namespace usar;
@@ -46,6 +47,8 @@ private slots:
     void removingARobotSavesItsScan();
     void disconnectingSavesEveryScan();
     void theEndIsInTheSummaryAndTimeIsRealAgain();
+    void aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands();
+    void anotherWorldIsChosenFromTheMenu();
 };
 
 void tst_WindowRobots::parametersOfAMissionFileSurviveSpawning() {
@@ -111,6 +114,47 @@ void tst_WindowRobots::aDoubleClickedSensorValueIsPlotted() {
     QTRY_COMPARE_WITH_TIMEOUT(plots->seriesPaths().size(), 1, soon_ms);
     const auto samples = [plots] { return plots->store().series().front().samples.size(); };
     QTRY_VERIFY_WITH_TIMEOUT(samples() >= 5, soon_ms);
+}
+
+/// A P2DX, which no plugin drives here: chosen on the card, driven from the command box.
+void tst_WindowRobots::aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.clickStartPose("PlayerStart");
+    auto* const card = page.window().views().spawn_card;
+    QTRY_VERIFY(card->isVisible());
+    auto* const classes = card->findChild<QComboBox*>();
+    QVERIFY(classes);
+    classes->setFocus();
+    for (int i = 0; classes->currentText() != "P2DX" && i < classes->count(); ++i)
+        QTest::keyClick(classes, Qt::Key_Down);
+    QCOMPARE(classes->currentText(), QString("P2DX"));
+    page.press("Spawn");
+    const auto speaks = [&] {
+        const app::RobotView* robot = page.robot(1);
+        return robot && robot->figures.spawned;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(speaks(), soon_ms);
+    InspectorPage inspector(page);
+    page.pressKey(Qt::Key_F4);
+    inspector.type("DRIVE {Left 5} {Right 5}");
+    inspector.press(Qt::Key_Return);
+    const auto away_m = [&] {
+        const auto& marks = page.map().content().robots;
+        const auto one = marks.find(QString("R1"));
+        return one == marks.end() ? 0.0 : one->second.robot.base_in_map.position_m.head<2>().norm();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(away_m() > 0.5, soon_ms);
+}
+
+void tst_WindowRobots::anotherWorldIsChosenFromTheMenu() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.window().commands().contains("world.spqr_soccer"));
+    page.window().commands().action("world.spqr_soccer")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(page.connectionText().contains("spqr_soccer"), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.window().control().robots().empty());
 }
 
 void tst_WindowRobots::nobodyGetsANameTwice() {
