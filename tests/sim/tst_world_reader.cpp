@@ -52,6 +52,9 @@ private slots:
     void writesNothingWithHeightsThatAreNoNumbers();
 
 private:
+    static void addBrokenTags(); ///< and victims
+    static void addBrokenSources();
+    static void addBrokenThings();
     void replace(const std::string& from, const std::string& to);
     std::filesystem::path folder() const { return pathOf(*folder_); }
     std::filesystem::path sdf() const { return folder() / "world.sdf"; }
@@ -246,6 +249,14 @@ void TestWorldReader::refusesAndSaysWhere_data() {
                                 << QString("<usar:water><usar:surface_z>1</usar:surface_z><usar:density>1000"
                                            "</usar:density></usar:water></world>")
                                 << QString("second usar:water");
+    QTest::newRow("a box without size") << QString("<size>3 5 3</size>") << QString("<size>3 0 3</size>")
+                                        << QString("box without size");
+    addBrokenTags();
+    addBrokenSources();
+    addBrokenThings();
+}
+
+void TestWorldReader::addBrokenTags() {
     QTest::newRow("a tag without a number") << QString("id=\"7\"") << QString("") << QString("usar:rfid_tag");
     QTest::newRow("a tag with a word for a number")
         << QString("id=\"7\"") << QString("id=\"seven\"") << QString("usar:rfid_tag");
@@ -264,6 +275,9 @@ void TestWorldReader::refusesAndSaysWhere_data() {
         << QString("<usar:part kind=\"Foot\">4.5 1 0.1</usar:part>") << QString("<usar:leg/>") << QString("usar:part");
     QTest::newRow("a victim without parts") << QString("<usar:part kind=\"Hand\">-3 1.5 0.5</usar:part>") << QString("")
                                             << QString("\"Sam\" has no usar:part");
+}
+
+void TestWorldReader::addBrokenSources() {
     QTest::newRow("a sound without loudness") << QString(" loudness=\"82.5\"") << QString("") << QString("usar:sound");
     QTest::newRow("an endless sound") << QString("82.5") << QString("inf") << QString("usar:sound");
     QTest::newRow("a sound without a name") << QString(" name=\"alarm\"") << QString("") << QString("usar:sound");
@@ -271,8 +285,13 @@ void TestWorldReader::refusesAndSaysWhere_data() {
     QTest::newRow("a gas without a name") << QString(" gas=\"CO2\"") << QString("") << QString("usar:gas");
     QTest::newRow("less than no gas") << QString("density=\"0.04") << QString("density=\"-0.04") << QString("usar:gas");
     QTest::newRow("a gas nowhere") << QString("3 1 0.6<") << QString("3 1 0.6 9<") << QString("usar:gas");
-    QTest::newRow("a box without size") << QString("<size>3 5 3</size>") << QString("<size>3 0 3</size>")
-                                        << QString("box without size");
+    QTest::newRow("a place beyond the pole")
+        << QString("-36.8764") << QString("-96.8764") << QString("usar:gps_reference");
+    QTest::newRow("a place without a longitude")
+        << QString(" longitude=\"174.7647\"") << QString("") << QString("usar:gps_reference");
+}
+
+void TestWorldReader::addBrokenThings() {
     QTest::newRow("a thing without mass")
         << QString("<inertial><mass>0.06</mass>") << QString("<inertial><mass>0</mass>") << QString("ball");
     QTest::newRow("a thing without inertia")
@@ -304,10 +323,6 @@ void TestWorldReader::refusesAndSaysWhere_data() {
     QTest::newRow("a house in a house") << QString("<link name=\"link\">")
                                         << QString("<model name=\"m\"><link name=\"l\"/></model><link name=\"link\">")
                                         << QString("models in it");
-    QTest::newRow("a place beyond the pole")
-        << QString("-36.8764") << QString("-96.8764") << QString("usar:gps_reference");
-    QTest::newRow("a place without a longitude")
-        << QString(" longitude=\"174.7647\"") << QString("") << QString("usar:gps_reference");
 }
 
 void TestWorldReader::refusesAndSaysWhere() {
