@@ -12,6 +12,7 @@ namespace {
 // How soon a position motor is there when nothing holds it back: fast beside a gait, slow beside a physics step.
 constexpr Seconds servo_time{0.02};
 constexpr double no_clamp = 1e30;
+constexpr double sleepy_joint = 0.05; // rad/s or m/s
 
 std::size_t at(int link) {
     return static_cast<std::size_t>(link + 1);
@@ -30,7 +31,8 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     body_.setHasSelfCollision(false);
     body_.setLinearDamping(0.0);
     body_.setAngularDamping(0.0);
-    body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s);
+    // Bullet adds the squares of the base's speeds and of all joints'.
+    body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
     body_.finalizeMultiDof();
@@ -183,10 +185,14 @@ void BulletMultiBody::beforeStep(Seconds dt) {
 }
 
 void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {
+    // A motor that holds a position or a speed has to overcome the damping first. Left to the solver, the two would
+    // meet somewhere in between.
+    const double damping = joint.damping * std::abs(body_.getJointVel(index));
+    const double strength = joint.motor ? joint.wanted.limit : 0.0;
     if (joint.damper)
-        joint.damper->setMaxAppliedImpulse(joint.damping * std::abs(body_.getJointVel(index)) * dt.count());
+        joint.damper->setMaxAppliedImpulse(std::max(0.0, damping - strength) * dt.count());
     if (joint.motor) {
-        joint.motor->setMaxAppliedImpulse(joint.wanted.limit * dt.count());
+        joint.motor->setMaxAppliedImpulse(std::max(0.0, strength - damping) * dt.count());
         joint.motor->setErp(std::min(1.0, dt / servo_time));
     }
     if (joint.wanted.mode == JointMotor::Mode::Torque)

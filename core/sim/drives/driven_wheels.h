@@ -7,8 +7,9 @@
 
 namespace usar::sim {
 
-/// Positive spin rolls forward, whichever way a wheel's axis points. A wheel that is told to stand brakes. One that got
-/// a command of its own is left alone until the whole drive is told something again.
+/// Positive spin rolls forward, whichever way a wheel's axis points. A wheel that is told to stand brakes and then
+/// holds its angle: a spin of 0 alone lets a robot creep down a slope. One that got a command of its own is left alone
+/// until the whole drive is told something again.
 class DrivenWheels {
 public:
     /// Without an acceleration limit (rad/s2) where it is 0.
@@ -35,7 +36,10 @@ private:
         double now_rad_s = 0.0; ///< what it was told, on its way to what is wanted
         bool ours = true;
         bool told = false;
+        bool held = false;
     };
+
+    void brake(Wheel& wheel);
 
     DrivenJoints& joints_;
     std::vector<Wheel> wheels_;

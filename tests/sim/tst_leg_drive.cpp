@@ -1,0 +1,166 @@
+#include <QtTest>
+
+#include "core/sim/drives/leg_drive.h"
+#include "tests/sim/driven_robot.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+const std::string robots = USAR_SOURCE_DIR "/resources/robots";
+constexpr double thigh_m = 0.071;
+constexpr double shin_m = 0.072;
+constexpr double standing_m = 0.11; ///< from the hips down to the paws
+constexpr double forward_m = 0.015; ///< of the paws: the head weighs on the front
+constexpr double upright_m = 0.143; ///< as a spawned one stands, its legs straight
+
+/// Targets of one leg whose paw is to be at (x, z) from its hip, x forward.
+void put(protocol::MultiDrive& drive, const std::string& leg, double x_m, double z_m) {
+    const double cosine = (x_m * x_m + z_m * z_m - thigh_m * thigh_m - shin_m * shin_m) / (2.0 * thigh_m * shin_m);
+    const double knee_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
+    const double hip_rad =
+        std::atan2(x_m, -z_m) + std::atan2(shin_m * std::sin(knee_rad), thigh_m + shin_m * std::cos(knee_rad));
+    drive.joints.push_back({*protocol::Token::make(leg + "Leg1"), hip_rad});
+    drive.joints.push_back({*protocol::Token::make(leg + "Leg2"), 0.1});
+    drive.joints.push_back({*protocol::Token::make(leg + "Leg3"), knee_rad});
+}
+
+/// Bends the knees in five ticks: at once it would fall on its nose.
+void stand(DrivenRobot& dog) {
+    for (int tick = 1; tick <= 5; ++tick) {
+        protocol::MultiDrive drive;
+        for (const char* leg : {"LF", "RF", "LH", "RH"})
+            put(drive, leg, forward_m * tick / 5.0, -upright_m + (upright_m - standing_m) * tick / 5.0);
+        dog.drive->obey(drive);
+        dog.run(Seconds{0.2});
+    }
+    dog.run(Seconds{2.0});
+}
+
+/// One tick of a trot: legs on a diagonal lift, step forward, and push back while the other two do so.
+protocol::MultiDrive trot(int tick, double step_m) {
+    constexpr double lift_m = 0.01;
+    protocol::MultiDrive drive;
+    const auto move = [&](const std::string& leg, int phase) {
+        const double x_m[] = {forward_m, forward_m + step_m / 2.0, forward_m, forward_m - step_m / 2.0};
+        const double z_m = phase % 4 == 0 ? -standing_m + lift_m : -standing_m;
+        put(drive, leg, x_m[phase % 4], z_m);
+    };
+    move("LF", tick);
+    move("RH", tick);
+    move("RF", tick + 2);
+    move("LH", tick + 2);
+    return drive;
+}
+
+} // namespace
+
+class TestLegDrive : public QObject {
+    Q_OBJECT
+
+private slots:
+    void standsForAMinute() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        stand(dog);
+        const Vec3 from_m = dog.position_m();
+        dog.run(Seconds{60.0});
+        QVERIFY((dog.position_m() - from_m).norm() < 0.005);
+        QVERIFY(dog.drive->idle());
+        QVERIFY(std::abs(dog.pose().roll_rad) < 0.05);
+        QVERIFY(std::abs(dog.pose().pitch_rad) < 0.1);
+    }
+
+    void walksOnItsPaws() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        stand(dog);
+        const Vec3 from_m = dog.position_m();
+        double worst_tilt_rad = 0.0;
+        for (int tick = 0; tick < 50; ++tick) {
+            dog.drive->obey(trot(tick, 0.05));
+            QVERIFY(!dog.drive->idle());
+            dog.run(Seconds{0.2}, [&] {
+                const Pose pose = dog.pose();
+                worst_tilt_rad = std::max({worst_tilt_rad, std::abs(pose.roll_rad), std::abs(pose.pitch_rad)});
+            });
+        }
+        const Vec3 way_m = dog.position_m() - from_m;
+        QVERIFY2(way_m.x() > 10.0 * 0.05, qPrintable(QString::number(way_m.x())));
+        QVERIFY(std::abs(way_m.y()) < 0.7 * way_m.x());
+        QVERIFY2(worst_tilt_rad < 0.4, qPrintable(QString::number(worst_tilt_rad)));
+    }
+
+    void servosGoWhereTheyAreToldWithinTheirLimits_data() {
+        QTest::addColumn<double>("wanted_rad");
+        QTest::addColumn<double>("reached_rad");
+        QTest::newRow("within") << 0.5 << 0.5;
+        QTest::newRow("beyond the upper one") << 4.0 << radians(88.0);
+        QTest::newRow("beyond the lower one") << -4.0 << radians(-88.0);
+    }
+    void servosGoWhereTheyAreToldWithinTheirLimits() {
+        QFETCH(double, wanted_rad);
+        QFETCH(double, reached_rad);
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        QVERIFY(dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", wanted_rad)));
+        dog.run(Seconds{2.0});
+        QVERIFY(std::abs(dog.joint("HeadPan").position - reached_rad) < 0.02);
+    }
+
+    void everyOrderOfASingleJoint() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        stand(dog);
+        dog.drive->obey(protocol::JointDrive::atSpeed("HeadPan", 0.5));
+        dog.run(Seconds{1.0});
+        QVERIFY(std::abs(dog.joint("HeadPan").velocity - 0.5) < 0.05);
+        dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Brake, 1.0});
+        dog.run(Seconds{0.5});
+        QVERIFY(std::abs(dog.joint("HeadPan").velocity) < 0.05);
+        const double stopped_rad = dog.joint("HeadPan").position;
+        dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::RelativeAngle, -0.3});
+        dog.run(Seconds{1.0});
+        QVERIFY(std::abs(dog.joint("HeadPan").position - stopped_rad + 0.3) < 0.02);
+        dog.drive->obey(protocol::JointDrive::withTorque("headpan", 0.02));
+        dog.run(Seconds{2.0});
+        QVERIFY(std::abs(dog.joint("HeadPan").position - radians(88.0)) < 0.05); // at its stop
+        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("NoSuchJoint", 0.0)));
+        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", std::nan(""))));
+        QVERIFY(!dog.drive->obey(protocol::SkidDrive{1.0, 1.0}));
+    }
+
+    void setMovesAndSoftensJoints() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        stand(dog);
+        const double height_m = dog.position_m().z();
+        QVERIFY(dog.drive->obey(protocol::SetJoint{"HeadPan", protocol::JointOpcode::Angle, -0.4}));
+        dog.run(Seconds{1.0});
+        QVERIFY(std::abs(dog.joint("HeadPan").position + 0.4) < 0.02);
+        QVERIFY(dog.drive->obey(protocol::SetJoint{"AllJoints", protocol::JointOpcode::Stiffness, 0.0}));
+        dog.run(Seconds{2.0});
+        QVERIFY(dog.position_m().z() < 0.8 * height_m);
+    }
+
+    void anEmptyBatteryLetsItSinkDown() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        stand(dog);
+        const double height_m = dog.position_m().z();
+        dog.drive->switchOff();
+        dog.run(Seconds{2.0});
+        QVERIFY(dog.position_m().z() < 0.8 * height_m);
+        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", 0.3)));
+    }
+
+    void tellsEveryJointsAngle() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", 0.3));
+        dog.run(Seconds{2.0});
+        protocol::RobotState state;
+        dog.drive->addTo(state);
+        QCOMPARE(state.joints.size(), std::size_t{15});
+        QCOMPARE(state.joints.front().name, std::string("LFLeg1"));
+        QCOMPARE(state.joints[13].name, std::string("HeadPan"));
+        QVERIFY(std::abs(state.joints[13].angle_rad - 0.3) < 0.02);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLegDrive)
+#include "tst_leg_drive.moc"
