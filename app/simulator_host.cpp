@@ -1,43 +1,11 @@
 #include "app/simulator_host.h"
 
-#include <cmath>
 #include <utility>
 
 #include "app/simulator_files.h"
+#include "app/world_picture.h"
 
 namespace usar::app {
-
-namespace {
-
-/// Brightness of the ground under a light from the upper left, 45 degrees high.
-int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m) {
-    const double slope_x = (terrain.height_m(point_m + Vec2(step_m, 0)) - terrain.height_m(point_m)) / step_m;
-    const double slope_y = (terrain.height_m(point_m + Vec2(0, step_m)) - terrain.height_m(point_m)) / step_m;
-    const Vec3 normal = Vec3(-slope_x, -slope_y, 1.0).normalized();
-    const Vec3 light = Vec3(1.0, 1.0, 1.4).normalized();
-    return static_cast<int>(std::lround(255.0 * std::max(0.0, normal.dot(light))));
-}
-
-WorldPicture pictureOf(const sim::World& world) {
-    constexpr int side = 512;
-    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}};
-    if (world.terrain.empty())
-        return picture;
-    picture.relief = QImage(side, side, QImage::Format_Grayscale8);
-    const Rectangle& extent = picture.extent_in_map;
-    const Vec2 cell_m((extent.max_m - extent.min_m) / side);
-    for (int row = 0; row < side; ++row) {
-        uchar* line = picture.relief.scanLine(row);
-        for (int column = 0; column < side; ++column) {
-            const Vec2 point_m(extent.min_m.x() + (column + 0.5) * cell_m.x(),
-                               extent.max_m.y() - (row + 0.5) * cell_m.y());
-            line[column] = static_cast<uchar>(reliefShade(world.terrain, point_m, cell_m.x()));
-        }
-    }
-    return picture;
-}
-
-} // namespace
 
 SimulatorHost::SimulatorHost(QObject* parent) : QObject(parent) {}
 

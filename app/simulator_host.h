@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QThread>
 
+#include "app/world_picture.h"
 #include "core/base/geometry.h"
 #include "core/link/simulator_server.h"
 
@@ -16,14 +17,6 @@ struct SimulatorSpec {
     QString world = "tall_test"; ///< name or folder
     quint64 seed = 1;
     quint16 port = 3000; ///< another one is taken where it is in use
-};
-
-/// What the window may show of the embedded world before anything is scanned.
-struct WorldPicture {
-    QString name;
-    Rectangle extent_in_map;
-    QImage relief;             ///< shaded terrain, row 0 = highest y
-    QStringList robot_classes; ///< that can be spawned there, without package
 };
 
 /// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.

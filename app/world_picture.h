@@ -1,0 +1,23 @@
+// What the window may show of the embedded world before anything is scanned.
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/geometry.h"
+#include "core/sim/world.h"
+
+namespace usar::app {
+
+struct WorldPicture {
+    QString name;
+    Rectangle extent_in_map;
+    QImage relief;             ///< ground, water and buildings from above; row 0 = highest y
+    QStringList robot_classes; ///< that can be spawned there, without package
+};
+
+/// Without trees, for they are what a robot should find. Classes are left to whoever knows them.
+WorldPicture pictureOf(const sim::World& world);
+
+} // namespace usar::app
