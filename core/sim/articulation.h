@@ -79,7 +79,7 @@ struct JointMotor {
     Mode mode = Mode::Off;
     double target = 0.0; ///< rad, rad/s or N m (m, m/s, N)
     double limit = 0.0;
-    double largest_speed = 1e9; ///< of Position: how fast it goes there
+    double largest_speed = 1e9; ///< how fast Position goes there and Torque can make it
     bool operator==(const JointMotor&) const = default;
 };
 

@@ -14,6 +14,15 @@ constexpr Seconds servo_time{0.02};
 constexpr double no_clamp = 1e30;
 constexpr double sleepy_joint = 0.05; // rad/s or m/s
 
+// A torque is a motor that never reaches its speed, or no more than its largest.
+double speedTarget(const JointMotor& motor) {
+    return motor.mode == JointMotor::Mode::Torque ? std::copysign(motor.largest_speed, motor.target) : motor.target;
+}
+
+double strengthOf(const JointMotor& motor) {
+    return motor.mode == JointMotor::Mode::Torque ? std::min(std::abs(motor.target), motor.limit) : motor.limit;
+}
+
 std::size_t at(int link) {
     return static_cast<std::size_t>(link + 1);
 }
@@ -157,12 +166,12 @@ void BulletMultiBody::setMotor(std::size_t link, const JointMotor& motor) {
         return;
     wake();
     joint.wanted = motor;
-    const bool holds = motor.mode == JointMotor::Mode::Position || motor.mode == JointMotor::Mode::Velocity;
-    if (!holds && joint.motor) {
+    const bool off = motor.mode == JointMotor::Mode::Off;
+    if (off && joint.motor) {
         world_.removeMultiBodyConstraint(joint.motor.get());
         joint.motor.reset();
     }
-    if (!holds)
+    if (off)
         return;
     if (!joint.motor) {
         joint.motor = std::make_unique<btMultiBodyJointMotor>(&body_, static_cast<int>(link), 0.0, 0.0);
@@ -170,7 +179,7 @@ void BulletMultiBody::setMotor(std::size_t link, const JointMotor& motor) {
     }
     const bool position = motor.mode == JointMotor::Mode::Position;
     joint.motor->setPositionTarget(position ? motor.target : 0.0, position ? 1.0 : 0.0);
-    joint.motor->setVelocityTarget(position ? 0.0 : motor.target, 1.0);
+    joint.motor->setVelocityTarget(position ? 0.0 : speedTarget(motor), 1.0);
     joint.motor->setRhsClamp(position ? motor.largest_speed : no_clamp);
 }
 
@@ -188,15 +197,14 @@ void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {
     // A motor that holds a position or a speed has to overcome the damping first. Left to the solver, the two would
     // meet somewhere in between.
     const double damping = joint.damping * std::abs(body_.getJointVel(index));
-    const double strength = joint.motor ? joint.wanted.limit : 0.0;
+    const double strength = joint.motor ? strengthOf(joint.wanted) : 0.0;
+    const double overcome = joint.wanted.mode == JointMotor::Mode::Torque ? 0.0 : std::min(damping, strength);
     if (joint.damper)
-        joint.damper->setMaxAppliedImpulse(std::max(0.0, damping - strength) * dt.count());
+        joint.damper->setMaxAppliedImpulse((damping - overcome) * dt.count());
     if (joint.motor) {
-        joint.motor->setMaxAppliedImpulse(std::max(0.0, strength - damping) * dt.count());
+        joint.motor->setMaxAppliedImpulse((strength - overcome) * dt.count());
         joint.motor->setErp(std::min(1.0, dt / servo_time));
     }
-    if (joint.wanted.mode == JointMotor::Mode::Torque)
-        body_.addJointTorque(index, std::clamp(joint.wanted.target, -joint.wanted.limit, joint.wanted.limit));
 }
 
 // Bullet gives the velocities of links in their own frames.

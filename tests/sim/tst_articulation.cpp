@@ -209,6 +209,16 @@ private slots:
         QVERIFY(std::abs(bench.joint().velocity - 4.0) < 0.05);
     }
 
+    void aTorqueMakesItNoFasterThanItMayGo() {
+        Bench bench;
+        bench.drive(JointMotor::Mode::Torque, 50.0, 50.0, 6.0);
+        for (int i = 0; i < 250; ++i) {
+            bench.step();
+            QVERIFY(bench.joint().velocity < 6.01);
+        }
+        QVERIFY(std::abs(bench.joint().velocity - 6.0) < 0.01);
+    }
+
     void aJointStopsAtItsLimits() {
         ArticulatedDescription limited = armOnABlock();
         limited.links[0].lower = -0.4;

@@ -119,7 +119,7 @@ private slots:
         dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::RelativeAngle, -0.3});
         dog.run(Seconds{1.0});
         QVERIFY(std::abs(dog.joint("HeadPan").position - stopped_rad + 0.3) < 0.02);
-        dog.drive->obey(protocol::JointDrive::withTorque("headpan", 0.02));
+        dog.drive->obey(protocol::JointDrive::withTorque("headpan", 1.0));
         dog.run(Seconds{2.0});
         QVERIFY(std::abs(dog.joint("HeadPan").position - radians(88.0)) < 0.05); // at its stop
         QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("NoSuchJoint", 0.0)));
