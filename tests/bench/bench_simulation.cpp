@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/sim/robots/air_robot_body.h"
 #include "core/sim/robots/robot.h"
+#include "core/sim/robots/robot_body.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world_reader.h"
 #include "tests/doubles/shipped_robots.h"
@@ -47,6 +48,22 @@ void physicsStep(benchmark::State& state) {
     state.SetLabel(state.range(0) > 0 ? "flying" : "landed");
 }
 BENCHMARK(physicsStep)->Arg(10)->Arg(0)->Unit(benchmark::kMicrosecond);
+
+/// A robot on the ground that may not sleep: what its contacts and joints cost.
+void jointedStep(benchmark::State& state, const char* class_name) {
+    const World world = tallTest();
+    const auto physics = makePhysics(world);
+    const RobotModel& model = *findRobot(*doubles::shippedRobots(), class_name);
+    RobotBody body(*physics, model, overTheStart(world, model.dimensions_m.z()).base_in_map);
+    for (int i = 0; i < 1000; ++i)
+        physics->step(dt);
+    for (auto _ : state)
+        physics->step(dt);
+}
+BENCHMARK_CAPTURE(jointedStep, P2DX, "P2DX")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointedStep, P2AT, "P2AT")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointedStep, Sedan, "Sedan")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(jointedStep, ERS, "ERS")->Unit(benchmark::kMicrosecond);
 
 void sensorTick(benchmark::State& state) {
     const World world = tallTest();
