@@ -25,6 +25,7 @@ struct Settings {
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
+    usar::protocol::Dialect profile = usar::protocol::Dialect::Ut2004;
 };
 
 usar::Result<void> readSpeed(const std::string& text, Settings& settings) {
@@ -65,6 +66,10 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
         return tl::unexpected(seed.error());
     if (!speed)
         return tl::unexpected(speed.error());
+    const QString profile = parser.value("profile").toLower();
+    if (profile != "ut2004" && profile != "udk")
+        return usar::failure("'" + profile.toStdString() + "' is no profile", "--profile", "Say ut2004 or udk");
+    settings.profile = profile == "udk" ? usar::protocol::Dialect::Udk : usar::protocol::Dialect::Ut2004;
     settings.port = static_cast<quint16>(*port);
     settings.seed = static_cast<std::uint64_t>(*seed);
     return settings;
@@ -77,6 +82,7 @@ void addOptions(QCommandLineParser& parser) {
     parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
                        {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
                        {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
+                       {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
                        {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
 }
 
@@ -91,6 +97,11 @@ usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settin
         return tl::unexpected(world.error());
     usar::sim::SimulationOptions options;
     options.seed = settings.seed;
+    options.profile = settings.profile;
+    if (settings.profile == usar::protocol::Dialect::Udk) { // each sensor at its own interval, the state at 10 Hz
+        options.tick /= 2.0;
+        options.physics_steps_per_tick /= 2;
+    }
     usar::sim::RobotsRead robots = usar::app::loadRobots();
     for (const usar::Error& refused : robots.refused)
         complain(refused);

@@ -6,6 +6,7 @@
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/segments.h"
+#include "core/protocol/udk_writer.h"
 #include "core/protocol/writer.h"
 #include "core/sim/world_controller.h"
 
@@ -26,7 +27,7 @@ std::string quoted(const protocol::Command& command) {
 
 } // namespace
 
-ClientSession::ClientSession(const World& world) : world_(world) {
+ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
     send(protocol::GameInfo{"BotDeathMatch", world.name, 0});
 }
 
@@ -39,7 +40,7 @@ void ClientSession::receive(std::string_view bytes, const Log& log) {
 
 void ClientSession::take(std::string_view line, const Log& log) {
     Diagnostics diagnostics;
-    protocol::Command command = protocol::readCommand(line, diagnostics);
+    protocol::Command command = protocol::readCommand(line, diagnostics, profile_);
     for (const Diagnostic& diagnostic : diagnostics)
         log(quoted(line) + ": " + diagnostic.message);
     if (std::holds_alternative<protocol::GetStartPoses>(command)) {
@@ -85,8 +86,8 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         control(command, host);
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
-    else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command))
-        obeyUnknown(command, host.log);
+    else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
+        obeyUnknown(command, host);
 }
 
 void ClientSession::control(const protocol::Command& command, const Host& host) {
@@ -98,26 +99,31 @@ void ClientSession::control(const protocol::Command& command, const Host& host) 
         host.log("ignored " + quoted(command) + ": " + *trouble);
 }
 
-void ClientSession::obeyUnknown(const protocol::Command& command, const Log& log) {
+void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
     const std::string line = protocol::write(command);
     Diagnostics diagnostics;
     protocol::Segments segments;
     segments.read(line, diagnostics);
-    // UT2004 answers every SET but that of a joint.
-    if (sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint"))
+    // UT2004 answers every SET but that of a joint, at the tick; UDK obeys at once and never answers.
+    const bool is_set = sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint");
+    if (is_set && isUdk() && robot_->alive())
+        robot_->set(command);
+    else if (is_set)
         set_asked_ = command;
     else
-        log("ignored " + quoted(line) + ": not a command of this server, or not for this robot");
+        host.log("ignored " + quoted(line) + ": not a command of this server, or not for this robot");
 }
 
 /// False for what this robot does not understand. One with an empty battery understands and does nothing.
-bool ClientSession::obeyForRobot(const protocol::Command& command) {
+bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) {
     if (const auto* const asked = std::get_if<protocol::GetGeometry>(&command))
         geometry_asked_ = *asked;
     else if (const auto* const configuration = std::get_if<protocol::GetConfiguration>(&command))
         configuration_asked_ = *configuration;
-    else if (robot_->alive())
-        return robot_->obey(command);
+    else
+        return !robot_->alive() || robot_->obey(command);
+    if (isUdk())
+        answer(now); // any number a tick, each at once
     return true;
 }
 
@@ -148,14 +154,14 @@ void ClientSession::report(Seconds now) {
     lines_.clear();
     robot_->measure(now, std::exchange(first_tick_, false), lines_);
     for (const protocol::InfoMessage& line : lines_)
-        send(line);
+        send(line, now);
 }
 
 void ClientSession::answer(Seconds now) {
     if (const auto asked = std::exchange(geometry_asked_, {}); asked && robot_->alive())
-        send(robot_->geometry(asked->type, asked->name));
+        send(robot_->geometry(asked->type, asked->name), now);
     if (const auto asked = std::exchange(configuration_asked_, {}); asked && robot_->alive())
-        send(robot_->configuration(asked->type, asked->name));
+        send(robot_->configuration(asked->type, asked->name), now);
     if (const auto asked = std::exchange(set_asked_, {}); asked && robot_->alive())
         send(resultOf(*asked, now));
 }
@@ -174,7 +180,9 @@ protocol::Response ClientSession::resultOf(const protocol::Command& asked, Secon
     return *result;
 }
 
-void ClientSession::send(const protocol::InfoMessage& message) {
+void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
+    if (isUdk())
+        return protocol::writeUdk(message, now, robot_ ? robot_->body().model().class_name : std::string(), output_);
     protocol::write(message, output_);
     output_ += "\r\n";
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/protocol/command.h"
+#include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
 #include "core/sim/robots/robot.h"
@@ -24,7 +25,7 @@ class ClientSession {
 public:
     using Log = std::function<void(std::string)>;
 
-    explicit ClientSession(const World& world);
+    ClientSession(const World& world, protocol::Dialect profile);
 
     void receive(std::string_view bytes, const Log& log);
     std::string takeOutput();
@@ -47,6 +48,7 @@ public:
         std::function<std::optional<std::string>(const protocol::Command&)> control;
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
         Log log;
+        Seconds now{0.0};
     };
     void obeyWaiting(const Host& host);
     /// Answers, then the robot's lines.
@@ -56,15 +58,17 @@ private:
     void take(std::string_view line, const Log& log);
     void obey(const protocol::Command& command, const Host& host);
     void control(const protocol::Command& command, const Host& host);
-    bool obeyForRobot(const protocol::Command& command);
-    void obeyUnknown(const protocol::Command& command, const Log& log);
+    bool obeyForRobot(const protocol::Command& command, Seconds now);
+    void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
     void startPoses();
     void answer(Seconds now);
     protocol::Response resultOf(const protocol::Command& asked, Seconds now);
-    void send(const protocol::InfoMessage& message);
+    void send(const protocol::InfoMessage& message, Seconds now = Seconds{0.0});
+    bool isUdk() const { return profile_ == protocol::Dialect::Udk; }
 
     const World& world_;
+    protocol::Dialect profile_;
     protocol::LineSplitter splitter_;
     std::deque<protocol::Command> waiting_;
     std::size_t steps_waiting_ = 0;

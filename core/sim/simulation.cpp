@@ -75,6 +75,7 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     robot.number = spawned;
     robot.battery_life = options.battery_life;
     robot.scan_interval = options.tick;
+    robot.profile = options.profile;
     robot.noise = options.noise;
     const RobotModel* const model = options.robots ? findRobot(*options.robots, init.class_name.text()) : nullptr;
     if (!model) {
@@ -120,7 +121,7 @@ void Simulation::State::obeyAll() {
         session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
                              [&](const protocol::Command& command) { return controller.obey(command, client.value); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
-                             [&](const std::string& sentence) { log(client, sentence); }});
+                             [&](const std::string& sentence) { log(client, sentence); }, now()});
     }
 }
 
@@ -160,7 +161,7 @@ Simulation::~Simulation() = default;
 
 ClientId Simulation::connect() {
     const ClientId client{++state_->last_client.value};
-    state_->sessions.try_emplace(client, state_->world);
+    state_->sessions.try_emplace(client, state_->world, state_->options.profile);
     return client;
 }
 

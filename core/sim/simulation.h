@@ -11,6 +11,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/protocol/dialect.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world.h"
 
@@ -21,6 +22,9 @@ inline constexpr Seconds survey_battery_life{86400.0};
 
 struct SimulationOptions {
     std::uint64_t seed = 1;
+    /// How the server speaks. UDK answers each question at once, sends each sensor in a line of its own and usually
+    /// ticks each 0.1 s (usarsim-protocol 7).
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
     Seconds tick{0.2};                     ///< UT2004 message tick
     int physics_steps_per_tick = 50;       ///< 250 Hz
     std::optional<Seconds> battery_life{}; ///< instead of what each robot's file says

@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/protocol/command.h"
+#include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
@@ -34,6 +35,7 @@ struct RobotOptions {
     std::optional<Seconds> battery_life{}; ///< instead of the model's
     Seconds scan_interval{0.2};
     bool noise = true;
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
 
 /// What a viewer other than the wire may know of a robot.

@@ -1,6 +1,7 @@
 #include "core/sim/robots/sensor_suite.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -38,6 +39,19 @@ Address addressOf(const protocol::Command& command) {
         static_cast<const protocol::CommandVariant&>(command));
 }
 
+Seconds udkInterval(std::string_view type) {
+    if (sameWord(type, "GroundTruth") || sameWord(type, "Odometry"))
+        return Seconds{0.1};
+    return sameWord(type, "GPS") ? Seconds{0.5} : Seconds{0.2};
+}
+
+std::uint64_t everyOf(const SensorModel& sensor, const SuiteBirth& birth) {
+    double every = numberOr(sensor.numbers, "every", 1.0);
+    if (birth.profile == protocol::Dialect::Udk)
+        every *= std::round(udkInterval(sensor.type) / birth.scan_interval);
+    return static_cast<std::uint64_t>(std::max(1.0, every));
+}
+
 bool isMeant(const SensorModel& sensor, const std::string& type, const std::string& name) {
     return sameWord(sensor.type, type) && (name.empty() || sameWord(sensor.name, name));
 }
@@ -52,25 +66,23 @@ Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth&
             makeSensor(robot.sensors[i], {robot, birth.base_in_map, birth.scan_interval, birth.noise, random});
         if (!sensor)
             return tl::unexpected(sensor.error());
-        suite.sensors_.push_back(std::move(*sensor));
+        suite.sensors_.push_back({std::move(*sensor), everyOf(robot.sensors[i], birth)});
     }
     std::ranges::stable_sort(suite.sensors_, {},
-                             [](const std::unique_ptr<Sensor>& sensor) { return orderOf(sensor->model().type); });
+                             [](const Place& place) { return orderOf(place.sensor->model().type); });
     return suite;
 }
 
 void SensorSuite::measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out) {
-    for (const std::unique_ptr<Sensor>& sensor : sensors_) {
-        const auto every = static_cast<std::uint64_t>(numberOr(sensor->model().numbers, "every", 1.0));
-        if ((!first || !sensor->needsHistory()) && ticks_ % std::max<std::uint64_t>(every, 1) == 0)
+    for (const auto& [sensor, every] : sensors_)
+        if ((!first || !sensor->needsHistory()) && ticks_ % every == 0)
             sensor->measure(view, out);
-    }
     ++ticks_;
 }
 
 std::vector<const Sensor*> SensorSuite::find(const std::string& type, const std::string& name) const {
     std::vector<const Sensor*> found;
-    for (const std::unique_ptr<Sensor>& sensor : sensors_)
+    for (const auto& [sensor, every] : sensors_)
         if (isMeant(sensor->model(), type, name))
             found.push_back(sensor.get());
     return found;
@@ -104,7 +116,7 @@ protocol::ConfigurationInfo SensorSuite::configuration(const std::string& type, 
 std::optional<protocol::Response> SensorSuite::set(const protocol::Command& command, bool at_rest) {
     const Address meant = addressOf(command);
     std::optional<protocol::Response> answer;
-    for (const std::unique_ptr<Sensor>& sensor : sensors_) {
+    for (const auto& [sensor, every] : sensors_) {
         if (!isMeant(sensor->model(), meant.type, meant.name))
             continue;
         auto one = sensor->set(command, at_rest);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/protocol/dialect.h"
 #include "core/sim/sensors/sensor.h"
 
 namespace usar::sim {
@@ -16,10 +17,12 @@ struct SuiteBirth {
     std::uint64_t robot_number = 0;
     Seconds scan_interval{0.2};
     bool noise = true;
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
 
 /// Every sensor has a random stream of its own: sensors and robots that come later change nobody's noise. The setting
-/// `every` of a sensor makes it measure at each n-th tick only.
+/// `every` of a sensor makes it measure at each n-th tick only. UT2004's measure at each tick, UDK's at intervals of
+/// their own (usarsim-protocol 1.8).
 class SensorSuite {
 public:
     /// `robot` must outlive it. Fails for a sensor that cannot be built.
@@ -36,7 +39,11 @@ public:
 private:
     std::vector<const Sensor*> find(const std::string& type, const std::string& name) const;
 
-    std::vector<std::unique_ptr<Sensor>> sensors_;
+    struct Place {
+        std::unique_ptr<Sensor> sensor;
+        std::uint64_t every = 1; ///< ticks
+    };
+    std::vector<Place> sensors_;
     std::uint64_t ticks_ = 0;
 };
 

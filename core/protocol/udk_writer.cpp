@@ -1,0 +1,170 @@
+#include "core/protocol/udk_writer.h"
+
+#include <cmath>
+#include <type_traits>
+
+#include "core/base/text.h"
+#include "core/protocol/described_writer.h"
+#include "core/protocol/line_writer.h"
+#include "core/protocol/vehicle_words.h"
+#include "core/protocol/wire_frame.h"
+#include "core/protocol/writer.h"
+
+namespace usar::protocol {
+
+namespace {
+
+constexpr std::string_view line_end = "\r\n";
+
+/// What a line is written with.
+struct Context {
+    std::string& out;
+    Seconds now;
+    const std::string& robot_class;
+};
+
+void head(LineWriter& line, const std::optional<Seconds>& time, std::string_view type) {
+    line.text("SEN");
+    line.time(time, Decimals::FourCut);
+    line.segment("Type", type);
+}
+
+/// Sensors that UT2004 puts into one line: a line each.
+template <NamedGroups Sensor>
+void writeInto(const Context& context, const Sensor& sensor) {
+    for (const auto& element : sensor.*Sensor::groups().member) {
+        LineWriter line(context.out);
+        head(line, sensor.time.value_or(context.now), wireTypeOf(sensor));
+        line.segment("Name", element.name);
+        writeItems(line, element);
+        context.out += line_end;
+    }
+}
+
+template <class Sensor>
+requires(SensorMessage<Sensor>&& Described<Sensor> && !NamedGroups<Sensor>) void writeInto(const Context& context,
+                                                                                           const Sensor& sensor) {
+    LineWriter line(context.out);
+    std::optional<Seconds> time = sensor.time.value_or(context.now);
+    if constexpr (std::is_same_v<Sensor, InsReading>)
+        time.reset();
+    head(line, time, wireTypeOf(sensor));
+    writeDescribed(line, sensor);
+    context.out += line_end;
+}
+
+void writeInto(const Context& context, const RangeScan& scan) {
+    LineWriter line(context.out);
+    head(line, scan.time.value_or(context.now), scan.type);
+    line.segment("Name", scan.name);
+    line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);
+    line.segment("FOV", scan.fov_rad, Decimals::FourCut);
+    line.open("Range");
+    line.numbers(scan.ranges_m, Decimals::TwoRounded);
+    line.close();
+    context.out += line_end;
+}
+
+/// Time and battery first; a flying robot has no Type, and the lights are always on full.
+void writeInto(const Context& context, const RobotState& state) {
+    LineWriter line(context.out);
+    line.text("STA");
+    line.time(state.time.value_or(context.now), Decimals::FourCut);
+    if (state.battery_left)
+        line.whole("Battery", static_cast<long long>(std::floor(state.battery_left->count())));
+    if (state.kind == VehicleKind::Legged)
+        line.segment("Type", "LeggedVehicle");
+    else if (state.kind != VehicleKind::Unknown && state.kind != VehicleKind::Aerial)
+        line.segment("Type", wordOf(state.kind));
+    if (state.light_on && state.kind != VehicleKind::Aerial) {
+        line.boolean("LightToggle", *state.light_on);
+        line.whole("LightIntensity", 100);
+    }
+    if (state.front_steer_rad)
+        line.segment("FrontSteer", acrossWire(*state.front_steer_rad), Decimals::FourCut);
+    if (state.rear_steer_rad)
+        line.segment("RearSteer", acrossWire(*state.rear_steer_rad), Decimals::FourCut);
+    for (const JointAngle& joint : state.joints)
+        line.segment(joint.name, joint.angle_rad, Decimals::FourCut);
+    context.out += line_end;
+}
+
+void writeInto(const Context& context, const PackageState& package) {
+    LineWriter line(context.out);
+    line.text("ASTA");
+    line.time(package.time.value_or(context.now), Decimals::TwoRounded);
+    line.segment("Name", package.name);
+    for (const LinkState& link : package.links) {
+        line.whole("Link", link.link);
+        line.segment("Value", link.value, Decimals::FourCut);
+    }
+    context.out += line_end;
+}
+
+void writeInto(const Context& context, const GeometryInfo& geometry) {
+    if (geometry.items.empty() && !geometry.dimensions_m)
+        return;
+    if (geometry.items.empty()) {
+        write(geometry, context.out); // of a robot, as UT2004's
+        context.out += line_end;
+        return;
+    }
+    LineWriter line(context.out);
+    line.text("GEO");
+    line.segment("Type", geometry.type);
+    for (const MountedItem& item : geometry.items) {
+        const Pose on_wire = acrossWire(item.item_in_mount);
+        line.segment("Name", item.name);
+        line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
+        line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
+        line.segment("Mount", sameWord(item.mount, "HARD") ? context.robot_class : item.mount);
+    }
+    context.out += line_end;
+}
+
+void writeSettings(LineWriter& line, const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings) {
+        const std::string_view key = setting.key == "Paning" ? std::string_view("Panning") : setting.key;
+        if (setting.value.empty() && setting.number)
+            line.segment(key, *setting.number, Decimals::FourCut);
+        else
+            line.segment(key, setting.value);
+    }
+}
+
+void writeInto(const Context& context, const ConfigurationInfo& configuration) {
+    const bool empty = configuration.items.empty() || configuration.items.front().settings.empty();
+    if (empty)
+        return;
+    const bool of_robot = vehicleKindOf(configuration.type) != VehicleKind::Unknown;
+    LineWriter line(context.out);
+    line.text("CONF");
+    if (of_robot)
+        line.segment("Name", configuration.items.front().name);
+    line.segment("Type", configuration.type);
+    for (const ConfiguredItem& item : configuration.items) {
+        if (!of_robot)
+            line.segment("Name", item.name);
+        writeSettings(line, item.settings);
+    }
+    context.out += line_end;
+}
+
+void writeInto(const Context&, const Response&) {}
+
+/// What both dialects say alike.
+template <class Message>
+requires(!(SensorMessage<Message> && Described<Message>)) void writeInto(const Context& context,
+                                                                         const Message& message) {
+    write(message, context.out);
+    context.out += line_end;
+}
+
+} // namespace
+
+void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out) {
+    const Context context{out, now, robot_class};
+    std::visit([&context](const auto& value) { writeInto(context, value); }, static_cast<const InfoVariant&>(message));
+}
+
+} // namespace usar::protocol

@@ -1,0 +1,158 @@
+#include <QtTest>
+
+#include "core/protocol/dialect_detector.h"
+#include "tests/sim/talker.h"
+#include "tests/sim/tiny_worlds.h"
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+/// A simulation that speaks as UDK does, and one robot in it.
+struct Udk {
+    std::unique_ptr<Simulation> simulation;
+    Talker talker;
+
+    explicit Udk(const std::string& class_name, double z_m = 0.3)
+        : simulation(simulationOf(flatWorld(), options()))
+        , talker(*simulation) {
+        talker.say("INIT {ClassName USARBot." + class_name + "} {Name R1} {Location 0,0," + std::to_string(-z_m) + "}");
+        steps(10);
+    }
+    static SimulationOptions options() {
+        SimulationOptions options;
+        options.profile = protocol::Dialect::Udk;
+        options.tick = Seconds{0.1};
+        options.physics_steps_per_tick = 25;
+        return options;
+    }
+    void steps(int count) {
+        for (int i = 0; i < count; ++i)
+            simulation->step();
+    }
+    std::vector<std::string> linesOf(const std::string& kind, int ticks) {
+        talker.hearText();
+        steps(ticks);
+        std::vector<std::string> lines = talker.hearText();
+        std::erase_if(lines, [&](const std::string& line) { return kindOf(line) != kind; });
+        return lines;
+    }
+    std::vector<std::string> answers(const std::string& question) {
+        talker.hearText();
+        talker.say(question);
+        steps(1);
+        std::vector<std::string> lines = talker.hearText();
+        std::erase_if(lines, [](const std::string& line) {
+            return line.starts_with("SEN") || line.starts_with("STA") || line.starts_with("ASTA");
+        });
+        return lines;
+    }
+};
+
+} // namespace
+
+/// usarsim-protocol 7, row by row.
+class tst_UdkProfile : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachSensorHasALineOfItsOwn() {
+        Udk udk("P2DX");
+        const auto sonars = udk.linesOf("SEN Sonar", 2);
+        QCOMPARE(sonars.size(), std::size_t(8));
+        QVERIFY2(sonars[0].find("{Type Sonar} {Name F1} {Range ") != std::string::npos, sonars[0].c_str());
+        QVERIFY(sonars[0].starts_with("SEN {Time "));
+    }
+
+    void stateComesTenTimesASecondAndTimeFirst() {
+        Udk udk("P2DX");
+        const auto states = udk.linesOf("STA", 10);
+        QCOMPARE(states.size(), std::size_t(10));
+        QVERIFY2(states[0].starts_with("STA {Time 1.1") &&
+                     states[0].find("{Battery 11") < states[0].find("{Type GroundVehicle}"),
+                 states[0].c_str());
+        QVERIFY(states[0].find("{View") == std::string::npos);
+        QVERIFY(states[0].find("{LightIntensity 100}") != std::string::npos);
+    }
+
+    void sensorsKeepTheirOwnIntervals_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<int>("lines");
+        QTest::newRow("ground truth") << "SEN GroundTruth" << 20;
+        QTest::newRow("odometry") << "SEN Odometry" << 20;
+        QTest::newRow("INS") << "SEN INS" << 10;
+        QTest::newRow("scanner") << "SEN RangeScanner" << 10;
+        QTest::newRow("GPS") << "SEN GPS" << 4;
+        QTest::newRow("camera mount") << "ASTA" << 20;
+    }
+    void sensorsKeepTheirOwnIntervals() {
+        QFETCH(QString, kind);
+        QFETCH(int, lines);
+        Udk udk("P2DX");
+        QCOMPARE(static_cast<int>(udk.linesOf(kind.toStdString(), 20).size()), lines);
+    }
+
+    void aFlyingRobotHasNoTypeAndTheInsNoTime() {
+        Udk udk("AirRobot", 5.0);
+        QVERIFY(udk.linesOf("STA", 1).at(0).find("{Type") == std::string::npos);
+        QVERIFY(udk.linesOf("SEN INS", 2).at(0).starts_with("SEN {Type INS}"));
+    }
+
+    void theScannerHasTwoDecimals() {
+        Udk udk("P2DX");
+        const std::string scan = udk.linesOf("SEN RangeScanner", 2).at(0);
+        const std::size_t at = scan.find("{Range ") + 7;
+        const std::string first = scan.substr(at, scan.find(',', at) - at);
+        QCOMPARE(first.size() - first.find('.') - 1, std::size_t(2));
+    }
+
+    void answersAtOnceAndSaysNothingOfWhatIsNotThere() {
+        Udk udk("P2DX");
+        udk.talker.hearText();
+        udk.talker.say("GETCONF {Type Robot}");
+        udk.talker.say("GETCONF {Type Sonar}");
+        udk.talker.say("GETGEO {Type RangeScanner}");
+        const auto answers = udk.answers("GETGEO {Type Robot}");
+        QCOMPARE(answers.size(), std::size_t(4));
+        QVERIFY2(answers[0].starts_with("CONF {Name P2DX} {Type GroundVehicle}"), answers[0].c_str());
+        QVERIFY2(answers[2].find("{Name Scanner1} {Location 0.06,") != std::string::npos, answers[2].c_str());
+        QVERIFY(answers[2].ends_with("{Mount P2DX}"));
+        QVERIFY(udk.answers("GETCONF {Type Unicorn}").empty());
+        QVERIFY(udk.answers("SET {Type Odometry} {Name Odometry} {Opcode RESET}").empty());
+    }
+
+    void turnsByDegreesASecond() {
+        Udk udk("AirRobot", 5.0);
+        udk.talker.say("DRIVE {RotationalVelocity 45}");
+        udk.steps(20);
+        const double yaw_rad = udk.simulation->robots().at(0).base_in_map.yaw_rad;
+        QVERIFY2(yaw_rad < -0.9 && yaw_rad > -1.7, qPrintable(QString::number(yaw_rad)));
+    }
+
+    void ourReaderTakesItAllAndKnowsItForUdk_data() {
+        QTest::addColumn<QString>("robot");
+        for (const char* name : {"AirRobot", "P2DX", "P2AT", "Sedan", "ERS"})
+            QTest::newRow(name) << name;
+    }
+    void ourReaderTakesItAllAndKnowsItForUdk() {
+        QFETCH(QString, robot);
+        Udk udk(robot.toStdString());
+        protocol::Reader reader;
+        protocol::DialectDetector detector;
+        udk.talker.hearText();
+        udk.talker.say("GETCONF {Type Robot}");
+        udk.talker.say("GETGEO {Type MisPkg}");
+        udk.steps(20);
+        for (const std::string& line : udk.talker.hearText()) {
+            const protocol::InfoLine& read = reader.read(line);
+            QVERIFY2(read.diagnostics.empty() && !std::holds_alternative<protocol::GenericMessage>(read.message),
+                     line.c_str());
+            detector.take(line);
+        }
+        QCOMPARE(detector.dialect(), protocol::Dialect::Udk);
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_UdkProfile)
+#include "tst_udk_profile.moc"
