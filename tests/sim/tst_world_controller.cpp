@@ -174,7 +174,7 @@ private slots:
         Talker robot(*world.simulation);
         robot.say("INIT {ClassName P2DX} {Name R} {Location 0,0,-0.2}");
         world.steps(5);
-        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 1.5,0,-0.26}");
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 1.5,0,-0.16} {Scale 0.6,0.6,0.6}");
         world.steps(3);
         robot.hearText();
         world.steps(1);
@@ -182,7 +182,7 @@ private slots:
         for (const protocol::InfoLine& line : robot.hear())
             if (const auto* const scan = std::get_if<protocol::RangeScan>(&line.message))
                 ahead_m = scan->ranges_m.at(90);
-        QVERIFY2(std::abs(ahead_m - (1.25 - 0.056)) < 0.03, qPrintable(QString::number(ahead_m)));
+        QVERIFY2(std::abs(ahead_m - (1.35 - 0.056)) < 0.03, qPrintable(QString::number(ahead_m)));
         robot.say("DRIVE {Left 6} {Right 6}");
         world.steps(30);
         QVERIFY(world.states()[0].object_in_map.position_m.x() > 2.0);

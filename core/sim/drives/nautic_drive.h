@@ -9,7 +9,7 @@ namespace usar::sim {
 struct HullFigures {
     double radius_m = 0.095;
     double length_m = 1.6;
-    double volume_m3 = 0.0; ///< 0: trimmed to hang still in the water of its world
+    double volume_m3 = 0.0;    ///< 0: trimmed to hang still in the water of its world
     double buoyancy_z_m = 0.0; ///< center of buoyancy over the base's origin
     double surge_drag_kg_m = 3.9;
     double cross_drag_kg_m = 131.0;
