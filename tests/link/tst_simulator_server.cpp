@@ -197,7 +197,7 @@ private slots:
             return one.first().toString().contains("client 1: taken out of lockstep");
         }));
         served.server.setLockstepPatience(std::chrono::seconds(60)); // or a slow machine would find it let go again
-        hung.say("STEP\r\nLOCKSTEP {On true}\r\n"); // it has come to itself
+        hung.say("STEP\r\nLOCKSTEP {On true}\r\n");                  // it has come to itself
         QTRY_COMPARE(hung.count("NFO {Lockstep True}"), 2);
         const auto held = [&] {
             const Seconds before = served.now();
