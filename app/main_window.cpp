@@ -61,7 +61,7 @@ void MainWindow::tellPlugins(const QStringList& folders) {
             say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
     if (control_.plugins().robots().empty())
         say(Severity::Error, "plugins",
-            tr("No robot plugin was found in %1, so no robot can be spawned. Build the target usar_plugin_airrobot, "
+            tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
                "or name another folder with --plugins.")
                 .arg(folders.join(", ")));
 }
