@@ -1,8 +1,10 @@
 #include "core/protocol/writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
+#include "core/base/text.h"
 #include "core/protocol/described_writer.h"
 #include "core/protocol/line_writer.h"
 #include "core/protocol/vehicle_words.h"
@@ -158,6 +160,26 @@ void writeItem(LineWriter& line, const MountedItem& item) {
         line.segment("Tip", acrossWire(*item.tip_in_item_m), Decimals::FourCut);
 }
 
+/// The links of a mission package, "CameraPanTilt_Link2" on "CameraPanTilt_Link1", as UT2004 counts them.
+void writeLinks(LineWriter& line, const std::vector<MountedItem>& links) {
+    constexpr std::string_view mark = "_Link";
+    std::string_view package;
+    for (const MountedItem& link : links) {
+        const std::string_view name = link.name;
+        const std::size_t at = std::min(name.rfind(mark), name.size());
+        if (name.substr(0, at) != package) {
+            package = name.substr(0, at);
+            line.segment("Name", package);
+        }
+        const std::size_t parent = link.mount.rfind(mark);
+        const Pose on_wire = acrossWire(link.item_in_mount);
+        line.segment("Link", name.substr(std::min(at + mark.size(), name.size())));
+        line.segment("ParentLink", parent == std::string::npos ? "-1" : link.mount.substr(parent + mark.size()));
+        line.segment("Location", on_wire.position_m, Decimals::FourCut);
+        line.segment("Orientation", anglesOf(on_wire), Decimals::FourCut);
+    }
+}
+
 void writeInto(LineWriter& line, const GeometryInfo& geometry) {
     line.text("GEO");
     if (!geometry.type.empty())
@@ -174,6 +196,8 @@ void writeInto(LineWriter& line, const GeometryInfo& geometry) {
         line.segment("WheelSeparation", *geometry.wheel_separation_m, Decimals::FourCut);
     if (geometry.wheel_base_m)
         line.segment("WheelBase", *geometry.wheel_base_m, Decimals::FourCut);
+    if (sameWord(geometry.type, "MisPkg"))
+        return writeLinks(line, geometry.items);
     for (const MountedItem& item : geometry.items)
         writeItem(line, item);
 }
@@ -205,7 +229,8 @@ void writeInto(LineWriter& line, const Response& response) {
     }
     if (response.parts.empty()) {
         line.segment("Name", response.name);
-        line.segment("Status", response.ok ? "OK" : "Failed");
+        const bool of_tags = std::string_view(response.type).starts_with("RFID"); // usarsim-protocol 4.8
+        line.segment(of_tags ? "status" : "Status", response.ok ? "OK" : "Failed");
     }
     if (response.tag_id)
         line.whole("ID", *response.tag_id);

@@ -104,6 +104,10 @@ private slots:
                                           << "CONF {Type MisPkg} {Name CameraPanTilt} {Link 1} {JointType Revolute} "
                                              "{MaxSpeed 1.0000} {MaxTorque 20.0000} {MinRange -3.1415} {MaxRange "
                                              "3.1415} {Link 2} {JointType Revolute}";
+        QTest::newRow("its camera mount's places")
+            << "GETGEO {Type MisPkg}"
+            << "GEO {Type MisPkg} {Name CameraPanTilt} {Link 1} {ParentLink -1} {Location 0.1200,0.0000,-0.1400} "
+               "{Orientation 0.0000,0.0000,0.0000} {Link 2} {ParentLink 1} {Location 0.0000,0.0000,-0.0400}";
         QTest::newRow("a zoom") << "SET {Type Camera} {Name Camera} {Opcode Zoom} {Params 0.8}"
                                 << "RES {Time ";
     }
