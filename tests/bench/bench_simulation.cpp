@@ -92,8 +92,11 @@ void realTimeFactor(benchmark::State& state) {
     std::vector<ClientId> clients;
     for (int i = 0; i < state.range(0); ++i) {
         clients.push_back(simulation->connect());
-        simulation->receive(clients.back(), "INIT {ClassName AirRobot} {Location " + std::to_string(8 * i - 40) +
-                                                ",0,-25}\r\nDRIVE {LinearVelocity 1} {RotationalVelocity 0.2}\r\n");
+        const int x_m = 10 * (i % 20) - 95;
+        const int y_m = 12 * (i / 20 % 10) - 54;
+        simulation->receive(clients.back(), "INIT {ClassName AirRobot} {Location " + std::to_string(x_m) + "," +
+                                                std::to_string(y_m) +
+                                                ",-30}\r\nDRIVE {LinearVelocity 1} {RotationalVelocity 0.5}\r\n");
     }
     std::size_t bytes = 0;
     for (auto _ : state) {
@@ -105,6 +108,6 @@ void realTimeFactor(benchmark::State& state) {
     state.counters["real_time_factor"] = benchmark::Counter(simulated_s, benchmark::Counter::kIsRate);
     state.counters["bytes_per_tick"] = static_cast<double>(bytes) / static_cast<double>(state.iterations());
 }
-BENCHMARK(realTimeFactor)->Arg(1)->Arg(10)->Unit(benchmark::kMicrosecond);
+BENCHMARK(realTimeFactor)->Arg(1)->Arg(10)->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 } // namespace
