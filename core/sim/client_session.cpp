@@ -131,8 +131,7 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (initialized_)
         return host.log("ignored a second INIT: one connection is one robot");
     robot_name_ = wanted.robot_name;
-    const std::string_view class_name = wanted.class_name.text();
-    const std::string_view bare_name = class_name.substr(class_name.rfind('.') + 1);
+    const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
     const bool is_station = sameWord(bare_name, "ComStation"); // a base station without sensors or motion: no data
     if (!controls_ && !is_station)

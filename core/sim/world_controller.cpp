@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/text.h"
+#include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
 
@@ -56,10 +57,6 @@ BodyDescription bodyOf(const Kind& kind, const Vec3& scale) {
         break;
     }
     return body;
-}
-
-std::string_view withoutPackage(std::string_view class_name) {
-    return class_name.substr(class_name.rfind('.') + 1);
 }
 
 } // namespace

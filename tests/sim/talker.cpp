@@ -30,6 +30,22 @@ std::vector<protocol::InfoLine> Talker::hear() {
     return lines;
 }
 
+std::string heardBy(Simulation& simulation, const char* init, int ticks,
+                    const std::function<void(int tick)>& meanwhile) {
+    const ClientId client = simulation.connect();
+    simulation.receive(client, std::string(init) + "\r\n");
+    std::string heard;
+    for (int tick = 0; tick < ticks; ++tick) {
+        if (tick % 10 == 5)
+            simulation.receive(client, "DRIVE {Left " + std::to_string(tick % 7) + "} {Right 3}\r\n");
+        if (meanwhile)
+            meanwhile(tick);
+        simulation.step();
+        heard += simulation.takeOutput(client);
+    }
+    return heard;
+}
+
 std::string kindOf(const std::string& line) {
     Diagnostics diagnostics;
     protocol::Segments segments;

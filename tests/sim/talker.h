@@ -1,6 +1,7 @@
 // A client of a Simulation without sockets: says lines, reads lines.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ private:
     protocol::LineSplitter splitter_;
     protocol::Reader reader_;
 };
+
+inline constexpr const char* init_p2dx = "INIT {ClassName USARBot.P2DX} {Name R1} {Location 0,0,-0.2}";
+
+/// What one client hears in `ticks` while it drives about; `meanwhile` may do anything to the simulation each tick.
+std::string heardBy(Simulation& simulation, const char* init, int ticks,
+                    const std::function<void(int tick)>& meanwhile = {});
 
 /// "SEN Sonar", "STA": the type word and the type of a sensor.
 std::string kindOf(const std::string& line);

@@ -23,6 +23,12 @@ World flatWorld() {
     return groundOf([](const Vec2&) { return 0.0; });
 }
 
+World lake() {
+    World world = flatWorld();
+    world.water = Water{30.0, 1000.0};
+    return world;
+}
+
 World slopeWorld(double slope_rad) {
     return groundOf([=](const Vec2& point_m) { return std::tan(slope_rad) * point_m.x(); });
 }

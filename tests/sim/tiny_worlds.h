@@ -15,6 +15,8 @@ inline constexpr Seconds physics_dt{0.004};
 /// 64 m square around the origin, posts each 0.5 m.
 World groundOf(const std::function<double(const Vec2&)>& height_m);
 World flatWorld();
+/// Flat ground under 30 m of water.
+World lake();
 /// Rises along x with this angle; height 0 on the y axis.
 World slopeWorld(double slope_rad);
 

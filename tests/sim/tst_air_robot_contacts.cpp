@@ -163,17 +163,6 @@ private slots:
         QVERIFY(left.broken() && right.broken());
         QVERIFY(left.state().position_m.z() < 1.0 && right.state().position_m.z() < 1.0);
     }
-
-    void waterDrownsTheBattery() {
-        AirRobotSpawn spawn = inTheAir({0.0, 0.0, 8.0});
-        spawn.water_z_m = 5.0;
-        Flight flight(flatWorld(), spawn);
-        flight.drive(0.0, 0.0, -1.0);
-        flight.run(Seconds{2.0});
-        QVERIFY(flight.robot.batteryLeft() > Seconds{0.0});
-        flight.run(Seconds{4.0});
-        QCOMPARE(flight.robot.batteryLeft(), Seconds{0.0});
-    }
 };
 
 QTEST_APPLESS_MAIN(TestAirRobotContacts)

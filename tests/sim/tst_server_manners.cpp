@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 
 #include <QtTest>
 
@@ -13,35 +12,10 @@ using namespace usar::sim;
 
 namespace {
 
-World lake() {
-    World world = flatWorld();
-    world.water = Water{30.0, 1000.0};
-    return world;
-}
-
 void steps(Simulation& simulation, int count) {
     for (int i = 0; i < count; ++i)
         simulation.step();
 }
-
-/// What one client hears in `ticks` while it drives about; `meanwhile` may do anything to the simulation each tick.
-std::string heardBy(Simulation& simulation, const char* init, int ticks,
-                    const std::function<void(int tick)>& meanwhile = {}) {
-    const ClientId client = simulation.connect();
-    simulation.receive(client, std::string(init) + "\r\n");
-    std::string heard;
-    for (int tick = 0; tick < ticks; ++tick) {
-        if (tick % 10 == 5)
-            simulation.receive(client, "DRIVE {Left " + std::to_string(tick % 7) + "} {Right 3}\r\n");
-        if (meanwhile)
-            meanwhile(tick);
-        simulation.step();
-        heard += simulation.takeOutput(client);
-    }
-    return heard;
-}
-
-constexpr const char* p2dx = "INIT {ClassName USARBot.P2DX} {Name R1} {Location 0,0,-0.2}";
 
 } // namespace
 
@@ -52,7 +26,7 @@ class tst_ServerManners : public QObject {
 private slots:
     void everyCommandOfTheCorpusIsAcceptedOrIgnored_data() {
         QTest::addColumn<QString>("init");
-        QTest::newRow("P2DX") << p2dx;
+        QTest::newRow("P2DX") << init_p2dx;
         QTest::newRow("AirRobot") << "INIT {ClassName AirRobot} {Location 0,0,-3}";
         QTest::newRow("ERS") << "INIT {ClassName ERS} {Location 0,0,-0.3}";
         QTest::newRow("Sedan") << "INIT {ClassName Sedan} {Location 0,0,-0.6}";
@@ -112,11 +86,11 @@ private slots:
     void aClientThatSendsGarbageChangesNothingForTheOthers() {
         QFETCH(int, kind);
         const auto alone = simulationOf(flatWorld());
-        const std::string expected = heardBy(*alone, p2dx, 60);
+        const std::string expected = heardBy(*alone, init_p2dx, 60);
         const auto shared = simulationOf(flatWorld());
         Random random = seeded(5, static_cast<std::uint64_t>(kind));
         std::optional<ClientId> other;
-        const std::string heard = heardBy(*shared, p2dx, 60, [&](int) {
+        const std::string heard = heardBy(*shared, init_p2dx, 60, [&](int) {
             if (!other)
                 other = shared->connect();
             std::string bytes;
@@ -147,34 +121,6 @@ private slots:
         });
         QVERIFY(heard == expected);
         QVERIFY(expected.size() > 50'000);
-    }
-
-    void sameSeedAndInputsGiveTheSameBytes_data() {
-        QTest::addColumn<int>("ticks");
-        QTest::newRow("a minute") << 300;
-        QTest::newRow("ten minutes") << 3000;
-    }
-    /// Two robots that see and push each other.
-    void sameSeedAndInputsGiveTheSameBytes() {
-        QFETCH(int, ticks);
-        if (ticks > 300 && !std::getenv("USAR_LONG"))
-            QSKIP("takes half a minute: set USAR_LONG to run it");
-        const auto run = [ticks](std::uint64_t seed) {
-            SimulationOptions options;
-            options.seed = seed;
-            options.battery_life = Seconds{1e5};
-            const auto simulation = simulationOf(flatWorld(), options);
-            const ClientId ers = simulation->connect();
-            simulation->receive(ers, "INIT {ClassName ERS} {Location 1,0.5,-0.3}\r\n");
-            std::string heard = heardBy(*simulation, p2dx, ticks, [&](int tick) {
-                simulation->receive(ers, "MULTIDRIVE {LFLeg1 " + std::to_string(0.1 * (tick % 5)) + "}\r\n");
-            });
-            return heard + simulation->takeOutput(ers);
-        };
-        const std::string first = run(7);
-        QVERIFY(first == run(7));
-        if (ticks <= 300)
-            QVERIFY(first != run(8));
     }
 
     void sixteenRobotsAndMoreLiveTogether() {

@@ -9,12 +9,6 @@ using namespace usar::sim;
 
 namespace {
 
-World lake() {
-    World world = flatWorld();
-    world.water = Water{30.0, 1000.0};
-    return world;
-}
-
 /// A robot of a class in its world, and its client.
 struct Spawned {
     std::unique_ptr<Simulation> simulation;
@@ -190,8 +184,14 @@ private slots:
         QVERIFY(robot.truth().base_in_map.yaw_rad < -0.2);
     }
 
+    void waterEndsTheBatteryOfWhatDoesNotSwim_data() {
+        QTest::addColumn<double>("z_m");
+        QTest::newRow("P2DX") << 0.2;
+        QTest::newRow("AirRobot") << 29.0;
+    }
     void waterEndsTheBatteryOfWhatDoesNotSwim() {
-        Spawned robot("P2DX", lake(), 0.2);
+        QFETCH(double, z_m);
+        Spawned robot(QTest::currentDataTag(), lake(), z_m);
         robot.steps(3);
         const auto state = robot.talker.hearLast<protocol::RobotState>();
         QCOMPARE(state->battery_left, Seconds{0.0});

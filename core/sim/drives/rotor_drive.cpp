@@ -31,7 +31,7 @@ AirRobotParameters airRobotParametersOf(const RobotModel& model) {
 }
 
 RotorDrive::RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth)
-    : body_(physics, body, {birth.base_in_map, birth.near_ground, Seconds{std::numeric_limits<double>::infinity()}, {}},
+    : body_(physics, body, {birth.base_in_map, birth.near_ground, Seconds{std::numeric_limits<double>::infinity()}},
             airRobotParametersOf(model)) {}
 
 bool RotorDrive::obey(const protocol::Command& command) {

@@ -34,7 +34,6 @@ AirRobotBody::AirRobotBody(Physics& physics, const AirRobotSpawn& spawn, AirRobo
 AirRobotBody::AirRobotBody(Physics& physics, BodyId body, const AirRobotSpawn& spawn, AirRobotParameters parameters)
     : physics_(physics)
     , parameters_(std::move(parameters))
-    , water_z_m_(spawn.water_z_m)
     , id_(body)
     , owns_body_(false)
     , rotors_(parameters_)
@@ -97,8 +96,6 @@ void AirRobotBody::afterStep(Seconds dt) {
     since_gear_ += dt;
     since_collision_ += dt;
     battery_left_ = std::max(Seconds{0.0}, battery_left_ - dt);
-    if (water_z_m_ && now.position_m.z() < *water_z_m_)
-        battery_left_ = Seconds{0.0};
     if (battery_left_ <= Seconds{0.0} && !ended())
         enter(MotorState::Dead);
     feelContacts();

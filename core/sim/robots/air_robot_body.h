@@ -1,8 +1,6 @@
 // The flying body of an AirRobot: motors, autopilot, contacts, battery. What its sensors see is not its business.
 #pragma once
 
-#include <optional>
-
 #include "core/protocol/command.h"
 #include "core/sim/physics.h"
 #include "core/sim/robots/air_robot_parameters.h"
@@ -19,7 +17,6 @@ struct AirRobotSpawn {
     Pose base_in_map;
     bool near_ground = false; ///< then it settles down by itself; otherwise it hovers where it was spawned
     Seconds battery_life{1200.0};
-    std::optional<double> water_z_m; ///< touching it drowns the battery
 };
 
 /// Breaks on a contact of a rotor disc, on an impulse above 0.5 N s, and on touching down at 1 m/s or faster; then it
@@ -69,7 +66,6 @@ private:
 
     Physics& physics_;
     AirRobotParameters parameters_;
-    std::optional<double> water_z_m_;
     BodyId id_;
     bool owns_body_;
     Rotors rotors_;

@@ -35,8 +35,12 @@ std::optional<int> RobotModel::linkOnJoint(std::string_view joint) const {
     return found == links.end() ? std::nullopt : std::optional(static_cast<int>(found - links.begin()));
 }
 
+std::string_view withoutPackage(std::string_view class_name) {
+    return class_name.substr(class_name.rfind('.') + 1);
+}
+
 const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name) {
-    const std::string_view bare_name = class_name.substr(class_name.rfind('.') + 1);
+    const std::string_view bare_name = withoutPackage(class_name);
     const auto found =
         std::ranges::find_if(robots, [&](const RobotModel& robot) { return sameWord(robot.class_name, bare_name); });
     return found == robots.end() ? nullptr : &*found;

@@ -78,6 +78,9 @@ struct RobotModel {
 /// The robots that can be spawned, by class name without regard to case.
 using RobotCatalog = std::vector<RobotModel>;
 
+/// "AirRobot" of "USARBot.AirRobot".
+std::string_view withoutPackage(std::string_view class_name);
+
 /// With or without its package, "USARBot.AirRobot"; nullptr where there is none.
 const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name);
 

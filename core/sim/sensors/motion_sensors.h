@@ -1,7 +1,6 @@
 // What tells a robot how it moves: INS, GroundTruth, Odometry, Encoder, Tachometer, Accel, AcceleroMeter, Touch, GPS.
 #pragma once
 
-#include "core/sim/sensors/ground_truth.h"
 #include "core/sim/sensors/ins.h"
 #include "core/sim/sensors/sensor.h"
 

@@ -27,7 +27,7 @@ Result<int> jointOf(const SensorModel& model, const SensorBirth& birth, const ch
     const auto link = name == model.words.end() ? std::nullopt : birth.robot.linkOnJoint(name->second);
     if (!link)
         return failure("the sensor \"" + model.name + "\" needs the name of a joint as usar:" + word,
-                       "robot " + birth.robot.class_name);
+                       "robot " + birth.robot.class_name, "Mend its file");
     return *link;
 }
 
