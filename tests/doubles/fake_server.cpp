@@ -31,6 +31,7 @@ void FakeServer::setDeaf(bool on) {
     deaf_ = on;
     if (!client_)
         return;
+    client_->setSocketOption(QAbstractSocket::ReceiveBufferSizeSocketOption, on ? 1 << 14 : 1 << 22);
     client_->setReadBufferSize(on ? 1 : 0); // once it is full, the socket stops reading
     if (!on)
         read(client_);
@@ -54,7 +55,7 @@ void FakeServer::read(QTcpSocket* socket) {
 }
 
 void FakeServer::say(const QByteArray& bytes) {
-    const QPointer<QTcpSocket>& to = kept_ ? kept_ : client_;
+    const QPointer<QTcpSocket>& to = speaking_ ? speaking_ : kept_ ? kept_ : client_;
     if (to) {
         to->write(bytes);
         to->flush();

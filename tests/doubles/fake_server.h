@@ -12,7 +12,8 @@
 
 namespace usar::test {
 
-/// Loopback only. Talks to the newest client, or keeps to one. Lives in the test's thread.
+/// Loopback only. Answers whoever asks; what it says of itself goes to the newest client, or to the one that it keeps
+/// to. Lives in the test's thread, or in the one that it is moved to.
 class FakeServer : public QObject {
     Q_OBJECT
 public:
@@ -34,7 +35,7 @@ public:
     /// One write per `chunk_size` bytes, each pushed out at once.
     void sayInChunks(const QByteArray& bytes, qsizetype chunk_size);
     void hangUp();
-    /// Deaf, it leaves what the client sends in the network; hearing again, it takes all of it.
+    /// Deaf, it leaves what the client sends in the network, which takes little of it; hearing again, it takes all.
     void setDeaf(bool on);
 
     bool hasClient() const { return client_ && client_->state() == QAbstractSocket::ConnectedState; }
@@ -48,7 +49,7 @@ private:
     void accept();
     void read(QTcpSocket* socket);
 
-    QTcpServer server_;
+    QTcpServer server_{this}; ///< a child, so that it moves to another thread, too
     QPointer<QTcpSocket> client_;
     QPointer<QTcpSocket> kept_;     ///< the only one, when set
     QPointer<QTcpSocket> speaking_; ///< while its line is obeyed

@@ -334,22 +334,27 @@ void tst_RobotSessionTrouble::aServerThatReadsSlowlyGetsEveryCommandAndTheNewest
     QVERIFY(f.spawnNow());
     f.server.forget();
     f.server.setDeaf(true);
+    const auto waits = [&] {
+        return f.countSaid("reads slower than commands are sent") == f.countSaid("The server reads commands again.") + 1;
+    };
     qsizetype sent = 0;
-    const auto send_until_said = [&] {
+    int rounds_waiting = 0;
+    const auto nothing_leaves = [&] { // the network takes some megabytes before it is full
+        rounds_waiting = waits() ? rounds_waiting + 1 : 0;
         for (int i = 0; i < 1000; ++i)
             f.session.sendCommand(protocol::RawCommand{"SET {Type RFID} {Name Dropper} {Opcode Release} {Params " +
                                                        std::to_string(sent++) + "}"},
                                   "operator: command box");
-        return f.said("reads slower than commands are sent");
+        return rounds_waiting > 10;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(send_until_said(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(nothing_leaves(), 20000);
     f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "operator: stick");
     f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, "operator: stick");
     QVERIFY(f.tickNow()); // reading goes on meanwhile
     f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 3.0}, "operator: stick");
-    QCOMPARE(f.countSaid("reads slower than commands are sent"), std::size_t(1));
+    QVERIFY(waits()); // and is said once
     f.server.setDeaf(false);
-    QTRY_VERIFY(f.said("The server reads commands again."));
+    QTRY_VERIFY(!waits());
     QTRY_COMPARE(f.server.heardOf("DRIVE").size(), 1);
     QVERIFY(f.server.heardOf("DRIVE").at(0).contains("{AltitudeVelocity 3"));
     const QList<QByteArray> heard = f.server.heardOf("SET");
