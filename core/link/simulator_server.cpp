@@ -148,6 +148,7 @@ void SimulatorServer::tick() {
     held_up_ = {};
     publishLog();
     flush();
+    emit ticked();
 }
 
 void SimulatorServer::flush() {

@@ -44,6 +44,8 @@ public:
     Result<quint16> listen(quint16 port);
     quint16 port() const { return server_.serverPort(); }
     SimulatorFigures figures() const;
+    /// For the servers of other channels beside this one; in the simulator's thread only.
+    sim::Simulation& simulation() { return *simulation_; }
     void setUnreadLimit(qint64 bytes) { unread_limit_bytes_ = bytes; }
     void setLockstepPatience(std::chrono::milliseconds patience) { lockstep_patience_ = patience; }
 
@@ -53,6 +55,7 @@ public slots:
     void stepOnce();
 
 signals:
+    void ticked(); ///< a message tick has been made
     void figuresChanged(const usar::link::SimulatorFigures& figures); ///< a few times a second
     void logged(const QString& sentence);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
