@@ -90,10 +90,14 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     connect(server, &link::SimulatorServer::figuresChanged, this, &SimulatorHost::figuresChanged);
     connect(server, &link::SimulatorServer::robotsChanged, this, &SimulatorHost::robotsChanged);
     connect(server, &link::SimulatorServer::logged, this, &SimulatorHost::noted);
-    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture] {
+    const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
+    for (const QString& sentence : channels.sentences)
+        emit movedPort(sentence);
+    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture, ports = channels.ports] {
         if (worker != worker_)
             return; // retired while it was loading
         server_ = server;
+        emit channelsOpened(ports);
         emit ready(port, picture);
     });
 }

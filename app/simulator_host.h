@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QThread>
 
+#include "app/simulator_channels.h"
 #include "app/world_picture.h"
 #include "core/base/geometry.h"
 #include "core/link/simulator_server.h"
@@ -16,7 +17,8 @@ namespace usar::app {
 struct SimulatorSpec {
     QString world = "tall_test"; ///< name or folder
     quint64 seed = 1;
-    quint16 port = 3000; ///< another one is taken where it is in use
+    quint16 port = 3000; ///< another one is taken where it is in use; 0 chooses free ones for the channels, too
+    ChannelPorts channels{};
 };
 
 /// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.
@@ -43,6 +45,8 @@ signals:
     void robotRefused(const QString& sentence);
     /// The wanted port belongs to another program; one sentence with the port that was taken instead.
     void movedPort(const QString& sentence);
+    /// Before `ready`: where its further channels listen.
+    void channelsOpened(const usar::app::ChannelPorts& ports);
     void figuresChanged(const usar::link::SimulatorFigures& figures);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include "app/quit_signals.h"
+#include "app/simulator_channels.h"
 #include "app/simulator_files.h"
 #include "core/base/numbers.h"
 #include "core/link/simulator_server.h"
@@ -22,6 +23,7 @@ constexpr int bad_use = 2;
 struct Settings {
     QString world;
     quint16 port = 3000;
+    usar::app::ChannelPorts channels;
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
@@ -137,6 +139,9 @@ int main(int argc, char** argv) {
     if (!port)
         return complain(port.error());
     server.setPace(settings->pace, settings->factor);
+    const usar::app::OpenChannels channels = usar::app::openChannels(server, settings->channels);
+    for (const QString& sentence : channels.sentences)
+        std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData());
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
                 level.c_str(), static_cast<unsigned>(*port), static_cast<unsigned>(*port));
     std::fflush(stdout);

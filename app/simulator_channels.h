@@ -1,0 +1,31 @@
+// The servers of further channels beside a simulator's bot port (usarsim-protocol 6).
+#pragma once
+
+#include <QMetaType>
+#include <QStringList>
+
+#include "core/link/simulator_server.h"
+
+namespace usar::app {
+
+/// Wanted, or listened on; 0 wants a free one and means "none" of what is open.
+struct ChannelPorts {
+    quint16 image = 5003;
+    bool operator==(const ChannelPorts&) const = default;
+
+    /// Free ones for all: for a simulator whose bot port is chosen freely, too.
+    static ChannelPorts anywhere() { return {.image = 0}; }
+};
+
+struct OpenChannels {
+    ChannelPorts ports = ChannelPorts::anywhere(); ///< where they listen now
+    QStringList sentences;                         ///< about ports of other programs, each with what was done about it
+};
+
+/// Opens them as children of `server`, in its thread; they end with it. A port in use is no failure: another one is
+/// taken, and said.
+OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted);
+
+} // namespace usar::app
+
+Q_DECLARE_METATYPE(usar::app::ChannelPorts)
