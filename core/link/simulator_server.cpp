@@ -148,6 +148,9 @@ void SimulatorServer::tick() {
     held_up_ = {};
     publishLog();
     flush();
+    for (const sim::ClientId client : simulation_->takeCut())
+        if (const auto found = sockets_.find(client); found != sockets_.end())
+            found->second->abort(); // a fault; the client learns of it as of any server that dies
     emit ticked();
 }
 

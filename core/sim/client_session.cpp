@@ -1,5 +1,6 @@
 #include "core/sim/client_session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/text.h"
@@ -39,6 +40,9 @@ void ClientSession::receive(std::string_view bytes, const Log& log) {
 }
 
 void ClientSession::take(std::string_view line, const Log& log) {
+    std::string garbled;
+    if (wire_)
+        line = garbled = wire_->garbled(line);
     Diagnostics diagnostics;
     protocol::Command command = protocol::readCommand(line, diagnostics, profile_);
     for (const Diagnostic& diagnostic : diagnostics)
@@ -61,22 +65,50 @@ void ClientSession::leaveLockstep() {
     send(protocol::LockstepInfo{false});
 }
 
-std::string ClientSession::takeOutput() {
-    return std::exchange(output_, {});
+std::string ClientSession::takeOutput(Seconds now) {
+    if (!wire_)
+        return std::exchange(output_, {});
+    wire_->push(std::exchange(output_, {}), now, lockstep_, false); // answers between two ticks
+    FaultyWire::Arrived arrived = wire_->take(now);
+    ticks_heard_ += lockstep_ ? static_cast<std::size_t>(arrived.ticks) : 0;
+    return std::move(arrived.bytes);
 }
 
 void ClientSession::obeyWaiting(const Host& host) {
-    while (!waiting_.empty()) {
+    const bool in_step = lockstep_ && robot_;
+    std::size_t steps = in_step ? stepsOwed() : 0; // to be taken; the last one ends the commands for this tick
+    while (!waiting_.empty() && !(in_step && steps == 0)) {
         const protocol::Command command = std::move(waiting_.front());
         waiting_.pop_front();
         if (std::holds_alternative<protocol::Step>(command)) {
             --steps_waiting_;
-            if (lockstep_)
-                return;
-            continue;
+            ticks_heard_ -= ticks_heard_ > 0 ? 1 : 0;
+            if (lockstep_ && !in_step)
+                break;
+            steps -= steps > 0 ? 1 : 0;
+        } else if (wire_) {
+            wire_->push(command, host.now);
+        } else {
+            obey(command, host);
         }
-        obey(command, host);
     }
+    if (wire_)
+        for (const protocol::Command& command : wire_->takeCommands(host.now))
+            obey(command, host);
+}
+
+void ClientSession::setFaults(const std::vector<Fault>& active, const Random& random) {
+    new_ = false;
+    if (robot_)
+        robot_->setFaults(active);
+    const bool of_link = std::ranges::any_of(active, [](const Fault& fault) {
+        return fault.kind == FaultKind::LinkDelay || fault.kind == FaultKind::LinkLoss ||
+               fault.kind == FaultKind::LinkHalfOpen;
+    });
+    if (of_link && !wire_)
+        wire_.emplace(random);
+    if (wire_)
+        wire_->setFaults(active);
 }
 
 void ClientSession::obey(const protocol::Command& command, const Host& host) {
@@ -136,6 +168,7 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     const bool is_station = sameWord(bare_name, "ComStation"); // a base station without sensors or motion: no data
     if (!controls_ && !is_station)
         robot_ = host.spawn(wanted);
+    spawned_at_ = host.now;
     initialized_ = robot_ || controls_ || is_station; // after a refused INIT the client may try again
 }
 
@@ -154,6 +187,8 @@ void ClientSession::report(Seconds now) {
     robot_->measure(now, std::exchange(first_tick_, false), lines_);
     for (const protocol::InfoMessage& line : lines_)
         send(line, now);
+    if (wire_)
+        wire_->push(std::exchange(output_, {}), now, lockstep_, true);
 }
 
 void ClientSession::answer(Seconds now) {

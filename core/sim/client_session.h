@@ -14,6 +14,7 @@
 #include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
+#include "core/sim/faults/faulty_wire.h"
 #include "core/sim/robots/robot.h"
 
 namespace usar::sim {
@@ -28,18 +29,29 @@ public:
     ClientSession(const World& world, protocol::Dialect profile);
 
     void receive(std::string_view bytes, const Log& log);
-    std::string takeOutput();
+    /// What has arrived at the client by now.
+    std::string takeOutput(Seconds now);
 
     bool lockstep() const { return lockstep_; }
     /// Tells the client that nobody waits for its STEP any more; it may ask for lockstep again.
     void leaveLockstep();
     /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
     /// could not answer them), or it has said STEP.
-    bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ > 0; }
+    bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ >= stepsOwed(); }
     bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
     const std::string& robotName() const { return robot_name_; }
+
+    /// What acts on its robot and its connection from now on. `random` is this connection's own.
+    void setFaults(const std::vector<Fault>& active, const Random& random);
+    /// The robot is gone without a word; the connection stays and may not have another.
+    void loseRobot() { robot_.reset(); }
+    /// More waits behind a fault than a network would keep.
+    bool overfull() const { return wire_ && wire_->overfull(); }
+    Seconds spawnedAt() const { return spawned_at_; }
+    /// Its robot has not been told of faults yet.
+    bool isNew() const { return robot_ && new_; }
 
     /// What the simulation does for its clients.
     struct Host {
@@ -65,6 +77,8 @@ private:
     void answer(Seconds now);
     protocol::Response resultOf(const protocol::Command& asked, Seconds now);
     void send(const protocol::InfoMessage& message, Seconds now = Seconds{0.0});
+    /// STEPs that the client owes before the next tick: one for each tick that it has heard of.
+    std::size_t stepsOwed() const { return wire_ ? ticks_heard_ : 1; }
     bool isUdk() const { return profile_ == protocol::Dialect::Udk; }
 
     const World& world_;
@@ -74,12 +88,16 @@ private:
     std::size_t steps_waiting_ = 0;
     bool lockstep_ = false;
     std::string output_;
+    std::optional<FaultyWire> wire_; ///< since the first fault of the connection
+    std::size_t ticks_heard_ = 0;    ///< by the client over the wire, without its STEP yet
 
     std::unique_ptr<Robot> robot_;
     std::string robot_name_;
     bool initialized_ = false;
     bool controls_ = false; ///< a world controller's connection
     bool first_tick_ = true;
+    bool new_ = true;
+    Seconds spawned_at_{0.0};
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;
     std::optional<protocol::Command> set_asked_;

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/sim/client_session.h"
+#include "core/sim/faults/fault_schedule.h"
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
 #include "core/sim/robots/robot.h"
@@ -17,6 +18,7 @@ namespace usar::sim {
 namespace {
 
 constexpr std::size_t most_log_sentences = 1000;
+constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // beyond those of sensors and winds
 
 Result<void> checked(const World& world, const SimulationOptions& options) {
     if (world.terrain.empty() && world.boxes.empty())
@@ -37,13 +39,20 @@ struct Simulation::State {
         , physics(makePhysics(world))
         , caster(world)
         , scene(makeScene(world, *physics))
-        , controller(world, *physics, scene) {}
+        , controller(world, *physics, scene)
+        , faults(options.seed) {
+        for (const Fault& fault : options.faults)
+            faults.add(fault);
+    }
 
     void log(ClientId client, const std::string& sentence);
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
     Pose startOf(ClientId client, const protocol::Init& init);
     std::string knownClasses() const;
     void obeyAll();
+    void followFaults();
+    void setFaults(ClientId client, ClientSession& session);
+    bool vanishes(const ClientSession& session) const;
     void move();
     void reportAll();
 
@@ -54,7 +63,9 @@ struct Simulation::State {
     RayCaster caster;
     Scene scene;
     WorldController controller;
+    FaultSchedule faults;
     std::map<ClientId, ClientSession> sessions;
+    std::vector<ClientId> cut;
     ClientId last_client;
     std::uint64_t spawned = 0;
     std::uint64_t ticks = 0;
@@ -125,6 +136,41 @@ void Simulation::State::obeyAll() {
     }
 }
 
+void Simulation::State::followFaults() {
+    const std::vector<FaultStatus> changed = faults.advance(now());
+    for (const FaultStatus& one : changed)
+        if (sentences.size() < most_log_sentences)
+            sentences.push_back((one.phase == FaultPhase::Active ? "fault begins: " : "fault ends: ") +
+                                write(one.fault));
+    for (auto& [client, session] : sessions) {
+        if (!changed.empty() || session.isNew())
+            setFaults(client, session);
+        if (session.overfull())
+            log(client, "too much waits behind a fault: the connection is cut");
+        if (session.overfull() || (session.robot() && faults.takeCut(session.robotName())))
+            cut.push_back(client);
+        if (session.robot() && vanishes(session)) {
+            log(client, "'" + session.robotName() + "' has vanished");
+            session.loseRobot();
+        }
+    }
+}
+
+bool Simulation::State::vanishes(const ClientSession& session) const {
+    return std::ranges::any_of(faults.activeOn(session.robotName()), [&](const Fault& fault) {
+        return fault.kind == FaultKind::Vanish && now() - session.spawnedAt() >= Seconds{fault.number("after")};
+    });
+}
+
+void Simulation::State::setFaults(ClientId client, ClientSession& session) {
+    const std::vector<Fault> active = faults.activeOn(session.robotName());
+    session.setFaults(active, seeded(options.seed, connection_streams + client.value));
+    for (const Fault& fault : active)
+        if (session.robot() && !session.robot()->canHave(fault))
+            log(client, "the fault '" + write(fault) + "' does nothing to '" + session.robotName() +
+                            "', which has no " + (fault.kind == FaultKind::Rotor ? "rotors" : "such sensor"));
+}
+
 void Simulation::State::move() {
     std::vector<Robot*> robots;
     for (auto& [id, session] : sessions)
@@ -134,8 +180,11 @@ void Simulation::State::move() {
         return;
     const Seconds dt = options.tick / options.physics_steps_per_tick;
     for (int i = 0; i < options.physics_steps_per_tick; ++i) {
-        for (Robot* const robot : robots)
+        const Vec3 wind_m_s = faults.wind(dt);
+        for (Robot* const robot : robots) {
+            robot->feelWind(wind_m_s);
             robot->beforeStep(dt);
+        }
         carryObjects(scene, *physics, dt);
         physics->step(dt);
         for (Robot* const robot : robots)
@@ -178,7 +227,7 @@ void Simulation::receive(ClientId client, std::string_view bytes) {
 
 std::string Simulation::takeOutput(ClientId client) {
     const auto found = state_->sessions.find(client);
-    return found == state_->sessions.end() ? std::string() : found->second.takeOutput();
+    return found == state_->sessions.end() ? std::string() : found->second.takeOutput(now());
 }
 
 bool Simulation::readyToStep() const {
@@ -212,9 +261,26 @@ bool Simulation::idle() const {
 
 void Simulation::step() {
     state_->obeyAll();
+    state_->followFaults();
     state_->move();
     ++state_->ticks;
     state_->reportAll();
+}
+
+int Simulation::addFault(const Fault& fault) {
+    return state_->faults.add(fault);
+}
+
+bool Simulation::endFault(int id) {
+    return state_->faults.end(id);
+}
+
+const std::vector<FaultStatus>& Simulation::faults() const {
+    return state_->faults.all();
+}
+
+std::vector<ClientId> Simulation::takeCut() {
+    return std::exchange(state_->cut, {});
 }
 
 Seconds Simulation::now() const {

@@ -12,6 +12,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/protocol/dialect.h"
+#include "core/sim/faults/fault_schedule.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world.h"
 
@@ -30,6 +31,7 @@ struct SimulationOptions {
     std::optional<Seconds> battery_life{}; ///< instead of what each robot's file says
     bool noise = true;
     std::shared_ptr<const RobotCatalog> robots{}; ///< what can be spawned
+    std::vector<Fault> faults{};                  ///< on request
 };
 
 /// Identifies one connection.
@@ -74,6 +76,14 @@ public:
     bool idle() const;
     /// One message tick: physics, sensors, lines for every client.
     void step();
+
+    /// From the next tick on, or when its time comes. The number is for `endFault`, which says whether there was
+    /// something to end.
+    int addFault(const Fault& fault);
+    bool endFault(int id);
+    const std::vector<FaultStatus>& faults() const;
+    /// Clients whose connection a fault has cut: whoever serves them hangs up.
+    std::vector<ClientId> takeCut();
 
     Seconds now() const;
     const SimulationOptions& options() const;

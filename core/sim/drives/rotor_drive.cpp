@@ -1,5 +1,6 @@
 #include "core/sim/drives/rotor_drive.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace usar::sim {
@@ -39,6 +40,11 @@ bool RotorDrive::obey(const protocol::Command& command) {
     if (drive)
         body_.drive(*drive);
     return drive != nullptr;
+}
+
+bool RotorDrive::weakenRotor(int rotor, double share) {
+    body_.rotors().weaken(static_cast<std::size_t>(std::clamp(rotor, 1, 4) - 1), share);
+    return true;
 }
 
 void RotorDrive::addTo(std::vector<protocol::Setting>& settings) const {

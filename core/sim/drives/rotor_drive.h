@@ -14,6 +14,8 @@ public:
     bool obey(const protocol::Command& command) override;
     void beforeStep(Seconds dt) override { body_.beforeStep(dt); }
     void afterStep(Seconds dt) override { body_.afterStep(dt); }
+    void feelWind(const Vec3& wind_in_map_m_s) override { body_.setWind(wind_in_map_m_s); }
+    bool weakenRotor(int rotor, double share) override;
     void switchOff() override { body_.switchOff(); }
     bool idle() const override { return body_.motorsOff(); }
     bool broken() const override { return body_.broken(); }

@@ -70,7 +70,8 @@ void AirRobotBody::beforeStep(Seconds dt) {
         rotors_.command(wantedWrench(now, dt));
     rotors_.step(dt);
     const RotorWrench wrench = rotors_.wrench();
-    const Vec3 drag_n = -parameters_.drag_kg_m * now.velocity_m_s.norm() * now.velocity_m_s;
+    const Vec3 through_air_m_s = now.velocity_m_s - wind_m_s_;
+    const Vec3 drag_n = -parameters_.drag_kg_m * through_air_m_s.norm() * through_air_m_s;
     const Vec3 spin_drag_n_m = -parameters_.spin_drag_n_m_s * now.rate_rad_s;
     physics_.apply(id_, now.rotation * Vec3(0.0, 0.0, wrench.thrust_n) + drag_n,
                    now.rotation * wrench.torque_n_m + spin_drag_n_m);

@@ -45,6 +45,9 @@ public:
     const VelocityCommand& command() const { return command_; }
     MotorState motors() const { return motors_; }
     bool broken() const { return motors_ == MotorState::Broken; }
+    /// The air moves (map frame); drag is felt against it.
+    void setWind(const Vec3& wind_in_map_m_s) { wind_m_s_ = wind_in_map_m_s; }
+    Rotors& rotors() { return rotors_; }
     /// The battery is empty.
     void switchOff() { battery_left_ = Seconds{0.0}; }
     bool motorsOff() const { return motors_ == MotorState::Idle || ended(); }
@@ -71,6 +74,7 @@ private:
     Rotors rotors_;
     FlightController controller_;
     VelocityCommand command_;
+    Vec3 wind_m_s_ = Vec3::Zero();
     MotorState motors_ = MotorState::Flying;
     bool landing_itself_ = false;
     Seconds in_state_{0.0};

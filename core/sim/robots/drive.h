@@ -27,6 +27,10 @@ public:
     virtual void afterStep(Seconds /*dt*/) {}
     /// The battery is empty: no force any more.
     virtual void switchOff() = 0;
+    /// The air moves (map frame); of no account to what does not fly.
+    virtual void feelWind(const Vec3& /*wind_in_map_m_s*/) {}
+    /// Rotor 1..4 gives this share of its thrust. False where there are no rotors.
+    virtual bool weakenRotor(int /*rotor*/, double /*share*/) { return false; }
     /// Nothing pushes, so that the body may be taken as standing still (the INS wants to know).
     virtual bool idle() const = 0;
     virtual bool broken() const { return false; }

@@ -15,6 +15,7 @@ namespace {
 constexpr double rest_m_s = 0.01;
 constexpr double rest_rad_s = 0.01;
 constexpr double raised_to_turn_m = 0.3;
+constexpr int rotors = 4;
 
 const protocol::DriveSwitches* switchesOf(const protocol::Command& command) {
     return std::visit(
@@ -108,8 +109,11 @@ void Robot::discharge(Seconds dt) {
     const bool swims = body_.model().kind == protocol::VehicleKind::Nautic;
     if (!swims && world_.water && body_.base_in_map().position_m.z() < world_.water->surface_z_m)
         battery_left_ = Seconds{0.0};
-    if (alive())
-        return;
+    if (!alive())
+        switchOff();
+}
+
+void Robot::switchOff() {
     drive_->switchOff();
     for (MissionPackage& package : packages_)
         package.switchOff();
@@ -180,6 +184,26 @@ protocol::ConfigurationInfo Robot::configuration(const std::string& type, const 
 
 std::optional<protocol::Response> Robot::set(const protocol::Command& wanted) {
     return sensors_.set(wanted, atRest());
+}
+
+void Robot::setFaults(const std::vector<Fault>& active) {
+    sensors_.setFaults(active);
+    for (int rotor = 1; rotor <= rotors; ++rotor)
+        drive_->weakenRotor(rotor, 1.0);
+    for (const Fault& fault : active) {
+        if (fault.kind == FaultKind::Rotor)
+            drive_->weakenRotor(static_cast<int>(fault.number("rotor")), fault.number("thrust"));
+        if (fault.kind == FaultKind::Battery)
+            battery_left_ = std::min(battery_left_, Seconds{fault.number("left")});
+    }
+    if (!alive())
+        switchOff();
+}
+
+bool Robot::canHave(const Fault& fault) const {
+    if (descriptionOf(fault.kind).of_sensor)
+        return fault.sensor.empty() || sensors_.has(fault.sensor);
+    return fault.kind != FaultKind::Rotor || body_.model().kind == protocol::VehicleKind::Aerial;
 }
 
 bool Robot::atRest() const {

@@ -70,6 +70,12 @@ public:
     /// Nothing where no part of it knows the command.
     std::optional<protocol::Response> set(const protocol::Command& wanted);
 
+    /// Those that concern this robot, from now until the next call. A battery that fails stays as it is.
+    void setFaults(const std::vector<Fault>& active);
+    /// Whether the robot has what the fault is about.
+    bool canHave(const Fault& fault) const;
+    void feelWind(const Vec3& wind_in_map_m_s) { drive_->feelWind(wind_in_map_m_s); }
+
     RobotFigures figures() const;
     const RobotBody& body() const { return body_; }
 
@@ -78,6 +84,7 @@ private:
     Result<void> equip(const RobotSurroundings& surroundings, const RobotOptions& options);
     bool atRest() const;
     void discharge(Seconds dt);
+    void switchOff();
     void rightItself();
     protocol::RobotState state(Seconds now) const;
 

@@ -36,7 +36,7 @@ void Rotors::start(double thrust_n) {
 void Rotors::step(Seconds dt) {
     const double share = 1.0 - std::exp(-dt / parameters_.rotor_lag);
     for (std::size_t i = 0; i < 4; ++i)
-        thrusts_n_[i] += share * (commanded_n_[i] - thrusts_n_[i]);
+        thrusts_n_[i] += share * (strengths_[i] * commanded_n_[i] - thrusts_n_[i]);
 }
 
 RotorWrench Rotors::wrench() const {

@@ -23,6 +23,8 @@ public:
     void stop();
     /// Already turning, with this thrust in all.
     void start(double thrust_n);
+    /// Rotor 0..3 gives only this share of its thrust; the mixer does not know.
+    void weaken(std::size_t rotor, double share) { strengths_[rotor] = share; }
     void step(Seconds dt);
     RotorWrench wrench() const;
     const std::array<double, 4>& thrusts_n() const { return thrusts_n_; }
@@ -32,6 +34,7 @@ private:
     std::array<Vec3, 4> centers_m_;
     std::array<double, 4> commanded_n_{};
     std::array<double, 4> thrusts_n_{};
+    std::array<double, 4> strengths_{1.0, 1.0, 1.0, 1.0};
 };
 
 } // namespace usar::sim

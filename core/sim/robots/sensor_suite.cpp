@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/sim/faults/sensor_fault.h"
 
 namespace usar::sim {
 
 namespace {
 
 constexpr std::uint64_t streams_per_robot = 256;
+constexpr std::uint64_t chance_streams = std::uint64_t(1) << 40; // beyond those of the sensors' noise
 
 struct Address {
     std::string type;
@@ -66,7 +68,10 @@ Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth&
             makeSensor(robot.sensors[i], {robot, birth.base_in_map, birth.scan_interval, birth.noise, random});
         if (!sensor)
             return tl::unexpected(sensor.error());
-        suite.sensors_.push_back({std::move(*sensor), everyOf(robot.sensors[i], birth)});
+        suite.sensors_.push_back(
+            {.sensor = std::move(*sensor),
+             .every = everyOf(robot.sensors[i], birth),
+             .chance = seeded(birth.seed, chance_streams + birth.robot_number * streams_per_robot + i)});
     }
     std::ranges::stable_sort(suite.sensors_, {},
                              [](const Place& place) { return orderOf(place.sensor->model().type); });
@@ -74,17 +79,64 @@ Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth&
 }
 
 void SensorSuite::measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out) {
-    for (const auto& [sensor, every] : sensors_)
-        if ((!first || !sensor->needsHistory()) && ticks_ % every == 0)
-            sensor->measure(view, out);
+    for (Place& place : sensors_) {
+        if ((first && place.sensor->needsHistory()) || ticks_ % place.every != 0)
+            continue;
+        if (place.faults.empty())
+            place.sensor->measure(view, out);
+        else
+            measureFaulty(place, view, out);
+    }
     ++ticks_;
+}
+
+void SensorSuite::measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out) {
+    std::vector<protocol::InfoMessage> lines;
+    place.sensor->measure(view, lines);
+    bool comes = true;
+    for (const Fault& fault : place.faults) {
+        if (fault.kind == FaultKind::SensorFreeze) {
+            if (place.frozen.empty())
+                place.frozen = lines;
+            lines = place.frozen;
+            for (protocol::InfoMessage& line : lines)
+                sayAgain(view.now, line);
+        } else if (fault.kind == FaultKind::SensorDropout) {
+            comes &= uniform(place.chance, 0.0, 1.0) >= fault.number("share");
+        } else {
+            for (protocol::InfoMessage& line : lines)
+                addBias(fault, line);
+        }
+    }
+    for (protocol::InfoMessage& line : lines)
+        if (comes)
+            addLine(std::move(line), out);
+}
+
+void SensorSuite::setFaults(const std::vector<Fault>& active) {
+    for (Place& place : sensors_) {
+        const SensorModel& model = place.sensor->model();
+        place.faults.clear();
+        for (const Fault& fault : active)
+            if (descriptionOf(fault.kind).of_sensor &&
+                (fault.sensor.empty() || sameWord(fault.sensor, model.name) || sameWord(fault.sensor, model.type)))
+                place.faults.push_back(fault);
+        if (std::ranges::none_of(place.faults, [](const Fault& one) { return one.kind == FaultKind::SensorFreeze; }))
+            place.frozen.clear();
+    }
+}
+
+bool SensorSuite::has(std::string_view type_or_name) const {
+    return std::ranges::any_of(sensors_, [&](const Place& place) {
+        return sameWord(place.sensor->model().name, type_or_name) || sameWord(place.sensor->model().type, type_or_name);
+    });
 }
 
 std::vector<const Sensor*> SensorSuite::find(const std::string& type, const std::string& name) const {
     std::vector<const Sensor*> found;
-    for (const auto& [sensor, every] : sensors_)
-        if (isMeant(sensor->model(), type, name))
-            found.push_back(sensor.get());
+    for (const Place& place : sensors_)
+        if (isMeant(place.sensor->model(), type, name))
+            found.push_back(place.sensor.get());
     return found;
 }
 
@@ -116,10 +168,10 @@ protocol::ConfigurationInfo SensorSuite::configuration(const std::string& type, 
 std::optional<protocol::Response> SensorSuite::set(const protocol::Command& command, bool at_rest) {
     const Address meant = addressOf(command);
     std::optional<protocol::Response> answer;
-    for (const auto& [sensor, every] : sensors_) {
-        if (!isMeant(sensor->model(), meant.type, meant.name))
+    for (const Place& place : sensors_) {
+        if (!isMeant(place.sensor->model(), meant.type, meant.name))
             continue;
-        auto one = sensor->set(command, at_rest);
+        auto one = place.sensor->set(command, at_rest);
         if (one && (!answer || !one->ok))
             answer = std::move(one);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/protocol/dialect.h"
+#include "core/sim/faults/fault.h"
 #include "core/sim/sensors/sensor.h"
 
 namespace usar::sim {
@@ -36,13 +37,21 @@ public:
     /// The first answer of the sensors that the command is meant for; nothing when there is none, or none knows it.
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest);
 
+    /// Those that act on sensors, until the next call. The sensors' own noise goes on as without them.
+    void setFaults(const std::vector<Fault>& active);
+    bool has(std::string_view type_or_name) const;
+
 private:
     std::vector<const Sensor*> find(const std::string& type, const std::string& name) const;
 
     struct Place {
         std::unique_ptr<Sensor> sensor;
         std::uint64_t every = 1; ///< ticks
+        std::vector<Fault> faults{};
+        std::vector<protocol::InfoMessage> frozen{}; ///< what it repeats, while it does
+        Random chance{};                             ///< of the readings that do not come
     };
+    void measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out);
     std::vector<Place> sensors_;
     std::uint64_t ticks_ = 0;
 };

@@ -1,0 +1,80 @@
+#include "core/sim/faults/fault_schedule.h"
+
+#include <algorithm>
+
+namespace usar::sim {
+
+namespace {
+
+constexpr std::uint64_t wind_streams = std::uint64_t(1) << 41; // beyond those of sensors and connections
+
+Wind windOf(const Fault& fault, Random random) {
+    const double toward_rad = radians(fault.number("toward_deg"));
+    const Vec3 mean_m_s = fault.number("speed") * Vec3(std::cos(toward_rad), std::sin(toward_rad), 0.0);
+    return Wind({mean_m_s, fault.number("gust")}, random);
+}
+
+} // namespace
+
+int FaultSchedule::add(const Fault& fault) {
+    faults_.push_back({static_cast<int>(faults_.size()) + 1, fault, FaultPhase::ToCome});
+    return faults_.back().id;
+}
+
+bool FaultSchedule::end(int id) {
+    const auto found = std::ranges::find(faults_, id, &FaultStatus::id);
+    if (found == faults_.end() || found->phase == FaultPhase::Over)
+        return false;
+    ending_.push_back(id);
+    return true;
+}
+
+std::vector<FaultStatus> FaultSchedule::advance(Seconds now) {
+    std::vector<FaultStatus> changed;
+    for (FaultStatus& status : faults_) {
+        const FaultPhase before = status.phase;
+        const bool past = now >= status.fault.from + status.fault.lasts || std::ranges::count(ending_, status.id) > 0;
+        if (past)
+            status.phase = FaultPhase::Over;
+        else if (before == FaultPhase::ToCome && now >= status.fault.from)
+            status.phase = FaultPhase::Active;
+        if (status.phase == before)
+            continue;
+        changed.push_back(status);
+        if (status.fault.kind == FaultKind::Wind && status.phase == FaultPhase::Active)
+            winds_.push_back({status.id, windOf(status.fault, seeded(seed_, wind_streams + std::uint64_t(status.id)))});
+        else
+            std::erase_if(winds_, [&](const Blowing& one) { return one.id == status.id; });
+    }
+    ending_.clear();
+    return changed;
+}
+
+std::vector<Fault> FaultSchedule::activeOn(std::string_view robot_name) const {
+    std::vector<Fault> active;
+    for (const FaultStatus& status : faults_)
+        if (status.phase == FaultPhase::Active && status.fault.concerns(robot_name))
+            active.push_back(status.fault);
+    return active;
+}
+
+bool FaultSchedule::takeCut(std::string_view robot_name) {
+    bool cut = false;
+    for (FaultStatus& status : faults_) {
+        if (status.fault.kind != FaultKind::LinkCut || status.phase != FaultPhase::Active ||
+            !status.fault.concerns(robot_name))
+            continue;
+        cut = true;
+        ending_.push_back(status.id); // at the next tick, so that every robot it is meant for is cut off
+    }
+    return cut;
+}
+
+Vec3 FaultSchedule::wind(Seconds dt) {
+    Vec3 sum_m_s = Vec3::Zero();
+    for (Blowing& one : winds_)
+        sum_m_s += one.wind.step(dt);
+    return sum_m_s;
+}
+
+} // namespace usar::sim
