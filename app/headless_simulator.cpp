@@ -1,22 +1,20 @@
 #include "app/headless_simulator.h"
 
 #include "app/simulator_files.h"
-#include "core/link/simulator_server.h"
 
 namespace usar::app {
 
-Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, std::uint64_t seed,
-                                                                    std::optional<double> speed_x) {
+Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, const HeadlessSpec& spec) {
     auto loaded = loadWorld(world);
     if (!loaded)
         return tl::unexpected(loaded.error());
-    return serve(*std::move(loaded), seed, speed_x);
+    return serve(*std::move(loaded), spec);
 }
 
-Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, std::uint64_t seed,
-                                                                    std::optional<double> speed_x) {
+Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, const HeadlessSpec& spec) {
     sim::SimulationOptions options;
-    options.seed = seed;
+    options.seed = spec.seed;
+    options.faults = spec.faults;
     options.battery_life = sim::survey_battery_life;
     sim::RobotsRead robots = loadRobots();
     for (const Error& refused : robots.refused)
@@ -34,9 +32,9 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     host->thread_.start();
     Result<quint16> port;
     const auto serve = [&] { // sockets and timers are made in the thread that they live in
-        auto* server = new link::SimulatorServer(*std::move(simulation), host->worker_);
-        port = server->listen(0);
-        server->setPace(speed_x ? link::Pace::Factor : link::Pace::Fast, speed_x.value_or(1.0));
+        host->server_ = new link::SimulatorServer(*std::move(simulation), host->worker_);
+        port = host->server_->listen(0);
+        host->server_->setPace(spec.speed_x ? link::Pace::Factor : link::Pace::Fast, spec.speed_x.value_or(1.0));
     };
     QMetaObject::invokeMethod(host->worker_, serve, Qt::BlockingQueuedConnection);
     if (!port)
@@ -50,6 +48,10 @@ HeadlessSimulator::~HeadlessSimulator() {
         delete worker_;
     thread_.quit();
     thread_.wait();
+}
+
+void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
+    QObject::connect(server_, &link::SimulatorServer::faultTurned, context, tell);
 }
 
 Rectangle HeadlessSimulator::extent() const {

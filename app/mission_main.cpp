@@ -13,6 +13,7 @@
 #include "app/locations.h"
 #include "app/quit_signals.h"
 #include "app/replay_verbs.h"
+#include "app/simulator_files.h"
 #include "core/mission/mission_options.h"
 #include "core/mission/progress_text.h"
 #include "core/mission/replay_options.h"
@@ -70,6 +71,20 @@ mission::RunSummary knownOf(const mission::MissionOptions& options) {
     return known;
 }
 
+Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options, const mission::Mission& plan) {
+    QStringList of_mission;
+    for (const std::string& text : plan.faults)
+        of_mission << QString::fromStdString(text);
+    auto faults = app::readFaults(of_mission);
+    if (!faults)
+        return tl::unexpected(mission::atValue(plan, "faults", faults.error()));
+    auto more = app::readFaults(options.faults);
+    if (!more)
+        return more;
+    faults->insert(faults->end(), more->begin(), more->end());
+    return faults;
+}
+
 int run(const mission::MissionOptions& options, mission::Mission plan) {
     if (!options.behavior.isEmpty()) {
         plan.behavior = options.behavior.toStdString();
@@ -82,17 +97,25 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
+    if (options.server && !(options.faults.isEmpty() && plan.faults.empty()))
+        return refuse({"faults can be made in the embedded simulator only", options.server->host.toStdString(),
+                       "Leave out --connect, or the faults"},
+                      knownOf(options));
     if (options.server) {
         run_options.host = options.server->host;
         run_options.port = options.server->port;
     } else {
-        auto started = app::HeadlessSimulator::start(QString::fromStdString(plan.world), options.seed, options.speed_x);
-        if (!started) {
-            mission::RunSummary known = knownOf(options);
-            known.mission = plan.name;
-            known.behavior = plan.behavior;
+        mission::RunSummary known = knownOf(options);
+        known.mission = plan.name;
+        known.behavior = plan.behavior;
+        auto faults = faultsOf(options, plan);
+        if (!faults)
+            return refuse(faults.error(), known);
+        auto started = app::HeadlessSimulator::start(
+            QString::fromStdString(plan.world),
+            {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
+        if (!started)
             return refuse(mission::atValue(plan, "world", started.error()), known);
-        }
         simulator = *std::move(started);
         run_options.port = simulator->port();
         run_options.truth = simulator->truth();
@@ -104,6 +127,8 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) { bar.show(progress); });
     QObject::connect(&runner, &mission::MissionRunner::noticed, [&](const auto& notice) { bar.say(notice.text); });
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
+    if (simulator)
+        simulator->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
     app::QuitSignals signals_;
     QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();

@@ -16,4 +16,36 @@ sim::RobotsRead loadRobots() {
     return sim::readRobots(robotsFolder().toStdString());
 }
 
+Result<std::vector<sim::Fault>> readFaults(const QStringList& texts) {
+    std::vector<sim::Fault> faults;
+    for (const QString& text : texts) {
+        auto fault = sim::readFault(text.toStdString());
+        if (!fault)
+            return failure(fault.error().what, "fault \"" + text.toStdString() + "\"", fault.error().mend);
+        faults.push_back(*std::move(fault));
+    }
+    return faults;
+}
+
+QString faultHelp() {
+    QString help = "Faults, each a kind and what is said of it, as in \"sensor_bias robot=R1 sensor=INS x=0.5 from=60 "
+                   "for=30\" (seconds; robot and sensor by name or type, all where none is said):\n";
+    for (const sim::FaultDescription& kind : sim::faultKinds()) {
+        help += QString("  %1: %2")
+                    .arg(QString::fromUtf8(kind.word.data(), qsizetype(kind.word.size())),
+                         QString::fromUtf8(kind.help.data(), qsizetype(kind.help.size())));
+        for (const sim::FaultNumber& number : kind.numbers)
+            help += QString("; %1=%2 (%3 to %4%5)")
+                        .arg(QString::fromUtf8(number.name.data(), qsizetype(number.name.size())))
+                        .arg(number.usual)
+                        .arg(number.smallest)
+                        .arg(number.largest)
+                        .arg(number.unit.empty()
+                                 ? QString()
+                                 : ' ' + QString::fromUtf8(number.unit.data(), qsizetype(number.unit.size())));
+        help += '\n';
+    }
+    return help;
+}
+
 } // namespace usar::app

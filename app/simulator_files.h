@@ -1,9 +1,13 @@
 // The worlds and robots that come with the program, read for the embedded simulator.
 #pragma once
 
+#include <vector>
+
 #include <QString>
+#include <QStringList>
 
 #include "core/base/result.h"
+#include "core/sim/faults/fault.h"
 #include "core/sim/robots/robot_reader.h"
 #include "core/sim/world.h"
 
@@ -14,5 +18,11 @@ Result<sim::World> loadWorld(const QString& name_or_folder);
 
 /// What cannot be read is left out and said.
 sim::RobotsRead loadRobots();
+
+/// Of texts as people write them; the first that cannot be read is an error with the text and its mend.
+Result<std::vector<sim::Fault>> readFaults(const QStringList& texts);
+
+/// What --help says of --fault: every kind with its keys.
+QString faultHelp();
 
 } // namespace usar::app

@@ -27,6 +27,7 @@ struct Settings {
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
+    std::vector<usar::sim::Fault> faults;
     usar::protocol::Dialect profile = usar::protocol::Dialect::Ut2004;
 };
 
@@ -72,19 +73,25 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
     if (profile != "ut2004" && profile != "udk")
         return usar::failure("'" + profile.toStdString() + "' is no profile", "--profile", "Say ut2004 or udk");
     settings.profile = profile == "udk" ? usar::protocol::Dialect::Udk : usar::protocol::Dialect::Ut2004;
+    auto faults = usar::app::readFaults(parser.values("fault"));
+    if (!faults)
+        return tl::unexpected(faults.error());
+    settings.faults = *std::move(faults);
     settings.port = static_cast<quint16>(*port);
     settings.seed = static_cast<std::uint64_t>(*seed);
     return settings;
 }
 
 void addOptions(QCommandLineParser& parser) {
-    parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.");
     parser.addHelpOption();
+    parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.\n\n" +
+                                     usar::app::faultHelp());
     parser.addVersionOption();
     parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
                        {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
                        {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
                        {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
+                       {"fault", "Something that goes wrong; again for more. See above.", "text"},
                        {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
 }
 
@@ -100,6 +107,7 @@ usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settin
     usar::sim::SimulationOptions options;
     options.seed = settings.seed;
     options.profile = settings.profile;
+    options.faults = settings.faults;
     if (settings.profile == usar::protocol::Dialect::Udk) { // each sensor at its own interval, the state at 10 Hz
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;

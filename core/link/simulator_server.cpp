@@ -68,6 +68,27 @@ void SimulatorServer::stepOnce() {
     advance();
 }
 
+void SimulatorServer::addFaults(const std::vector<sim::Fault>& faults, bool from_now) {
+    for (sim::Fault fault : faults) {
+        fault.from += from_now ? simulation_->now() : Seconds{0.0};
+        simulation_->addFault(fault);
+    }
+    emit faultsChanged(simulation_->faults());
+}
+
+void SimulatorServer::endFault(int id) {
+    simulation_->endFault(id);
+    emit faultsChanged(simulation_->faults());
+}
+
+void SimulatorServer::publishFaults() {
+    const std::vector<sim::FaultStatus> news = simulation_->takeFaultNews();
+    for (const sim::FaultStatus& one : news)
+        emit faultTurned(QString::fromStdString(sim::sentenceOf(one)));
+    if (!news.empty())
+        emit faultsChanged(simulation_->faults());
+}
+
 void SimulatorServer::acceptAll() {
     while (QTcpSocket* const socket = server_.nextPendingConnection()) {
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
@@ -86,6 +107,7 @@ void SimulatorServer::readFrom(QTcpSocket* socket, sim::ClientId client) {
     const QByteArray bytes = socket->readAll();
     simulation_->receive(client, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     publishLog();
+    publishFaults();
     flush();
     advance();
 }

@@ -53,11 +53,17 @@ public slots:
     void setPace(usar::link::Pace pace, double factor = 1.0);
     /// While paused: one tick, as soon as the lockstep clients allow it.
     void stepOnce();
+    /// With times from now on where `from_now`; else on the simulation's clock.
+    void addFaults(const std::vector<usar::sim::Fault>& faults, bool from_now);
+    void endFault(int id);
 
 signals:
-    void ticked(); ///< a message tick has been made
+    void ticked();                                                    ///< a message tick has been made
     void figuresChanged(const usar::link::SimulatorFigures& figures); ///< a few times a second
     void logged(const QString& sentence);
+    /// All faults, whenever one is added, begins or ends.
+    void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
+    void faultTurned(const QString& sentence);                            ///< it has begun or ended
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
 
 private:
@@ -78,6 +84,7 @@ private:
     void tick();
     void flush();
     void publishLog();
+    void publishFaults();
     void watchLockstep();
     void report();
 

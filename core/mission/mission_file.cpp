@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSet>
@@ -17,8 +18,8 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name",     "world", "robot",      "start",
-                                            "behavior", "area",  "parameters", "cell_size_m"};
+const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start", "behavior",
+                                            "area", "parameters", "cell_size_m", "faults"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
@@ -171,6 +172,17 @@ void readParameters(Reading& reading, const QJsonObject& root, Mission& mission)
     }
 }
 
+void readFaults(Reading& reading, const QJsonObject& root, std::vector<std::string>& faults) {
+    const QJsonValue value = root["faults"];
+    if (!value.isUndefined() && !value.isArray())
+        reading.failAt("faults", "\"faults\" is not a list", "write it in square brackets");
+    for (const QJsonValue fault : value.toArray()) {
+        if (!fault.isString())
+            return reading.failAt("faults", "a fault is not a text", "write each in quotes: \"wind speed=5\"");
+        faults.push_back(fault.toString().toStdString());
+    }
+}
+
 } // namespace
 
 Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
@@ -196,6 +208,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readArea(reading, root, mission.area_in_map);
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
+    readFaults(reading, root, mission.faults);
     if (!(mission.cell_size_m >= 0.02 && mission.cell_size_m <= 10.0))
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())

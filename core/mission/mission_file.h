@@ -22,7 +22,8 @@ struct KeyPlace {
 };
 
 /// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, area {x, y, width, height}
-/// (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m. Only
+/// (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m,
+/// faults [] (texts, as the simulator's --fault takes them; their times count from the beginning of the mission). Only
 /// name and area must be there. Angles in the file are degrees where the parameter's unit is rad.
 struct Mission {
     std::string name;
@@ -33,6 +34,7 @@ struct Mission {
     Rectangle area_in_map;
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
     double cell_size_m = 0.25;                               ///< 0.02 .. 10
+    std::vector<std::string> faults;                         ///< of the embedded simulator
     /// By path ("area.width", "parameters.scan_altitude_m"), for what is found wrong only later. Empty where no file
     /// was read; whoever puts another value in takes the place of the old one out.
     std::map<std::string, KeyPlace> places;

@@ -16,6 +16,8 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
         options.result_folder = value;
     } else if (name == "--record") {
         options.recording = value;
+    } else if (name == "--fault") {
+        options.faults << value;
     } else if (name == "--seed") {
         const auto seed = readInteger(value.toStdString());
         if (!seed || *seed < 0)
@@ -96,6 +98,8 @@ QString missionHelp() {
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
+               "  --fault TEXT         something that goes wrong in the embedded simulator, for example\n"
+               "                       'wind speed=4 gust=1 from=60'; again for more. usar-sim --help lists them\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +

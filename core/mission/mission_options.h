@@ -26,6 +26,7 @@ struct MissionOptions {
     std::optional<ServerAddress> server; ///< absent: the embedded simulator
     QString result_folder;               ///< empty: default
     QString recording;                   ///< empty: none
+    QStringList faults;                  ///< besides the mission's
     bool help = false;
     bool operator==(const MissionOptions&) const = default;
 };

@@ -219,6 +219,8 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     figures.lines_received = session_figures.lines_received;
     figures.lines_malformed = session_figures.lines_malformed;
     figures.lockstep = session_figures.lockstep;
+    for (const std::string& fault : record.faults)
+        figures.faults << QString::fromStdString(fault);
     return figures;
 }
 
@@ -254,6 +256,11 @@ void MissionRunner::start() {
     d_->phase = Phase::Connecting;
     d_->timer.start();
     d_->session.open(d_->options.host, d_->options.port, d_->options.lockstep);
+}
+
+void MissionRunner::noteFault(const QString& sentence) {
+    if (d_->phase != Phase::Over)
+        d_->session.noteFault(sentence.toStdString());
 }
 
 void MissionRunner::interrupt() {

@@ -64,6 +64,8 @@ public:
     void start();
     /// Ctrl+C: stops the robot, keeps what was scanned.
     void interrupt();
+    /// See RobotSession::noteFault; the summary has it, too.
+    void noteFault(const QString& sentence);
     /// Keys of the JSON summary (README); valid after `finished`.
     const QJsonObject& summary() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
@@ -41,14 +42,19 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
                            {"y", mission.area_in_map.min_m.y()},
                            {"width", size_m.x()},
                            {"height", size_m.y()}};
-    const QJsonObject all{{"name", QString::fromStdString(mission.name)},
-                          {"world", QString::fromStdString(mission.world)},
-                          {"robot", QString::fromStdString(mission.robot_class)},
-                          {"start", QString::fromStdString(mission.start)},
-                          {"behavior", QString::fromStdString(mission.behavior)},
-                          {"area", area},
-                          {"parameters", parameters},
-                          {"cell_size_m", mission.cell_size_m}};
+    QJsonObject all{{"name", QString::fromStdString(mission.name)},
+                    {"world", QString::fromStdString(mission.world)},
+                    {"robot", QString::fromStdString(mission.robot_class)},
+                    {"start", QString::fromStdString(mission.start)},
+                    {"behavior", QString::fromStdString(mission.behavior)},
+                    {"area", area},
+                    {"parameters", parameters},
+                    {"cell_size_m", mission.cell_size_m}};
+    QJsonArray faults;
+    for (const std::string& fault : mission.faults)
+        faults.append(QString::fromStdString(fault));
+    if (!faults.isEmpty())
+        all["faults"] = faults;
     return QJsonDocument(all).toJson(QJsonDocument::Indented);
 }
 

@@ -160,6 +160,12 @@ void RobotSession::setCellSize(double cell_size_m) {
                 fixed(cell_size_m, 2) + " m.");
 }
 
+void RobotSession::noteFault(const std::string& sentence) {
+    d_->record.faults.push_back(fixed(d_->figures.now.count(), 1) + " s: " + sentence);
+    d_->noteForRecording("fault", sentence);
+    d_->say(Severity::Warning, "fault", sentence);
+}
+
 void RobotSession::clearRecord() {
     d_->mapper.clearMap();
     d_->record.marks.clear();

@@ -167,6 +167,8 @@ void RobotSession::Private::note(const link::Record& record_) {
             takeReplayed(*value);
     } else if (record_.name == "robot") {
         sent({.kind = link::RecordKind::Out, .line = record_.line, .name = "session: spawn", .bytes = record_.bytes});
+    } else if (record_.name == "fault") {
+        q.noteFault(std::string(record_.bytes));
     } else if (record_.name == "behavior") {
         std::string_view rest = record_.bytes;
         record.behavior_id = takeUntilTab(rest);

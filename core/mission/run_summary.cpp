@@ -51,6 +51,7 @@ QJsonObject toJson(const RunSummary& summary) {
             {"lines_received", static_cast<qint64>(summary.lines_received)},
             {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
             {"lockstep", summary.lockstep},
+            {"faults", QJsonArray::fromStringList(summary.faults)},
             {"files", QJsonArray::fromStringList(summary.files)}};
 }
 

@@ -31,6 +31,7 @@ struct RunSummary {
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;
+    QStringList faults; ///< what was made to go wrong, and when
     QStringList files;
 };
 

@@ -1,5 +1,7 @@
 #include "core/mission/scan_metadata.h"
 
+#include <QStringList>
+
 namespace usar::mission {
 
 QString numberText(double value) {
@@ -17,6 +19,11 @@ std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record) {
         {"cell_size_m", numberText(raster.cell_size_m)},
         {"upper_left_center_x_m", numberText(raster.upper_left_center_m.x())},
         {"upper_left_center_y_m", numberText(raster.upper_left_center_m.y())}};
+    QStringList faults;
+    for (const std::string& fault : record.faults)
+        faults << QString::fromStdString(fault);
+    if (!faults.isEmpty())
+        data.emplace_back("faults", faults.join("; "));
     if (const auto range = raster.range()) {
         data.emplace_back("minimum_m", numberText(double(range->minimum_m)));
         data.emplace_back("maximum_m", numberText(double(range->maximum_m)));

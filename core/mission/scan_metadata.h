@@ -11,7 +11,8 @@
 namespace usar::mission {
 
 /// Key and value, in this order: level, robot, behavior, axes, units, cell size, center of the upper left cell (metres,
-/// map frame), lowest and highest height (missing for an empty map). Keys carry their unit.
+/// map frame), lowest and highest height (missing for an empty map), faults where there were any. Keys carry their
+/// unit.
 std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record);
 
 /// Shortest text with twelve digits; C locale.

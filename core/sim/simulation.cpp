@@ -66,6 +66,7 @@ struct Simulation::State {
     FaultSchedule faults;
     std::map<ClientId, ClientSession> sessions;
     std::vector<ClientId> cut;
+    std::vector<FaultStatus> fault_news;
     ClientId last_client;
     std::uint64_t spawned = 0;
     std::uint64_t ticks = 0;
@@ -138,10 +139,10 @@ void Simulation::State::obeyAll() {
 
 void Simulation::State::followFaults() {
     const std::vector<FaultStatus> changed = faults.advance(now());
+    fault_news.insert(fault_news.end(), changed.begin(), changed.end());
     for (const FaultStatus& one : changed)
         if (sentences.size() < most_log_sentences)
-            sentences.push_back((one.phase == FaultPhase::Active ? "fault begins: " : "fault ends: ") +
-                                write(one.fault));
+            sentences.push_back(sentenceOf(one));
     for (auto& [client, session] : sessions) {
         if (!changed.empty() || session.isNew())
             setFaults(client, session);
@@ -277,6 +278,10 @@ bool Simulation::endFault(int id) {
 
 const std::vector<FaultStatus>& Simulation::faults() const {
     return state_->faults.all();
+}
+
+std::vector<FaultStatus> Simulation::takeFaultNews() {
+    return std::exchange(state_->fault_news, {});
 }
 
 std::vector<ClientId> Simulation::takeCut() {

@@ -82,6 +82,8 @@ public:
     int addFault(const Fault& fault);
     bool endFault(int id);
     const std::vector<FaultStatus>& faults() const;
+    /// Those that have begun or ended since the last call.
+    std::vector<FaultStatus> takeFaultNews();
     /// Clients whose connection a fault has cut: whoever serves them hangs up.
     std::vector<ClientId> takeCut();
 

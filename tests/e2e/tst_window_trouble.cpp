@@ -29,7 +29,7 @@ struct TroubledServer {
     std::unique_ptr<test::MeddlingRelay> relay;
 
     TroubledServer() {
-        auto started = app::HeadlessSimulator::start("tall_test", 1, server_speed_x);
+        auto started = app::HeadlessSimulator::start("tall_test", {.speed_x = server_speed_x});
         if (!started)
             qFatal("%s", started.error().text().c_str());
         simulator = *std::move(started);

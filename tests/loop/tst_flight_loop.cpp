@@ -67,7 +67,7 @@ Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeou
 }
 
 Flight flyAtFullSpeed(std::uint64_t seed) {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), seed, std::nullopt);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = seed});
     return simulator ? fly(**simulator, (*simulator)->port(), true) : Flight{};
 }
 
@@ -106,7 +106,7 @@ void tst_FlightLoop::theSameSeedGivesTheSameLines() {
 
 void tst_FlightLoop::aRoughWireChangesNothing() {
     const Flight straight = flyAtFullSpeed(5);
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 5, std::nullopt);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 5});
     QVERIFY(simulator);
     RoughRelay relay((*simulator)->port());
     const Flight rough = fly(**simulator, relay.port(), true);
@@ -115,7 +115,7 @@ void tst_FlightLoop::aRoughWireChangesNothing() {
 }
 
 void tst_FlightLoop::fliesAtThePaceThatItIsGiven() {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 10.0);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.speed_x = 10.0});
     QVERIFY(simulator);
     QElapsedTimer wall;
     wall.start();
@@ -124,7 +124,7 @@ void tst_FlightLoop::fliesAtThePaceThatItIsGiven() {
 }
 
 void tst_FlightLoop::fliesWithoutLockstepInRealTime() {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 5.0);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.speed_x = 5.0});
     QVERIFY(simulator);
     const Flight flight = fly(**simulator, (*simulator)->port(), false);
     QVERIFY(flight.success);
@@ -133,7 +133,7 @@ void tst_FlightLoop::fliesWithoutLockstepInRealTime() {
 }
 
 void tst_FlightLoop::aCutWireEndsTheFlightAndKeepsThePath() {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, std::nullopt);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1});
     QVERIFY(simulator);
     RoughRelay relay((*simulator)->port());
     relay.cut_after_bytes = 50000;

@@ -53,7 +53,7 @@ tst_MissionLoop::Outcome tst_MissionLoop::run(HeadlessSimulator& simulator, cons
 }
 
 void tst_MissionLoop::hopsAndScoresAgainstTheTruth() {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, std::nullopt);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1});
     QVERIFY(simulator);
     Mission mission;
     mission.name = "Hop";
@@ -69,7 +69,7 @@ void tst_MissionLoop::hopsAndScoresAgainstTheTruth() {
 }
 
 void tst_MissionLoop::surveysASmallFieldWithoutHittingAnything() {
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, std::nullopt);
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1});
     QVERIFY(simulator);
     Mission mission;
     mission.name = "Small field";

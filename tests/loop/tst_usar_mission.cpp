@@ -18,6 +18,7 @@ private slots:
 
     void fliesAMissionToItsEnd();
     void equalSeedsGiveEqualMaps();
+    void faultsComeWithTheMissionAndAreToldInItsResults();
     void rejectsTheRestAndSaysWhere_data();
     void rejectsTheRestAndSaysWhere();
     void aRefusalTellsWhatIsKnown_data();
@@ -118,6 +119,19 @@ void tst_UsarMission::equalSeedsGiveEqualMaps() {
     QVERIFY(first != mapOf("10"));
 }
 
+void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {
+    QByteArray with_wind = small;
+    with_wind.replace("\"area\"", "\"faults\": [\"wind speed=1.5 toward_deg=90 gust=0.3 from=5\"], \"area\"");
+    const Ended ended = run(
+        {"run", missionFile(with_wind), "--fault", "battery robot=R1 from=20", "--out", folder_->filePath("results")});
+    QVERIFY2(ended.exit_code == 1, ended.out + ended.err); // no robot scans with an empty battery
+    const QJsonArray faults = ended.summary["faults"].toArray();
+    QCOMPARE(faults.size(), 2);
+    QCOMPARE(faults.at(0).toString().section(": ", 1), "fault begins: wind speed=1.5 toward_deg=90 gust=0.3 from=5");
+    QCOMPARE(faults.at(1).toString().section(": ", 1), "fault begins: battery robot=R1 from=20");
+    QVERIFY2(ended.err.contains("fault begins: battery"), ended.err);
+}
+
 void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
     QTest::addColumn<QByteArray>("mission");
     QTest::addColumn<QStringList>("options");
@@ -141,6 +155,13 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
                       "  \"parameters\": { \"scan_altitud_m\": 5 } }")
         << QStringList{} << "mission.json:2:19: parameter scan_altitud_m: there is no such parameter. Did you mean ";
     QTest::newRow("unwritable folder") << small << QStringList{"--out", "/proc/nowhere"} << "/proc/nowhere";
+    QTest::newRow("wrong fault in the file")
+        << QByteArray("{ \"name\": \"x\", \"area\": { \"x\": 0, \"y\": 0, \"width\": 5, \"height\": 5 },\n"
+                      "  \"faults\": [\"wind sped=5\"] }")
+        << QStringList{} << "mission.json:2:13: fault \"wind sped=5\": unknown word 'sped'. Did you mean 'speed'?";
+    QTest::newRow("wrong fault") << small << QStringList{"--fault", "earthquake"} << "unknown kind 'earthquake'";
+    QTest::newRow("faults of a real server") << small << QStringList{"--fault", "wind", "--connect", "127.0.0.1:9"}
+                                             << "faults can be made in the embedded simulator only";
     QTest::newRow("wrong option") << small << QStringList{"--sped", "3"} << "--sped";
     QTest::newRow("dead host") << small << QStringList{"--connect", "127.0.0.1:9"} << "Nothing listens at 127.0.0.1:9";
 }

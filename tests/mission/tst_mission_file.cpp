@@ -78,7 +78,8 @@ void tst_MissionFile::takesTheSmallestFileAndFillsInTheRest() {
 
 void tst_MissionFile::takesEveryKey() {
     const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
-        "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1})",
+        "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1,
+        "faults": ["wind speed=4", "rotor from=60"]})",
                                      "m.json");
     QVERIFY(mission.has_value());
     QCOMPARE(mission->world, std::string("b"));
@@ -86,6 +87,7 @@ void tst_MissionFile::takesEveryKey() {
     QCOMPARE(mission->start, std::string("d"));
     QCOMPARE(mission->behavior, std::string("e"));
     QCOMPARE(mission->cell_size_m, 0.1);
+    QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
 }
 
 void tst_MissionFile::parametersKeepTheirTypes() {
@@ -153,6 +155,8 @@ void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
     refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "metres");
     refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
             "\"lanes\" is no parameter", "number");
+    refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");
+    refused("a fault is a number", good + ",\n\"faults\": [1]}", "m.json:4:11", "not a text", "quotes");
     refused("parameters are a text", good + ",\n\"parameters\": \"fast\"}", "m.json:4:15", "not an object", "braces");
 }
 

@@ -36,15 +36,25 @@ void tst_MissionOptions::readsTheCommandLine_data() {
     full.server = ServerAddress{"10.0.0.5", 3001};
     full.result_folder = "/data/scans";
     full.recording = "r.usarrec";
-    QTest::newRow("all options") << QStringList{"run",      "a.json",      "--behavior", "airrobot/posh",
-                                                "--seed",   "7",           "--speed",    "2.5",
-                                                "--out",    "/data/scans", "--connect",  "10.0.0.5:3001",
-                                                "--record", "r.usarrec"}
+    full.faults = QStringList{"wind speed=4", "link_delay by=0.2"};
+    QTest::newRow("all options") << QStringList{"run",           "a.json",    "--behavior",
+                                                "airrobot/posh", "--seed",    "7",
+                                                "--speed",       "2.5",       "--out",
+                                                "/data/scans",   "--connect", "10.0.0.5:3001",
+                                                "--record",      "r.usarrec", "--fault",
+                                                "wind speed=4",  "--fault",   "link_delay by=0.2"}
                                  << full;
-    QTest::newRow("equals signs, options first")
-        << QStringList{"--behavior=airrobot/posh", "--seed=7",           "--speed=2.5", "--out=/data/scans",
-                       "--connect=10.0.0.5:3001",  "--record=r.usarrec", "run",         "a.json"}
-        << full;
+    QTest::newRow("equals signs, options first") << QStringList{"--behavior=airrobot/posh",
+                                                                "--seed=7",
+                                                                "--speed=2.5",
+                                                                "--out=/data/scans",
+                                                                "--connect=10.0.0.5:3001",
+                                                                "--record=r.usarrec",
+                                                                "--fault=wind speed=4",
+                                                                "--fault=link_delay by=0.2",
+                                                                "run",
+                                                                "a.json"}
+                                                 << full;
     MissionOptions help;
     help.help = true;
     QTest::newRow("help") << QStringList{"--help"} << help;

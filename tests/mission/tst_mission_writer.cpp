@@ -37,6 +37,8 @@ Mission anyMission(std::mt19937& random) {
                           {"lanes", static_cast<long long>(random() % 50)},
                           {"return_home", random() % 2 == 0},
                           {"corner", std::string("north")}};
+    if (random() % 2)
+        mission.faults = {"wind speed=4", "rotor from=60"};
     return mission;
 }
 
@@ -60,6 +62,7 @@ void tst_MissionWriter::whatIsWrittenIsReadBack() {
         QCOMPARE(back->start, mission.start);
         QVERIFY(back->area_in_map == mission.area_in_map);
         QCOMPARE(back->cell_size_m, mission.cell_size_m);
+        QCOMPARE(back->faults, mission.faults);
         auto parameters = withAnglesInRadians(back->parameters, specs);
         const double turn_rad = std::get<double>(parameters.at("turn_rad"));
         QVERIFY(std::abs(turn_rad - std::get<double>(mission.parameters.at("turn_rad"))) < 1e-12);

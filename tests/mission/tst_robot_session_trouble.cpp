@@ -335,7 +335,8 @@ void tst_RobotSessionTrouble::aServerThatReadsSlowlyGetsEveryCommandAndTheNewest
     f.server.forget();
     f.server.setDeaf(true);
     const auto waits = [&] {
-        return f.countSaid("reads slower than commands are sent") == f.countSaid("The server reads commands again.") + 1;
+        return f.countSaid("reads slower than commands are sent") ==
+               f.countSaid("The server reads commands again.") + 1;
     };
     qsizetype sent = 0;
     int rounds_waiting = 0;

@@ -104,9 +104,12 @@ QString tst_SessionRecording::recordAFlight(SessionFixture& live, int ticks) {
     if (!live.spawnNow())
         return {};
     live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {{0.0, 0.0}, {10.0, 20.0}}});
-    for (int i = 0; i < ticks; ++i)
+    for (int i = 0; i < ticks; ++i) {
+        if (i == ticks / 2)
+            live.session.noteFault("fault begins: wind speed=5");
         if (!live.tickNow())
             return {};
+    }
     live.session.stop();
     live.session.stopRecording();
     return path;
@@ -143,6 +146,7 @@ void tst_SessionRecording::everyByteHasItsTimeNumberAndCause() {
     for (const char* source : {"session: connect", "session: spawn", "test/scripted: surveying", "operator: stop"})
         QVERIFY2(sources.contains(source), source);
     QVERIFY2(notes.find("behavior test/scripted\tR1\t0 0 10 20\n") != std::string::npos, notes.c_str());
+    QVERIFY2(notes.find("fault fault begins: wind speed=5\n") != std::string::npos, notes.c_str());
     QVERIFY2(notes.find("finished 0 Stopped by the operator.\n") != std::string::npos, notes.c_str());
 }
 
@@ -179,6 +183,8 @@ void tst_SessionRecording::aReplayIsWhatWasLive() {
         QVERIFY(is.tiles.at(index)->line == tile->line);
     QVERIFY(session.record().path_m == live.session.record().path_m);
     QVERIFY(session.record().marks == live.session.record().marks);
+    QCOMPARE(session.record().faults.size(), std::size_t(1));
+    QVERIFY(session.record().faults == live.session.record().faults);
     QCOMPARE(session.record().behavior_id, live.session.record().behavior_id);
     QVERIFY(is.task && is.task->area_in_map == Rectangle({{0.0, 0.0}, {10.0, 20.0}}));
     QCOMPARE(session.figures().now, live.session.figures().now);

@@ -16,6 +16,10 @@ Wind windOf(const Fault& fault, Random random) {
 
 } // namespace
 
+std::string sentenceOf(const FaultStatus& turned) {
+    return (turned.phase == FaultPhase::Active ? "fault begins: " : "fault ends: ") + write(turned.fault);
+}
+
 int FaultSchedule::add(const Fault& fault) {
     faults_.push_back({static_cast<int>(faults_.size()) + 1, fault, FaultPhase::ToCome});
     return faults_.back().id;

@@ -20,6 +20,9 @@ struct FaultStatus {
     bool operator==(const FaultStatus&) const = default;
 };
 
+/// "fault begins: wind speed=5".
+std::string sentenceOf(const FaultStatus& turned);
+
 /// Time is an argument: the same faults at the same ticks do the same. Owned by a Simulation.
 class FaultSchedule {
 public:
