@@ -169,6 +169,8 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (!controls_ && !is_station)
         robot_ = host.spawn(wanted);
     spawned_at_ = host.now;
+    if (is_station)
+        station_in_map_ = host.startOf(wanted);
     initialized_ = robot_ || controls_ || is_station; // after a refused INIT the client may try again
 }
 

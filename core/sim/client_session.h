@@ -42,6 +42,8 @@ public:
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
     const std::string& robotName() const { return robot_name_; }
+    /// Of a connection that is a base station's.
+    const std::optional<Pose>& stationInMap() const { return station_in_map_; }
 
     /// What acts on its robot and its connection from now on. `random` is this connection's own.
     void setFaults(const std::vector<Fault>& active, const Random& random);
@@ -56,6 +58,8 @@ public:
     /// What the simulation does for its clients.
     struct Host {
         std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
+        /// Where a base station stands.
+        std::function<Pose(const protocol::Init&)> startOf;
         /// A CONTROL; a sentence where it cannot be obeyed.
         std::function<std::optional<std::string>(const protocol::Command&)> control;
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
@@ -93,6 +97,7 @@ private:
 
     std::unique_ptr<Robot> robot_;
     std::string robot_name_;
+    std::optional<Pose> station_in_map_;
     bool initialized_ = false;
     bool controls_ = false; ///< a world controller's connection
     bool first_tick_ = true;

@@ -131,6 +131,7 @@ void Simulation::State::obeyAll() {
     for (auto& [id, session] : sessions) {
         const ClientId client = id;
         session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
+                             [&](const protocol::Init& init) { return startOf(client, init); },
                              [&](const protocol::Command& command) { return controller.obey(command, client.value); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
                              [&](const std::string& sentence) { log(client, sentence); }, now()});
@@ -310,6 +311,24 @@ std::vector<RobotTruth> Simulation::robots() const {
                           figures.collisions, figures.distance_m});
     }
     return truths;
+}
+
+std::vector<RadioStation> Simulation::radios() const {
+    const Vec3 up_m(0.0, 0.0, state_->options.radio.antenna_height_m);
+    std::vector<RadioStation> radios;
+    for (const auto& [client, session] : state_->sessions) {
+        if (const Robot* const robot = session.robot())
+            radios.push_back({session.robotName(), robot->figures().base_in_map.position_m + up_m, !robot->alive()});
+        else if (const auto& station = session.stationInMap())
+            radios.push_back({session.robotName(), station->position_m + up_m});
+    }
+    return radios;
+}
+
+double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& b) const {
+    const RadioParameters& radio = state_->options.radio;
+    return strengthOver((a.antenna_in_map_m - b.antenna_in_map_m).norm(),
+                        obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
 }
 
 std::size_t Simulation::clientCount() const {

@@ -13,6 +13,7 @@
 #include "core/base/result.h"
 #include "core/protocol/dialect.h"
 #include "core/sim/faults/fault_schedule.h"
+#include "core/sim/radio.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world.h"
 
@@ -32,6 +33,7 @@ struct SimulationOptions {
     bool noise = true;
     std::shared_ptr<const RobotCatalog> robots{}; ///< what can be spawned
     std::vector<Fault> faults{};                  ///< on request
+    RadioParameters radio{};
 };
 
 /// Identifies one connection.
@@ -91,6 +93,10 @@ public:
     const SimulationOptions& options() const;
     const World& world() const;
     std::vector<RobotTruth> robots() const;
+    /// Of all robots and base stations, in the order of their connections.
+    std::vector<RadioStation> radios() const;
+    /// Between two antennas, as they stand now.
+    double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
     std::size_t clientCount() const;
     /// What was ignored, refused or mended since the last call: one sentence each, for the server's log.
     std::vector<std::string> takeLog();

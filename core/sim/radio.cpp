@@ -1,0 +1,64 @@
+#include "core/sim/radio.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace usar::sim {
+
+namespace {
+
+bool before(const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// A straight line that is walked from one end to the other.
+struct Line {
+    const RayCaster& still;
+    Vec3 from_m;
+    Vec3 direction;
+    double length_m;
+
+    /// From there to the next solid thing; 0 within one.
+    double free_m(double at_m) const { return still.cast(from_m + at_m * direction, direction, length_m - at_m); }
+};
+
+} // namespace
+
+double strengthOver(double distance_m, int obstacles, const RadioParameters& parameters) {
+    const double far_m = std::max(distance_m, parameters.nearest_m);
+    return parameters.reference_dbm - 10.0 * parameters.exponent * std::log10(far_m / parameters.reference_m) -
+           std::min(obstacles, parameters.most_obstacles) * parameters.obstacle_db;
+}
+
+int obstaclesBetween(const RayCaster& still, const Vec3& a_in_map_m, const Vec3& b_in_map_m,
+                     const RadioParameters& parameters) {
+    Vec3 from_m = a_in_map_m;
+    Vec3 to_m = b_in_map_m;
+    if (before(to_m, from_m)) // samples fall on the same points whoever asks
+        std::swap(from_m, to_m);
+    const double length_m = (to_m - from_m).norm();
+    if (!(length_m > 0.0) || !std::isfinite(length_m))
+        return 0;
+    const Line line{still, from_m, (to_m - from_m) / length_m, length_m};
+    int obstacles = 0;
+    double at_m = 0.0;
+    while (obstacles < parameters.most_obstacles) {
+        at_m += line.free_m(at_m);
+        if (at_m >= length_m)
+            break;
+        ++obstacles;
+        // A ray tells where it enters, not where it leaves: so ask at each step whether it is out again.
+        double entered_m = at_m;
+        do {
+            at_m += parameters.sample_m;
+            if (at_m - entered_m >= parameters.solid_m) {
+                ++obstacles;
+                entered_m = at_m;
+            }
+        } while (at_m < length_m && obstacles < parameters.most_obstacles && line.free_m(at_m) == 0.0);
+    }
+    return std::min(obstacles, parameters.most_obstacles);
+}
+
+} // namespace usar::sim
