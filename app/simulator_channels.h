@@ -11,10 +11,12 @@ namespace usar::app {
 /// Wanted, or listened on; 0 wants a free one and means "none" of what is open.
 struct ChannelPorts {
     quint16 image = 5003;
+    quint16 wireless = 50000;
+    quint16 comserver = 5874;
     bool operator==(const ChannelPorts&) const = default;
 
     /// Free ones for all: for a simulator whose bot port is chosen freely, too.
-    static ChannelPorts anywhere() { return {.image = 0}; }
+    static ChannelPorts anywhere() { return {.image = 0, .wireless = 0, .comserver = 0}; }
 };
 
 struct OpenChannels {

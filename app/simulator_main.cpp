@@ -54,6 +54,10 @@ usar::Result<long long> readWhole(const QCommandLineParser& parser, const QStrin
     return *value;
 }
 
+std::vector<std::pair<QString, quint16*>> channelOptions(usar::app::ChannelPorts& ports) {
+    return {{"wireless-port", &ports.wireless}, {"comserver-port", &ports.comserver}};
+}
+
 usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
     if (!parser.positionalArguments().isEmpty())
         return usar::failure("unknown argument '" + parser.positionalArguments().first().toStdString() + "'", "",
@@ -78,6 +82,12 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
         return tl::unexpected(faults.error());
     settings.faults = *std::move(faults);
     settings.port = static_cast<quint16>(*port);
+    for (const auto& [option, channel] : channelOptions(settings.channels)) {
+        const auto number = readWhole(parser, option, 65535);
+        if (!number)
+            return tl::unexpected(number.error());
+        *channel = static_cast<quint16>(*number);
+    }
     settings.seed = static_cast<std::uint64_t>(*seed);
     return settings;
 }
@@ -89,6 +99,8 @@ void addOptions(QCommandLineParser& parser) {
     parser.addVersionOption();
     parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
                        {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
+                       {"wireless-port", "TCP port of the wireless server.", "number", "50000"},
+                       {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
                        {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
                        {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
                        {"fault", "Something that goes wrong; again for more. See above.", "text"},
