@@ -118,6 +118,8 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         control(command, host);
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
+    else if (attachCamera(command, host))
+        return;
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
         obeyUnknown(command, host);
 }
@@ -129,6 +131,17 @@ void ClientSession::control(const protocol::Command& command, const Host& host) 
         return send(host.objectStates(*asked));
     if (const auto trouble = host.control(command))
         host.log("ignored " + quoted(command) + ": " + *trouble);
+}
+
+/// Which camera the image server shows to a viewer. True for these two commands.
+bool ClientSession::attachCamera(const protocol::Command& command, const Host& host) {
+    const auto* const attach = std::get_if<protocol::AttachCamera>(&command);
+    if (!attach && !std::holds_alternative<protocol::DetachCamera>(command))
+        return false;
+    const bool ok = host.attach(command);
+    if (!isUdk())
+        attached_ = protocol::Response{{}, "Camera", attach ? attach->camera_name : std::string(), ok};
+    return true;
 }
 
 void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
@@ -198,6 +211,10 @@ void ClientSession::answer(Seconds now) {
         send(robot_->geometry(asked->type, asked->name), now);
     if (const auto asked = std::exchange(configuration_asked_, {}); asked && robot_->alive())
         send(robot_->configuration(asked->type, asked->name), now);
+    if (auto result = std::exchange(attached_, {}); result && robot_->alive()) {
+        result->time = now;
+        send(*result, now);
+    }
     if (const auto asked = std::exchange(set_asked_, {}); asked && robot_->alive())
         send(resultOf(*asked, now));
 }

@@ -63,6 +63,8 @@ public:
         /// A CONTROL; a sentence where it cannot be obeyed.
         std::function<std::optional<std::string>(const protocol::Command&)> control;
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
+        /// AttachCamera and DetachCamera; false where there is no such camera.
+        std::function<bool(const protocol::Command&)> attach;
         Log log;
         Seconds now{0.0};
     };
@@ -75,6 +77,7 @@ private:
     void obey(const protocol::Command& command, const Host& host);
     void control(const protocol::Command& command, const Host& host);
     bool obeyForRobot(const protocol::Command& command, Seconds now);
+    bool attachCamera(const protocol::Command& command, const Host& host);
     void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
     void startPoses();
@@ -106,6 +109,7 @@ private:
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;
     std::optional<protocol::Command> set_asked_;
+    std::optional<protocol::Response> attached_; ///< to be answered at the tick
     std::vector<protocol::InfoMessage> lines_;
 };
 

@@ -10,6 +10,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double bucket_m = 4.0;
+constexpr double slack_m = 0.001;
 
 double reach_m(const Plant& plant) {
     return std::max(plant.trunk_radius_m, plant.crown_radius_m);
@@ -18,6 +19,12 @@ double reach_m(const Plant& plant) {
 double top_m(const Plant& plant) {
     const double crown_m = plant.crown == CrownShape::Cone ? plant.crown_height_m : plant.crown_radius_m;
     return plant.base_in_map_m.z() + plant.trunk_height_m + crown_m;
+}
+
+/// A sphere may hang lower than its trunk's foot.
+double bottom_m(const Plant& plant) {
+    const double crown_m = plant.crown == CrownShape::Sphere ? plant.crown_radius_m : 0.0;
+    return plant.base_in_map_m.z() + std::min(0.0, plant.trunk_height_m - crown_m);
 }
 
 /// False when the ray's line passes the plant's axis at a distance, or the plant lies wholly behind its start.
@@ -57,10 +64,12 @@ PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
         return;
     Vec2 low_m = Vec2::Constant(no_hit_m);
     Vec2 high_m = Vec2::Constant(-no_hit_m);
+    minimum_z_m_ = no_hit_m;
     maximum_z_m_ = -no_hit_m;
     for (const Plant& plant : plants) {
         low_m = low_m.cwiseMin(plant.base_in_map_m.head<2>() - Vec2::Constant(reach_m(plant)));
         high_m = high_m.cwiseMax(plant.base_in_map_m.head<2>() + Vec2::Constant(reach_m(plant)));
+        minimum_z_m_ = std::min(minimum_z_m_, bottom_m(plant));
         maximum_z_m_ = std::max(maximum_z_m_, top_m(plant));
     }
     origin_m_ = low_m;
@@ -102,19 +111,15 @@ std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) cons
     return static_cast<std::size_t>(row * columns_ + column);
 }
 
-double PlantIndex::castInBucket(std::size_t bucket, const Ray& ray, double nearest_m) const {
-    for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
-        if (passesNear(plants_[i], ray))
-            nearest_m = std::min(nearest_m, hitPlant(plants_[i], ray));
-    return nearest_m;
-}
-
-double PlantIndex::cast(const Ray& ray, double maximum_m) const {
+template <class TakeBucket>
+double PlantIndex::walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const {
     if (plants_.empty())
         return maximum_m;
     GridWalk walk(ray, origin_m_, bucket_m, maximum_m);
     walk.clip(walk.x, 0.0, static_cast<double>(columns_));
     walk.clip(walk.y, 0.0, static_cast<double>(rows_));
+    // A ray into the sky is soon above all crowns.
+    walk.clip(walk.z, minimum_z_m_ - slack_m, maximum_z_m_ + slack_m);
     if (walk.leave < walk.enter)
         return maximum_m;
     double nearest_m = maximum_m;
@@ -124,10 +129,33 @@ double PlantIndex::cast(const Ray& ray, double maximum_m) const {
         const std::size_t bucket = bucketAt(cell.column, cell.row);
         const double next = std::max(enter, cell.advance(walk));
         if (walk.lowest_m(enter, std::min(next, walk.leave)) <= static_cast<double>(tops_m_[bucket]))
-            nearest_m = castInBucket(bucket, ray, nearest_m);
+            nearest_m = takeBucket(starts_[bucket], starts_[bucket + 1], nearest_m);
         enter = next;
     }
     return nearest_m;
+}
+
+double PlantIndex::cast(const Ray& ray, double maximum_m) const {
+    return walk(ray, maximum_m, [&](std::uint32_t first, std::uint32_t last, double nearest_m) {
+        for (std::uint32_t i = first; i < last; ++i)
+            if (passesNear(plants_[i], ray))
+                nearest_m = std::min(nearest_m, hitPlant(plants_[i], ray));
+        return nearest_m;
+    });
+}
+
+double PlantIndex::look(const Ray& ray, double maximum_m, const Plant*& hit) const {
+    return walk(ray, maximum_m, [&](std::uint32_t first, std::uint32_t last, double nearest_m) {
+        for (std::uint32_t i = first; i < last; ++i) {
+            if (!passesNear(plants_[i], ray))
+                continue;
+            if (const double hit_m = hitPlant(plants_[i], ray); hit_m < nearest_m) {
+                nearest_m = hit_m;
+                hit = &plants_[i];
+            }
+        }
+        return nearest_m;
+    });
 }
 
 } // namespace usar::sim

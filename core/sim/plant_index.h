@@ -18,6 +18,8 @@ public:
 
     /// Distance to the first trunk or crown, `maximum_m` on a miss.
     double cast(const Ray& ray, double maximum_m) const;
+    /// The same; `first` becomes the plant that is hit, and is left alone on a miss.
+    double look(const Ray& ray, double maximum_m, const Plant*& first) const;
     /// No plant is higher.
     double maximum_z_m() const { return maximum_z_m_; }
 
@@ -27,11 +29,14 @@ private:
     };
     Range footprint(const Plant& plant) const;
     std::size_t bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const;
-    double castInBucket(std::size_t bucket, const Ray& ray, double nearest_m) const;
+    /// `takeBucket(first, last, nearest_m)` answers how far the ray gets among these plants.
+    template <class TakeBucket>
+    double walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const;
 
     Vec2 origin_m_ = Vec2::Zero();
     std::ptrdiff_t columns_ = 0;
     std::ptrdiff_t rows_ = 0;
+    double minimum_z_m_ = 0.0;
     double maximum_z_m_ = 0.0;
     std::vector<std::uint32_t> starts_; ///< bucket i holds plants_[starts_[i]] to plants_[starts_[i + 1] - 1]
     std::vector<float> tops_m_;         ///< highest point of a bucket's plants

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/sim/plant_index.h"
+#include "core/sim/ray_normals.h"
 #include "core/sim/terrain_rays.h"
 
 namespace usar::sim {
@@ -60,8 +61,10 @@ struct RayCaster::Index {
         top_m += 1.0;
         for (const PlacedBox& box : boxes) {
             const double underside_m = box.center_m.z() - box.half_size_m.z();
-            if (covers(box, world.terrain.extent()) && underside_m > static_cast<double>(world.terrain.maximum_m()))
-                top_m = std::min(top_m, underside_m - under_ceiling_m);
+            if (!covers(box, world.terrain.extent()) || underside_m <= static_cast<double>(world.terrain.maximum_m()))
+                continue;
+            top_m = std::min(top_m, underside_m - under_ceiling_m);
+            roofed = true;
         }
     }
 
@@ -73,11 +76,34 @@ struct RayCaster::Index {
         return nearest_m;
     }
 
+    RayHit lookAtThings(const Ray& ray, double maximum_m) const {
+        const Plant* plant = nullptr;
+        const PlacedBox* met_box = nullptr;
+        double nearest_m = plants.look(ray, maximum_m, plant);
+        for (const PlacedBox& box : boxes) {
+            if (!passesNear(box, ray, nearest_m))
+                continue;
+            if (const double hit_m = hitBox(ray, box.center_m, box.box_in_map, box.half_size_m); hit_m < nearest_m) {
+                nearest_m = hit_m;
+                met_box = &box;
+            }
+        }
+        if (met_box)
+            return {nearest_m, Met::Box,
+                    normalOfBox(ray, nearest_m, met_box->center_m, met_box->box_in_map, met_box->half_size_m),
+                    met_box->center_m};
+        if (plant)
+            return {nearest_m, isCrown(*plant, ray, nearest_m) ? Met::Crown : Met::Trunk,
+                    normalOfPlant(*plant, ray, nearest_m), plant->base_in_map_m};
+        return {maximum_m};
+    }
+
     PlantIndex plants;
     TerrainRays ground;
     std::vector<PlacedBox> boxes;
     double top_m = 0.0;    ///< above everything; under the ceiling where there is one
     double bottom_m = 0.0; ///< below everything
+    bool roofed = false;
 };
 
 RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_unique<const Index>(world)) {}
@@ -88,6 +114,23 @@ double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maxim
     const Ray ray{origin_m, direction};
     // Things first: their hit bounds the walk over the ground, which is the dearer one.
     return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
+}
+
+RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    const Ray ray{origin_m, direction};
+    // The way is long. Downward the ground ends it soon; upward it is for plants to say how far to look for ground.
+    const bool down = direction.z() < 0.0;
+    double ground_m = down ? index_->ground.cast(ray, maximum_m) : maximum_m;
+    RayHit hit = index_->lookAtThings(ray, ground_m);
+    if (!down)
+        ground_m = index_->ground.cast(ray, hit.distance_m);
+    if (ground_m < hit.distance_m || (hit.met == Met::Nothing && ground_m < maximum_m))
+        hit = {ground_m, Met::Ground, normalOfGround(world_->terrain, (origin_m + ground_m * direction).head<2>())};
+    return hit;
+}
+
+bool RayCaster::roofed() const {
+    return index_->roofed;
 }
 
 double RayCaster::surface_m(const Vec2& point_m) const {

@@ -64,6 +64,7 @@ SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object
     added.class_name = object.class_name;
     added.body = physics.add(object.body, object.body_in_map);
     added.body_in_map = object.body_in_map;
+    added.parts = object.body.parts;
     added.size_m = bounds.sizes();
     added.radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm();
     return scene.objects.emplace_back(std::move(added));

@@ -29,6 +29,7 @@ struct SceneObject {
     std::string class_name;
     BodyId body;
     Pose body_in_map;
+    std::vector<BodyPart> parts{}; ///< as cameras see it
     Vec3 size_m = Vec3::Zero(); ///< of its bounding box along its own axes
     double radius_m = 0.0;      ///< of a sphere that holds it
     std::string memory{};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/sim/camera/scene_capture.h"
 #include "core/sim/client_session.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/physics.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::size_t most_log_sentences = 1000;
 constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // beyond those of sensors and winds
+constexpr std::size_t most_viewers = 64;
 
 Result<void> checked(const World& world, const SimulationOptions& options) {
     if (world.terrain.empty() && world.boxes.empty())
@@ -34,10 +36,11 @@ Result<void> checked(const World& world, const SimulationOptions& options) {
 
 struct Simulation::State {
     State(World world_, const SimulationOptions& options_)
-        : world(std::move(world_))
+        : still(std::make_shared<const StillWorld>(std::move(world_)))
+        , world(still->world)
         , options(options_)
         , physics(makePhysics(world))
-        , caster(world)
+        , caster(still->caster)
         , scene(makeScene(world, *physics))
         , controller(world, *physics, scene)
         , faults(options.seed) {
@@ -48,6 +51,7 @@ struct Simulation::State {
     void log(ClientId client, const std::string& sentence);
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
     Pose startOf(ClientId client, const protocol::Init& init);
+    bool attachCamera(const protocol::Command& command);
     std::string knownClasses() const;
     void obeyAll();
     void followFaults();
@@ -57,16 +61,18 @@ struct Simulation::State {
     void reportAll();
 
     // In this order: physics and rays look into the world, sessions hold robots that live in the physics.
-    World world;
+    std::shared_ptr<const StillWorld> still;
+    const World& world;
     SimulationOptions options;
     std::unique_ptr<Physics> physics;
-    RayCaster caster;
+    const RayCaster& caster;
     Scene scene;
     WorldController controller;
     FaultSchedule faults;
     std::map<ClientId, ClientSession> sessions;
     std::vector<ClientId> cut;
     std::vector<FaultStatus> fault_news;
+    std::map<std::string, CameraChoice> attached; ///< cameras, by the address of the viewer
     ClientId last_client;
     std::uint64_t spawned = 0;
     std::uint64_t ticks = 0;
@@ -115,6 +121,23 @@ std::string Simulation::State::knownClasses() const {
     return names.empty() ? "none" : names;
 }
 
+bool Simulation::State::attachCamera(const protocol::Command& command) {
+    if (const auto* const detach = std::get_if<protocol::DetachCamera>(&command))
+        return attached.erase(detach->client_address.text()) > 0;
+    const auto& attach = std::get<protocol::AttachCamera>(command);
+    const std::string address = attach.client_address.text();
+    const bool known = std::ranges::any_of(sessions, [&](const auto& one) {
+        if (!one.second.robot() || !sameWord(one.second.robotName(), attach.robot_name))
+            return false;
+        return std::ranges::any_of(one.second.robot()->cameras(), [&](const SeenFrom& camera) {
+            return attach.camera_name.empty() || sameWord(camera.camera, attach.camera_name);
+        });
+    });
+    if (known && (attached.contains(address) || attached.size() < most_viewers))
+        attached[address] = {attach.robot_name.text(), attach.camera_name};
+    return known;
+}
+
 Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
     const auto* const name = std::get_if<protocol::Token>(&init.start);
     if (!name)
@@ -134,6 +157,7 @@ void Simulation::State::obeyAll() {
                              [&](const protocol::Init& init) { return startOf(client, init); },
                              [&](const protocol::Command& command) { return controller.obey(command, client.value); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
+                             [&](const protocol::Command& command) { return attachCamera(command); },
                              [&](const std::string& sentence) { log(client, sentence); }, now()});
     }
 }
@@ -299,6 +323,19 @@ const SimulationOptions& Simulation::options() const {
 
 const World& Simulation::world() const {
     return state_->world;
+}
+
+CameraScene Simulation::cameraScene() const {
+    CameraScene seen;
+    seen.still = state_->still;
+    seen.tick = state_->ticks;
+    for (const auto& [client, session] : state_->sessions)
+        if (session.robot())
+            addRobot(seen, *session.robot(), session.robotName(), client.value);
+    addObjects(seen, state_->scene);
+    addMarks(seen, state_->world);
+    seen.attached = state_->attached;
+    return seen;
 }
 
 std::vector<RobotTruth> Simulation::robots() const {

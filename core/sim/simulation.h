@@ -12,6 +12,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/protocol/dialect.h"
+#include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
 #include "core/sim/robots/robot_model.h"
@@ -92,6 +93,8 @@ public:
     Seconds now() const;
     const SimulationOptions& options() const;
     const World& world() const;
+    /// What cameras can see now, for pictures in any thread.
+    CameraScene cameraScene() const;
     std::vector<RobotTruth> robots() const;
     /// Of all robots and base stations, in the order of their connections.
     std::vector<RadioStation> radios() const;

@@ -38,6 +38,10 @@ private slots:
     void agreesWithBulletOnTerrain();
     void agreesWithBulletOnThings_data();
     void agreesWithBulletOnThings();
+    void lookingMeasuresWhatCastingMeasures();
+    void surfacesFaceWhoLooksAtThem_data();
+    void surfacesFaceWhoLooksAtThem();
+    void groundFacesAwayFromItsSlope();
 };
 
 namespace {
@@ -411,6 +415,69 @@ void TestRayCaster::agreesWithBulletOnThings() {
     // The engine's iterative caster stops a little early or late where a ray only brushes an outline.
     QVERIFY2(apart * 20 <= hits, figures);
     QVERIFY2(far_apart * 50 <= hits, figures);
+}
+
+void TestRayCaster::lookingMeasuresWhatCastingMeasures() {
+    World world = house({{-3.0, 4.0, 2.0}, 0.0, 0.0, 0.4}, {2.0, 3.0, 4.0});
+    world.plants = {roundTree(), firTree(), post()};
+    world.plants[1].base_in_map_m = {-6.0, -2.0, -3.0};
+    world.plants[2].base_in_map_m = {2.0, 7.0, 1.0};
+    usar::Random random = usar::seeded(23, 7);
+    std::vector<float> heights_m(41 * 41);
+    for (float& height_m : heights_m)
+        height_m = static_cast<float>(usar::uniform(random, -1.0, 1.0));
+    world.terrain = usar::sim::Terrain(41, 41, 0.5, {-10.0, -10.0}, heights_m);
+    const RayCaster caster(world);
+    std::array<int, 5> met{};
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 origin_m = randomPoint(random, {9.0, 9.0, 8.0});
+        const Vec3 direction = randomDirection(random);
+        const usar::sim::RayHit hit = caster.look(origin_m, direction, 30.0);
+        QCOMPARE(hit.distance_m, caster.cast(origin_m, direction, 30.0));
+        QCOMPARE(hit.met == usar::sim::Met::Nothing, hit.distance_m == 30.0);
+        ++met[static_cast<std::size_t>(hit.met)];
+    }
+    for (const int count : met)
+        QVERIFY(count > 50);
+}
+
+void TestRayCaster::surfacesFaceWhoLooksAtThem_data() {
+    addSolids();
+    QTest::newRow("fir") << thing(firTree());
+}
+
+void TestRayCaster::surfacesFaceWhoLooksAtThem() {
+    QFETCH(World, world);
+    const RayCaster caster(world);
+    usar::Random random = usar::seeded(24, 7);
+    int hits = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const auto [origin_m, direction] = randomRay(random);
+        const usar::sim::RayHit hit = caster.look(origin_m, direction, 20.0);
+        if (hit.met == usar::sim::Met::Nothing || hit.distance_m == 0.0)
+            continue;
+        ++hits;
+        const Vec3 point_m = origin_m + hit.distance_m * direction;
+        QVERIFY(std::abs(hit.normal_in_map.norm() - 1.0) < 1e-9);
+        QVERIFY(hit.normal_in_map.dot(direction) < 1e-6);
+        QVERIFY(!isInside(world, point_m + 1e-5 * hit.normal_in_map));
+        // Where a trunk enters a crown the inside lies behind a corner.
+        QVERIFY(isInside(world, point_m - 1e-4 * hit.normal_in_map) ||
+                isInside(world, point_m - 1e-4 * hit.normal_in_map + 1e-4 * direction));
+    }
+    QVERIFY(hits > 200);
+}
+
+void TestRayCaster::groundFacesAwayFromItsSlope() {
+    World world;
+    std::vector<float> heights_m;
+    for (int row = 0; row < 21; ++row)
+        for (int column = 0; column < 21; ++column)
+            heights_m.push_back(static_cast<float>(column) * 0.5f); // 1 up in 2 along x
+    world.terrain = usar::sim::Terrain(21, 21, 1.0, {-10.0, -10.0}, heights_m);
+    const usar::sim::RayHit hit = RayCaster(world).look({1.3, 2.7, 30.0}, -Vec3::UnitZ(), 100.0);
+    QCOMPARE(hit.met, usar::sim::Met::Ground);
+    QVERIFY(hit.normal_in_map.isApprox(Vec3{-0.5, 0.0, 1.0}.normalized(), 1e-6));
 }
 
 QTEST_APPLESS_MAIN(TestRayCaster)

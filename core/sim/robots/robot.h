@@ -77,6 +77,9 @@ public:
     void feelWind(const Vec3& wind_in_map_m_s) { drive_->feelWind(wind_in_map_m_s); }
 
     RobotFigures figures() const;
+    bool lightOn() const { return light_on_ && alive(); }
+    /// Where its cameras stand now; without the robot's name, which the robot does not know.
+    std::vector<SeenFrom> cameras() const { return sensors_.cameras(body_); }
     const RobotBody& body() const { return body_; }
 
 private:

@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/sim/faults/sensor_fault.h"
+#include "core/sim/sensors/camera_sensor.h"
 
 namespace usar::sim {
 
@@ -130,6 +131,14 @@ bool SensorSuite::has(std::string_view type_or_name) const {
     return std::ranges::any_of(sensors_, [&](const Place& place) {
         return sameWord(place.sensor->model().name, type_or_name) || sameWord(place.sensor->model().type, type_or_name);
     });
+}
+
+std::vector<SeenFrom> SensorSuite::cameras(const RobotBody& body) const {
+    std::vector<SeenFrom> cameras;
+    for (const Place& place : sensors_)
+        if (const auto* const camera = dynamic_cast<const CameraSensor*>(place.sensor.get()))
+            cameras.push_back(camera->view(body));
+    return cameras;
 }
 
 std::vector<const Sensor*> SensorSuite::find(const std::string& type, const std::string& name) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/protocol/dialect.h"
+#include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault.h"
 #include "core/sim/sensors/sensor.h"
 
@@ -31,6 +32,8 @@ public:
 
     /// One tick; on the `first` only what needs no history.
     void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);
+    /// As they stand on this robot now.
+    std::vector<SeenFrom> cameras(const RobotBody& body) const;
     /// Items of this type, all or the named one, in any case; the bare head when there is none.
     protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;
     protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const;

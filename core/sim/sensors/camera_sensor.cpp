@@ -1,6 +1,7 @@
 #include "core/sim/sensors/camera_sensor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace usar::sim {
 
@@ -26,6 +27,19 @@ std::optional<protocol::Response> CameraSensor::set(const protocol::Command& com
     protocol::Response answer = this->answer(ok);
     answer.parts.push_back({"Name", model().name, ok, fov_rad_});
     return answer;
+}
+
+SeenFrom CameraSensor::view(const RobotBody& body) const {
+    const auto pixels = [this](std::string_view key, double otherwise) {
+        return static_cast<int>(std::clamp(std::round(number(key, otherwise)), 16.0, 1280.0));
+    };
+    SeenFrom view;
+    view.camera = model().name;
+    view.camera_in_map = body.link_in_map(model().link) * model().sensor_in_link.isometry();
+    view.field_of_view_rad = fov_rad_;
+    view.width_px = pixels("width", 320.0);
+    view.height_px = pixels("height", 240.0);
+    return view;
 }
 
 } // namespace usar::sim

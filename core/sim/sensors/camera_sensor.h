@@ -1,6 +1,7 @@
 // A camera as the bot port knows it: an angle of view that SET can change. Pictures come from the image server.
 #pragma once
 
+#include "core/sim/camera/camera_scene.h"
 #include "core/sim/sensors/sensor.h"
 
 namespace usar::sim {
@@ -16,6 +17,7 @@ public:
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
     double fieldOfView_rad() const { return fov_rad_; }
+    SeenFrom view(const RobotBody& body) const;
 
 private:
     double default_rad_;

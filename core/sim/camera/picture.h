@@ -1,0 +1,38 @@
+// A picture as plain bytes, and the ways in which the image server puts pictures together and cuts them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace usar::sim {
+
+/// Rows from the top, three bytes a pixel: red, green, blue.
+struct Picture {
+    Picture() = default;
+    Picture(int width, int height)
+        : width_px(width)
+        , height_px(height)
+        , rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+    std::uint8_t* at(int x, int y) { return rgb.data() + offset(x, y); }
+    const std::uint8_t* at(int x, int y) const { return rgb.data() + offset(x, y); }
+    std::array<int, 3> pixel(int x, int y) const { return {at(x, y)[0], at(x, y)[1], at(x, y)[2]}; }
+
+    int width_px = 0;
+    int height_px = 0;
+    std::vector<std::uint8_t> rgb;
+    bool operator==(const Picture&) const = default;
+
+private:
+    std::size_t offset(int x, int y) const {
+        return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x));
+    }
+};
+
+/// Draws `part` into `whole`, which has room for it, with its top left corner there.
+void paste(Picture& whole, const Picture& part, int x, int y);
+/// A part of it. What lies outside is left out; one pixel at least is given.
+Picture cut(const Picture& whole, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height);
+
+} // namespace usar::sim

@@ -1,0 +1,21 @@
+// A world with the rays through it: what never changes while a simulation runs.
+#pragma once
+
+#include <utility>
+
+#include "core/sim/ray_caster.h"
+#include "core/sim/world.h"
+
+namespace usar::sim {
+
+/// Const once made, so threads may share it. Stays where it was made: the caster points to the world.
+struct StillWorld {
+    explicit StillWorld(World still) : world(std::move(still)), caster(world) {}
+    StillWorld(const StillWorld&) = delete;
+    StillWorld& operator=(const StillWorld&) = delete;
+
+    World world;
+    RayCaster caster;
+};
+
+} // namespace usar::sim
