@@ -38,8 +38,11 @@ void openRadio(link::SimulatorServer& server, const ChannelPorts& wanted, OpenCh
 
 } // namespace
 
-OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted) {
+OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted,
+                          const link::ImageServerOptions& images) {
     OpenChannels open;
+    auto* image = new link::ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
+    open.ports.image = listen(*image, wanted.image, QObject::tr("image server"), open.sentences);
     openRadio(server, wanted, open);
     return open;
 }

@@ -4,6 +4,7 @@
 #include <QMetaType>
 #include <QStringList>
 
+#include "core/link/image_server.h"
 #include "core/link/simulator_server.h"
 
 namespace usar::app {
@@ -26,7 +27,8 @@ struct OpenChannels {
 
 /// Opens them as children of `server`, in its thread; they end with it. A port in use is no failure: another one is
 /// taken, and said.
-OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted);
+OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted,
+                          const link::ImageServerOptions& images = {});
 
 } // namespace usar::app
 

@@ -19,11 +19,13 @@ namespace {
 using usar::link::Pace;
 
 constexpr int bad_use = 2;
+const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // as link::ImageType
 
 struct Settings {
     QString world;
     quint16 port = 3000;
     usar::app::ChannelPorts channels;
+    usar::link::ImageServerOptions images;
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
@@ -55,7 +57,7 @@ usar::Result<long long> readWhole(const QCommandLineParser& parser, const QStrin
 }
 
 std::vector<std::pair<QString, quint16*>> channelOptions(usar::app::ChannelPorts& ports) {
-    return {{"wireless-port", &ports.wireless}, {"comserver-port", &ports.comserver}};
+    return {{"image-port", &ports.image}, {"wireless-port", &ports.wireless}, {"comserver-port", &ports.comserver}};
 }
 
 usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
@@ -81,6 +83,11 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
     if (!faults)
         return tl::unexpected(faults.error());
     settings.faults = *std::move(faults);
+    const auto type = static_cast<int>(image_types.indexOf(parser.value("image-type").toLower()));
+    if (type < 0)
+        return usar::failure("'" + parser.value("image-type").toStdString() + "' is no type of picture", "--image-type",
+                             "Say " + image_types.join(", ").toStdString());
+    settings.images = {static_cast<usar::link::ImageType>(type), parser.isSet("image-first")};
     settings.port = static_cast<quint16>(*port);
     for (const auto& [option, channel] : channelOptions(settings.channels)) {
         const auto number = readWhole(parser, option, 65535);
@@ -99,6 +106,9 @@ void addOptions(QCommandLineParser& parser) {
     parser.addVersionOption();
     parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
                        {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
+                       {"image-port", "TCP port of the image server; 0 chooses a free one.", "number", "5003"},
+                       {"image-type", "How pictures are sent: raw, or a JPEG from superb to bad.", "type", "good"},
+                       {"image-first", "The image server sends its first picture unasked, as the oldest one did."},
                        {"wireless-port", "TCP port of the wireless server.", "number", "50000"},
                        {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
                        {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
@@ -159,11 +169,12 @@ int main(int argc, char** argv) {
     if (!port)
         return complain(port.error());
     server.setPace(settings->pace, settings->factor);
-    const usar::app::OpenChannels channels = usar::app::openChannels(server, settings->channels);
+    const usar::app::OpenChannels channels = usar::app::openChannels(server, settings->channels, settings->images);
     for (const QString& sentence : channels.sentences)
         std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData());
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
                 level.c_str(), static_cast<unsigned>(*port), static_cast<unsigned>(*port));
+    std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(channels.ports.image));
     std::fflush(stdout);
 
     usar::app::QuitSignals signals_;

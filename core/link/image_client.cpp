@@ -1,0 +1,207 @@
+#include "core/link/image_client.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <QNetworkProxy>
+#include <QtEndian>
+
+namespace usar::link {
+
+namespace {
+
+constexpr std::size_t rate_over_frames = 10;
+constexpr qint64 read_buffer_bytes = 1 << 16;
+
+std::chrono::milliseconds toMilliseconds(Seconds seconds) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(seconds);
+}
+
+} // namespace
+
+ImageClient::ImageClient(QObject* parent)
+    : QObject(parent)
+    , socket_(this)
+    , retry_timer_(this)
+    , connect_timer_(this)
+    , silence_timer_(this)
+    , ask_timer_(this) {
+    socket_.setProxy(QNetworkProxy::NoProxy);
+    socket_.setReadBufferSize(read_buffer_bytes);
+    for (QTimer* const timer : {&retry_timer_, &connect_timer_, &silence_timer_, &ask_timer_})
+        timer->setSingleShot(true);
+    connect(&retry_timer_, &QTimer::timeout, this, &ImageClient::connectNow);
+    connect(&ask_timer_, &QTimer::timeout, this, &ImageClient::askNow);
+    connect(&connect_timer_, &QTimer::timeout, this,
+            [this] { failed(tr("No answer from the image server at %1. Is it running there?").arg(place())); });
+    connect(&silence_timer_, &QTimer::timeout, this, [this] {
+        failed(tr("The image server at %1 was asked for a picture and sends none. Is the game's window open there?")
+                   .arg(place()));
+    });
+    connect(&socket_, &QTcpSocket::connected, this, [this] {
+        connect_timer_.stop();
+        socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+        setState(ImageState::Quiet);
+        askSoon();
+    });
+    connect(&socket_, &QTcpSocket::readyRead, this, &ImageClient::takeBytes);
+    connect(&socket_, &QTcpSocket::errorOccurred, this, [this](QAbstractSocket::SocketError error) {
+        if (!open_ || status_.state == ImageState::Waiting)
+            return;
+        if (error == QAbstractSocket::ConnectionRefusedError)
+            return failed(
+                tr("No image server listens at %1. Start one there, or check its port (usually 5003).").arg(place()));
+        if (error == QAbstractSocket::RemoteHostClosedError)
+            return failed(tr("The image server at %1 closed the connection.").arg(place()));
+        failed(tr("Trouble with the image server at %1: %2.").arg(place(), socket_.errorString()));
+    });
+    clock_.start();
+}
+
+ImageClient::~ImageClient() {
+    socket_.disconnect(this);
+}
+
+QString ImageClient::place() const {
+    return QStringLiteral("%1:%2").arg(host_).arg(port_);
+}
+
+void ImageClient::open(const QString& host, quint16 port) {
+    close();
+    host_ = host.trimmed();
+    port_ = port;
+    open_ = true;
+    failed_tries_ = 0;
+    frames_ = 0;
+    connectNow();
+}
+
+void ImageClient::close() {
+    open_ = false;
+    retry_timer_.stop();
+    dropConnection();
+    setState(ImageState::Off);
+}
+
+void ImageClient::setWanted(bool wanted) {
+    if (wanted == wanted_)
+        return;
+    wanted_ = wanted;
+    arrivals_ms_.clear();
+    if (wanted)
+        return askSoon();
+    ask_timer_.stop();
+    if (status_.state == ImageState::Live)
+        setState(ImageState::Quiet);
+}
+
+void ImageClient::connectNow() {
+    dropConnection();
+    setState(ImageState::Connecting);
+    connect_timer_.start(toMilliseconds(limits_.connect_timeout));
+    socket_.connectToHost(host_, port_);
+}
+
+void ImageClient::askSoon() {
+    if (!wanted_ || asked_ || socket_.state() != QAbstractSocket::ConnectedState || ask_timer_.isActive())
+        return;
+    const qint64 due_ms = asked_ms_ + toMilliseconds(limits_.shortest_interval).count();
+    ask_timer_.start(static_cast<int>(std::max<qint64>(0, due_ms - clock_.elapsed())));
+}
+
+void ImageClient::askNow() {
+    if (!wanted_ || asked_ || socket_.state() != QAbstractSocket::ConnectedState)
+        return;
+    asked_ = true;
+    asked_ms_ = clock_.elapsed();
+    socket_.write("OK", 2);
+    silence_timer_.start(toMilliseconds(limits_.silence));
+}
+
+void ImageClient::takeBytes() {
+    while (socket_.bytesAvailable() > 0) {
+        if (head_.size() < frame_head_bytes) {
+            head_ += socket_.read(frame_head_bytes - head_.size());
+            if (head_.size() == frame_head_bytes && !takeHead())
+                return;
+            continue;
+        }
+        data_ += socket_.read(data_bytes_ - data_.size());
+        if (data_.size() == data_bytes_)
+            takeFrame();
+    }
+}
+
+/// False where what comes can be no picture; the connection is gone then.
+bool ImageClient::takeHead() {
+    const auto type = static_cast<std::uint8_t>(head_[0]);
+    const auto bytes = qFromBigEndian<quint32>(head_.constData() + 1);
+    if (type > last_image_type || bytes == 0) {
+        failed(tr("%1 does not speak the image server's protocol. Check the port (usually 5003).").arg(place()));
+        return false;
+    }
+    if (bytes > limits_.most_bytes) {
+        failed(tr("The image server at %1 announces a picture of %2 MB, more than any camera's. Check the port "
+                  "(usually 5003).")
+                   .arg(place())
+                   .arg(bytes / 1e6, 0, 'f', 1));
+        return false;
+    }
+    data_bytes_ = static_cast<qsizetype>(bytes);
+    return true;
+}
+
+void ImageClient::takeFrame() {
+    const auto type = static_cast<ImageType>(head_[0]);
+    const QByteArray data = std::exchange(data_, {});
+    head_.clear();
+    asked_ = false;
+    silence_timer_.stop();
+    failed_tries_ = 0;
+    ++frames_;
+    arrivals_ms_.push_back(clock_.elapsed());
+    if (arrivals_ms_.size() > rate_over_frames)
+        arrivals_ms_.pop_front();
+    const qint64 span_ms = arrivals_ms_.back() - arrivals_ms_.front();
+    status_.frames_per_s =
+        span_ms > 0 ? 1000.0 * static_cast<double>(arrivals_ms_.size() - 1) / static_cast<double>(span_ms) : 0.0;
+    if (wanted_) {
+        status_.state = ImageState::Live;
+        status_.reason.clear();
+    }
+    emit frameReceived(type, data);
+    emit statusChanged(status_);
+    askSoon();
+}
+
+void ImageClient::failed(const QString& trouble) {
+    dropConnection();
+    const Seconds wait = std::min(limits_.longest_retry, limits_.first_retry * std::exp2(std::min(failed_tries_, 20)));
+    ++failed_tries_;
+    retry_timer_.start(toMilliseconds(wait));
+    setState(ImageState::Waiting, trouble);
+}
+
+void ImageClient::dropConnection() {
+    for (QTimer* const timer : {&connect_timer_, &silence_timer_, &ask_timer_})
+        timer->stop();
+    const QSignalBlocker quiet(socket_);
+    if (socket_.state() != QAbstractSocket::UnconnectedState)
+        socket_.abort();
+    head_.clear();
+    data_ = {};
+    arrivals_ms_.clear();
+    asked_ = false;
+}
+
+void ImageClient::setState(ImageState state, const QString& reason) {
+    const ImageStatus next{state, reason, 0.0};
+    if (next == status_)
+        return;
+    status_ = next;
+    emit statusChanged(status_);
+}
+
+} // namespace usar::link
