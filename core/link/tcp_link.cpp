@@ -30,8 +30,8 @@ TcpLink::TcpLink(QObject* parent) : QObject(parent), socket_(this), retry_timer_
     connect_timer_.setSingleShot(true);
     connect(&retry_timer_, &QTimer::timeout, this, &TcpLink::connectNow);
     connect(&connect_timer_, &QTimer::timeout, this, [this] {
-        failed(QStringLiteral("No answer from %1 after %2. Is USARSim running there?")
-                   .arg(place(), inWords(limits_.connect_timeout)));
+        failed(QStringLiteral("No answer from %1 after %2. Is %3 running there?")
+                   .arg(place(), inWords(limits_.connect_timeout), service_));
     });
     connect(&socket_, &QTcpSocket::connected, this, &TcpLink::takeConnection);
     connect(&socket_, &QTcpSocket::readyRead, this, &TcpLink::takeBytes);
@@ -151,14 +151,15 @@ QString TcpLink::place() const {
 }
 
 QString TcpLink::foreignReason() const {
-    return QStringLiteral("%1 does not speak USARSim. Check the port (usually 3000).").arg(place());
+    return QStringLiteral("%1 does not speak %2. Check the port (usually %3).").arg(place(), service_).arg(usual_port_);
 }
 
 QString TcpLink::reasonOf(QAbstractSocket::SocketError error) const {
     switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
-        return QStringLiteral("Nothing listens at %1. Start USARSim there, or check the port (usually 3000).")
-            .arg(place());
+        return QStringLiteral("Nothing listens at %1. Start %2 there, or check the port (usually %3).")
+            .arg(place(), service_)
+            .arg(usual_port_);
     case QAbstractSocket::HostNotFoundError:
         return QStringLiteral("There is no host named \"%1\". Check the spelling, or type its address.")
             .arg(status_.host);

@@ -51,6 +51,11 @@ public:
     ~TcpLink() override;
 
     void setLimits(const LinkLimits& limits) { limits_ = limits; }
+    /// What reasons call the server, and the port that they name as the usual one.
+    void setService(const QString& name, quint16 usual_port) {
+        service_ = name;
+        usual_port_ = usual_port;
+    }
     /// Who gets the lines: a plain call, for a signal with a copy is too dear at hundreds of times real time. The taker
     /// may call any function of the link.
     void setLineTaker(LineTaker taker) { take_line_ = std::move(taker); }
@@ -101,6 +106,8 @@ private:
     LineTaker take_line_;
     std::function<void(std::string_view)> take_bytes_;
     LinkLimits limits_;
+    QString service_ = QStringLiteral("USARSim");
+    quint16 usual_port_ = 3000;
     protocol::LineSplitter splitter_;
     GreetingCheck greeting_;
     protocol::TrafficCounts counts_;

@@ -1,0 +1,226 @@
+#include "core/link/wireless_client.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/numbers.h"
+#include "core/protocol/segments.h"
+
+namespace usar::link {
+
+namespace {
+
+constexpr quint16 usual_port = 50000;
+constexpr std::chrono::milliseconds usual_interval{1000};
+
+QString text(std::string_view bytes) {
+    return QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size()));
+}
+
+std::pair<QString, QString> inOrder(const QString& a, const QString& b) {
+    return a < b ? std::pair(a, b) : std::pair(b, a);
+}
+
+} // namespace
+
+WirelessClient::WirelessClient(QObject* parent) : QObject(parent), timer_(this) {
+    timer_.setInterval(usual_interval);
+    connect(&timer_, &QTimer::timeout, this, &WirelessClient::ask);
+}
+
+WirelessClient::~WirelessClient() = default;
+
+void WirelessClient::setLimits(const LinkLimits& limits) {
+    limits_ = limits;
+}
+
+void WirelessClient::open(const QString& host, quint16 port) {
+    host_ = host;
+    port_ = port;
+    restart();
+}
+
+void WirelessClient::close() {
+    host_.clear();
+    restart();
+}
+
+void WirelessClient::setRobots(const QStringList& names) {
+    if (names == robots_)
+        return;
+    const bool was_enough = robots_.size() >= 2;
+    robots_ = names;
+    if (!was_enough || robots_.size() < 2)
+        return restart();
+    if (!members_.empty())
+        openMembers();
+    report(); // those who have left are gone at once
+}
+
+void WirelessClient::restart() {
+    observer_.reset();
+    members_.clear();
+    round_.clear();
+    awaited_ = 0;
+    observer_number_ = 1;
+    if (host_.isEmpty() || robots_.size() < 2) {
+        timer_.stop();
+        emit reported({});
+    } else {
+        openObserver();
+        timer_.start();
+    }
+    showStatus();
+}
+
+std::unique_ptr<WirelessClient::Line> WirelessClient::makeLine(const QString& name) {
+    auto line = std::make_unique<Line>();
+    Line* const one = line.get();
+    one->name = name;
+    one->link.setService(QStringLiteral("WSS"), usual_port);
+    one->link.setLimits(limits_);
+    one->link.setLineTaker([this, one](std::string_view said) { take(*one, said); });
+    connect(&one->link, &TcpLink::opened, this, [one] {
+        one->initialized = one->refused = false;
+        one->introduce();
+    });
+    connect(&one->link, &TcpLink::statusChanged, this, &WirelessClient::showStatus);
+    one->link.open(host_, port_);
+    return line;
+}
+
+void WirelessClient::openObserver() {
+    const QString number = observer_number_ > 1 ? QStringLiteral("-%1").arg(observer_number_) : QString();
+    observer_ = makeLine(QStringLiteral("MissionControl") + number);
+}
+
+void WirelessClient::openMembers() {
+    std::erase_if(members_, [this](const auto& one) { return !robots_.contains(one.first); });
+    for (const QString& robot : robots_)
+        if (!members_.contains(robot))
+            members_[robot] = makeLine(robot);
+}
+
+void WirelessClient::take(Line& line, std::string_view said) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(said, diagnostics);
+    if (segments.typeWord() == "INITREPLY") {
+        line.initialized = true;
+        line.refused = false;
+        if (&line == observer_.get())
+            ask();
+    } else if (segments.typeWord() == "ERROR") {
+        takeError(line, segments.value("Reason"));
+    } else if (segments.typeWord() == "SS") {
+        takeStrength(line, segments.value("Robot"), segments.value("From"), segments.value("Strength"));
+    }
+}
+
+void WirelessClient::takeError(Line& line, std::string_view reason) {
+    if (line.initialized || reason.find("Exist") == std::string_view::npos)
+        return;
+    line.refused = true;
+    if (&line != observer_.get())
+        return;
+    line.name = QStringLiteral("MissionControl-%1").arg(++observer_number_);
+    line.introduce();
+}
+
+void WirelessClient::takeStrength(Line& line, std::string_view robot, std::string_view from,
+                                  std::string_view strength) {
+    if (&line == observer_.get() && from.empty()) { // it does not know our question: ask as the robots themselves
+        // Not now: the line is in the middle of what it has heard.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (!observer_)
+                    return;
+                observer_.reset();
+                awaited_ = 0;
+                openMembers();
+                showStatus();
+            },
+            Qt::QueuedConnection);
+        return;
+    }
+    const Pair pair = inOrder(from.empty() ? line.name : text(from), text(robot));
+    const auto dbm = readNumber(strength);
+    round_[pair] = dbm && std::isfinite(*dbm) ? dbm : std::nullopt;
+    if (awaited_ > 0 && --awaited_ == 0)
+        report();
+}
+
+WirelessClient::Line* WirelessClient::speakerOf(const QString& robot) {
+    const auto member = members_.find(robot);
+    const bool speaks = member != members_.end() && member->second->initialized &&
+                        member->second->link.status().state == LinkState::Connected;
+    return speaks ? member->second.get() : nullptr;
+}
+
+void WirelessClient::ask() {
+    if (awaited_ > 0)
+        report(); // what has come of the last round
+    round_.clear();
+    awaited_ = 0;
+    for (const auto& [robot, line] : members_)
+        if (line->refused)
+            line->introduce(); // the name may be free again
+    for (qsizetype i = 0; i < robots_.size(); ++i)
+        for (qsizetype j = i + 1; j < robots_.size(); ++j)
+            askFor({robots_[i], robots_[j]});
+    if (awaited_ == 0)
+        report(); // nobody can be asked: nothing is known
+}
+
+void WirelessClient::askFor(const Pair& pair) {
+    const auto question = [](const QString& robot) { return "GETSS {Robot " + robot.toStdString() + "}"; };
+    if (observer_) {
+        if (!observer_->initialized || observer_->link.status().state != LinkState::Connected)
+            return;
+        observer_->link.send(question(pair.second) + " {From " + pair.first.toStdString() + "}");
+    } else if (Line* const first = speakerOf(pair.first)) {
+        first->link.send(question(pair.second));
+    } else if (Line* const second = speakerOf(pair.second)) {
+        second->link.send(question(pair.first));
+    } else {
+        return;
+    }
+    ++awaited_;
+}
+
+void WirelessClient::report() {
+    awaited_ = 0;
+    RadioStrengths strengths;
+    for (const auto& [pair, strength_dbm] : round_)
+        if (robots_.contains(pair.first) && robots_.contains(pair.second))
+            strengths.push_back({pair.first, pair.second, strength_dbm});
+    emit reported(strengths);
+}
+
+/// That of the best line there is.
+void WirelessClient::showStatus() {
+    LinkStatus best;
+    const auto rank = [](LinkState state) {
+        return state == LinkState::Connected    ? 3
+               : state == LinkState::Connecting ? 1
+               : state == LinkState::Waiting    ? 2
+                                                : 0;
+    };
+    const auto consider = [&](const Line& line) {
+        if (rank(line.link.status().state) > rank(best.state))
+            best = line.link.status();
+    };
+    if (observer_)
+        consider(*observer_);
+    for (const auto& [robot, line] : members_)
+        consider(*line);
+    if (best == status_)
+        return;
+    status_ = best;
+    emit statusChanged(status_);
+}
+
+} // namespace usar::link
+
+#include "moc_wireless_client.cpp"
