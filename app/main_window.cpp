@@ -46,6 +46,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireMission();
     wireMessages();
     wireReplay();
+    wireFaults();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
@@ -89,6 +90,7 @@ void MainWindow::wireControl() {
         if (status.state != link::LinkState::Connected)
             views_.connection->setRate(std::nullopt);
         followConnection();
+        showFaultChoices();
         commands_.refresh();
     });
     connect(&control_, &MissionControl::worldKnown, this, &MainWindow::showWorld);
@@ -101,6 +103,7 @@ void MainWindow::wireControl() {
     connect(&control_, &MissionControl::robotAdded, this, [this](int id) {
         presenter_.showRow(id);
         selectRobot(id);
+        showFaultChoices();
         if (!control_.robot(id)->isReplay())
             views_.hint->setDone(0, true);
     });
@@ -108,6 +111,7 @@ void MainWindow::wireControl() {
         views_.robots->removeRobot(id);
         presenter_.remove(name);
         drafts_.erase(id);
+        showFaultChoices();
         if (id == selected_)
             selectRobot(control_.robots().empty() ? 0 : control_.robots().front()->view().id);
     });

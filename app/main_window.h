@@ -20,6 +20,7 @@ struct TaskDraft {
     std::optional<Rectangle> area_in_map;
     std::map<std::string, agent::ParameterValue> values;
     double cell_size_m = mission::Mission{}.cell_size_m;
+    QStringList faults; ///< of the embedded simulator, as texts
 };
 
 /// Forwards only: intent goes to MissionControl, values go to the views. GUI thread; owns both.
@@ -68,6 +69,7 @@ private:
     void registerLayoutCommands();
     void registerMessageCommands();
     void registerReplayCommands();
+    void registerFaultCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -76,6 +78,12 @@ private:
     void wireMission();
     void wireMessages();
     void wireReplay();
+    void wireFaults();
+    void injectFault();
+    /// Whether there is a simulator, and whom a fault can be meant for.
+    void showFaultChoices();
+    /// Those of the mission file that was opened; their times count from its start.
+    void beginMissionFaults();
     /// Bar and badge of the selected robot.
     void showReplay();
     void orderReplay(const mission::ReplayOrder& order);
@@ -129,6 +137,8 @@ private:
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up
+    QStringList mission_faults_;                          ///< of the mission that is set up
+    std::vector<sim::FaultStatus> faults_;                ///< of the embedded simulator
     QByteArray first_layout_;
     int selected_ = 0;
     link::LinkState link_state_ = link::LinkState::Disconnected;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/simulator_files.h"
 #include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
 
@@ -42,6 +43,11 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
             [this](const QString& sentence) { note(Severity::Warning, "robot-file", sentence); });
     connect(&simulator_, &SimulatorHost::movedPort, this,
             [this](const QString& sentence) { note(Severity::Warning, "simulator-port", sentence); });
+    connect(&simulator_, &SimulatorHost::faultTurned, this, [this](const QString& sentence) {
+        for (const auto& [id, robot] : robots_)
+            if (!robot->isReplay())
+                robot->noteFault(sentence);
+    });
     connect(&simulator_, &SimulatorHost::robotsChanged, this, [this](const std::vector<sim::RobotTruth>& truths) {
         for (const auto& [id, robot] : robots_)
             for (const sim::RobotTruth& truth : truths)
@@ -101,6 +107,8 @@ void MissionControl::connectRobot(Robot* robot) {
 }
 
 void MissionControl::tell(Robot* robot, const mission::Notice& notice) {
+    if (notice.topic == "fault" && !robot->isReplay())
+        return; // the simulator says it, once for all robots
     const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
     const QString key = who + "/" + QString::fromStdString(notice.topic);
     if (notice.over)
@@ -236,6 +244,16 @@ Result<void> MissionControl::startBehavior(int id, const std::string& behavior_i
     if (!parameters)
         return tl::unexpected(parameters.error());
     return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters);
+}
+
+Result<void> MissionControl::addFaults(const QStringList& texts) {
+    if (!simulator_.running())
+        return failure("faults can be made in the embedded simulator only", "", "Connect to it first");
+    auto faults = readFaults(texts);
+    if (!faults)
+        return tl::unexpected(faults.error());
+    simulator_.addFaults(*faults);
+    return {};
 }
 
 Result<agent::TaskPreview> MissionControl::preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,

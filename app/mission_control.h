@@ -71,6 +71,9 @@ public:
     Result<agent::TaskPreview> preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                                        const std::map<std::string, agent::ParameterValue>& values) const;
 
+    /// In the embedded simulator, from now on. An error names the first text that is no fault.
+    Result<void> addFaults(const QStringList& texts);
+
     void setResultFolder(const QString& folder) { keeper_.setFolder(folder); }
     QString resultFolder() const { return keeper_.folder(); }
     bool resultFolderChosen() const { return keeper_.folderChosen(); }

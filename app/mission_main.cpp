@@ -72,10 +72,7 @@ mission::RunSummary knownOf(const mission::MissionOptions& options) {
 }
 
 Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options, const mission::Mission& plan) {
-    QStringList of_mission;
-    for (const std::string& text : plan.faults)
-        of_mission << QString::fromStdString(text);
-    auto faults = app::readFaults(of_mission);
+    auto faults = app::readFaults(app::textsOf(plan.faults));
     if (!faults)
         return tl::unexpected(mission::atValue(plan, "faults", faults.error()));
     auto more = app::readFaults(options.faults);

@@ -3,6 +3,7 @@
 #include <QCommandLineParser>
 
 #include "app/locations.h"
+#include "app/simulator_files.h"
 
 namespace usar::app {
 
@@ -39,6 +40,10 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
     if (!port)
         return tl::unexpected(port.error());
     server.simulator.port = *port;
+    auto faults = readFaults(parser.values("fault"));
+    if (!faults)
+        return tl::unexpected(faults.error());
+    server.simulator.faults = *std::move(faults);
     return {};
 }
 
@@ -49,13 +54,15 @@ Result<Options> readOptions(const QStringList& arguments) {
     parser.setApplicationDescription("Watch, drive and program robots in the USARSim simulator.");
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addOptions({{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
-                       {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
-                       {"seed", "Seed of the embedded simulator.", "number", "1"},
-                       {"port", "Port of the embedded simulator.", "port", "3000"},
-                       {"out", "Folder for results.", "folder"},
-                       {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
-                       {"theme", "light or dark.", "theme"}});
+    parser.addOptions(
+        {{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
+         {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
+         {"seed", "Seed of the embedded simulator.", "number", "1"},
+         {"fault", "Something that goes wrong in the embedded simulator; usar-sim --help lists them.", "text"},
+         {"port", "Port of the embedded simulator.", "port", "3000"},
+         {"out", "Folder for results.", "folder"},
+         {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
+         {"theme", "light or dark.", "theme"}});
     parser.addPositionalArgument("file", "A mission to open, or a recording to replay.",
                                  "[MISSION.json | RECORDING.usarrec]");
     if (!parser.parse(arguments))

@@ -134,6 +134,10 @@ void Robot::requestRecord() {
     later([](mission::RobotSession& session) { session.requestRecord(); });
 }
 
+void Robot::noteFault(const QString& sentence) {
+    later([text = sentence.toStdString()](mission::RobotSession& session) { session.noteFault(text); });
+}
+
 void Robot::startRecording(const QString& path, const mission::RecordingFacts& facts) {
     later([=](mission::RobotSession& session) { (void)session.startRecording(path, facts); }); // trouble is a notice
 }

@@ -70,6 +70,7 @@ public:
     void requestRecord();
     void startRecording(const QString& path, const mission::RecordingFacts& facts);
     void stopRecording();
+    void noteFault(const QString& sentence);
     /// Instead of `open`; `replayOpened` or `replayFailed` follows.
     void openRecording(const QString& path);
     void orderReplay(const mission::ReplayOrder& order);

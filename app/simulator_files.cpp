@@ -16,6 +16,13 @@ sim::RobotsRead loadRobots() {
     return sim::readRobots(robotsFolder().toStdString());
 }
 
+QStringList textsOf(const std::vector<std::string>& texts) {
+    QStringList list;
+    for (const std::string& text : texts)
+        list << QString::fromStdString(text);
+    return list;
+}
+
 Result<std::vector<sim::Fault>> readFaults(const QStringList& texts) {
     std::vector<sim::Fault> faults;
     for (const QString& text : texts) {

@@ -1,6 +1,7 @@
 // The worlds and robots that come with the program, read for the embedded simulator.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <QString>
@@ -19,6 +20,7 @@ Result<sim::World> loadWorld(const QString& name_or_folder);
 /// What cannot be read is left out and said.
 sim::RobotsRead loadRobots();
 
+QStringList textsOf(const std::vector<std::string>& texts);
 /// Of texts as people write them; the first that cannot be read is an error with the text and its mend.
 Result<std::vector<sim::Fault>> readFaults(const QStringList& texts);
 

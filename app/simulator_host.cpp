@@ -73,7 +73,8 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     auto simulation = sim::Simulation::make(
         std::move(*world), {.seed = spec.seed,
                             .battery_life = sim::survey_battery_life,
-                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots))});
+                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots)),
+                            .faults = spec.faults});
     if (!simulation)
         return emit failed(QString::fromStdString(simulation.error().text()));
     auto* server = new link::SimulatorServer(std::move(*simulation), worker);
@@ -90,6 +91,9 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     connect(server, &link::SimulatorServer::figuresChanged, this, &SimulatorHost::figuresChanged);
     connect(server, &link::SimulatorServer::robotsChanged, this, &SimulatorHost::robotsChanged);
     connect(server, &link::SimulatorServer::logged, this, &SimulatorHost::noted);
+    connect(server, &link::SimulatorServer::faultsChanged, this, &SimulatorHost::faultsChanged);
+    connect(server, &link::SimulatorServer::faultTurned, this, &SimulatorHost::faultTurned);
+    emit faultsChanged(server->simulation().faults()); // those of the one before are gone
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
     for (const QString& sentence : channels.sentences)
         emit movedPort(sentence);
@@ -105,6 +109,16 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
 void SimulatorHost::setPace(link::Pace pace, double factor) {
     if (server_)
         QMetaObject::invokeMethod(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
+}
+
+void SimulatorHost::addFaults(const std::vector<sim::Fault>& faults) {
+    if (server_)
+        QMetaObject::invokeMethod(server_, [server = server_, faults] { server->addFaults(faults, true); });
+}
+
+void SimulatorHost::endFault(int id) {
+    if (server_)
+        QMetaObject::invokeMethod(server_, [server = server_, id] { server->endFault(id); });
 }
 
 void SimulatorHost::stepOnce() {

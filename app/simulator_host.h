@@ -17,6 +17,7 @@ namespace usar::app {
 struct SimulatorSpec {
     QString world = "tall_test"; ///< name or folder
     quint64 seed = 1;
+    std::vector<sim::Fault> faults{};
     quint16 port = 3000; ///< another one is taken where it is in use; 0 chooses free ones for the channels, too
     ChannelPorts channels{};
 };
@@ -35,6 +36,9 @@ public:
 
     void setPace(link::Pace pace, double factor);
     void stepOnce();
+    /// Their times count from now.
+    void addFaults(const std::vector<sim::Fault>& faults);
+    void endFault(int id);
 
 signals:
     void ready(quint16 port, const usar::app::WorldPicture& world);
@@ -48,6 +52,8 @@ signals:
     /// Before `ready`: where its further channels listen.
     void channelsOpened(const usar::app::ChannelPorts& ports);
     void figuresChanged(const usar::link::SimulatorFigures& figures);
+    void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
+    void faultTurned(const QString& sentence);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
 
 private:

@@ -9,6 +9,7 @@
 #include <QMessageBox>
 
 #include "app/main_window.h"
+#include "app/simulator_files.h"
 #include "core/mission/mission_writer.h"
 #include "widgets/models/figures.h"
 
@@ -43,6 +44,7 @@ void MainWindow::showWorld(const WorldPicture& world) {
     views_.time->setSpeed(1.0);
     views_.time->setPaused(false);
     views_.sensors->setPaused(false);
+    showFaultChoices();
     commands_.refresh();
 }
 
@@ -80,7 +82,8 @@ void MainWindow::spawn(const widgets::SpawnChoice& choice) {
 
 /// A robot's settings go with it: a new robot takes over what was set up before it came.
 void MainWindow::keepDraft() {
-    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values(), cell_size_m_};
+    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values(), cell_size_m_,
+                          mission_faults_};
 }
 
 void MainWindow::showDraft() {
@@ -94,6 +97,7 @@ void MainWindow::showDraft() {
     views_.behavior->setArea(shown.area_in_map);
     views_.map->setArea(shown.area_in_map);
     cell_size_m_ = shown.cell_size_m;
+    mission_faults_ = shown.faults;
 }
 
 void MainWindow::selectRobot(int id) {
@@ -147,6 +151,7 @@ void MainWindow::start() {
     if (!started)
         return complain("start", started.error());
     control_.cure("start");
+    beginMissionFaults();
     views_.hint->setDone(2, true);
     views_.map->setAreaSummary({}); // a plan's figures; the behavior says its own now
     views_.map->fit();
@@ -240,6 +245,8 @@ void MainWindow::openMission(const QString& path) {
     const auto prepared = control_.prepareMission(*mission);
     if (!prepared)
         return complain("mission", prepared.error());
+    if (const auto faults = readFaults(textsOf(mission->faults)); !faults)
+        return complain("mission", mission::atValue(*mission, "faults", faults.error()));
     views_.behavior->chooseBehavior(mission->behavior);
     if (views_.behavior->behaviorId() != mission->behavior)
         return complain("mission", {"the selected robot cannot fly this mission", mission->behavior,
@@ -249,6 +256,7 @@ void MainWindow::openMission(const QString& path) {
     views_.map->setArea(mission->area_in_map);
     views_.map->fit();
     cell_size_m_ = mission->cell_size_m;
+    mission_faults_ = textsOf(mission->faults);
     keepDraft();
     showPlan();
     applyParameters();
@@ -283,6 +291,8 @@ void MainWindow::saveMission(const QString& path) {
     mission.world = control_.level().toStdString();
     if (const Robot* robot = control_.robot(selected_))
         mission.robot_class = robot->view().spawn.class_name;
+    for (const QString& fault : mission_faults_)
+        mission.faults.push_back(fault.toStdString());
     mission.start = startName();
     mission.behavior = behavior_id;
     mission.area_in_map = views_.behavior->area();

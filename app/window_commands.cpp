@@ -34,6 +34,7 @@ void MainWindow::registerCommands() {
     registerLayoutCommands();
     registerMessageCommands();
     registerReplayCommands();
+    registerFaultCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -238,7 +239,7 @@ void MainWindow::makeMenus() {
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
     commands_.fill(server, {"-", "time.pause", "time.step", "time.faster", "time.slower", "time.real", "time.max", "-",
-                            "link.figures"});
+                            "faults.inject", "faults.end", "faults.end_all", "-", "link.figures"});
     commands_.fill(menuBar()->addMenu(tr("M&essages")),
                    {"messages.find",         "messages.command",   "-",
                     "messages.pause",        "messages.follow",    "messages.details",

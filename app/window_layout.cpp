@@ -92,7 +92,11 @@ void MainWindow::registerLayoutCommands() {
                    "message",
                    {QKeySequence("Ctrl+F3")}},
                   [this](bool) { arrange("messages", 0.6); });
-    for (QDockWidget* dock : views_.docks)
+    for (QDockWidget* dock : views_.docks) {
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown)
+                dock->raise(); // it may be one of several tabs
+        });
         commands_.adopt({"view.dock." + dock->objectName(),
                          dock->windowTitle(),
                          tr("View"),
@@ -100,6 +104,7 @@ void MainWindow::registerLayoutCommands() {
                          "",
                          {}},
                         dock->toggleViewAction());
+    }
 }
 
 void MainWindow::arrange(const QString& raised, double bottom_part) {

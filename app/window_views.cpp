@@ -104,6 +104,10 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     auto* layers =
         addDock(window, views, "layers", QObject::tr("Layers"), Qt::LeftDockWidgetArea, views.layers = new LayersPanel);
     layers->hide();
+    auto* faults =
+        addDock(window, views, "faults", QObject::tr("Faults"), Qt::LeftDockWidgetArea, views.faults = new FaultPanel);
+    window.tabifyDockWidget(views.docks[1], faults); // over the behavior, where there is height
+    faults->hide();
     window.tabifyDockWidget(plots, messages);
     window.tabifyDockWidget(messages, views.notifications_dock);
     plots->raise();

@@ -10,6 +10,7 @@
 #include "widgets/command_box.h"
 #include "widgets/command_palette.h"
 #include "widgets/connection_bar.h"
+#include "widgets/fault_panel.h"
 #include "widgets/hint_strip.h"
 #include "widgets/laser_fan_view.h"
 #include "widgets/layers_panel.h"
@@ -58,6 +59,7 @@ struct WindowViews {
     widgets::NotificationCenter* notifications = nullptr;
     widgets::ToastStack* toasts = nullptr;
     widgets::LayersPanel* layers = nullptr;
+    widgets::FaultPanel* faults = nullptr;
     QDockWidget* notifications_dock = nullptr;
     std::vector<QDockWidget*> docks; ///< in the order of the View menu
 };

@@ -70,7 +70,8 @@ void SimulatorServer::stepOnce() {
 
 void SimulatorServer::addFaults(const std::vector<sim::Fault>& faults, bool from_now) {
     for (sim::Fault fault : faults) {
-        fault.from += from_now ? simulation_->now() : Seconds{0.0};
+        if (from_now) // to the millisecond, for people read it
+            fault.from = Seconds{std::round((fault.from + simulation_->now()).count() * 1e3) / 1e3};
         simulation_->addFault(fault);
     }
     emit faultsChanged(simulation_->faults());

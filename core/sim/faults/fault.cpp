@@ -1,5 +1,6 @@
 #include "core/sim/faults/fault.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -170,6 +171,9 @@ Result<Fault> readFault(std::string_view text) {
         if (const auto taken = take(fault, *kind, pair.substr(0, equals), pair.substr(equals + 1)); !taken)
             return tl::unexpected(taken.error());
     }
+    if (fault.kind == FaultKind::SensorBias &&
+        std::ranges::all_of(fault.numbers, [](const auto& one) { return one.second == 0.0; }))
+        return failure("this bias changes nothing", "fault", "Give at least one of by, x, y, z and yaw_deg");
     return fault;
 }
 
