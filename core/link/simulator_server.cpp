@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/numbers.h"
+
 namespace usar::link {
 
 namespace {
@@ -85,7 +87,8 @@ void SimulatorServer::endFault(int id) {
 void SimulatorServer::publishFaults() {
     const std::vector<sim::FaultStatus> news = simulation_->takeFaultNews();
     for (const sim::FaultStatus& one : news)
-        emit faultTurned(QString::fromStdString(sim::sentenceOf(one)));
+        emit faultTurned(
+            QString::fromStdString(fixed((simulation_->now() - tick_).count(), 1) + " s: " + sim::sentenceOf(one)));
     if (!news.empty())
         emit faultsChanged(simulation_->faults());
 }
@@ -108,7 +111,6 @@ void SimulatorServer::readFrom(QTcpSocket* socket, sim::ClientId client) {
     const QByteArray bytes = socket->readAll();
     simulation_->receive(client, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     publishLog();
-    publishFaults();
     flush();
     advance();
 }
@@ -170,6 +172,7 @@ void SimulatorServer::tick() {
     simulation_->step();
     held_up_ = {};
     publishLog();
+    publishFaults();
     flush();
     for (const sim::ClientId client : simulation_->takeCut())
         if (const auto found = sockets_.find(client); found != sockets_.end())

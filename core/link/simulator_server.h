@@ -63,7 +63,7 @@ signals:
     void logged(const QString& sentence);
     /// All faults, whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
-    void faultTurned(const QString& sentence);                            ///< it has begun or ended
+    void faultTurned(const QString& sentence); ///< "60.0 s: fault begins: wind speed=5"
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
 
 private:

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QTimer>
@@ -185,6 +186,7 @@ void MissionRunner::Private::conclude(bool success, const std::string& reason, i
     if (std::exchange(phase, Phase::Over) == Phase::Over)
         return;
     timer.stop();
+    QCoreApplication::sendPostedEvents(&q, QEvent::MetaCall); // the fault that has ended it may be on its way
     const ScanRecord record = session.snapshot();
     RunSummary figures = figuresOf(record);
     figures.success = success;
@@ -259,8 +261,7 @@ void MissionRunner::start() {
 }
 
 void MissionRunner::noteFault(const QString& sentence) {
-    if (d_->phase != Phase::Over)
-        d_->session.noteFault(sentence.toStdString());
+    d_->session.noteFault(sentence.toStdString());
 }
 
 void MissionRunner::interrupt() {

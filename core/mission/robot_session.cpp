@@ -161,7 +161,7 @@ void RobotSession::setCellSize(double cell_size_m) {
 }
 
 void RobotSession::noteFault(const std::string& sentence) {
-    d_->record.faults.push_back(fixed(d_->figures.now.count(), 1) + " s: " + sentence);
+    d_->record.faults.push_back(sentence);
     d_->noteForRecording("fault", sentence);
     d_->say(Severity::Warning, "fault", sentence);
 }

@@ -20,7 +20,7 @@ struct ScanRecord {
     std::vector<agent::MapMark> marks;
     std::vector<Vec3> path_m;
     agent::BehaviorStatus status;
-    /// What was made to go wrong meanwhile, in words: "fault begins: wind speed=5", with the protocol's time before it.
+    /// What was made to go wrong meanwhile, in words: "60.2 s: fault begins: wind speed=5".
     std::vector<std::string> faults;
     /// Larger after every change worth saving: map, path, marks, and of the status its words, charges and distance.
     /// While the map is empty nothing is, so it begins at 0 and a cleared record keeps the old one.

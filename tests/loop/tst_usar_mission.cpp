@@ -130,6 +130,9 @@ void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {
     QCOMPARE(faults.at(0).toString().section(": ", 1), "fault begins: wind speed=1.5 toward_deg=90 gust=0.3 from=5");
     QCOMPARE(faults.at(1).toString().section(": ", 1), "fault begins: battery robot=R1 from=20");
     QVERIFY2(ended.err.contains("fault begins: battery"), ended.err);
+    const Ended cut = run({"run", missionFile(small), "--fault", "link_cut from=5", "--out", folder_->filePath("cut")});
+    QVERIFY2(cut.exit_code == 1, cut.out + cut.err);
+    QCOMPARE(cut.summary["faults"].toArray().at(0).toString(), "5.0 s: fault begins: link_cut from=5");
 }
 
 void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {

@@ -106,7 +106,7 @@ QString tst_SessionRecording::recordAFlight(SessionFixture& live, int ticks) {
     live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {{0.0, 0.0}, {10.0, 20.0}}});
     for (int i = 0; i < ticks; ++i) {
         if (i == ticks / 2)
-            live.session.noteFault("fault begins: wind speed=5");
+            live.session.noteFault("3.0 s: fault begins: wind speed=5");
         if (!live.tickNow())
             return {};
     }
@@ -146,7 +146,7 @@ void tst_SessionRecording::everyByteHasItsTimeNumberAndCause() {
     for (const char* source : {"session: connect", "session: spawn", "test/scripted: surveying", "operator: stop"})
         QVERIFY2(sources.contains(source), source);
     QVERIFY2(notes.find("behavior test/scripted\tR1\t0 0 10 20\n") != std::string::npos, notes.c_str());
-    QVERIFY2(notes.find("fault fault begins: wind speed=5\n") != std::string::npos, notes.c_str());
+    QVERIFY2(notes.find("fault 3.0 s: fault begins: wind speed=5\n") != std::string::npos, notes.c_str());
     QVERIFY2(notes.find("finished 0 Stopped by the operator.\n") != std::string::npos, notes.c_str());
 }
 

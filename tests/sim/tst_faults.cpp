@@ -76,7 +76,7 @@ void tst_Faults::textRoundTrip_data() {
     QTest::newRow("dropout") << "sensor_dropout sensor=Sonar share=0.25";
     QTest::newRow("freeze") << "sensor_freeze robot=R2 sensor=F1 from=12.5";
     QTest::newRow("delay") << "link_delay by=0.4";
-    QTest::newRow("loss") << "link_loss robot=R1 share=0.01 for=10";
+    QTest::newRow("loss") << "link_loss robot=R1 share=0.0005 for=10";
     QTest::newRow("cut") << "link_cut from=100";
     QTest::newRow("half open") << "link_half_open robot=R1 from=20 for=5";
     QTest::newRow("battery") << "battery robot=R1 left=60";

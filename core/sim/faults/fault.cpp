@@ -91,7 +91,13 @@ std::vector<std::string> kindWords() {
 }
 
 std::string short_(double value) {
-    std::string text;
+    std::string text = fixed(value, 6);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    if (readNumber(text) == value)
+        return text; // as people write it
+    text.clear();
     appendShortest(text, value);
     return text;
 }
