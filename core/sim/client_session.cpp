@@ -75,7 +75,7 @@ std::string ClientSession::takeOutput(Seconds now) {
 }
 
 void ClientSession::obeyWaiting(const Host& host) {
-    const bool in_step = lockstep_ && robot_;
+    const bool in_step = lockstep_ && robot_ && heard_tick_;
     std::size_t steps = in_step ? stepsOwed() : 0; // to be taken; the last one ends the commands for this tick
     while (!waiting_.empty() && !(in_step && steps == 0)) {
         const protocol::Command command = std::move(waiting_.front());
@@ -95,6 +95,36 @@ void ClientSession::obeyWaiting(const Host& host) {
     if (wire_)
         for (const protocol::Command& command : wire_->takeCommands(host.now))
             obey(command, host);
+}
+
+void ClientSession::orphan() {
+    orphan_ = robot_ != nullptr;
+    output_.clear();
+    heard_tick_ = false;
+}
+
+std::string ClientSession::wantedName() const {
+    for (const protocol::Command& command : waiting_)
+        if (const auto* const init = std::get_if<protocol::Init>(&command))
+            return init->robot_name.text();
+    return {};
+}
+
+void ClientSession::takeOver(ClientSession& fresh) {
+    orphan_ = heard_tick_ = false;
+    lockstep_ = fresh.lockstep_;
+    output_ = std::move(fresh.output_);
+    splitter_ = std::move(fresh.splitter_);
+    wire_.reset();
+    new_ = true; // faults are set anew
+    std::erase_if(waiting_, [](const auto& one) { return std::holds_alternative<protocol::Step>(one); });
+    bool init_seen = false;
+    for (protocol::Command& command : fresh.waiting_)
+        if (init_seen || !std::holds_alternative<protocol::Init>(command))
+            waiting_.push_back(std::move(command));
+        else
+            init_seen = true;
+    steps_waiting_ = fresh.steps_waiting_;
 }
 
 void ClientSession::setFaults(const std::vector<Fault>& active, const Random& random) {
@@ -198,6 +228,7 @@ void ClientSession::report(Seconds now) {
     if (!robot_)
         return;
     answer(now);
+    heard_tick_ = !orphan_;
     lines_.clear();
     robot_->measure(now, std::exchange(first_tick_, false), lines_);
     for (const protocol::InfoMessage& line : lines_)
@@ -234,10 +265,17 @@ protocol::Response ClientSession::resultOf(const protocol::Command& asked, Secon
 }
 
 void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
-    if (isUdk())
-        return protocol::writeUdk(message, now, robot_ ? robot_->body().model().class_name : std::string(), output_);
-    protocol::write(message, output_);
-    output_ += "\r\n";
+    const std::size_t before = output_.size();
+    if (isUdk()) {
+        protocol::writeUdk(message, now, robot_ ? robot_->body().model().class_name : std::string(), output_);
+    } else {
+        protocol::write(message, output_);
+        output_ += "\r\n";
+    }
+    for (std::size_t i = before; i < output_.size(); ++i)
+        said_digest_ = (said_digest_ ^ static_cast<unsigned char>(output_[i])) * 1099511628211ull;
+    if (orphan_)
+        output_.clear(); // nobody hears it
 }
 
 } // namespace usar::sim

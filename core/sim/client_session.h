@@ -37,7 +37,7 @@ public:
     void leaveLockstep();
     /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
     /// could not answer them), or it has said STEP.
-    bool ready() const { return !lockstep_ || !robot_ || steps_waiting_ >= stepsOwed(); }
+    bool ready() const { return !lockstep_ || !robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed(); }
     bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
@@ -52,6 +52,17 @@ public:
     /// More waits behind a fault than a network would keep.
     bool overfull() const { return wire_ && wire_->overfull(); }
     Seconds spawnedAt() const { return spawned_at_; }
+    /// The client has gone; the robot waits for another one that says INIT with its name.
+    void orphan();
+    bool isOrphan() const { return orphan_; }
+    /// Nobody will come.
+    void giveUpWaiting() { orphan_ = false; }
+    /// The name in an INIT that waits to be obeyed; empty where there is none.
+    std::string wantedName() const;
+    /// This session's robot belongs to the client of `fresh` from now on, whose INIT is obeyed by it.
+    void takeOver(ClientSession& fresh);
+    /// Of all bytes that it ever said.
+    std::uint64_t saidDigest() const { return said_digest_; }
     /// Its robot has not been told of faults yet.
     bool isNew() const { return robot_ && new_; }
 
@@ -104,6 +115,9 @@ private:
     bool initialized_ = false;
     bool controls_ = false; ///< a world controller's connection
     bool first_tick_ = true;
+    bool heard_tick_ = false; ///< the client that is there now has been told of a tick
+    bool orphan_ = false;
+    std::uint64_t said_digest_ = 14695981039346656037ull; ///< FNV-1a
     bool new_ = true;
     Seconds spawned_at_{0.0};
     std::optional<protocol::GetGeometry> geometry_asked_;

@@ -30,8 +30,8 @@ struct SceneObject {
     BodyId body;
     Pose body_in_map;
     std::vector<BodyPart> parts{}; ///< as cameras see it
-    Vec3 size_m = Vec3::Zero(); ///< of its bounding box along its own axes
-    double radius_m = 0.0;      ///< of a sphere that holds it
+    Vec3 size_m = Vec3::Zero();    ///< of its bounding box along its own axes
+    double radius_m = 0.0;         ///< of a sphere that holds it
     std::string memory{};
     std::optional<std::uint32_t> goes_with{}; ///< the client with whom it leaves the world
     ObjectMotion motion{};

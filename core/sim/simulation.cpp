@@ -1,18 +1,10 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/sim/camera/scene_capture.h"
-#include "core/sim/client_session.h"
-#include "core/sim/faults/fault_schedule.h"
-#include "core/sim/physics.h"
-#include "core/sim/ray_caster.h"
-#include "core/sim/robots/robot.h"
-#include "core/sim/scene.h"
-#include "core/sim/world_controller.h"
+#include "core/sim/simulation_state.h"
 
 namespace usar::sim {
 
@@ -33,53 +25,6 @@ Result<void> checked(const World& world, const SimulationOptions& options) {
 }
 
 } // namespace
-
-struct Simulation::State {
-    State(World world_, const SimulationOptions& options_)
-        : still(std::make_shared<const StillWorld>(std::move(world_)))
-        , world(still->world)
-        , options(options_)
-        , physics(makePhysics(world))
-        , caster(still->caster)
-        , scene(makeScene(world, *physics))
-        , controller(world, *physics, scene)
-        , faults(options.seed) {
-        for (const Fault& fault : options.faults)
-            faults.add(fault);
-    }
-
-    void log(ClientId client, const std::string& sentence);
-    std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
-    Pose startOf(ClientId client, const protocol::Init& init);
-    bool attachCamera(const protocol::Command& command);
-    std::string knownClasses() const;
-    void obeyAll();
-    void followFaults();
-    void setFaults(ClientId client, ClientSession& session);
-    bool vanishes(const ClientSession& session) const;
-    void move();
-    void reportAll();
-
-    // In this order: physics and rays look into the world, sessions hold robots that live in the physics.
-    std::shared_ptr<const StillWorld> still;
-    const World& world;
-    SimulationOptions options;
-    std::unique_ptr<Physics> physics;
-    const RayCaster& caster;
-    Scene scene;
-    WorldController controller;
-    FaultSchedule faults;
-    std::map<ClientId, ClientSession> sessions;
-    std::vector<ClientId> cut;
-    std::vector<FaultStatus> fault_news;
-    std::map<std::string, CameraChoice> attached; ///< cameras, by the address of the viewer
-    ClientId last_client;
-    std::uint64_t spawned = 0;
-    std::uint64_t ticks = 0;
-    std::vector<std::string> sentences;
-
-    Seconds now() const { return static_cast<double>(ticks) * options.tick; }
-};
 
 void Simulation::State::log(ClientId client, const std::string& sentence) {
     if (sentences.size() < most_log_sentences)
@@ -236,19 +181,25 @@ Simulation::~Simulation() = default;
 
 ClientId Simulation::connect() {
     const ClientId client{++state_->last_client.value};
+    state_->keep(JournalEntry::Kind::Connect, client.value);
     state_->sessions.try_emplace(client, state_->world, state_->options.profile);
     return client;
 }
 
 void Simulation::disconnect(ClientId client) {
+    state_->keep(JournalEntry::Kind::Disconnect, client.value);
     state_->sessions.erase(client);
     state_->controller.clientLeft(client.value);
 }
 
 void Simulation::receive(ClientId client, std::string_view bytes) {
     const auto found = state_->sessions.find(client);
-    if (found != state_->sessions.end())
-        found->second.receive(bytes, [&](const std::string& sentence) { state_->log(client, sentence); });
+    if (found == state_->sessions.end())
+        return;
+    state_->keep(JournalEntry::Kind::Receive, client.value, bytes);
+    found->second.receive(bytes, [&](const std::string& sentence) { state_->log(client, sentence); });
+    if (!found->second.robot())
+        state_->adopt(client, found->second);
 }
 
 std::string Simulation::takeOutput(ClientId client) {
@@ -258,7 +209,7 @@ std::string Simulation::takeOutput(ClientId client) {
 
 bool Simulation::readyToStep() const {
     return std::all_of(state_->sessions.begin(), state_->sessions.end(),
-                       [](const auto& one) { return one.second.ready(); });
+                       [](const auto& one) { return one.second.ready() && !one.second.isOrphan(); });
 }
 
 bool Simulation::hasLockstepClients() const {
@@ -269,14 +220,19 @@ bool Simulation::hasLockstepClients() const {
 std::vector<ClientId> Simulation::awaited() const {
     std::vector<ClientId> clients;
     for (const auto& [client, session] : state_->sessions)
-        if (!session.ready())
+        if (!session.ready() || session.isOrphan())
             clients.push_back(client);
     return clients;
 }
 
 void Simulation::releaseFromLockstep(ClientId client) {
     const auto found = state_->sessions.find(client);
-    if (found != state_->sessions.end())
+    if (found == state_->sessions.end())
+        return;
+    state_->keep(JournalEntry::Kind::Release, client.value);
+    if (found->second.isOrphan())
+        state_->sessions.erase(found);
+    else
         found->second.leaveLockstep();
 }
 
@@ -294,10 +250,12 @@ void Simulation::step() {
 }
 
 int Simulation::addFault(const Fault& fault) {
+    state_->keep(JournalEntry::Kind::AddFault, 0, write(fault));
     return state_->faults.add(fault);
 }
 
 bool Simulation::endFault(int id) {
+    state_->keep(JournalEntry::Kind::EndFault, static_cast<std::uint32_t>(id));
     return state_->faults.end(id);
 }
 

@@ -16,6 +16,7 @@
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
 #include "core/sim/robots/robot_model.h"
+#include "core/sim/snapshot.h"
 #include "core/sim/world.h"
 
 namespace usar::sim {
@@ -68,6 +69,21 @@ public:
     /// Bytes for the client since the last call.
     std::string takeOutput(ClientId client);
 
+    /// This moment, to go on from. Fails where the run has been told more than can be kept (256 MiB).
+    Result<Snapshot> snapshot() const;
+    /// Goes on where the snapshot was taken, with this world and these robots; fails where they are not those of the
+    /// run any more. Its robots wait, and time with them, each for a client that says INIT with its name; one that
+    /// nobody wants is let go by `releaseFromLockstep`.
+    static Result<std::unique_ptr<Simulation>> resume(World world, std::shared_ptr<const RobotCatalog> robots,
+                                                      const Snapshot& snapshot);
+    /// A robot that waits.
+    struct Orphan {
+        std::string class_name; ///< as INIT takes it
+        std::string name;
+        Pose base_in_map;
+    };
+    std::vector<Orphan> orphans() const;
+
     /// False while a lockstep client has not said STEP since the last tick.
     bool readyToStep() const;
     bool hasLockstepClients() const;
@@ -106,6 +122,7 @@ public:
 
 private:
     struct State;
+    void apply(const JournalEntry& entry);
     explicit Simulation(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

@@ -1,0 +1,178 @@
+// How a simulation is kept and taken up again: by what it was told.
+#include <algorithm>
+#include <bit>
+
+#include "core/sim/simulation_state.h"
+
+namespace usar::sim {
+
+namespace {
+
+/// FNV-1a, 64 bit.
+class Digest {
+public:
+    void add(std::uint64_t value) {
+        for (int byte = 0; byte < 8; ++byte)
+            value_ = (value_ ^ ((value >> (8 * byte)) & 0xff)) * 1099511628211ull;
+    }
+    void add(const Pose& pose) {
+        for (const double number : {pose.position_m.x(), pose.position_m.y(), pose.position_m.z(), pose.roll_rad,
+                                    pose.pitch_rad, pose.yaw_rad})
+            add(std::bit_cast<std::uint64_t>(number));
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 14695981039346656037ull;
+};
+
+std::vector<std::string> textsOf(const std::vector<Fault>& faults) {
+    std::vector<std::string> texts;
+    for (const Fault& fault : faults)
+        texts.push_back(write(fault));
+    return texts;
+}
+
+} // namespace
+
+/// Neighboring bytes of one client in one tick are one entry: how they were cut into pieces changes nothing.
+void Simulation::State::keep(JournalEntry::Kind kind, std::uint32_t client, std::string_view bytes) {
+    journal_bytes += bytes.size() + sizeof(JournalEntry);
+    if (journal_bytes > most_journal_bytes)
+        return journal.clear(); // a run of weeks; its snapshots are refused
+    JournalEntry* const last = journal.empty() ? nullptr : &journal.back();
+    if (kind == JournalEntry::Kind::Receive && last && last->kind == kind && last->client == client &&
+        last->tick == ticks)
+        last->bytes += bytes;
+    else
+        journal.push_back({kind, ticks, client, std::string(bytes)});
+}
+
+std::uint64_t Simulation::State::digest() const {
+    Digest digest;
+    digest.add(ticks);
+    for (const auto& [client, session] : sessions) {
+        digest.add(client.value);
+        digest.add(session.saidDigest());
+        if (session.robot())
+            digest.add(session.robot()->figures().base_in_map);
+    }
+    for (const SceneObject& object : scene.objects)
+        digest.add(object.body_in_map);
+    return digest.value();
+}
+
+/// A client that says INIT with the name of a robot that waits gets it, at once, for time stands still until then.
+bool Simulation::State::adopt(ClientId client, ClientSession& session) {
+    const std::string name = session.wantedName();
+    const auto orphan = std::ranges::find_if(
+        sessions, [&](const auto& one) { return one.second.isOrphan() && one.second.robotName() == name; });
+    if (name.empty() || orphan == sessions.end())
+        return false;
+    orphan->second.takeOver(session);
+    auto taken = sessions.extract(orphan);
+    taken.key() = client;
+    sessions.erase(client);
+    sessions.insert(std::move(taken));
+    log(client, "goes on with '" + name + "'");
+    return true;
+}
+
+Result<Snapshot> Simulation::snapshot() const {
+    if (state_->journal_bytes > most_journal_bytes)
+        return failure("this run has been told too much to be kept", "snapshot", "Start the simulator anew");
+    const SimulationOptions& options = state_->options;
+    return Snapshot{.world = state_->world.name,
+                    .seed = options.seed,
+                    .profile = options.profile,
+                    .tick = options.tick,
+                    .physics_steps_per_tick = options.physics_steps_per_tick,
+                    .battery_life = options.battery_life,
+                    .noise = options.noise,
+                    .faults = textsOf(options.faults),
+                    .ticks = state_->ticks,
+                    .digest = state_->digest(),
+                    .journal = state_->journal};
+}
+
+void Simulation::apply(const JournalEntry& entry) {
+    const ClientId client{entry.client};
+    switch (entry.kind) {
+    case JournalEntry::Kind::Connect:
+        connect();
+        break;
+    case JournalEntry::Kind::Disconnect:
+        disconnect(client);
+        break;
+    case JournalEntry::Kind::Receive:
+        receive(client, entry.bytes);
+        break;
+    case JournalEntry::Kind::Release:
+        releaseFromLockstep(client);
+        break;
+    case JournalEntry::Kind::AddFault:
+        if (const auto fault = readFault(entry.bytes))
+            addFault(*fault);
+        break;
+    case JournalEntry::Kind::EndFault:
+        endFault(static_cast<int>(entry.client));
+        break;
+    case JournalEntry::Kind::Resume:
+        state_->keep(entry.kind);
+        std::erase_if(state_->sessions, [](const auto& one) { return !one.second.robot(); });
+        for (auto& [id, session] : state_->sessions)
+            session.orphan();
+        break;
+    }
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_ptr<const RobotCatalog> robots,
+                                                       const Snapshot& snapshot) {
+    SimulationOptions options;
+    options.seed = snapshot.seed;
+    options.profile = snapshot.profile;
+    options.tick = snapshot.tick;
+    options.physics_steps_per_tick = snapshot.physics_steps_per_tick;
+    options.battery_life = snapshot.battery_life;
+    options.noise = snapshot.noise;
+    options.robots = std::move(robots);
+    for (const std::string& text : snapshot.faults) {
+        auto fault = readFault(text);
+        if (!fault)
+            return tl::unexpected(fault.error());
+        options.faults.push_back(*std::move(fault));
+    }
+    auto made = make(std::move(world), options);
+    if (!made)
+        return made;
+    Simulation& simulation = **made;
+    auto entry = snapshot.journal.begin();
+    const auto applyUntilNow = [&] {
+        for (; entry != snapshot.journal.end() && entry->tick <= simulation.state_->ticks; ++entry)
+            simulation.apply(*entry);
+    };
+    for (applyUntilNow(); simulation.state_->ticks < snapshot.ticks; applyUntilNow()) {
+        simulation.step();
+        for (auto& [client, session] : simulation.state_->sessions)
+            session.takeOutput(simulation.now()); // as its server did
+    }
+    if (simulation.state_->digest() != snapshot.digest)
+        return failure("the run does not come out as it was", "snapshot of " + snapshot.world,
+                       "World, robot files and program must be those that it was made with");
+    simulation.apply({.kind = JournalEntry::Kind::Resume, .tick = snapshot.ticks});
+    simulation.takeLog();
+    simulation.takeFaultNews();
+    simulation.takeCut();
+    return made;
+}
+
+std::vector<Simulation::Orphan> Simulation::orphans() const {
+    std::vector<Orphan> waiting;
+    for (const auto& [client, session] : state_->sessions)
+        if (session.isOrphan())
+            waiting.push_back({"USARBot." + session.robot()->body().model().class_name, session.robotName(),
+                               session.robot()->figures().base_in_map});
+    return waiting;
+}
+
+} // namespace usar::sim

@@ -1,0 +1,173 @@
+#include "core/sim/snapshot.h"
+
+#include <charconv>
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr std::string_view first_line = "USARSim snapshot 1";
+constexpr std::string_view kinds = "cdrlfeo";
+
+void add(std::string& out, std::string_view key, std::string_view value) {
+    out.append(key).append(" ").append(value).append("\n");
+}
+
+void add(std::string& out, std::string_view key, std::uint64_t value) {
+    add(out, key, std::to_string(value));
+}
+
+void addNumber(std::string& out, std::string_view key, double value) {
+    std::string text;
+    appendShortest(text, value);
+    add(out, key, text);
+}
+
+/// Goes through the file; the first trouble is kept.
+class Reading {
+public:
+    explicit Reading(std::string_view file) : rest_(file) {}
+
+    bool done() const { return rest_.empty() || error_; }
+    const std::optional<Error>& error() const { return error_; }
+
+    std::string_view line() {
+        ++line_;
+        const std::size_t end = rest_.find('\n');
+        if (end == std::string_view::npos) {
+            fail("the file breaks off");
+            return {};
+        }
+        const std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(end + 1);
+        return line;
+    }
+
+    std::string bytes(std::uint64_t count) {
+        if (count >= rest_.size() || rest_[count] != '\n') {
+            fail("the file breaks off, or bytes are missing");
+            return {};
+        }
+        std::string bytes(rest_.substr(0, count));
+        rest_.remove_prefix(count + 1);
+        return bytes;
+    }
+
+    std::uint64_t whole(std::string_view text, std::string_view what) {
+        std::uint64_t value = 0;
+        const auto [end, trouble] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (trouble != std::errc() || end != text.data() + text.size())
+            fail("'" + std::string(text) + "' is no " + std::string(what));
+        return value;
+    }
+
+    double number(std::string_view text, std::string_view what) {
+        const auto value = readNumber(text);
+        if (!value || !(*value > 0.0))
+            fail("'" + std::string(text) + "' is no " + std::string(what));
+        return value.value_or(1.0);
+    }
+
+    void fail(const std::string& what) {
+        if (!error_)
+            error_ =
+                Error{what, "snapshot, line " + std::to_string(line_), "Choose a file that Save snapshot has written"};
+    }
+
+private:
+    std::string_view rest_;
+    int line_ = 0;
+    std::optional<Error> error_;
+};
+
+void readHead(Reading& reading, std::string_view key, std::string_view value, Snapshot& snapshot) {
+    if (key == "world")
+        snapshot.world = value;
+    else if (key == "seed")
+        snapshot.seed = reading.whole(value, "seed");
+    else if (key == "profile")
+        snapshot.profile = value == "udk" ? protocol::Dialect::Udk : protocol::Dialect::Ut2004;
+    else if (key == "tick_s")
+        snapshot.tick = Seconds{reading.number(value, "time")};
+    else if (key == "physics_steps_per_tick")
+        snapshot.physics_steps_per_tick = static_cast<int>(reading.whole(value, "number of steps"));
+    else if (key == "battery_life_s")
+        snapshot.battery_life = Seconds{reading.number(value, "time")};
+    else if (key == "noise")
+        snapshot.noise = value != "off";
+    else if (key == "fault")
+        snapshot.faults.emplace_back(value);
+    else if (key == "ticks")
+        snapshot.ticks = reading.whole(value, "number of ticks");
+    else if (key == "digest")
+        snapshot.digest = reading.whole(value, "digest");
+    else
+        reading.fail("unknown word '" + std::string(key) + "'");
+}
+
+} // namespace
+
+std::string write(const Snapshot& snapshot) {
+    std::string out(first_line);
+    out += '\n';
+    add(out, "world", snapshot.world);
+    add(out, "seed", snapshot.seed);
+    add(out, "profile", snapshot.profile == protocol::Dialect::Udk ? "udk" : "ut2004");
+    addNumber(out, "tick_s", snapshot.tick.count());
+    add(out, "physics_steps_per_tick", static_cast<std::uint64_t>(snapshot.physics_steps_per_tick));
+    if (snapshot.battery_life)
+        addNumber(out, "battery_life_s", snapshot.battery_life->count());
+    add(out, "noise", snapshot.noise ? "on" : "off");
+    for (const std::string& fault : snapshot.faults)
+        add(out, "fault", fault);
+    add(out, "ticks", snapshot.ticks);
+    add(out, "digest", snapshot.digest);
+    add(out, "journal", snapshot.journal.size());
+    for (const JournalEntry& entry : snapshot.journal) {
+        out += static_cast<char>(entry.kind);
+        for (const std::uint64_t value : {entry.tick, std::uint64_t(entry.client), std::uint64_t(entry.bytes.size())})
+            out += " " + std::to_string(value);
+        out += '\n';
+        out += entry.bytes;
+        out += '\n';
+    }
+    return out;
+}
+
+Result<Snapshot> readSnapshot(std::string_view file) {
+    Reading reading(file);
+    Snapshot snapshot;
+    if (reading.line() != first_line)
+        return failure("this is no snapshot", "line 1", "Choose a file that Save snapshot has written");
+    std::uint64_t entries = 0;
+    while (!reading.done()) {
+        std::string_view line = reading.line();
+        const std::string_view key = takeWord(line);
+        if (key == "journal") {
+            entries = reading.whole(trimmed(line), "number of entries");
+            break;
+        }
+        readHead(reading, key, trimmed(line), snapshot);
+    }
+    for (; entries > 0 && !reading.error(); --entries) {
+        std::string_view line = reading.line();
+        const std::string_view kind = takeWord(line);
+        JournalEntry entry;
+        if (kind.size() != 1 || kinds.find(kind.front()) == std::string_view::npos)
+            reading.fail("'" + std::string(kind) + "' is no kind of entry");
+        else
+            entry.kind = static_cast<JournalEntry::Kind>(kind.front());
+        entry.tick = reading.whole(takeWord(line), "tick");
+        entry.client = static_cast<std::uint32_t>(reading.whole(takeWord(line), "client"));
+        entry.bytes = reading.bytes(reading.whole(takeWord(line), "count of bytes"));
+        snapshot.journal.push_back(std::move(entry));
+    }
+    if (reading.error())
+        return tl::unexpected(*reading.error());
+    return snapshot;
+}
+
+} // namespace usar::sim
