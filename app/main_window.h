@@ -43,12 +43,14 @@ public slots:
     void selectRobot(int id);
     void openMission(const QString& path);
     void openRecording(const QString& path) { control_.openRecording(path); }
+    /// The embedded simulator goes on from there.
+    void openSnapshot(const QString& path);
     /// What the selected robot is set up to do.
     void saveMission(const QString& path);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    /// A mission or a recording may be dropped anywhere on the window.
+    /// A mission, a recording or a snapshot may be dropped anywhere on the window.
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -56,6 +58,7 @@ private:
     void registerCommands();
     void registerFileCommands();
     void registerWorldCommands();
+    void registerSnapshotCommands();
     void fillWorldMenu(QMenu* menu);
     /// The embedded simulator starts anew in it.
     void chooseWorld(const QString& name_or_folder);

@@ -28,12 +28,14 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
         note(Severity::Error, "export", reason);
         emit exportFailed(id, reason);
     });
-    connect(&simulator_, &SimulatorHost::ready, this, [this](quint16 port, const WorldPicture& world) {
-        port_ = port;
-        world_extent_in_map_ = world.extent_in_map;
-        emit worldKnown(world);
-        openNext();
-    });
+    connect(&simulator_, &SimulatorHost::ready, this,
+            [this](quint16 port, const WorldPicture& world, const auto& waiting) {
+                port_ = port;
+                waiting_ = waiting;
+                world_extent_in_map_ = world.extent_in_map;
+                emit worldKnown(world);
+                openNext();
+            });
     connect(&simulator_, &SimulatorHost::failed, this, [this](const QString& reason) {
         note(Severity::Error, "simulator", tr("The embedded simulator did not start. %1").arg(reason));
     });
@@ -73,6 +75,7 @@ void MissionControl::disconnectFromServer() {
         if (!robot->isReplay()) // it needs no server
             remove(robot->view().id);
     next_.reset();
+    waiting_.clear();
     simulator_.stop();
     level_.clear();
     world_extent_in_map_ = {};
@@ -122,10 +125,23 @@ void MissionControl::linkMoved(Robot* robot) {
         emit linkChanged(status);
     else
         emit robotLinkChanged(robot->view().id);
+    if (robot == next_.get() && status.state == link::LinkState::Connected && !waiting_.empty())
+        goOnWithNext();
     if (status.state == link::LinkState::Connected)
         emit cured("link");
     else if (!status.reason.isEmpty())
         note(Severity::Error, "link", status.reason);
+}
+
+void MissionControl::goOnWithNext() {
+    const sim::Simulation::Orphan orphan = waiting_.front();
+    waiting_.erase(waiting_.begin());
+    if (const auto id = spawn({orphan.class_name, orphan.name, orphan.base_in_map}); !id) {
+        note(Severity::Warning, "snapshot",
+             tr("The snapshot goes on without some of its robots. %1").arg(QString::fromStdString(id.error().text())));
+        waiting_.clear();
+        simulator_.letOrphansGo();
+    }
 }
 
 int MissionControl::nextId() const {

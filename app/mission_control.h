@@ -126,6 +126,8 @@ private:
     QString unusedName(const QString& name) const;
     void tell(Robot* robot, const mission::Notice& notice);
     void linkMoved(Robot* robot);
+    /// The next robot of a snapshot gets the connection that is free.
+    void goOnWithNext();
     void finished(Robot* robot, bool success, const QString& reason);
     void exported(int id, const QStringList& files);
     void closeWhenSaved();
@@ -145,7 +147,8 @@ private:
     std::unique_ptr<Robot> next_;                 ///< connected, not spawned
     std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
     bool recording_ = true;
-    std::map<int, sim::RobotTruth> truths_; ///< for the summary only
+    std::map<int, sim::RobotTruth> truths_;        ///< for the summary only
+    std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each
     bool closing_ = false;
 };
 

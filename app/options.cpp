@@ -63,8 +63,8 @@ Result<Options> readOptions(const QStringList& arguments) {
          {"out", "Folder for results.", "folder"},
          {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
          {"theme", "light or dark.", "theme"}});
-    parser.addPositionalArgument("file", "A mission to open, or a recording to replay.",
-                                 "[MISSION.json | RECORDING.usarrec]");
+    parser.addPositionalArgument("file", "A mission to open, a recording to replay, or a snapshot to go on from.",
+                                 "[MISSION.json | RECORDING.usarrec | SNAPSHOT.usarsnap]");
     if (!parser.parse(arguments))
         return failure(parser.errorText().toStdString(), "", "Try --help");
     if (parser.isSet("help"))
@@ -77,7 +77,9 @@ Result<Options> readOptions(const QStringList& arguments) {
     if (parser.isSet("plugins"))
         options.plugin_folders = pluginFolders() + parser.values("plugins");
     const QString file = parser.positionalArguments().value(0);
-    (file.endsWith(".usarrec") ? options.recording : options.mission_file) = file;
+    (file.endsWith(".usarrec")    ? options.recording
+     : file.endsWith(".usarsnap") ? options.server.simulator.snapshot
+                                  : options.mission_file) = file;
     const QString theme = parser.value("theme");
     if (theme == "light")
         options.theme = widgets::Theme::Light;

@@ -1,5 +1,8 @@
 #include "app/simulator_files.h"
 
+#include <QFile>
+#include <QSaveFile>
+
 #include "app/locations.h"
 #include "core/sim/world_reader.h"
 
@@ -14,6 +17,43 @@ Result<sim::World> loadWorld(const QString& name_or_folder) {
 
 sim::RobotsRead loadRobots() {
     return sim::readRobots(robotsFolder().toStdString());
+}
+
+Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
+                                                          std::shared_ptr<const sim::RobotCatalog> robots) {
+    constexpr qint64 most_bytes = qint64(512) << 20;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure("cannot read the snapshot: " + file.errorString().toStdString(), path.toStdString(),
+                       "Check the path");
+    if (file.size() > most_bytes)
+        return failure("this is larger than any snapshot", path.toStdString(), "Choose a snapshot file");
+    const auto snapshot = sim::readSnapshot(file.readAll().toStdString());
+    const auto inFile = [&](const Error& error) {
+        return failure(error.where + ": " + error.what, path.toStdString(), error.mend);
+    };
+    if (!snapshot)
+        return inFile(snapshot.error());
+    auto world = loadWorld(QString::fromStdString(snapshot->world));
+    if (!world)
+        return inFile(world.error());
+    auto simulation = sim::Simulation::resume(*std::move(world), std::move(robots), *snapshot);
+    if (!simulation)
+        return inFile(simulation.error());
+    return simulation;
+}
+
+Result<void> saveSnapshot(const sim::Simulation& simulation, const QString& path) {
+    const auto snapshot = simulation.snapshot();
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    const std::string bytes = sim::write(*snapshot);
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), qint64(bytes.size())) == qint64(bytes.size()) &&
+        file.commit())
+        return {};
+    return failure("the snapshot cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                   "Choose another folder");
 }
 
 QStringList textsOf(const std::vector<std::string>& texts) {

@@ -1,6 +1,7 @@
 // The worlds and robots that come with the program, read for the embedded simulator.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/sim/faults/fault.h"
 #include "core/sim/robots/robot_reader.h"
+#include "core/sim/simulation.h"
 #include "core/sim/world.h"
 
 namespace usar::app {
@@ -19,6 +21,12 @@ Result<sim::World> loadWorld(const QString& name_or_folder);
 
 /// What cannot be read is left out and said.
 sim::RobotsRead loadRobots();
+
+/// Goes on from a snapshot's file, in its own world. It takes as long as the run took, divided by some hundred.
+Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
+                                                          std::shared_ptr<const sim::RobotCatalog> robots);
+/// A file that is there is replaced only by a whole one.
+Result<void> saveSnapshot(const sim::Simulation& simulation, const QString& path);
 
 QStringList textsOf(const std::vector<std::string>& texts);
 /// Of texts as people write them; the first that cannot be read is an error with the text and its mend.

@@ -59,24 +59,34 @@ void SimulatorHost::retire() {
     worker_ = nullptr;
 }
 
-/// Runs in the simulator's thread.
-void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
+/// Runs in the simulator's thread, as `serve` does.
+Result<std::unique_ptr<sim::Simulation>> SimulatorHost::begin(const SimulatorSpec& spec, sim::RobotsRead& robots) {
+    auto catalog = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
+    if (!spec.snapshot.isEmpty())
+        return resumeSimulation(spec.snapshot, std::move(catalog));
     Result<sim::World> world = loadWorld(spec.world);
     if (!world)
-        return emit failed(QString::fromStdString(world.error().text()));
-    WorldPicture picture = pictureOf(*world);
+        return tl::unexpected(world.error());
+    return sim::Simulation::make(std::move(*world), {.seed = spec.seed,
+                                                     .battery_life = sim::survey_battery_life,
+                                                     .robots = std::move(catalog),
+                                                     .faults = spec.faults,
+                                                     .world_source = spec.world.toStdString()});
+}
+
+void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     sim::RobotsRead robots = loadRobots();
+    QStringList classes;
     for (const sim::RobotModel& robot : robots.robots)
-        picture.robot_classes << QString::fromStdString(robot.class_name);
+        classes << QString::fromStdString(robot.class_name);
     for (const Error& refused : robots.refused)
         emit robotRefused(QString::fromStdString(refused.text()));
-    auto simulation = sim::Simulation::make(
-        std::move(*world), {.seed = spec.seed,
-                            .battery_life = sim::survey_battery_life,
-                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots)),
-                            .faults = spec.faults});
+    auto simulation = begin(spec, robots);
     if (!simulation)
         return emit failed(QString::fromStdString(simulation.error().text()));
+    WorldPicture picture = pictureOf((*simulation)->world());
+    picture.robot_classes = classes;
+    const std::vector<sim::Simulation::Orphan> waiting = (*simulation)->orphans();
     auto* server = new link::SimulatorServer(std::move(*simulation), worker);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
@@ -97,12 +107,12 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
     for (const QString& sentence : channels.sentences)
         emit movedPort(sentence);
-    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture, ports = channels.ports] {
+    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture, waiting, ports = channels.ports] {
         if (worker != worker_)
             return; // retired while it was loading
         server_ = server;
         emit channelsOpened(ports);
-        emit ready(port, picture);
+        emit ready(port, picture, waiting);
     });
 }
 
@@ -119,6 +129,23 @@ void SimulatorHost::addFaults(const std::vector<sim::Fault>& faults) {
 void SimulatorHost::endFault(int id) {
     if (server_)
         QMetaObject::invokeMethod(server_, [server = server_, id] { server->endFault(id); });
+}
+
+void SimulatorHost::saveSnapshot(const QString& path) {
+    if (!server_)
+        return;
+    QMetaObject::invokeMethod(server_, [this, server = server_, path] {
+        const auto saved = app::saveSnapshot(server->simulation(), path);
+        if (saved)
+            emit snapshotSaved(path);
+        else
+            emit snapshotFailed(QString::fromStdString(saved.error().text()));
+    });
+}
+
+void SimulatorHost::letOrphansGo() {
+    if (server_)
+        QMetaObject::invokeMethod(server_, [server = server_] { server->letOrphansGo(); });
 }
 
 void SimulatorHost::stepOnce() {

@@ -11,11 +11,13 @@
 #include "app/world_picture.h"
 #include "core/base/geometry.h"
 #include "core/link/simulator_server.h"
+#include "core/sim/robots/robot_reader.h"
 
 namespace usar::app {
 
 struct SimulatorSpec {
     QString world = "tall_test"; ///< name or folder
+    QString snapshot{};          ///< a file to go on from; world, seed and faults are then its own
     quint64 seed = 1;
     std::vector<sim::Fault> faults{};
     quint16 port = 3000; ///< another one is taken where it is in use; 0 chooses free ones for the channels, too
@@ -39,9 +41,17 @@ public:
     /// Their times count from now.
     void addFaults(const std::vector<sim::Fault>& faults);
     void endFault(int id);
+    /// `snapshotSaved` or `snapshotFailed` follows.
+    void saveSnapshot(const QString& path);
+    /// Time goes on without the robots that wait since a snapshot was taken up.
+    void letOrphansGo();
 
 signals:
-    void ready(quint16 port, const usar::app::WorldPicture& world);
+    /// `waiting` are the robots of a snapshot: each wants a connection that says INIT with its name.
+    void ready(quint16 port, const usar::app::WorldPicture& world,
+               const std::vector<usar::sim::Simulation::Orphan>& waiting);
+    void snapshotSaved(const QString& path);
+    void snapshotFailed(const QString& reason);
     /// One sentence with the mend.
     void failed(const QString& reason);
     void noted(const QString& sentence);
@@ -58,6 +68,7 @@ signals:
 
 private:
     void serve(const SimulatorSpec& spec, QObject* worker);
+    Result<std::unique_ptr<sim::Simulation>> begin(const SimulatorSpec& spec, sim::RobotsRead& robots);
     void launch(const SimulatorSpec& spec);
     void retire();
 

@@ -29,6 +29,8 @@ struct Settings {
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
+    QString resume;
+    QString save;
     std::vector<usar::sim::Fault> faults;
     usar::protocol::Dialect profile = usar::protocol::Dialect::Ut2004;
 };
@@ -83,6 +85,8 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
     if (!faults)
         return tl::unexpected(faults.error());
     settings.faults = *std::move(faults);
+    settings.resume = parser.value("resume");
+    settings.save = parser.value("save");
     const auto type = static_cast<int>(image_types.indexOf(parser.value("image-type").toLower()));
     if (type < 0)
         return usar::failure("'" + parser.value("image-type").toStdString() + "' is no type of picture", "--image-type",
@@ -113,6 +117,8 @@ void addOptions(QCommandLineParser& parser) {
                        {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
                        {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
                        {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
+                       {"resume", "A snapshot to go on from; world, seed, profile and faults are its own.", "file"},
+                       {"save", "Where a snapshot is saved when the program ends.", "file"},
                        {"fault", "Something that goes wrong; again for more. See above.", "text"},
                        {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
 }
@@ -123,6 +129,12 @@ int complain(const usar::Error& error) {
 }
 
 usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settings& settings) {
+    usar::sim::RobotsRead robots = usar::app::loadRobots();
+    for (const usar::Error& refused : robots.refused)
+        complain(refused);
+    auto catalog = std::make_shared<const usar::sim::RobotCatalog>(std::move(robots.robots));
+    if (!settings.resume.isEmpty())
+        return usar::app::resumeSimulation(settings.resume, std::move(catalog));
     auto world = usar::app::loadWorld(settings.world);
     if (!world)
         return tl::unexpected(world.error());
@@ -130,14 +142,12 @@ usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settin
     options.seed = settings.seed;
     options.profile = settings.profile;
     options.faults = settings.faults;
+    options.world_source = settings.world.toStdString();
     if (settings.profile == usar::protocol::Dialect::Udk) { // each sensor at its own interval, the state at 10 Hz
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;
     }
-    usar::sim::RobotsRead robots = usar::app::loadRobots();
-    for (const usar::Error& refused : robots.refused)
-        complain(refused);
-    options.robots = std::make_shared<const usar::sim::RobotCatalog>(std::move(robots.robots));
+    options.robots = std::move(catalog);
     return usar::sim::Simulation::make(std::move(*world), options);
 }
 
@@ -175,9 +185,16 @@ int main(int argc, char** argv) {
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
                 level.c_str(), static_cast<unsigned>(*port), static_cast<unsigned>(*port));
     std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(channels.ports.image));
+    for (const usar::sim::Simulation::Orphan& robot : server.simulation().orphans())
+        std::printf("%s %s waits, and time with it, for a client that says INIT with its name\n",
+                    robot.class_name.c_str(), robot.name.c_str());
     std::fflush(stdout);
 
     usar::app::QuitSignals signals_;
     QObject::connect(&signals_, &usar::app::QuitSignals::quit, &application, &QCoreApplication::quit);
-    return application.exec();
+    const int exit_code = application.exec();
+    if (settings->save.isEmpty())
+        return exit_code;
+    const auto saved = usar::app::saveSnapshot(server.simulation(), settings->save);
+    return saved ? exit_code : complain(saved.error());
 }

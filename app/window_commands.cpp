@@ -30,6 +30,7 @@ void MainWindow::registerCommands() {
     registerViewCommands();
     registerLinkCommands();
     registerWorldCommands();
+    registerSnapshotCommands();
     registerTimeCommands();
     registerLayoutCommands();
     registerMessageCommands();
@@ -238,8 +239,9 @@ void MainWindow::makeMenus() {
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
-    commands_.fill(server, {"-", "time.pause", "time.step", "time.faster", "time.slower", "time.real", "time.max", "-",
-                            "faults.inject", "faults.end", "faults.end_all", "-", "link.figures"});
+    commands_.fill(server, {"simulator.save_snapshot", "simulator.open_snapshot", "-", "time.pause", "time.step",
+                            "time.faster", "time.slower", "time.real", "time.max", "-", "faults.inject", "faults.end",
+                            "faults.end_all", "-", "link.figures"});
     commands_.fill(menuBar()->addMenu(tr("M&essages")),
                    {"messages.find",         "messages.command",   "-",
                     "messages.pause",        "messages.follow",    "messages.details",

@@ -15,7 +15,8 @@ QString fileOf(const QMimeData& data) {
     if (data.urls().size() != 1)
         return {};
     const QString path = data.urls().first().toLocalFile();
-    return path.endsWith(".usarrec") || path.endsWith(".json") ? path : QString();
+    const bool known = path.endsWith(".usarrec") || path.endsWith(".usarsnap") || path.endsWith(".json");
+    return known ? path : QString();
 }
 
 } // namespace
@@ -153,7 +154,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (path.isEmpty())
         return;
     event->acceptProposedAction();
-    if (path.endsWith(".usarrec"))
+    if (path.endsWith(".usarsnap"))
+        openSnapshot(path);
+    else if (path.endsWith(".usarrec"))
         openRecording(path);
     else
         openMission(path);

@@ -48,6 +48,49 @@ void MainWindow::registerWorldCommands() {
         nothing_runs);
 }
 
+void MainWindow::registerSnapshotCommands() {
+    const QString filter = tr("Snapshots (*.usarsnap)");
+    commands_.add(
+        {"simulator.save_snapshot",
+         tr("Save snapshot…"),
+         tr("World"),
+         tr("This moment of the embedded simulator, to go on from later, as often as you like"),
+         "",
+         {}},
+        [this, filter](bool) {
+            const QString path = QFileDialog::getSaveFileName(this, tr("Save snapshot"), "run.usarsnap", filter);
+            if (!path.isEmpty())
+                control_.simulator().saveSnapshot(path);
+        },
+        [this] { return control_.simulator().running(); });
+    commands_.add(
+        {"simulator.open_snapshot",
+         tr("Open snapshot…"),
+         tr("World"),
+         tr("The embedded simulator goes on from a moment that was saved, with its robots; those that are there end"),
+         "",
+         {}},
+        [this, filter](bool) {
+            const QString path = QFileDialog::getOpenFileName(this, tr("Open snapshot"), {}, filter);
+            if (!path.isEmpty())
+                openSnapshot(path);
+        });
+    connect(&control_.simulator(), &SimulatorHost::snapshotSaved, this, [this](const QString& path) {
+        control_.cure("snapshot");
+        say(Severity::Note, "snapshot-saved", tr("Snapshot saved: %1").arg(path));
+    });
+    connect(&control_.simulator(), &SimulatorHost::snapshotFailed, this,
+            [this](const QString& reason) { say(Severity::Error, "snapshot", reason); });
+}
+
+void MainWindow::openSnapshot(const QString& path) {
+    options_.server.simulator.snapshot = path;
+    views_.connection->setServer(widgets::ServerChoice::Embedded);
+    connectTo(widgets::ServerChoice::Embedded, {}, 0);
+    options_.server.simulator.snapshot.clear(); // another start is from the beginning
+    commands_.refresh();
+}
+
 void MainWindow::fillWorldMenu(QMenu* menu) {
     QStringList ids;
     for (const QString& name : worldNames())

@@ -84,6 +84,11 @@ void SimulatorServer::endFault(int id) {
     emit faultsChanged(simulation_->faults());
 }
 
+void SimulatorServer::letOrphansGo() {
+    simulation_->letOrphansGo();
+    advance();
+}
+
 void SimulatorServer::publishFaults() {
     const std::vector<sim::FaultStatus> news = simulation_->takeFaultNews();
     for (const sim::FaultStatus& one : news)

@@ -56,6 +56,8 @@ public slots:
     /// With times from now on where `from_now`; else on the simulation's clock.
     void addFaults(const std::vector<usar::sim::Fault>& faults, bool from_now);
     void endFault(int id);
+    /// Robots of a snapshot that nobody has come for.
+    void letOrphansGo();
 
 signals:
     void ticked();                                                    ///< a message tick has been made
@@ -63,7 +65,7 @@ signals:
     void logged(const QString& sentence);
     /// All faults, whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
-    void faultTurned(const QString& sentence); ///< "60.0 s: fault begins: wind speed=5"
+    void faultTurned(const QString& sentence);                            ///< "60.0 s: fault begins: wind speed=5"
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
 
 private:

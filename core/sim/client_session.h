@@ -55,8 +55,6 @@ public:
     /// The client has gone; the robot waits for another one that says INIT with its name.
     void orphan();
     bool isOrphan() const { return orphan_; }
-    /// Nobody will come.
-    void giveUpWaiting() { orphan_ = false; }
     /// The name in an INIT that waits to be obeyed; empty where there is none.
     std::string wantedName() const;
     /// This session's robot belongs to the client of `fresh` from now on, whose INIT is obeyed by it.

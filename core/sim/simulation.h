@@ -35,6 +35,7 @@ struct SimulationOptions {
     bool noise = true;
     std::shared_ptr<const RobotCatalog> robots{}; ///< what can be spawned
     std::vector<Fault> faults{};                  ///< on request
+    std::string world_source{};                   ///< name or folder that the world came from, for snapshots
     RadioParameters radio{};
 };
 
@@ -83,6 +84,7 @@ public:
         Pose base_in_map;
     };
     std::vector<Orphan> orphans() const;
+    void letOrphansGo();
 
     /// False while a lockstep client has not said STEP since the last tick.
     bool readyToStep() const;

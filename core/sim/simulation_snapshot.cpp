@@ -82,7 +82,7 @@ Result<Snapshot> Simulation::snapshot() const {
     if (state_->journal_bytes > most_journal_bytes)
         return failure("this run has been told too much to be kept", "snapshot", "Start the simulator anew");
     const SimulationOptions& options = state_->options;
-    return Snapshot{.world = state_->world.name,
+    return Snapshot{.world = options.world_source.empty() ? state_->world.name : options.world_source,
                     .seed = options.seed,
                     .profile = options.profile,
                     .tick = options.tick,
@@ -135,6 +135,7 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
     options.physics_steps_per_tick = snapshot.physics_steps_per_tick;
     options.battery_life = snapshot.battery_life;
     options.noise = snapshot.noise;
+    options.world_source = snapshot.world;
     options.robots = std::move(robots);
     for (const std::string& text : snapshot.faults) {
         auto fault = readFault(text);
@@ -164,6 +165,12 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
     simulation.takeFaultNews();
     simulation.takeCut();
     return made;
+}
+
+void Simulation::letOrphansGo() {
+    for (const ClientId client : awaited())
+        if (state_->sessions.at(client).isOrphan())
+            releaseFromLockstep(client);
 }
 
 std::vector<Simulation::Orphan> Simulation::orphans() const {

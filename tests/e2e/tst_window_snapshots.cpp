@@ -1,0 +1,72 @@
+// A moment of the simulator, kept and taken up again in the real window.
+#include <QFile>
+#include <QTest>
+
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+class tst_WindowSnapshots : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void robotsGoOnWhereTheyWere();
+    void aFileThatIsNoSnapshotIsNamed();
+    void aFolderThatCannotBeWrittenIsNamed();
+};
+
+void tst_WindowSnapshots::robotsGoOnWhereTheyWere() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("run.usarsnap");
+    WindowPage page;
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(page.spawnAt("HillTop"));
+    const double kept_s = page.robot(1)->figures.now.count();
+    page.window().control().simulator().saveSnapshot(file);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Snapshot saved").isEmpty(), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now.count() > kept_s + 3.0, soon_ms);
+    const double later_s = page.robot(1)->figures.now.count();
+
+    page.window().openSnapshot(file);
+    const auto both = [&] {
+        const auto robots = page.window().control().robots();
+        return robots.size() == 2 && robots[0]->view().figures.spawned && robots[1]->view().figures.spawned;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(both(), soon_ms);
+    const auto robots = page.window().control().robots();
+    QCOMPARE(robots[0]->view().spawn.robot_name, std::string("R1"));
+    QCOMPARE(robots[0]->view().spawn.class_name, std::string("USARBot.AirRobot"));
+    QCOMPARE(robots[1]->view().spawn.robot_name, std::string("R2"));
+    QVERIFY(robots[0]->view().figures.now.count() >= kept_s);
+    QVERIFY2(robots[0]->view().figures.now.count() < later_s, "time has gone back to where it was kept");
+    const double resumed_s = robots[0]->view().figures.now.count();
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now.count() > resumed_s + 0.5, soon_ms); // and goes on
+}
+
+void tst_WindowSnapshots::aFileThatIsNoSnapshotIsNamed() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("run.usarsnap"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("something else\n");
+    file.close();
+    WindowPage page;
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    page.window().openSnapshot(file.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("run.usarsnap: line 1: this is no snapshot").contains("Save snapshot"),
+                             soon_ms);
+}
+
+void tst_WindowSnapshots::aFolderThatCannotBeWrittenIsNamed() {
+    WindowPage page;
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    page.window().control().simulator().saveSnapshot("/proc/nowhere/run.usarsnap");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        page.notified("/proc/nowhere/run.usarsnap: the snapshot cannot be written").contains("Choose another folder"),
+        soon_ms);
+}
+
+USAR_E2E_MAIN(tst_WindowSnapshots)
+#include "tst_window_snapshots.moc"
