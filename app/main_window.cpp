@@ -31,7 +31,8 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , options_(options)
     , commands_(this)
     , views_(makeViews(*this))
-    , presenter_(control_, views_) {
+    , presenter_(control_, views_)
+    , camera_(std::make_unique<CameraDesk>(control_, *views_.camera)) {
     const QStringList plugin_folders = options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders;
     control_.loadPlugins(plugin_folders);
     control_.setResultFolder(options.result_folder);
@@ -47,6 +48,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireMessages();
     wireReplay();
     wireFaults();
+    wireCamera();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);

@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 
+#include "app/camera_desk.h"
 #include "app/mission_control.h"
 #include "app/options.h"
 #include "app/robot_presenter.h"
@@ -47,6 +48,7 @@ public slots:
     void openSnapshot(const QString& path);
     /// What the selected robot is set up to do.
     void saveMission(const QString& path);
+    void savePicture(const QImage& picture, const QString& path);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -73,6 +75,7 @@ private:
     void registerMessageCommands();
     void registerReplayCommands();
     void registerFaultCommands();
+    void registerCameraCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -87,6 +90,7 @@ private:
     void showFaultChoices();
     /// Those of the mission file that was opened; their times count from its start.
     void beginMissionFaults();
+    void wireCamera();
     /// Bar and badge of the selected robot.
     void showReplay();
     void orderReplay(const mission::ReplayOrder& order);
@@ -119,6 +123,8 @@ private:
     void say(Severity severity, const QString& key, const QString& text);
     void complain(const QString& key, const Error& error);
     void exportFailed(const QString& reason);
+    void chooseImagePort();
+    void chooseWhereToSavePicture();
     void chooseMissionFile();
     void chooseWhereToSaveMission();
     /// Of the start pose that the selected robot was spawned on, or the first one.
@@ -130,13 +136,14 @@ private:
     void pauseTime(bool paused);
     void setSpeed(double speed);
 
-    static constexpr int layout_version = 1; ///< a layout saved by an older set of docks is not restored
+    static constexpr int layout_version = 2; ///< a layout saved by an older set of docks is not restored
 
     Options options_;
     MissionControl control_;
     widgets::CommandRegistry commands_;
     WindowViews views_;
     RobotPresenter presenter_;
+    std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up

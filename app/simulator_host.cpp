@@ -1,9 +1,11 @@
 #include "app/simulator_host.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/simulator_files.h"
 #include "app/world_picture.h"
+#include "core/base/text.h"
 
 namespace usar::app {
 
@@ -77,8 +79,14 @@ Result<std::unique_ptr<sim::Simulation>> SimulatorHost::begin(const SimulatorSpe
 void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     sim::RobotsRead robots = loadRobots();
     QStringList classes;
-    for (const sim::RobotModel& robot : robots.robots)
+    QStringList classes_with_camera;
+    for (const sim::RobotModel& robot : robots.robots) {
         classes << QString::fromStdString(robot.class_name);
+        const bool sees = std::ranges::any_of(
+            robot.sensors, [](const sim::SensorModel& sensor) { return sameWord(sensor.type, "Camera"); });
+        if (sees)
+            classes_with_camera << classes.back();
+    }
     for (const Error& refused : robots.refused)
         emit robotRefused(QString::fromStdString(refused.text()));
     auto simulation = begin(spec, robots);
@@ -86,6 +94,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
         return emit failed(QString::fromStdString(simulation.error().text()));
     WorldPicture picture = pictureOf((*simulation)->world());
     picture.robot_classes = classes;
+    picture.camera_classes = classes_with_camera;
     const std::vector<sim::Simulation::Orphan> waiting = (*simulation)->orphans();
     auto* server = new link::SimulatorServer(std::move(*simulation), worker);
     Result<quint16> port = server->listen(spec.port);

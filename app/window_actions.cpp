@@ -111,6 +111,7 @@ void MainWindow::selectRobot(int id) {
         views_.behavior->setBehaviors(control_.plugins().robots().front().behaviors);
     showDraft();
     presenter_.select(selected_);
+    camera_->select(selected_);
     followConnection();
     views_.robots->selectRobot(selected_);
     refreshRunState();

@@ -36,6 +36,7 @@ void MainWindow::registerCommands() {
     registerMessageCommands();
     registerReplayCommands();
     registerFaultCommands();
+    registerCameraCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -253,6 +254,10 @@ void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("Re&play")),
                    {"replay.play", "replay.step", "-", "replay.back", "replay.forward", "replay.begin", "-",
                     "replay.faster", "replay.slower", "-", "replay.close"});
+    commands_.fill(menuBar()->addMenu(tr("&Camera")),
+                   {"camera.zoom_in", "camera.zoom_out", "camera.zoom_default", "-", "camera.left", "camera.right",
+                    "camera.up", "camera.down", "camera.center", "-", "camera.light", "-", "camera.save",
+                    "camera.port"});
     auto* view = menuBar()->addMenu(tr("&View"));
     commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.operate",
                           "view.analyse", "view.debug", "-", "view.dark", "view.hint", "view.palette", "-"});

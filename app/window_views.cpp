@@ -92,7 +92,8 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
     addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
             views.behavior = new BehaviorPanel(views.parameters));
-    addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea, makeInstruments(views));
+    auto* instruments = addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea,
+                                makeInstruments(views));
     addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
     auto* plots =
         addDock(window, views, "plots", QObject::tr("Plots"), Qt::BottomDockWidgetArea, views.plots = new PlotView);
@@ -108,6 +109,11 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         addDock(window, views, "faults", QObject::tr("Faults"), Qt::LeftDockWidgetArea, views.faults = new FaultPanel);
     window.tabifyDockWidget(views.docks[1], faults); // over the behavior, where there is height
     faults->hide();
+    auto* camera =
+        addDock(window, views, "camera", QObject::tr("Camera"), Qt::RightDockWidgetArea, views.camera = new CameraView);
+    window.tabifyDockWidget(instruments, camera); // the tallest place
+    instruments->raise();
+    QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
     window.tabifyDockWidget(plots, messages);
     window.tabifyDockWidget(messages, views.notifications_dock);
     plots->raise();

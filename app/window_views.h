@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include "widgets/behavior_panel.h"
+#include "widgets/camera_view.h"
 #include "widgets/command_box.h"
 #include "widgets/command_palette.h"
 #include "widgets/connection_bar.h"
@@ -51,6 +52,7 @@ struct WindowViews {
     widgets::TerrainProfileView* terrain = nullptr;
     widgets::SonarColumnsView* sonars = nullptr;
     widgets::SensorPanel* sensors = nullptr;
+    widgets::CameraView* camera = nullptr;
     widgets::PlotView* plots = nullptr;
     widgets::MessageList* messages = nullptr;
     widgets::CommandBox* command_box = nullptr;

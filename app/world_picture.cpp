@@ -73,7 +73,7 @@ void paintBuildings(QImage& image, const sim::World& world, const Rectangle& ext
 } // namespace
 
 WorldPicture pictureOf(const sim::World& world) {
-    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}};
+    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}, {}};
     const Rectangle& extent = picture.extent_in_map;
     if (extent.empty())
         return picture;

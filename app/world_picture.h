@@ -13,8 +13,9 @@ namespace usar::app {
 struct WorldPicture {
     QString name;
     Rectangle extent_in_map;
-    QImage relief;             ///< ground, water and buildings from above; row 0 = highest y
-    QStringList robot_classes; ///< that can be spawned there, without package
+    QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
+    QStringList robot_classes;  ///< that can be spawned there, without package
+    QStringList camera_classes; ///< those that have a camera
 };
 
 /// Without trees, for they are what a robot should find. Classes are left to whoever knows them.

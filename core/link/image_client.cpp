@@ -197,7 +197,8 @@ void ImageClient::dropConnection() {
 }
 
 void ImageClient::setState(ImageState state, const QString& reason) {
-    const ImageStatus next{state, reason, 0.0};
+    const bool connected = socket_.state() == QAbstractSocket::ConnectedState;
+    const ImageStatus next{state, reason, 0.0, connected ? socket_.localAddress().toString() : QString()};
     if (next == status_)
         return;
     status_ = next;

@@ -28,6 +28,7 @@ struct ImageStatus {
     ImageState state = ImageState::Off;
     QString reason; ///< one or two sentences with the mend, while Waiting
     double frames_per_s = 0.0;
+    QString local_address{}; ///< of this end: whom the server calls the viewer; empty without a connection
     bool operator==(const ImageStatus&) const = default;
 };
 

@@ -1,0 +1,164 @@
+// The camera dock in the real window, with pictures from the embedded simulator's image server.
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <QTest>
+
+#include "core/link/image_server.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+#include "widgets/camera_canvas.h"
+#include "widgets/empty_state.h"
+
+using namespace usar;
+
+namespace {
+
+void spawnClass(WindowPage& page, const QString& class_name) {
+    page.clickStartPose("PlayerStart");
+    auto* const card = page.window().views().spawn_card;
+    QTRY_VERIFY(card->isVisible());
+    auto* const classes = card->findChild<QComboBox*>();
+    classes->setFocus();
+    for (int i = 0; classes->currentText() != class_name && i < classes->count(); ++i)
+        QTest::keyClick(classes, Qt::Key_Down);
+    QCOMPARE(classes->currentText(), class_name);
+    page.press("Spawn");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned, soon_ms);
+}
+
+/// As a click on its tab does.
+void raiseCamera(WindowPage& page) {
+    auto* const dock = page.window().findChild<QDockWidget*>("camera");
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(page.window().views().camera->wantsPictures());
+}
+
+widgets::CameraView& camera(WindowPage& page) {
+    return *page.window().views().camera;
+}
+
+QString emptyText(WindowPage& page) {
+    const auto* const empty = camera(page).findChild<widgets::EmptyState*>();
+    return empty->isVisible() ? empty->accessibleName() + ". " + empty->accessibleDescription() : QString();
+}
+
+/// Mean difference of color values; pictures of unequal size are as unequal as can be.
+double difference(const QImage& a, const QImage& b) {
+    if (a.size() != b.size() || a.isNull())
+        return 255.0;
+    double sum = 0.0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            sum += std::abs(qRed(a.pixel(x, y)) - qRed(b.pixel(x, y)));
+    return sum / (a.width() * a.height());
+}
+
+void trigger(WindowPage& page, const char* command) {
+    QAction* const action = page.window().commands().action(command);
+    QTRY_VERIFY_WITH_TIMEOUT(action->isEnabled(), soon_ms);
+    action->trigger();
+}
+
+} // namespace
+
+class tst_WindowCamera : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void picturesOfTheSelectedRobotComeAndGoOn();
+    void zoomAndTurningChangeThePicture();
+    void aHiddenDockAsksForNothing();
+    void emptyStatesSayWhatToDo();
+    void thePictureIsSaved();
+};
+
+void tst_WindowCamera::picturesOfTheSelectedRobotComeAndGoOn() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    raiseCamera(page);
+    spawnClass(page, "P2DX");
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
+    const int seen = camera(page).pictureCount();
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= seen + 5, soon_ms);
+    QCOMPARE(camera(page).picture().size(), QSize(320, 240));
+    QVERIFY(emptyText(page).isEmpty());
+    bool told = false;
+    for (const QLabel* label : camera(page).findChildren<QLabel*>())
+        told |= label->isVisible() && label->text().contains("frames/s");
+    QVERIFY(told);
+    page.screenshot("camera");
+}
+
+void tst_WindowCamera::zoomAndTurningChangeThePicture() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    raiseCamera(page);
+    spawnClass(page, "P2DX");
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
+    QTest::qWait(1500); // until the robot stands still
+    const QImage wide = camera(page).picture();
+    trigger(page, "camera.zoom_in");
+    trigger(page, "camera.zoom_in");
+    QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) > 4.0, soon_ms);
+    trigger(page, "camera.zoom_default");
+    QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) < 2.0, soon_ms);
+    auto* const canvas = camera(page).findChild<widgets::CameraCanvas*>();
+    const QPoint middle = canvas->rect().center();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(canvas, middle + QPoint(60, 10));
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(60, 10));
+    QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) > 4.0, soon_ms);
+    trigger(page, "camera.center");
+    QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) < 2.0, soon_ms);
+    canvas->setFocus();
+    QTest::keyClick(canvas, Qt::Key_Right);
+    QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) > 4.0, soon_ms);
+}
+
+void tst_WindowCamera::aHiddenDockAsksForNothing() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    raiseCamera(page);
+    spawnClass(page, "P2DX");
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
+    page.window().findChild<QDockWidget*>("instruments")->raise();
+    QTRY_VERIFY(!camera(page).wantsPictures());
+    QTest::qWait(500); // the one that was asked for
+    const int seen = camera(page).pictureCount();
+    QTest::qWait(700);
+    QCOMPARE(camera(page).pictureCount(), seen);
+    raiseCamera(page);
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() > seen, soon_ms);
+}
+
+void tst_WindowCamera::emptyStatesSayWhatToDo() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    raiseCamera(page);
+    QVERIFY2(emptyText(page).contains("No robot") && emptyText(page).contains("P2DX"), qPrintable(emptyText(page)));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QTRY_VERIFY2(emptyText(page).contains("R1 has no camera"), qPrintable(emptyText(page)));
+    QVERIFY(emptyText(page).contains("AirRobot carries none") && emptyText(page).contains("P2AT"));
+    QVERIFY(!emptyText(page).contains("AirRobot,"));
+    QCOMPARE(camera(page).pictureCount(), 0);
+    QVERIFY(!page.window().commands().action("camera.zoom_in")->isEnabled());
+    page.screenshot("camera-empty");
+}
+
+void tst_WindowCamera::thePictureIsSaved() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QTemporaryDir folder;
+    QImage picture(8, 6, QImage::Format_RGB32);
+    picture.fill(Qt::darkGreen);
+    page.window().savePicture(picture, folder.filePath("seen.png"));
+    QCOMPARE(QImage(folder.filePath("seen.png")).size(), QSize(8, 6));
+    page.window().savePicture(picture, folder.filePath("no/such/folder.png"));
+    QVERIFY(page.notified("could not be saved").contains("Choose a folder"));
+}
+
+USAR_E2E_MAIN(tst_WindowCamera)
+#include "tst_window_camera.moc"
