@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
+#include "core/sim/body_index.h"
 #include "core/sim/bullet_ground.h"
 #include "core/sim/bullet_multi_body.h"
 #include "core/sim/bullet_rigid_body.h"
@@ -53,6 +55,7 @@ public:
     double distanceToBodies_m(const Vec3& point_m, BodyId except) const override;
 
 private:
+    void indexBodies() const;
     BulletBody* bodyOf(const btCollisionObject& object);
     void wakeAll();
     void collectContacts();
@@ -69,6 +72,10 @@ private:
     BulletWorld dynamics_{dispatcher_, broadphase_, rigid_solver_, link_solver_, configuration_};
     std::map<BodyId, std::unique_ptr<BulletBody>> bodies_;
     BodyId last_;
+    // Made when a ray asks for it, so that steps without rays cost nothing.
+    mutable BodyIndex index_;
+    mutable std::vector<btCollisionObject*> indexed_; ///< by BodySphere::piece
+    mutable bool moved_ = true;
 };
 
 BulletPhysics::BulletPhysics(const World& world) : terrain_(world.terrain), ground_(world) {
@@ -85,6 +92,7 @@ BulletPhysics::~BulletPhysics() {
 
 BodyId BulletPhysics::add(const BodyDescription& description, const Pose& body_in_map) {
     const BodyId id{++last_.value};
+    moved_ = true;
     bodies_.emplace(id, std::make_unique<BulletRigidBody>(dynamics_, description, body_in_map, id));
     return id;
 }
@@ -93,17 +101,20 @@ BodyId BulletPhysics::add(const ArticulatedDescription& description, const Pose&
     if (description.links.empty())
         return add(description.base, base_in_map);
     const BodyId id{++last_.value};
+    moved_ = true;
     bodies_.emplace(id, std::make_unique<BulletMultiBody>(dynamics_, description, base_in_map, id));
     return id;
 }
 
 void BulletPhysics::remove(BodyId id) {
     bodies_.erase(id);
+    moved_ = true;
     wakeAll();
 }
 
 void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
     bodies_.at(id)->place(body_in_map);
+    moved_ = true;
     wakeAll();
 }
 
@@ -133,6 +144,7 @@ bool BulletPhysics::isStuck(BodyId id) {
 }
 
 void BulletPhysics::step(Seconds dt) {
+    moved_ = true;
     for (auto& [id, body] : bodies_) {
         body->contacts.clear();
         body->beforeStep(dt);
@@ -211,24 +223,34 @@ void BulletPhysics::bounce(const btPersistentManifold& manifold, const btManifol
 }
 
 double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const {
-    const btVector3 from = toBullet(origin_m);
-    const btVector3 along = toBullet(direction);
-    btTransform start(btQuaternion::getIdentity(), from);
-    btTransform end(btQuaternion::getIdentity(), from + maximum_m * along);
+    if (bodies_.size() <= 1 && (bodies_.empty() || bodies_.begin()->first == except))
+        return maximum_m;
+    if (std::exchange(moved_, false))
+        indexBodies();
+    const btTransform start(btQuaternion::getIdentity(), toBullet(origin_m));
+    const btTransform end(btQuaternion::getIdentity(), toBullet(origin_m + maximum_m * direction));
     btCollisionWorld::ClosestRayResultCallback nearest(start.getOrigin(), end.getOrigin());
-    for (const auto& [id, body] : bodies_) {
-        if (id == except)
-            continue;
-        for (const BulletPiece& piece : body->pieces()) {
-            const btTransform& place = piece.object->getWorldTransform();
-            const btVector3 toward = place.getOrigin() - from;
-            const double closest_m = std::clamp(toward.dot(along), 0.0, maximum_m);
-            if ((toward - closest_m * along).length2() <= piece.radius_m * piece.radius_m)
-                btCollisionWorld::rayTestSingle(start, end, piece.object, piece.object->getCollisionShape(), place,
-                                                nearest);
-        }
-    }
+    index_.along({origin_m, direction}, maximum_m, [&](const BodySphere& sphere, double nearest_m) {
+        btCollisionObject* const object = indexed_[sphere.piece];
+        if (object->getUserIndex2() == static_cast<int>(except.value))
+            return nearest_m;
+        btCollisionWorld::rayTestSingle(start, end, object, object->getCollisionShape(), object->getWorldTransform(),
+                                        nearest);
+        return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
+    });
     return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
+}
+
+void BulletPhysics::indexBodies() const {
+    std::vector<BodySphere> spheres;
+    indexed_.clear();
+    for (const auto& [id, body] : bodies_)
+        for (const BulletPiece& piece : body->pieces()) {
+            const Vec3 center_m = fromBullet(piece.object->getWorldTransform().getOrigin());
+            spheres.push_back({center_m, piece.radius_m, static_cast<std::uint32_t>(indexed_.size())});
+            indexed_.push_back(piece.object);
+        }
+    index_.build(std::move(spheres));
 }
 
 double BulletPhysics::distanceToBodies_m(const Vec3& point_m, BodyId except) const {
