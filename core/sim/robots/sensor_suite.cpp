@@ -63,16 +63,16 @@ bool isMeant(const SensorModel& sensor, const std::string& type, const std::stri
 
 Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth& birth) {
     SensorSuite suite;
+    suite.seed_ = birth.seed;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
         Random random = seeded(birth.seed, birth.robot_number * streams_per_robot + i);
         auto sensor =
             makeSensor(robot.sensors[i], {robot, birth.base_in_map, birth.scan_interval, birth.noise, random});
         if (!sensor)
             return tl::unexpected(sensor.error());
-        suite.sensors_.push_back(
-            {.sensor = std::move(*sensor),
-             .every = everyOf(robot.sensors[i], birth),
-             .chance = seeded(birth.seed, chance_streams + birth.robot_number * streams_per_robot + i)});
+        suite.sensors_.push_back({.sensor = std::move(*sensor),
+                                  .every = everyOf(robot.sensors[i], birth),
+                                  .chance_stream = chance_streams + birth.robot_number * streams_per_robot + i});
     }
     std::ranges::stable_sort(suite.sensors_, {},
                              [](const Place& place) { return orderOf(place.sensor->model().type); });
@@ -103,7 +103,9 @@ void SensorSuite::measureFaulty(Place& place, const SensorView& view, std::vecto
             for (protocol::InfoMessage& line : lines)
                 sayAgain(view.now, line);
         } else if (fault.kind == FaultKind::SensorDropout) {
-            comes &= uniform(place.chance, 0.0, 1.0) >= fault.number("share");
+            if (!place.chance)
+                place.chance = seeded(seed_, place.chance_stream);
+            comes &= uniform(*place.chance, 0.0, 1.0) >= fault.number("share");
         } else {
             for (protocol::InfoMessage& line : lines)
                 addBias(fault, line);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,10 +53,12 @@ private:
         std::uint64_t every = 1; ///< ticks
         std::vector<Fault> faults{};
         std::vector<protocol::InfoMessage> frozen{}; ///< what it repeats, while it does
-        Random chance{};                             ///< of the readings that do not come
+        std::uint64_t chance_stream = 0;
+        std::optional<Random> chance{}; ///< of the readings that do not come, since the first such fault
     };
     void measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out);
     std::vector<Place> sensors_;
+    std::uint64_t seed_ = 1;
     std::uint64_t ticks_ = 0;
 };
 
