@@ -8,6 +8,7 @@
 #include "core/base/random.h"
 #include "core/sim/ray_caster.h"
 #include "core/sim/worlds/tall_test.h"
+#include "tests/sim/bullet_rays.h"
 
 namespace {
 
@@ -67,25 +68,42 @@ std::vector<Vec3> sonarCones(double yaw_rad) {
     return rays;
 }
 
-void castBundles(benchmark::State& state, const std::vector<Bundle>& all, double maximum_m) {
+/// The physics engine's own ray test over the same world, but for cones, which it is spared.
+const doubles::BulletRays& bullet() {
+    static const doubles::BulletRays made(world());
+    return made;
+}
+
+template <class Caster>
+void castBundles(benchmark::State& state, const Caster& caster, const std::vector<Bundle>& all, double maximum_m) {
     std::size_t next = 0;
     for (auto _ : state) {
         const Bundle& bundle = all[next++ % all.size()];
         for (const Vec3& direction : bundle.directions)
-            benchmark::DoNotOptimize(caster().cast(bundle.origin_m, direction, maximum_m));
+            benchmark::DoNotOptimize(caster.cast(bundle.origin_m, direction, maximum_m));
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.front().directions.size()));
 }
 
 void castScannerFan(benchmark::State& state) {
-    castBundles(state, bundles(scannerFan), 20.0);
+    castBundles(state, caster(), bundles(scannerFan), 20.0);
 }
 BENCHMARK(castScannerFan);
 
+void castScannerFanByBullet(benchmark::State& state) {
+    castBundles(state, bullet(), bundles(scannerFan), 20.0);
+}
+BENCHMARK(castScannerFanByBullet);
+
 void castSonarCones(benchmark::State& state) {
-    castBundles(state, bundles(sonarCones), 5.0);
+    castBundles(state, caster(), bundles(sonarCones), 5.0);
 }
 BENCHMARK(castSonarCones);
+
+void castSonarConesByBullet(benchmark::State& state) {
+    castBundles(state, bullet(), bundles(sonarCones), 5.0);
+}
+BENCHMARK(castSonarConesByBullet);
 
 void lookFromAbove(benchmark::State& state) {
     Random random = seeded(2, 0);
