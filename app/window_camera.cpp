@@ -45,13 +45,14 @@ void MainWindow::registerCameraCommands() {
          "",
          {QKeySequence("Alt+0")}},
         [this](bool) { camera_->resetZoom(); }, zooms);
-    commands_.add({"camera.left", tr("Turn camera left"), group, tr("Pans it"), "", {QKeySequence("Alt+Left")}},
+    commands_.add({"camera.left", tr("Turn camera left"), group, tr("Pans it"), "", {QKeySequence("Alt+Shift+Left")}},
                   turn(-1.0, 0.0), turns);
-    commands_.add({"camera.right", tr("Turn camera right"), group, tr("Pans it"), "", {QKeySequence("Alt+Right")}},
-                  turn(1.0, 0.0), turns);
-    commands_.add({"camera.up", tr("Turn camera up"), group, tr("Tilts it"), "", {QKeySequence("Alt+Up")}},
+    commands_.add(
+        {"camera.right", tr("Turn camera right"), group, tr("Pans it"), "", {QKeySequence("Alt+Shift+Right")}},
+        turn(1.0, 0.0), turns);
+    commands_.add({"camera.up", tr("Turn camera up"), group, tr("Tilts it"), "", {QKeySequence("Alt+Shift+Up")}},
                   turn(0.0, 1.0), turns);
-    commands_.add({"camera.down", tr("Turn camera down"), group, tr("Tilts it"), "", {QKeySequence("Alt+Down")}},
+    commands_.add({"camera.down", tr("Turn camera down"), group, tr("Tilts it"), "", {QKeySequence("Alt+Shift+Down")}},
                   turn(0.0, -1.0), turns);
     commands_.add(
         {"camera.center",
@@ -59,7 +60,7 @@ void MainWindow::registerCameraCommands() {
          group,
          tr("Pan and tilt back to zero"),
          "follow",
-         {QKeySequence("Alt+Home")}},
+         {QKeySequence("Alt+Shift+Home")}},
         [this](bool) { camera_->center(); }, turns);
     commands_.add(
         {"camera.light",
@@ -67,7 +68,7 @@ void MainWindow::registerCameraCommands() {
          group,
          tr("Switches the robot's headlight"),
          "sun",
-         {QKeySequence("Alt+L")},
+         {QKeySequence("Alt+Shift+L")},
          true},
         [this](bool on) { camera_->setLight(on); }, [this] { return camera_->canLight(); });
     commands_.add(
@@ -76,7 +77,7 @@ void MainWindow::registerCameraCommands() {
          group,
          tr("What the camera shows now, as a file"),
          "export",
-         {QKeySequence("Alt+S")}},
+         {QKeySequence("Alt+Shift+S")}},
         [this](bool) { chooseWhereToSavePicture(); }, [this] { return !views_.camera->isEmpty(); });
     commands_.add({"camera.port",
                    tr("Image server's port…"),

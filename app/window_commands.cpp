@@ -18,6 +18,7 @@ const QList<std::pair<QString, QString>> gestures{
     {QObject::tr("Drag with the area tool"), QObject::tr("Draw the mission area; its handles change it")},
     {QObject::tr("Wheel"), QObject::tr("Zoom at the cursor")},
     {QObject::tr("Arrow keys, drag"), QObject::tr("Pan the map")},
+    {QObject::tr("Drag the camera's picture, wheel on it"), QObject::tr("Turn the camera, zoom it")},
     {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")}};
 
 } // namespace

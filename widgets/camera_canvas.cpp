@@ -46,7 +46,7 @@ QRect CameraCanvas::pictureRect() const {
 
 void CameraCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), tokens().background);
+    painter.fillRect(rect(), picture_.isNull() ? tokens().surface : tokens().background);
     if (picture_.isNull())
         return;
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

@@ -99,11 +99,14 @@ const QImage& CameraView::picture() const {
 }
 
 void CameraView::setPicture(const QImage& picture, double frames_per_s) {
+    const bool first = isEmpty();
     ++pictures_;
     frames_per_s_ = frames_per_s;
     age_.start();
     empty_->hide();
     canvas_->setPicture(picture);
+    if (!first)
+        return; // figures change at their own, slower pace: a label's new text lays the whole dock out anew
     slider_->setEnabled(zoom_.largest_rad > zoom_.smallest_rad);
     showAge();
 }

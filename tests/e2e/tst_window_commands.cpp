@@ -1,8 +1,10 @@
 // What a person does from the menus and the palette: server, time, layouts, missions on the disk.
 #include <cmath>
+#include <map>
 
 #include <QDir>
 #include <QFile>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -31,6 +33,7 @@ class tst_WindowCommands : public QObject {
 private slots:
     void init() { GuiWatchdog::instance().reset(); }
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void noTwoCommandsShareAKey();
     void theServerIsLeftAndJoinedByCommand();
     void timeIsPausedSteppedAndRunByCommand();
     void speedIsChangedByCommand();
@@ -41,6 +44,21 @@ private slots:
     void anUnwritableMissionFileIsNamed();
     void cellsOfAMissionAreThoseOfTheMap();
 };
+
+/// A key that two actions have runs neither. Letters with Alt alone open the menus.
+void tst_WindowCommands::noTwoCommandsShareAKey() {
+    WindowPage page;
+    std::map<QKeySequence, QString> owners;
+    for (const QAction* menu : page.window().menuBar()->actions())
+        owners[QKeySequence::mnemonic(menu->text())] = menu->text();
+    for (const auto& command : page.window().commands().commands())
+        for (const QKeySequence& keys : command->action->shortcuts()) {
+            QVERIFY2(!owners.contains(keys),
+                     qPrintable(keys.toString() + ": " + command->spec.id + " and " + owners[keys]));
+            owners[keys] = command->spec.id;
+        }
+    QVERIFY(owners.size() > 40);
+}
 
 void tst_WindowCommands::theServerIsLeftAndJoinedByCommand() {
     WindowPage page;
