@@ -44,6 +44,7 @@ struct BodyDescription {
     std::vector<BodyPart> parts{};
     double restitution = 0.0;
     double rolling_friction_m = 0.0; ///< rolling resistance torque over normal force
+    bool still = false;              ///< stays where it is placed, whatever pushes it
     bool operator==(const BodyDescription&) const = default;
 };
 

@@ -31,6 +31,7 @@ public:
     virtual BodyState state(int link) const = 0;
     virtual JointState joint(std::size_t /*link*/) const { return {}; }
     virtual void setMotor(std::size_t /*link*/, const JointMotor& /*motor*/) {}
+    virtual void runSurface(const Vec3& /*velocity_in_body_m_s*/) {}
     virtual void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     virtual void beforeStep(Seconds dt) = 0;
     virtual void afterStep() = 0;

@@ -8,9 +8,12 @@ BulletRigidBody::BulletRigidBody(btDynamicsWorld& world, const BodyDescription& 
                                  BodyId id)
     : world_(world)
     , shape_(description) {
-    const btRigidBody::btRigidBodyConstructionInfo info(description.mass_kg, nullptr, shape_.compound(),
-                                                        toBullet(description.inertia_kg_m2));
+    const double mass_kg = description.still ? 0.0 : description.mass_kg;
+    const Vec3 inertia_kg_m2 = description.still ? Vec3(Vec3::Zero()) : description.inertia_kg_m2;
+    const btRigidBody::btRigidBodyConstructionInfo info(mass_kg, nullptr, shape_.compound(), toBullet(inertia_kg_m2));
     rigid_ = std::make_unique<btRigidBody>(info);
+    if (description.still)
+        rigid_->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     markAsBody(*rigid_, description, id, -1);
     rigid_->setWorldTransform(toBullet(body_in_map));
     rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
@@ -47,7 +50,14 @@ void BulletRigidBody::apply(const Vec3& force_in_map_n, const Vec3& torque_in_ma
     rigid_->applyTorque(toBullet(torque_in_map_n_m));
 }
 
-void BulletRigidBody::beforeStep(Seconds /*dt*/) {
+void BulletRigidBody::beforeStep(Seconds dt) {
+    // Bullet takes the velocity of a kinematic body from where it was before the step and never moves it: a body that
+    // says it was elsewhere drags what touches it, and stays.
+    if (rigid_->isKinematicObject()) {
+        btTransform before = rigid_->getWorldTransform();
+        before.setOrigin(before.getOrigin() - before.getBasis() * surface_ * dt.count());
+        rigid_->setInterpolationWorldTransform(before);
+    }
     velocity_ = rigid_->getLinearVelocity();
     rate_ = rigid_->getAngularVelocity();
 }

@@ -6,6 +6,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "core/sim/bullet_body.h"
+#include "core/sim/bullet_ground.h"
 #include "core/sim/bullet_shapes.h"
 
 namespace usar::sim {
@@ -22,6 +23,7 @@ public:
     void letSleep(bool allowed) override;
     void wake() override { rigid_->activate(); }
     BodyState state(int link) const override;
+    void runSurface(const Vec3& velocity_in_body_m_s) override { surface_ = toBullet(velocity_in_body_m_s); }
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     void beforeStep(Seconds dt) override;
     void afterStep() override {}
@@ -33,6 +35,7 @@ private:
     std::unique_ptr<btRigidBody> rigid_;
     btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, as `rate_`
     btVector3 rate_{0.0, 0.0, 0.0};
+    btVector3 surface_{0.0, 0.0, 0.0}; ///< velocity of a still body's surface, in its frame
 };
 
 } // namespace usar::sim

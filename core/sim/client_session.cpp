@@ -195,6 +195,8 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
         geometry_asked_ = *asked;
     else if (const auto* const configuration = std::get_if<protocol::GetConfiguration>(&command))
         configuration_asked_ = *configuration;
+    else if (const auto* const trace = std::get_if<protocol::Trace>(&command); trace && !isUdk())
+        pen_.obey(*trace);
     else
         return !robot_->alive() || robot_->obey(command);
     if (isUdk())
@@ -235,6 +237,14 @@ void ClientSession::report(Seconds now) {
         send(line, now);
     if (wire_)
         wire_->push(std::exchange(output_, {}), now, lockstep_, true);
+}
+
+std::optional<TraceMark> ClientSession::takeMark(Seconds now) {
+    if (!robot_ || !pen_.on())
+        return std::nullopt;
+    const Vec3 at_m = robot_->figures().base_in_map.position_m;
+    const auto color = pen_.markAt(now, at_m);
+    return color ? std::optional(TraceMark{robot_name_, *color, at_m}) : std::nullopt;
 }
 
 void ClientSession::answer(Seconds now) {

@@ -15,7 +15,9 @@
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
 #include "core/sim/faults/faulty_wire.h"
+#include "core/protocol/trace_pen.h"
 #include "core/sim/robots/robot.h"
+#include "core/sim/scene.h"
 
 namespace usar::sim {
 
@@ -80,6 +82,8 @@ public:
     void obeyWaiting(const Host& host);
     /// Answers, then the robot's lines.
     void report(Seconds now);
+    /// Where its robot is now, if TRACE wants one there.
+    std::optional<TraceMark> takeMark(Seconds now);
 
 private:
     void take(std::string_view line, const Log& log);
@@ -110,6 +114,7 @@ private:
     std::unique_ptr<Robot> robot_;
     std::string robot_name_;
     std::optional<Pose> station_in_map_;
+    protocol::TracePen pen_;
     bool initialized_ = false;
     bool controls_ = false; ///< a world controller's connection
     bool first_tick_ = true;

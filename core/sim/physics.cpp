@@ -46,6 +46,9 @@ public:
     void setMotor(BodyId id, std::size_t link, const JointMotor& motor) override {
         bodies_.at(id)->setMotor(link, motor);
     }
+    void runSurface(BodyId id, const Vec3& velocity_in_body_m_s) override {
+        bodies_.at(id)->runSurface(velocity_in_body_m_s);
+    }
     void apply(BodyId id, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
         bodies_.at(id)->apply(force_in_map_n, torque_in_map_n_m);
     }

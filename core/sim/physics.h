@@ -62,6 +62,8 @@ public:
     virtual BodyState state(BodyId body, std::size_t link) const = 0;
     virtual JointState joint(BodyId body, std::size_t link) const = 0;
     virtual void setMotor(BodyId body, std::size_t link, const JointMotor& motor) = 0;
+    /// Of a still body: what lies on it is carried along, as by a belt and as far as friction can; the body stays.
+    virtual void runSurface(BodyId body, const Vec3& velocity_in_body_m_s) = 0;
     /// Acts during the next step only; adds up.
     virtual void apply(BodyId body, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     /// One fixed step under gravity (9.81 m/s2).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::sim {
 
@@ -58,16 +59,41 @@ void go(SceneObject& object, double dt_s) {
 } // namespace
 
 SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object) {
-    const Eigen::AlignedBox3d bounds = boundsOf(object.body);
+    Eigen::AlignedBox3d bounds = boundsOf(object.body);
+    if (object.belt)
+        bounds.extend(boundsOf(*object.belt));
     SceneObject added;
     added.name = object.name;
     added.class_name = object.class_name;
     added.body = physics.add(object.body, object.body_in_map);
+    if (object.belt)
+        added.belt = physics.add(*object.belt, object.body_in_map);
     added.body_in_map = object.body_in_map;
     added.parts = object.body.parts;
     added.size_m = bounds.sizes();
     added.radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm();
     return scene.objects.emplace_back(std::move(added));
+}
+
+void removeObject(const SceneObject& object, Physics& physics) {
+    physics.remove(object.body);
+    if (object.belt)
+        physics.remove(*object.belt);
+}
+
+void placeObject(SceneObject& object, Physics& physics, const Pose& body_in_map) {
+    object.body_in_map = body_in_map;
+    physics.place(object.body, body_in_map);
+    if (object.belt)
+        physics.place(*object.belt, body_in_map);
+}
+
+void addMark(Scene& scene, TraceMark mark) {
+    constexpr std::size_t kept = 20000;
+    auto& marks = scene.trace_marks;
+    if (marks.size() >= 2 * kept)
+        marks.erase(marks.begin(), marks.begin() + kept);
+    marks.push_back(std::move(mark));
 }
 
 Scene makeScene(const World& world, Physics& physics) {
@@ -89,7 +115,7 @@ void carryObjects(Scene& scene, Physics& physics, Seconds dt) {
         turn(object, dt.count());
         if (object.motion.moving)
             go(object, dt.count());
-        physics.place(object.body, object.body_in_map);
+        placeObject(object, physics, object.body_in_map);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/protocol/commands/trace.h"
 #include "core/sim/physics.h"
 #include "core/sim/world.h"
 
@@ -35,18 +36,32 @@ struct SceneObject {
     std::string memory{};
     std::optional<std::uint32_t> goes_with{}; ///< the client with whom it leaves the world
     ObjectMotion motion{};
+    std::optional<BodyId> belt{}; ///< of a conveyor
+};
+
+/// What a robot under TRACE left behind.
+struct TraceMark {
+    std::string robot_name;
+    protocol::TraceColor color = protocol::TraceColor::Red;
+    Vec3 position_in_map_m = Vec3::Zero();
+    bool operator==(const TraceMark&) const = default;
 };
 
 /// Owned by a Simulation, which refreshes the poses at each tick.
 struct Scene {
     std::vector<SceneObject> objects;
     std::vector<RfidTag> tags;
+    std::vector<TraceMark> trace_marks{}; ///< in order of time, the newest 20,000 at least
 };
 
 /// Adds what the world begins with to the physics.
 Scene makeScene(const World& world, Physics& physics);
 /// One object more.
 SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object);
+void removeObject(const SceneObject& object, Physics& physics);
+/// Both its body and its belt, at rest.
+void placeObject(SceneObject& object, Physics& physics, const Pose& body_in_map);
+void addMark(Scene& scene, TraceMark mark);
 /// The poses as physics has them now.
 void refresh(Scene& scene, const Physics& physics);
 /// Carries what is on its way.

@@ -165,8 +165,11 @@ void Simulation::State::move() {
 
 void Simulation::State::reportAll() {
     refresh(scene, *physics);
-    for (auto& [id, session] : sessions)
+    for (auto& [id, session] : sessions) {
         session.report(now());
+        if (auto mark = session.takeMark(now()))
+            addMark(scene, *std::move(mark));
+    }
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::make(World world, SimulationOptions options) {
@@ -324,6 +327,10 @@ double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& 
     const RadioParameters& radio = state_->options.radio;
     return strengthOver((a.antenna_in_map_m - b.antenna_in_map_m).norm(),
                         obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
+}
+
+const std::vector<TraceMark>& Simulation::traceMarks() const {
+    return state_->scene.trace_marks;
 }
 
 std::size_t Simulation::clientCount() const {

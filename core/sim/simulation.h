@@ -56,6 +56,8 @@ struct RobotTruth {
     double distance_m = 0.0; ///< true path length
 };
 
+struct TraceMark;
+
 /// One world, its robots and their connections. Single-threaded; the same seed and the same bytes at the same ticks
 /// give the same bytes. Owned by whoever serves it.
 class Simulation {
@@ -118,6 +120,8 @@ public:
     std::vector<RadioStation> radios() const;
     /// Between two antennas, as they stand now.
     double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
+    /// What robots under TRACE left behind, oldest first; of all clients.
+    const std::vector<TraceMark>& traceMarks() const;
     std::size_t clientCount() const;
     /// What was ignored, refused or mended since the last call: one sentence each, for the server's log.
     std::vector<std::string> takeLog();

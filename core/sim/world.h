@@ -51,7 +51,8 @@ struct WorldObject {
     std::string name;
     std::string class_name; ///< the wire's word for its kind, as "USARModels.SoccerBall"
     BodyDescription body;
-    Pose body_in_map; ///< when the simulation begins
+    Pose body_in_map;                      ///< when the simulation begins
+    std::optional<BodyDescription> belt{}; ///< of a conveyor, in the body's frame: the part whose surface runs
     bool operator==(const WorldObject&) const = default;
 };
 

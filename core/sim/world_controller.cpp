@@ -1,71 +1,12 @@
 #include "core/sim/world_controller.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/text.h"
+#include "core/sim/object_kinds.h"
 #include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
-
-namespace {
-
-/// Sizes, masses and how they roll; figures are ours, for no source tells the game's.
-struct Kind {
-    std::string_view name;
-    enum class Shape { Box, Sphere, Cylinder } shape;
-    Vec3 size_m;
-    double density_kg_m3;
-    double friction;
-    double restitution;
-    double rolling_m;
-};
-
-const std::array kinds{
-    Kind{"Box", Kind::Shape::Box, {0.5, 0.5, 0.5}, 80.0, 0.6, 0.1, 0.0},
-    Kind{"Crate", Kind::Shape::Box, {1.0, 1.0, 1.0}, 60.0, 0.6, 0.1, 0.0},
-    Kind{"Brick", Kind::Shape::Box, {0.24, 0.115, 0.071}, 1800.0, 0.8, 0.1, 0.0},
-    Kind{"Ball", Kind::Shape::Sphere, {0.22, 0.22, 0.22}, 80.0, 0.5, 0.6, 0.003},
-    Kind{"SoccerBall", Kind::Shape::Sphere, {0.086, 0.086, 0.086}, 180.0, 0.5, 0.6, 0.002},
-    Kind{"Barrel", Kind::Shape::Cylinder, {0.6, 0.6, 0.9}, 150.0, 0.6, 0.1, 0.002},
-    Kind{"Cylinder", Kind::Shape::Cylinder, {0.3, 0.3, 0.5}, 200.0, 0.6, 0.1, 0.002},
-};
-
-BodyDescription bodyOf(const Kind& kind, const Vec3& scale) {
-    const Vec3 s = kind.size_m.cwiseProduct(scale);
-    BodyDescription body;
-    body.friction = kind.friction;
-    body.restitution = kind.restitution;
-    body.rolling_friction_m = kind.rolling_m;
-    const double r = s.x() / 2.0;
-    switch (kind.shape) {
-    case Kind::Shape::Box:
-        body.parts = {{BoxShape{s}, {}}};
-        body.mass_kg = kind.density_kg_m3 * s.prod();
-        body.inertia_kg_m2 = body.mass_kg / 12.0 * (Vec3::Constant(s.squaredNorm()) - s.cwiseProduct(s));
-        break;
-    case Kind::Shape::Sphere:
-        body.parts = {{SphereShape{r}, {}}};
-        body.mass_kg = kind.density_kg_m3 * 4.0 / 3.0 * pi * r * r * r;
-        body.inertia_kg_m2 = Vec3::Constant(0.4 * body.mass_kg * r * r);
-        break;
-    case Kind::Shape::Cylinder:
-        body.parts = {{CylinderShape{r, s.z()}, {}}};
-        body.mass_kg = kind.density_kg_m3 * pi * r * r * s.z();
-        body.inertia_kg_m2 = {body.mass_kg / 12.0 * (3.0 * r * r + s.z() * s.z()),
-                              body.mass_kg / 12.0 * (3.0 * r * r + s.z() * s.z()), body.mass_kg / 2.0 * r * r};
-        break;
-    }
-    return body;
-}
-
-} // namespace
-
-std::optional<BodyDescription> builtInBody(std::string_view class_name, const Vec3& scale) {
-    const std::string_view bare_name = withoutPackage(class_name);
-    const auto kind = std::ranges::find_if(kinds, [&](const Kind& one) { return sameWord(one.name, bare_name); });
-    return kind == kinds.end() ? std::nullopt : std::optional(bodyOf(*kind, scale));
-}
 
 bool WorldController::isControl(const protocol::Command& command) {
     return std::visit(
@@ -74,8 +15,9 @@ bool WorldController::isControl(const protocol::Command& command) {
             return std::is_same_v<One, protocol::CreateObject> || std::is_same_v<One, protocol::KillObject> ||
                    std::is_same_v<One, protocol::KillAllObjects> || std::is_same_v<One, protocol::PlaceObject> ||
                    std::is_same_v<One, protocol::ShiftObject> || std::is_same_v<One, protocol::SpinObject> ||
-                   std::is_same_v<One, protocol::AddWaypoints> || std::is_same_v<One, protocol::ClearWaypoints> ||
-                   std::is_same_v<One, protocol::FollowWaypoints> || std::is_same_v<One, protocol::GetObjectStates>;
+                   std::is_same_v<One, protocol::RunConveyor> || std::is_same_v<One, protocol::AddWaypoints> ||
+                   std::is_same_v<One, protocol::ClearWaypoints> || std::is_same_v<One, protocol::FollowWaypoints> ||
+                   std::is_same_v<One, protocol::GetObjectStates>;
         },
         static_cast<const protocol::CommandVariant&>(command));
 }
@@ -95,7 +37,7 @@ void WorldController::removeUnless(Keep&& keep) {
     std::erase_if(scene_.objects, [&](const SceneObject& object) {
         if (keep(object))
             return false;
-        physics_.remove(object.body);
+        removeObject(object, physics_);
         return true;
     });
 }
@@ -106,13 +48,14 @@ WorldController::Answer WorldController::create(const protocol::CreateObject& wa
         return "there is an object '" + wanted.object_name.text() + "' already";
     if (!(scale.minCoeff() > 0.0) || scale.maxCoeff() > 100.0)
         return "an object's scale must be above 0 and at most 100";
-    auto body = builtInBody(wanted.class_name.text(), scale);
-    if (!body)
-        return "unknown object class '" + wanted.class_name.text() +
-               "'; known are Box, Crate, Brick, Ball, SoccerBall, Barrel, Cylinder";
-    WorldObject object{wanted.object_name.text(), std::string(wanted.class_name.text()), std::move(*body), {}};
-    if (object.name.empty())
-        object.name = std::string(withoutPackage(object.class_name)) + std::to_string(scene_.objects.size() + 1);
+    const ObjectKind* const kind = findObjectKind(wanted.class_name.text());
+    if (!kind)
+        return "unknown object class '" + wanted.class_name.text() + "'; known are " + objectKindNames();
+    WorldObject object{
+        wanted.object_name.text(), wanted.class_name.text(), bodyOf(*kind, scale), {}, beltOf(*kind, scale)};
+    for (std::size_t number = scene_.objects.size() + 1; object.name.empty(); ++number)
+        if (const std::string free = std::string(kind->name) + std::to_string(number); !find(free))
+            object.name = free;
     if (const auto* const start = std::get_if<protocol::Token>(&wanted.start)) {
         const auto pose =
             std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *start); });
@@ -123,6 +66,11 @@ WorldController::Answer WorldController::create(const protocol::CreateObject& wa
         object.body_in_map = std::get<Pose>(wanted.start);
     }
     SceneObject& added = addObject(scene_, physics_, object);
+    if (!makeRoom(added)) {
+        removeObject(added, physics_);
+        scene_.objects.pop_back();
+        return "there is no room for '" + object.name + "' there";
+    }
     added.memory = wanted.memory;
     if (!wanted.permanent.value_or(false))
         added.goes_with = client;
@@ -133,8 +81,41 @@ WorldController::Answer WorldController::move(const protocol::Token& name, const
     SceneObject* const object = find(name);
     if (!object)
         return missing(name);
-    object->body_in_map = body_in_map;
-    physics_.place(object->body, body_in_map);
+    placeObject(*object, physics_, body_in_map);
+    makeRoom(*object); // where there is none it stays where it was told to be
+    return {};
+}
+
+bool WorldController::makeRoom(SceneObject& object) {
+    constexpr double step_m = 0.05;
+    constexpr int most_steps = 20;
+    if (object.belt)
+        return true; // what stands still may stand in the ground
+    const Pose wanted = object.body_in_map;
+    Pose raised = wanted;
+    const Vec2 point_m = wanted.position_m.head<2>();
+    if (const Terrain& ground = world_.terrain; !ground.empty() && ground.extent().contains(point_m))
+        if (const double ground_m = ground.height_m(point_m); wanted.position_m.z() < ground_m)
+            raised.position_m.z() = ground_m + object.size_m.z() / 2.0;
+    if (raised != wanted)
+        placeObject(object, physics_, raised);
+    for (int i = 0; i < most_steps && physics_.isStuck(object.body); ++i) {
+        raised.position_m.z() += step_m;
+        placeObject(object, physics_, raised);
+    }
+    if (!physics_.isStuck(object.body))
+        return true;
+    placeObject(object, physics_, wanted);
+    return false;
+}
+
+WorldController::Answer WorldController::runConveyor(const protocol::RunConveyor& wanted) {
+    SceneObject* const object = find(wanted.object_name);
+    if (!object)
+        return missing(wanted.object_name);
+    if (!object->belt)
+        return "'" + object->name + "' is no conveyor";
+    physics_.runSurface(*object->belt, {wanted.speed_m_s, 0.0, 0.0});
     return {};
 }
 
@@ -180,6 +161,8 @@ WorldController::Answer WorldController::obey(const protocol::Command& command, 
         return move(place->object_name, place->object_in_map);
     if (const auto* const follow_points = std::get_if<protocol::FollowWaypoints>(&command))
         return follow(*follow_points);
+    if (const auto* const conveyor = std::get_if<protocol::RunConveyor>(&command))
+        return runConveyor(*conveyor);
     return std::visit(
         [&](const auto& one) -> Answer {
             using One = std::decay_t<decltype(one)>;

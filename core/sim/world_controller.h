@@ -30,6 +30,9 @@ private:
     using Answer = std::optional<std::string>;
     Answer create(const protocol::CreateObject& wanted, std::uint32_t client);
     Answer move(const protocol::Token& name, const Pose& body_in_map);
+    Answer runConveyor(const protocol::RunConveyor& wanted);
+    /// Raised by up to a meter until nothing is in its way: what is dropped on a slope or a thing lands on it.
+    bool makeRoom(SceneObject& object);
     Answer follow(const protocol::FollowWaypoints& wanted);
     template <class Keep>
     void removeUnless(Keep&& keep);
@@ -40,9 +43,5 @@ private:
     Physics& physics_;
     Scene& scene_;
 };
-
-/// A thing of one of the built-in kinds (Box, Crate, Ball, SoccerBall, Barrel, Cylinder, Brick), in any case, with or
-/// without package; nothing for other words.
-std::optional<BodyDescription> builtInBody(std::string_view class_name, const Vec3& scale);
 
 } // namespace usar::sim

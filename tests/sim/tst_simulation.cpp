@@ -225,7 +225,7 @@ private slots:
 
     void ignoresWhatIsForOtherRobotsAndTellsTheLog_data() {
         QTest::addColumn<QString>("line");
-        for (const char* line : {"DRIVE {Speed 3} {FrontSteer 0.5}", "MULTIDRIVE {FLFlipper 0.5}", "TRACE {On true}",
+        for (const char* line : {"DRIVE {Speed 3} {FrontSteer 0.5}", "MULTIDRIVE {FLFlipper 0.5}",
                                  "MISPKG {Name CameraPanTilt} {Link 1} {Value 1.5}", "GETPATHNODES",
                                  "ACT {Name Arm} {Gripper 1}", "EHLO example.org"})
             QTest::newRow(line) << line;

@@ -115,6 +115,70 @@ private slots:
         QVERIFY((world.states()[0].object_in_map.position_m.head<2>() - Vec2(4, -4)).norm() < 0.05);
     }
 
+    void aBeltCarriesWhatLiesOnItAndStays_data() {
+        QTest::addColumn<double>("yaw_rad");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::newRow("forward") << 0.0 << 0.4;
+        QTest::newRow("backward") << 0.0 << -0.4;
+        QTest::newRow("turned") << pi / 2.0 << 0.4;
+    }
+    void aBeltCarriesWhatLiesOnItAndStays() {
+        QFETCH(double, yaw_rad);
+        QFETCH(double, speed_m_s);
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Conveyor} {Name C} {Location 0,0,-0.15} {Rotation 0,0," +
+                         std::to_string(-yaw_rad) + "} {Scale 2,1,1}");
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 0,0,-0.56}");
+        world.steps(5);
+        world.talker.say("CONTROL {Type Conveyor} {Name C} {Speed " + std::to_string(speed_m_s) + "}");
+        world.steps(5); // it slips until it has the belt's speed: v / (mu g), less than 0.1 s
+        const Vec3 before_m = world.states(" {Name B}")[0].object_in_map.position_m;
+        world.steps(14); // and one that states() takes: 3 s
+        const Vec3 way_m = world.states(" {Name B}")[0].object_in_map.position_m - before_m;
+        const Vec2 along(std::cos(yaw_rad), std::sin(yaw_rad));
+        QVERIFY2(std::abs(way_m.head<2>().dot(along) - 3.0 * speed_m_s) < 0.02 &&
+                     (way_m.head<2>() - 3.0 * speed_m_s * along).norm() < 0.05 && std::abs(way_m.z()) < 0.01,
+                 qPrintable(QString("%1 %2 %3").arg(way_m.x()).arg(way_m.y()).arg(way_m.z())));
+        const Pose belt = world.states(" {Name C}")[0].object_in_map;
+        QVERIFY((belt.position_m - Vec3(0, 0, 0.15)).norm() < 1e-6);
+        world.talker.say("CONTROL {Type Conveyor} {Name C} {Speed 0}");
+        world.steps(3);
+        const Vec3 stopped_m = world.states(" {Name B}")[0].object_in_map.position_m;
+        world.steps(5);
+        QVERIFY((world.states(" {Name B}")[0].object_in_map.position_m - stopped_m).norm() < 0.01);
+    }
+
+    void theEndsOfABeltPushNobodyAway() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Conveyor} {Name C} {Location 0,0,-0.15}");
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 1.76,0,-0.26}");
+        world.talker.say("CONTROL {Type Conveyor} {Name C} {Speed 0.5}");
+        world.steps(15);
+        QVERIFY(std::abs(world.states(" {Name B}")[0].object_in_map.position_m.x() - 1.76) < 0.03);
+    }
+
+    void aRobotIsCarriedByABelt() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Conveyor} {Name C} {Location 0,0,-0.15} {Scale 3,2,1}");
+        Talker robot(*world.simulation);
+        robot.say("INIT {ClassName P2DX} {Name R} {Location -2,0,-0.55}");
+        world.steps(10);
+        const double before_m = world.simulation->robots()[0].base_in_map.position_m.x();
+        world.talker.say("CONTROL {Type Conveyor} {Name C} {Speed 0.3}");
+        world.steps(25);
+        const double way_m = world.simulation->robots()[0].base_in_map.position_m.x() - before_m;
+        QVERIFY2(std::abs(way_m - 1.5) < 0.1, qPrintable(QString::number(way_m)));
+    }
+
+    void whatIsPutIntoTheGroundOrAThingComesToLieOnIt() {
+        Controlled world;
+        world.talker.say("CONTROL {Type Create} {ClassName Crate} {Name C} {Location 0,0,3}");
+        world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 0,0,-0.5}");
+        world.steps(10);
+        QVERIFY(std::abs(world.states(" {Name C}")[0].object_in_map.position_m.z() - 0.5) < 0.02);
+        QVERIFY(std::abs(world.states(" {Name B}")[0].object_in_map.position_m.z() - 1.25) < 0.03);
+    }
+
     void thingsLeaveWithTheControllerUnlessPermanent() {
         auto simulation = simulationOf(flatWorld());
         {
@@ -144,6 +208,8 @@ private slots:
                                        << "no object 'Nobody'";
         QTest::newRow("unknown start") << "CONTROL {Type Create} {ClassName Box} {Start Moon}"
                                        << "no start pose 'Moon'";
+        QTest::newRow("no conveyor") << "CONTROL {Type Conveyor} {Name Nobody} {Speed 1}"
+                                     << "no object 'Nobody'";
         QTest::newRow("no size") << "CONTROL {Type Create} {ClassName Box} {Scale 0,1,1}"
                                  << "scale must be above 0";
     }

@@ -1,0 +1,51 @@
+// When a robot under TRACE leaves its next mark (usarsim-protocol 5.6).
+#pragma once
+
+#include <optional>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/protocol/commands/trace.h"
+
+namespace usar::protocol {
+
+/// One robot's. The same rule for a server that keeps marks and a window that draws them.
+class TracePen {
+public:
+    static constexpr double least_way_m = 0.028;  ///< 7 units of the game's
+    static constexpr Seconds usual_interval{0.5}; ///< ours: no source tells the game's
+
+    /// What a command leaves out stays as it was.
+    void obey(const Trace& wanted) {
+        on_ = wanted.on;
+        interval_ = wanted.interval.value_or(interval_);
+        color_ = wanted.color.value_or(color_);
+        last_.reset();
+    }
+    bool on() const { return on_; }
+    TraceColor color() const { return color_; }
+    /// The color of the mark to leave here and now; nothing while it is off, too soon or too near to the last one.
+    std::optional<TraceColor> markAt(Seconds now, const Vec3& position_m) {
+        if (!on_ || !position_m.allFinite())
+            return std::nullopt;
+        constexpr Seconds rounding{1e-6};
+        const bool clock_restarted = last_ && now < last_->time;
+        if (last_ && !clock_restarted &&
+            (now - last_->time < interval_ - rounding || (position_m - last_->position_m).norm() <= least_way_m))
+            return std::nullopt;
+        last_ = {now, position_m};
+        return color_;
+    }
+
+private:
+    struct Mark {
+        Seconds time{0.0};
+        Vec3 position_m = Vec3::Zero();
+    };
+    bool on_ = false;
+    Seconds interval_ = usual_interval;
+    TraceColor color_ = TraceColor::Red;
+    std::optional<Mark> last_;
+};
+
+} // namespace usar::protocol
