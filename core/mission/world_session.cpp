@@ -171,7 +171,7 @@ void WorldSession::takeLine(std::string_view text) {
         return;
     ever_answered_ = true;
     if (std::exchange(silence_said_, false))
-        emit noticed({.severity = Severity::Note, .topic = topic, .over = true});
+        emit noticed({.severity = Severity::Note, .text = {}, .topic = topic, .over = true});
     const std::string class_name = open_question_ ? open_question_->class_name : std::string();
     open_question_.reset();
     view_.state = WorldState::Ready;
@@ -191,7 +191,10 @@ void WorldSession::takeLine(std::string_view text) {
 void WorldSession::takeThings(const protocol::WorldObjects& objects) {
     std::vector<WorldThing> things;
     for (const protocol::WorldObject& object : objects.objects)
-        things.push_back({object.name, {}, object.size_m, object.object_in_map,
+        things.push_back({object.name,
+                          {},
+                          object.size_m,
+                          object.object_in_map,
                           velocityOf(object.name, object.object_in_map.position_m)});
     view_.things = std::move(things);
     std::erase_if(ways_, [this](const auto& way) {
