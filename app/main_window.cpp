@@ -49,6 +49,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireReplay();
     wireFaults();
     wireCamera();
+    wireObjects();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
@@ -139,6 +140,7 @@ void MainWindow::wireControl() {
             views_.map->fit();
         }
         showReplay();
+        showTrace();
         refreshRunState();
         showTitle();
     });

@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "app/robot_presenter.h"
 #include "app/window_views.h"
+#include "app/world_editor.h"
 #include "core/mission/mission_file.h"
 #include "widgets/command_registry.h"
 
@@ -76,6 +77,7 @@ private:
     void registerReplayCommands();
     void registerFaultCommands();
     void registerCameraCommands();
+    void registerTraceCommands();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -91,6 +93,10 @@ private:
     /// Those of the mission file that was opened; their times count from its start.
     void beginMissionFaults();
     void wireCamera();
+    void wireObjects();
+    /// TRACE for the selected robot, in the color that the palette shows.
+    void trace(bool on);
+    void showTrace();
     /// Bar and badge of the selected robot.
     void showReplay();
     void orderReplay(const mission::ReplayOrder& order);
@@ -144,6 +150,7 @@ private:
     WindowViews views_;
     RobotPresenter presenter_;
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
+    WorldEditor world_{control_, views_, commands_, this};
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/protocol/fields.h"
+#include "widgets/theme.h"
 
 namespace usar::app {
 
@@ -63,6 +64,8 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
         restart(view, selected);
     showRow(id);
     showOnMap(view, update, selected);
+    for (const mission::TraceSpot& spot : traces_[view.connection].take(update))
+        views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
     if (!selected)
         return;
@@ -70,6 +73,16 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     noteHeard(update);
     showInstruments(view, update);
     feedPanels(update);
+}
+
+bool RobotPresenter::tracing(int id) const {
+    const auto trace = traces_.find(control_.connectionOf(id));
+    return id != 0 && trace != traces_.end() && trace->second.on();
+}
+
+std::optional<protocol::TraceColor> RobotPresenter::traceColor(int id) const {
+    const auto trace = traces_.find(control_.connectionOf(id));
+    return id == 0 || trace == traces_.end() ? std::nullopt : std::optional(trace->second.color());
 }
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {

@@ -3,6 +3,7 @@
 
 #include "app/mission_control.h"
 #include "app/window_views.h"
+#include "core/mission/trace_watch.h"
 
 namespace usar::app {
 
@@ -21,6 +22,9 @@ public:
     void showRow(int id);
     /// Another robot's height map, marks and path replace those on the map; 0 clears them.
     void select(int id);
+    /// Whether it leaves marks.
+    bool tracing(int id) const;
+    std::optional<protocol::TraceColor> traceColor(int id) const;
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:
@@ -35,7 +39,8 @@ private:
 
     MissionControl& control_;
     WindowViews& views_;
-    std::map<int, std::uint64_t> not_shown_; ///< lines that were left out of updates so far, by connection
+    std::map<int, mission::TraceWatch> traces_; ///< by connection
+    std::map<int, std::uint64_t> not_shown_;    ///< lines that were left out of updates so far, by connection
     // Of the selected robot:
     std::optional<Seconds> scan_heard_; ///< by the protocol's clock
     std::optional<Seconds> sonar_heard_;

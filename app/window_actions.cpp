@@ -45,6 +45,7 @@ void MainWindow::showWorld(const WorldPicture& world) {
     views_.time->setPaused(false);
     views_.sensors->setPaused(false);
     showFaultChoices();
+    world_.setPaused(false);
     commands_.refresh();
 }
 
@@ -116,6 +117,7 @@ void MainWindow::selectRobot(int id) {
     views_.robots->selectRobot(selected_);
     refreshRunState();
     showReplay();
+    showTrace();
     showPlan();
     showTitle();
     commands_.refresh();
@@ -197,6 +199,7 @@ void MainWindow::applyParameters() {
 void MainWindow::pauseTime(bool paused) {
     views_.time->setPaused(paused);
     views_.sensors->setPaused(paused);
+    world_.setPaused(paused);
     if (paused)
         control_.setPace(link::Pace::Paused, 1.0);
     else

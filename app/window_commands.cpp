@@ -19,7 +19,9 @@ const QList<std::pair<QString, QString>> gestures{
     {QObject::tr("Wheel"), QObject::tr("Zoom at the cursor")},
     {QObject::tr("Arrow keys, drag"), QObject::tr("Pan the map")},
     {QObject::tr("Drag the camera's picture, wheel on it"), QObject::tr("Turn the camera, zoom it")},
-    {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")}};
+    {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")},
+    {QObject::tr("Press an object in the palette, click on the map"), QObject::tr("Put it into the world")},
+    {QObject::tr("Drag an object"), QObject::tr("Move it")}};
 
 } // namespace
 
@@ -38,6 +40,8 @@ void MainWindow::registerCommands() {
     registerReplayCommands();
     registerFaultCommands();
     registerCameraCommands();
+    registerTraceCommands();
+    world_.registerCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -237,13 +241,17 @@ void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
                    {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
                     "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "robot.spawn_again",
-                    "robot.remove"});
+                    "robot.remove", "-", "robot.trace"});
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
     commands_.fill(server, {"simulator.save_snapshot", "simulator.open_snapshot", "-", "time.pause", "time.step",
                             "time.faster", "time.slower", "time.real", "time.max", "-", "faults.inject", "faults.end",
                             "faults.end_all", "-", "link.figures"});
+    commands_.fill(menuBar()->addMenu(tr("&Objects")),
+                   {"view.dock.world", "-", "world.turn_left", "world.turn_right", "world.spin", "-", "world.waypoints",
+                    "world.clear_way", "world.go", "world.halt", "-", "world.undo", "world.delete", "world.delete_all",
+                    "-", "map.wipe_trace"});
     commands_.fill(menuBar()->addMenu(tr("M&essages")),
                    {"messages.find",         "messages.command",   "-",
                     "messages.pause",        "messages.follow",    "messages.details",

@@ -90,8 +90,8 @@ QWidget* makeInspector(WindowViews& views) {
 void makeDocks(QMainWindow& window, WindowViews& views) {
     views.parameters = new ParameterForm;
     addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
-    addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
-            views.behavior = new BehaviorPanel(views.parameters));
+    auto* behavior = addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
+                             views.behavior = new BehaviorPanel(views.parameters));
     auto* instruments = addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea,
                                 makeInstruments(views));
     addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
@@ -114,6 +114,10 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     window.tabifyDockWidget(instruments, camera); // the tallest place
     instruments->raise();
     QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
+    views.world_dock =
+        addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
+    window.tabifyDockWidget(behavior, views.world_dock); // what robots do, and what is there for them
+    behavior->raise();
     window.tabifyDockWidget(plots, messages);
     window.tabifyDockWidget(messages, views.notifications_dock);
     plots->raise();

@@ -31,6 +31,7 @@
 #include "widgets/terrain_profile_view.h"
 #include "widgets/time_bar.h"
 #include "widgets/toast_stack.h"
+#include "widgets/world_panel.h"
 
 namespace usar::app {
 
@@ -62,6 +63,8 @@ struct WindowViews {
     widgets::ToastStack* toasts = nullptr;
     widgets::LayersPanel* layers = nullptr;
     widgets::FaultPanel* faults = nullptr;
+    widgets::WorldPanel* world = nullptr; ///< the palette
+    QDockWidget* world_dock = nullptr;
     QDockWidget* notifications_dock = nullptr;
     std::vector<QDockWidget*> docks; ///< in the order of the View menu
 };

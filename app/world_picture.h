@@ -1,6 +1,8 @@
 // What the window may show of the embedded world before anything is scanned.
 #pragma once
 
+#include <memory>
+
 #include <QImage>
 #include <QString>
 #include <QStringList>
@@ -16,6 +18,7 @@ struct WorldPicture {
     QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
     QStringList robot_classes;  ///< that can be spawned there, without package
     QStringList camera_classes; ///< those that have a camera
+    std::shared_ptr<const sim::Terrain> ground{};
 };
 
 /// Without trees, for they are what a robot should find. Classes are left to whoever knows them.

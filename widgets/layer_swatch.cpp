@@ -54,6 +54,17 @@ void paintGoalSwatch(QPainter& painter) {
     painter.drawEllipse(QPointF(7.0, 0.0), 5.0, 5.0);
 }
 
+void paintTraceSwatch(QPainter& painter) {
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
+    for (const auto& [x, color] : {std::pair(-9.0, protocol::TraceColor::Red),
+                                   {-3.0, protocol::TraceColor::Red},
+                                   {3.0, protocol::TraceColor::Cyan},
+                                   {9.0, protocol::TraceColor::Cyan}}) {
+        painter.setBrush(traceColor(color));
+        painter.drawEllipse(QPointF(x, 0.0), 2.5, 2.5);
+    }
+}
+
 void paintLayer(QPainter& painter, MapLayer layer) {
     switch (layer) {
     case MapLayer::World:
@@ -71,6 +82,10 @@ void paintLayer(QPainter& painter, MapLayer layer) {
     case MapLayer::Trails:
         painter.setPen(QPen(robotColor(1), 1.5));
         return painter.drawPolyline(QPolygonF({{-13, 3}, {-4, -3}, {4, 3}, {13, -2}}));
+    case MapLayer::Traces:
+        return paintTraceSwatch(painter);
+    case MapLayer::Objects:
+        return paintObjectSymbol(painter, QRectF(-7.0, -6.0, 12.0, 12.0), false);
     case MapLayer::Marks:
         paintMark(painter, agent::MarkKind::HighRisk, QPointF(-7.0, 0.0), 10.0);
         return paintMark(painter, agent::MarkKind::Diversion, QPointF(7.0, 0.0), 10.0);

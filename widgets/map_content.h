@@ -12,13 +12,28 @@
 #include "core/agent/published.h"
 #include "core/protocol/info/game_info.h"
 #include "widgets/models/area_grip.h"
+#include "widgets/models/map_object.h"
 #include "widgets/models/trail.h"
 
 namespace usar::widgets {
 
 /// Painted in this order, lowest first.
-enum class MapLayer { World, Grid, Heights, Area, Lanes, Trails, Marks, StartPoses, Laser, Goals, Robots };
-inline constexpr std::size_t map_layer_count = 11;
+enum class MapLayer {
+    World,
+    Grid,
+    Heights,
+    Area,
+    Lanes,
+    Trails,
+    Traces,
+    Marks,
+    Objects,
+    StartPoses,
+    Laser,
+    Goals,
+    Robots
+};
+inline constexpr std::size_t map_layer_count = 13;
 /// "Height map": what menus and the layers panel call it.
 QString layerName(MapLayer layer);
 
@@ -63,6 +78,15 @@ struct AreaOnMap {
     std::optional<AreaGrip> hot_grip; ///< under the cursor
 };
 
+/// The things of the world, and what is being done with them.
+struct ObjectsOnMap {
+    std::vector<MapObject> objects; ///< in the order in which they are drawn
+    QString selected;               ///< empty for none
+    QString held;                   ///< dragged to `held_to_m`, and still where it was
+    Vec2 held_to_m = Vec2::Zero();
+    std::optional<MapObject> ghost; ///< would come into the world here
+};
+
 /// Metres in the map frame throughout. The painters only read it, so one copy serves map, overlay and labels of a
 /// frame.
 struct MapContent {
@@ -79,6 +103,7 @@ struct MapContent {
     QString selected_robot;
     /// Of all robots, in order of time.
     std::vector<agent::MapMark> marks;
+    ObjectsOnMap objects;
     LayerStates layers = firstLayers();
 
     const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }

@@ -19,8 +19,12 @@ QString layerName(MapLayer layer) {
         return QStringLiteral("Lanes");
     case MapLayer::Trails:
         return QStringLiteral("Trails");
+    case MapLayer::Traces:
+        return QStringLiteral("Trace marks");
     case MapLayer::Marks:
         return QStringLiteral("Marks");
+    case MapLayer::Objects:
+        return QStringLiteral("Objects");
     case MapLayer::StartPoses:
         return QStringLiteral("Start poses");
     case MapLayer::Laser:

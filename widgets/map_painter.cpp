@@ -24,10 +24,11 @@ QColor faded(QColor color, double alpha) {
 } // namespace
 
 MapPainter::MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights,
-                       const MapTransform& transform)
+                       const TraceLayer& traces, const MapTransform& transform)
     : painter_(painter)
     , content_(content)
     , heights_(heights)
+    , traces_(traces)
     , transform_(transform)
     , tokens_(tokens())
     , labels_(placeMapLabels(content, transform)) {}
@@ -57,8 +58,12 @@ void MapPainter::paint(MapLayer layer) {
         return paintLanes();
     case MapLayer::Trails:
         return paintTrails();
+    case MapLayer::Traces:
+        return traces_.paint(painter_, transform_);
     case MapLayer::Marks:
         return paintMarks();
+    case MapLayer::Objects:
+        return paintObjects();
     case MapLayer::StartPoses:
         return paintStartPoses();
     case MapLayer::Laser:

@@ -7,6 +7,7 @@
 #include "widgets/map_content.h"
 #include "widgets/map_labels.h"
 #include "widgets/theme.h"
+#include "widgets/trace_layer.h"
 
 namespace usar::widgets {
 
@@ -14,7 +15,8 @@ namespace usar::widgets {
 /// (gui.md section 6). GUI thread.
 class MapPainter {
 public:
-    MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const MapTransform& transform);
+    MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const TraceLayer& traces,
+               const MapTransform& transform);
 
     /// All visible layers, lowest first.
     void paintLayers();
@@ -34,6 +36,10 @@ private:
     void paintTrails();
     /// Path marks closer than three pixels to the last one are left out; all others are drawn.
     void paintMarks();
+    /// To scale, never smaller than a finger finds; way points of the selected one; what is dragged or would come.
+    void paintObjects();
+    void paintObject(const MapObject& object, bool selected);
+    void paintWaypoints(const MapObject& object);
     /// Diamonds with an arrow along the yaw; the one under the cursor is larger and in the accent color.
     void paintStartPoses();
     void paintLaser();
@@ -50,6 +56,7 @@ private:
     QPainter& painter_;
     const MapContent& content_;
     const HeightLayer& heights_;
+    const TraceLayer& traces_;
     const MapTransform& transform_;
     const Tokens& tokens_;
     const MapLabels labels_;
@@ -61,6 +68,9 @@ void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px
 /// The symbols of the map, around the painter's origin, turned clockwise from "up".
 void paintStartPoseSymbol(QPainter& painter, double turn_rad, bool hot);
 void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, bool stale);
+
+/// Around the painter's origin, in pixels; `selected` in the accent color.
+void paintObjectSymbol(QPainter& painter, const QPolygonF& outline_px, bool selected);
 
 /// Text on a raised chip; `at_px` is the chip's corner or middle named by `alignment`. Returns the chip.
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment);

@@ -15,6 +15,7 @@ MapView::MapView(QWidget* parent)
     , empty_state_(new EmptyState(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setAcceptDrops(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));
     setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom, N walks over the start poses, Return spawns."));
@@ -57,6 +58,7 @@ void MapView::clear() {
     content_.area.editing = editing;
     cancelGesture();
     heights_->clear(heights_->cellSize_m());
+    traces_.clear();
     view_touched_ = false;
     setFollowing(false);
     updateEmptyState();
@@ -173,6 +175,7 @@ void MapView::setTool(MapTool tool) {
     tool_ = tool;
     content_.area.editing = tool == MapTool::Area;
     content_.area.hot_grip.reset();
+    showGhost(cursor_px_);
     updateCursor();
     emit toolChanged(tool);
     update();
@@ -250,7 +253,7 @@ void MapView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), tokens().background);
     if (!empty_state_->isHidden())
         return;
-    MapPainter(painter, content_, *heights_, transform_).paintLayers();
+    MapPainter(painter, content_, *heights_, traces_, transform_).paintLayers();
     MapOverlay overlay;
     overlay.focused = hasFocus() && focusWidget() == this;
     if (following_)

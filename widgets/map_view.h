@@ -7,17 +7,23 @@
 #include "widgets/height_layer.h"
 #include "widgets/map_content.h"
 #include "widgets/models/map_transform.h"
+#include "widgets/trace_layer.h"
 
 namespace usar::widgets {
 
 class EmptyState;
 
-/// What the left mouse button does on open ground. The middle button always pans.
-enum class MapTool { Pan, Area };
+/// What the left mouse button does on open ground. The middle button always pans. Place: a click brings a thing into
+/// the world; Waypoint: it adds a way point of the selected thing.
+enum class MapTool { Pan, Area, Place, Waypoint };
+
+/// What a thing that is dragged out of the palette carries.
+inline constexpr const char* object_mime = "application/x-usar-thing";
 
 /// Values in by setters, gestures out by signals; it knows no session. Repaints are coalesced by Qt's update(). Keys
 /// when focused: arrows pan, + and - zoom, N and Shift+N walk over the start poses, Return spawns there, Space asks
-/// about it, Escape gives a drag up. Units are metres in the map frame. GUI thread.
+/// about it, Escape gives a drag or a tool up, Delete asks to remove the selected thing. Units are metres in the map
+/// frame. GUI thread.
 class MapView : public QWidget {
     Q_OBJECT
 public:
@@ -65,6 +71,17 @@ public:
     /// Draws the ring; an empty name selects nobody and ends following.
     void selectRobot(const QString& name);
 
+    // Things of the world.
+    /// All there are, the last one on top.
+    void setObjects(const std::vector<MapObject>& objects);
+    /// Silent; an empty name selects none.
+    void selectObject(const QString& name);
+    /// What the Place tool and drags out of the palette show under the cursor.
+    void setGhost(const std::optional<MapObject>& ghost);
+    void addTraceMark(const Vec2& point_in_map_m, const QColor& color);
+    void clearTraceMarks();
+    const TraceLayer& traces() const { return traces_; }
+
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
@@ -103,6 +120,14 @@ signals:
     void areaChanged(const usar::Rectangle& area_in_map);
     /// A drawn area of no size, or wholly outside the world: a sentence with the mend. The area stays what it was.
     void areaRefused(const QString& reason);
+    /// A thing shall come here; `again`: and another one after it.
+    void placeRequested(const usar::Vec2& point_in_map_m, bool again);
+    void waypointAdded(const usar::Vec2& point_in_map_m);
+    /// The view has selected it already; empty for none.
+    void objectClicked(const QString& name);
+    /// Dragged there with its center; it is where it was until `setObjects` says otherwise.
+    void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
+    void objectRemovalRequested(const QString& name);
     /// The ground under the cursor.
     void probed(const usar::Vec2& point_in_map_m, std::optional<usar::widgets::HeightProbe> height);
     void followingChanged(bool following);
@@ -118,15 +143,27 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
-    enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip };
+    enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip, DraggingObject };
     std::optional<std::size_t> startPoseAt(const QPointF& point_px) const;
     QString robotAt(const QPointF& point_px) const;
+    QString objectAt(const QPointF& point_px) const;
     void hover(const QPointF& point_px);
-    void click(const QPointF& point_px);
+    void click(const QPointF& point_px, Qt::KeyboardModifiers modifiers);
+    bool clickWithTool(const QPointF& point_px, Qt::KeyboardModifiers modifiers);
+    void clickObject(const QPointF& point_px);
+    bool beginObjectDrag(const QPointF& point_px);
+    void dragObject(const QPointF& point_px);
+    void finishObjectDrag();
+    void showGhost(const std::optional<QPointF>& at_px);
+    QString objectToolTip(const QPointF& point_px) const;
     void panBy(const QPointF& by_px);
     void beginAreaGesture(const QPointF& point_px);
     void dragArea(const QPointF& point_px);
@@ -142,6 +179,7 @@ private:
     MapContent content_;
     MapTransform transform_;
     HeightLayer* heights_;
+    TraceLayer traces_;
     EmptyState* empty_state_;
     MapTool tool_ = MapTool::Pan;
     bool following_ = false;
@@ -152,6 +190,9 @@ private:
     Vec2 pressed_m_ = Vec2::Zero();
     AreaGrip held_grip_;
     std::optional<Rectangle> area_before_;
+    std::optional<MapObject> ghost_; ///< wherever it is
+    bool dragged_in_ = false;        ///< out of the palette, over the map
+    Vec2 held_from_m_ = Vec2::Zero();
     std::optional<QPointF> cursor_px_;
 };
 

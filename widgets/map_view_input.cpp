@@ -74,7 +74,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     if (gesture_ == Gesture::Pressed && distance_px(at, pressed_px_) >= QApplication::startDragDistance() / 2.0) {
         if (tool_ == MapTool::Area)
             beginAreaGesture(pressed_px_);
-        else
+        else if (!beginObjectDrag(pressed_px_))
             gesture_ = Gesture::Panning;
         updateCursor();
     }
@@ -82,8 +82,11 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
         panBy(at - last_px_);
     else if (gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip)
         dragArea(at);
+    else if (gesture_ == Gesture::DraggingObject)
+        dragObject(at);
     else
         hover(at);
+    showGhost(at);
     last_px_ = at;
     const Vec2 ground = transform_.toMap(at);
     emit probed(ground, heights_->probe(ground));
@@ -93,7 +96,9 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
     const Gesture gesture = std::exchange(gesture_, Gesture::None);
     if (gesture == Gesture::Pressed)
-        click(event->position());
+        click(event->position(), event->modifiers());
+    else if (gesture == Gesture::DraggingObject)
+        finishObjectDrag();
     else if (gesture == Gesture::DrawingArea || gesture == Gesture::DraggingGrip)
         finishAreaGesture(gesture, event->position());
     updateCursor();
@@ -104,16 +109,22 @@ void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
     // No gesture begins, so that the second release is no click.
     if (event->button() != Qt::LeftButton)
         return;
+    if (clickWithTool(event->position(), event->modifiers()))
+        return;
     if (const auto pose = startPoseAt(event->position()))
         emit spawnRequested(static_cast<int>(*pose));
 }
 
-void MapView::click(const QPointF& point_px) {
+void MapView::click(const QPointF& point_px, Qt::KeyboardModifiers modifiers) {
+    if (clickWithTool(point_px, modifiers))
+        return;
     if (const QString robot = robotAt(point_px); !robot.isEmpty()) {
         selectRobot(robot);
         emit robotClicked(robot);
     } else if (const auto pose = startPoseAt(point_px)) {
         askAbout(*pose);
+    } else {
+        clickObject(point_px);
     }
 }
 
@@ -168,6 +179,7 @@ void MapView::restoreArea() {
 void MapView::cancelGesture() {
     if (gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip)
         restoreArea();
+    content_.objects.held.clear();
     gesture_ = Gesture::None;
     updateCursor();
     update();
@@ -210,6 +222,12 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
         if (gesture_ != Gesture::None)
             return cancelGesture();
+        if (tool_ == MapTool::Place || tool_ == MapTool::Waypoint)
+            return setTool(MapTool::Pan);
+        break;
+    case Qt::Key_Delete:
+        if (!content_.objects.selected.isEmpty())
+            return emit objectRemovalRequested(content_.objects.selected);
         break;
     case Qt::Key_Return:
     case Qt::Key_Enter:
@@ -243,14 +261,17 @@ void MapView::walkStartPoses(int by) {
 
 void MapView::leaveEvent(QEvent*) {
     cursor_px_.reset();
+    showGhost({});
     content_.hot_start_pose.reset();
     content_.area.hot_grip.reset();
     update();
 }
 
 void MapView::updateCursor() {
-    Qt::CursorShape shape = tool_ == MapTool::Area ? Qt::CrossCursor : Qt::ArrowCursor;
-    if (gesture_ == Gesture::Panning)
+    Qt::CursorShape shape = tool_ == MapTool::Pan ? Qt::ArrowCursor : Qt::CrossCursor;
+    if (gesture_ == Gesture::DraggingObject)
+        shape = Qt::SizeAllCursor;
+    else if (gesture_ == Gesture::Panning)
         shape = Qt::ClosedHandCursor;
     else if (content_.area.hot_grip)
         shape = content_.area.hot_grip->middle() ? Qt::SizeAllCursor : Qt::PointingHandCursor;
@@ -269,7 +290,7 @@ QString MapView::toolTipAt(const QPointF& point_px) const {
     if (const auto i = startPoseAt(point_px))
         return tr("Start pose %1. Double-click spawns a robot here; one click asks which.")
             .arg(QString::fromStdString(content_.start_poses[*i].name));
-    return {};
+    return objectToolTip(point_px);
 }
 
 bool MapView::event(QEvent* event) {

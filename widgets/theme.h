@@ -7,6 +7,7 @@
 #include <QFont>
 
 #include "core/agent/published.h"
+#include "core/protocol/commands/trace.h"
 
 namespace usar::widgets {
 
@@ -48,6 +49,13 @@ QColor inkOn(const QColor& fill);
 
 /// Colors of the thesis's marks (figure 4.4), the same in both themes and in exported pictures.
 QColor markColor(agent::MarkKind kind);
+/// The protocol's colors of TRACE, the same in both themes; on the map each mark has a dark rim.
+QColor traceColor(protocol::TraceColor color);
+/// "Red": the protocol's word.
+QString traceColorName(protocol::TraceColor color);
+inline constexpr std::array all_trace_colors = {
+    protocol::TraceColor::Red,   protocol::TraceColor::Yellow, protocol::TraceColor::Green, protocol::TraceColor::Cyan,
+    protocol::TraceColor::White, protocol::TraceColor::Blue,   protocol::TraceColor::Purple};
 /// What a line of traffic is about. `Other`: a type that is none of these.
 enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
 inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,
