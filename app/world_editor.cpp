@@ -32,16 +32,12 @@ ObjectForm formOf(const sim::ObjectKind& kind) {
     return ObjectForm::Box;
 }
 
-QString iconOf(std::string_view class_name) {
-    return class_name == "SoccerBall" ? QStringLiteral("soccer-ball")
-                                      : QString::fromUtf8(class_name.data(), qsizetype(class_name.size())).toLower();
-}
-
 std::vector<widgets::PaletteKind> palette() {
     std::vector<widgets::PaletteKind> kinds;
-    for (const sim::ObjectKind& kind : sim::objectKinds())
-        kinds.push_back({QString::fromUtf8(kind.name.data(), qsizetype(kind.name.size())), iconOf(kind.name),
-                         formOf(kind), kind.size_m, kind.conveyor});
+    for (const sim::ObjectKind& kind : sim::objectKinds()) {
+        const QString name = QString::fromUtf8(kind.name.data(), qsizetype(kind.name.size()));
+        kinds.push_back({name, widgets::kindIcon(name), formOf(kind), kind.size_m, kind.conveyor});
+    }
     return kinds;
 }
 
@@ -197,6 +193,8 @@ void WorldEditor::show() {
         views_.world->setObjects(shown_);
     if (!selected())
         selected_.clear();
+    if (std::ranges::find(shown_, awaited_, &MapObject::name) != shown_.end())
+        select(std::exchange(awaited_, {}));
     showState();
     if (none_before != shown_.empty())
         refreshPolling();
@@ -251,7 +249,7 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
     if (!choice->scale.isApprox(Vec3::Ones()))
         created.scale = choice->scale;
     send(created);
-    select(name);
+    awaited_ = name;
     if (!again)
         views_.world->disarm();
 }

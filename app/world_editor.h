@@ -80,6 +80,7 @@ private:
     bool dock_seen_ = false;
     double real_time_factor_ = 1.0;
     QString selected_;
+    QString awaited_; ///< is selected when it has come
     std::vector<widgets::MapObject> shown_;
     std::map<QString, Known> known_;
     std::set<QString> used_names_;

@@ -43,7 +43,7 @@ void WorldEditor::registerCommands() {
          tr("Delete all objects"),
          tr("World"),
          tr("Takes every object out of the world"),
-         "clear",
+         "trash-all",
          {}},
         [this](bool) { removeAll(); }, any);
     commands_.add(
@@ -80,7 +80,7 @@ void WorldEditor::registerWayCommands() {
          tr("Forget way points"),
          tr("World"),
          tr("The selected object stops and has no way any more"),
-         "clear",
+         "waypoint-off",
          {}},
         [this](bool) { clearWay(); }, has_way);
     commands_.add(

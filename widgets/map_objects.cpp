@@ -88,7 +88,8 @@ void MapPainter::paintObject(const MapObject& object, bool selected) {
         return;
     const QSizeF size(QFontMetricsF(themeFont(FontRole::Small, QFont::DemiBold)).horizontalAdvance(object.name) + 10.0,
                       18.0);
-    paintLabel(QRectF(QPointF(center.x() - size.width() / 2.0, bounds.bottom() + gap::tiny), size), object.name, true);
+    paintLabel(QRectF(QPointF(center.x() - size.width() / 2.0, bounds.top() - gap::tiny - size.height()), size),
+               object.name, true);
 }
 
 void MapPainter::paintWaypoints(const MapObject& object) {

@@ -9,8 +9,8 @@ namespace usar::widgets {
 namespace {
 
 constexpr int tile_px = 256;
-constexpr double radius_px = 3.0;
-constexpr double reach_px = radius_px + 1.0; ///< with its rim
+constexpr double radius_px = 3.5;
+constexpr double reach_px = radius_px + 1.5; ///< with its rim
 constexpr int cell_px = 2;                   ///< two marks within a cell look like one
 constexpr std::size_t most_tiles = 192;      ///< 48 MiB; more only while a person roams, and then all are made anew
 
@@ -18,9 +18,14 @@ double side_m(int level) {
     return tile_px / std::exp2(level);
 }
 
+/// The rim goes under what is there, so that dots in a row are one line with one rim.
 void paintDot(QPainter& painter, const QPointF& at_px, QRgb color) {
-    painter.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 170));
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);
+    painter.drawEllipse(at_px, reach_px, reach_px);
     painter.setBrush(QColor(color));
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter.drawEllipse(at_px, radius_px, radius_px);
 }
 

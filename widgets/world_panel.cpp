@@ -127,8 +127,7 @@ void WorldPanel::makeList() {
     header->setSectionResizeMode(ObjectListModel::Name, QHeaderView::Stretch);
     header->setMinimumSectionSize(minimum_target);
     const QFontMetrics metrics(themeFont());
-    const std::pair<int, QString> widths[] = {{ObjectListModel::Kind, QStringLiteral("Conveyor")},
-                                              {ObjectListModel::Place, QStringLiteral("−000.0  −000.0")},
+    const std::pair<int, QString> widths[] = {{ObjectListModel::Place, QStringLiteral("−000.0  −000.0")},
                                               {ObjectListModel::Speed, QStringLiteral("00.0")}};
     for (const auto& [section, sample] : widths)
         header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::small);

@@ -103,6 +103,8 @@ void WorldSession::send(const protocol::Command& command) {
         kinds_[name] = bareName(created->class_name.text());
         awaited_[name] = {created->class_name.text(), 0};
     }
+    if (const auto* const placed = std::get_if<protocol::PlaceObject>(&command))
+        ways_.erase(placed->object_name.text()); // a jump is no speed
     link_.send(protocol::write(command, dialect_));
     questions_left_ = limits_.settling_questions;
     if (!open_question_)

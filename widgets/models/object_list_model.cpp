@@ -4,6 +4,7 @@
 
 #include <QCollator>
 
+#include "widgets/icons.h"
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
@@ -14,8 +15,6 @@ QString cell(const MapObject& object, int column) {
     switch (column) {
     case ObjectListModel::Name:
         return object.name;
-    case ObjectListModel::Kind:
-        return object.kind.isEmpty() ? ObjectListModel::tr("unknown") : object.kind;
     case ObjectListModel::Place:
         return QStringLiteral("%1  %2").arg(figure(object.body_in_map.position_m.x(), 1),
                                             figure(object.body_in_map.position_m.y(), 1));
@@ -25,6 +24,11 @@ QString cell(const MapObject& object, int column) {
 }
 
 } // namespace
+
+QString kindIcon(const QString& kind) {
+    const QString name = kind == QStringLiteral("SoccerBall") ? QStringLiteral("soccer-ball") : kind.toLower();
+    return iconNames().contains(name) ? name : QStringLiteral("help");
+}
 
 void ObjectListModel::setObjects(std::vector<MapObject> objects) {
     QCollator collator;
@@ -62,17 +66,24 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
         return cell(one, index.column());
     if (role == Qt::TextAlignmentRole && index.column() >= Place)
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    const QString kind = one.kind.isEmpty() ? tr("unknown kind") : one.kind;
+    if (role == Qt::DecorationRole && index.column() == Name)
+        return icon(kindIcon(one.kind));
+    if (role == Qt::AccessibleTextRole && index.column() == Name)
+        return tr("%1, %2").arg(one.name, kind);
     if (role == Qt::ToolTipRole)
-        return tr("%1: %2 × %3 × %4 m, z %5 m, yaw %6°")
-            .arg(one.name, figure(one.size_m.x(), 2), figure(one.size_m.y(), 2), figure(one.size_m.z(), 2),
+        return tr("%1 (%2): %3 × %4 × %5 m, z %6 m, yaw %7°")
+            .arg(one.name, kind, figure(one.size_m.x(), 2), figure(one.size_m.y(), 2), figure(one.size_m.z(), 2),
                  figure(one.body_in_map.position_m.z(), 2), figure(degrees(one.body_in_map.yaw_rad), 0));
     return {};
 }
 
 QVariant ObjectListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section >= Place)
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    const QStringList names{tr("Object"), tr("Kind"), tr("x  y m"), tr("m/s")};
+    const QStringList names{tr("Object"), tr("x, y m"), tr("m/s")};
     return names.value(section);
 }
 

@@ -1,4 +1,4 @@
-// The things of the world as a table: what, where, how fast.
+// The objects of the world as a table: what, where, how fast.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,15 @@
 
 namespace usar::widgets {
 
-/// By name, numbers in names in order (Crate2 before Crate10). GUI thread.
+/// The icon of a class; a question mark for those that are not ours.
+QString kindIcon(const QString& kind);
+
+/// The kind is an icon beside the name, and a word for assistive tools. By name, numbers in names in order (Crate2
+/// before Crate10). GUI thread.
 class ObjectListModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { Name, Kind, Place, Speed, column_count };
+    enum Column { Name, Place, Speed, column_count };
     using QAbstractTableModel::QAbstractTableModel;
 
     /// All there are. Views keep their selection where the names are the same.

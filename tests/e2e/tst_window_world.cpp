@@ -1,0 +1,209 @@
+// The palette of the world in the real window: objects by mouse, and the marks of a robot under TRACE.
+#include <QComboBox>
+#include <QMimeData>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "tests/doubles/fake_robot_server.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+/// The dock and its map.
+struct WorldPage : WindowPage {
+    widgets::WorldPanel& panel() { return *window().views().world; }
+
+    void open() {
+        for (QTabBar* tabs : window().findChildren<QTabBar*>())
+            for (int i = 0; i < tabs->count(); ++i)
+                if (tabs->tabText(i) == "World")
+                    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
+    }
+    bool isOpen() { return panel().isVisible() && panel().findChild<QTreeView*>()->isVisible(); }
+    /// As far as a hand can aim: 20 pixels a meter around the origin.
+    void lookAt(const Vec2& center_m) {
+        widgets::MapTransform near = map().transform();
+        near.center_m = center_m;
+        near.pixels_per_m = 20.0;
+        map().setTransform(near);
+    }
+    QPoint at(const Vec2& point_m) { return map().transform().toScreen(point_m).toPoint(); }
+    QToolButton* button(const QString& name) {
+        for (QToolButton* one : panel().findChildren<QToolButton*>())
+            if (one->accessibleName() == name)
+                return one;
+        return nullptr;
+    }
+    void clickMap(const Vec2& point_m) { QTest::mouseClick(&map(), Qt::LeftButton, {}, at(point_m)); }
+    void put(const QString& kind, const Vec2& point_m) {
+        QTest::mouseClick(button(kind), Qt::LeftButton);
+        clickMap(point_m);
+    }
+    int count() { return panel().model().rowCount(); }
+    Vec2 placeOf(int row) { return panel().model().object(row).body_in_map.position_m.head<2>(); }
+    bool isNear(int row, const Vec2& point_m, double reach_m = 0.1) {
+        return row < count() && (placeOf(row) - point_m).norm() < reach_m;
+    }
+};
+
+/// Pixels of about this color in the middle of the map.
+int countColor(widgets::MapView& map, const QColor& color) {
+    const QImage image = map.grab().toImage();
+    int found = 0;
+    for (int y = 60; y < image.height() - 60; ++y)
+        for (int x = 60; x < image.width() - 60; ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            found += std::abs(pixel.red() - color.red()) < 12 && std::abs(pixel.green() - color.green()) < 12 &&
+                     std::abs(pixel.blue() - color.blue()) < 12;
+        }
+    return found;
+}
+
+} // namespace
+
+class tst_WindowWorld : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+
+    void anObjectIsDroppedMovedTurnedDeletedAndBroughtBack() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.lookAt({5, 5});
+        page.put("Crate", {4, 6});
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {4, 6}), soon_ms);
+        QCOMPARE(page.panel().model().object(0).kind, QString("Crate"));
+        QCOMPARE(page.map().tool(), widgets::MapTool::Pan);
+        QTRY_COMPARE(page.map().content().objects.selected, QString("Crate1"));
+
+        QTest::mousePress(&page.map(), Qt::LeftButton, {}, page.at({4, 6}));
+        QTest::mouseMove(&page.map(), page.at({5, 7}));
+        QTest::mouseMove(&page.map(), page.at({7, 8}));
+        QTest::mouseRelease(&page.map(), Qt::LeftButton, {}, page.at({7, 8}));
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {7, 8}), soon_ms);
+
+        const double yaw_rad = page.panel().model().object(0).body_in_map.yaw_rad;
+        QTest::mouseClick(page.button("Turn left"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().object(0).body_in_map.yaw_rad - yaw_rad > 0.2, soon_ms);
+
+        page.screenshot("world_palette");
+        page.map().setFocus();
+        QTest::keyClick(&page.map(), Qt::Key_Delete);
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
+        QVERIFY(!page.window().commands().action("world.delete")->isEnabled());
+        page.pressKey(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {7, 8}, 0.5), soon_ms); // it may have slid a little on its slope
+    }
+
+    void anObjectIsDraggedOutOfThePalette() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.lookAt({0, 0});
+        // The platform's own drag loop is no friend of tests: what it sends to the map is sent here.
+        QTest::mouseClick(page.button("Ball"), Qt::LeftButton);
+        QMimeData data;
+        data.setData(widgets::object_mime, "Ball");
+        QDragEnterEvent enter(page.at({3, 3}), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.map(), &enter);
+        QVERIFY(enter.isAccepted());
+        QVERIFY(page.map().content().objects.ghost);
+        QDropEvent drop(QPointF(page.at({3, 3})), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.map(), &drop);
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 1, soon_ms);
+        QCOMPARE(page.panel().model().object(0).kind, QString("Ball"));
+    }
+
+    void anObjectGoesAlongItsWayPoints() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.lookAt({0, 0});
+        page.put("Box", {-4, 2});
+        QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
+        QVERIFY(!page.window().commands().action("world.go")->isEnabled());
+        QTest::mouseClick(page.button("Add way points"), Qt::LeftButton);
+        page.clickMap({4, 2});
+        page.clickMap({4, -2});
+        QTest::keyClick(&page.map(), Qt::Key_Escape);
+        QCOMPARE(page.map().tool(), widgets::MapTool::Pan);
+        QCOMPARE(page.map().content().objects.objects.front().waypoints_in_map_m.size(), std::size_t(2));
+        page.chooseSpeed("10×");
+        QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {4, -2}, 0.2), soon_ms);
+    }
+
+    void aRobotPushesWhatLiesInItsWayAndLeavesATrace() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.clickStartPose("PlayerStart");
+        auto* const card = page.window().views().spawn_card;
+        QTRY_VERIFY(card->isVisible());
+        auto* const classes = card->findChild<QComboBox*>();
+        classes->setFocus();
+        for (int i = 0; classes->currentText() != "P2DX" && i < classes->count(); ++i)
+            QTest::keyClick(classes, Qt::Key_Down);
+        page.press("Spawn");
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned && page.robot(1)->base_in_map,
+                                 soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        const Vec2 start_m = page.robot(1)->base_in_map->position_m.head<2>();
+        page.lookAt(start_m);
+        page.put("Ball", start_m + Vec2(1.5, 0.0));
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 1, soon_ms);
+        QVERIFY(page.window().commands().action("robot.trace")->isEnabled());
+        page.pressKey(Qt::Key_M, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().commands().action("robot.trace")->isChecked(), soon_ms);
+        QVERIFY(page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 6} {Right 6}", "test"));
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, page.placeOf(0)) && page.placeOf(0).x() > start_m.x() + 2.2, soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->base_in_map->position_m.x() > start_m.x() + 4.0, soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.map().traces().count() >= 5, soon_ms);
+        QVERIFY(page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 0} {Right 0}", "test"));
+        page.screenshot("world_trace");
+        const QColor red = widgets::traceColor(protocol::TraceColor::Red);
+        const int seen = countColor(page.map(), red);
+        QVERIFY2(seen > 30, qPrintable(QString::number(seen)));
+        page.map().setLayer(widgets::MapLayer::Traces, {false, 1.0});
+        QVERIFY(countColor(page.map(), red) < seen / 4);
+        page.pressKey(Qt::Key_M, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!page.window().commands().action("robot.trace")->isChecked(), soon_ms);
+    }
+
+    void whoNeverOpensThePaletteCostsTheServerNothing() {
+        test::FakeRobotServer server;
+        QVERIFY(server.listen());
+        WorldPage page;
+        page.connectToServer("127.0.0.1", server.port());
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QTest::qWait(500);
+        QVERIFY(server.heardOf("CONTROL").isEmpty());
+        QVERIFY(server.heardOf("INIT").isEmpty());
+    }
+
+    void aServerWithoutWorldControllerIsSaidInTheDock() {
+        test::FakeRobotServer server;
+        server.answers_init = false;
+        QVERIFY(server.listen());
+        WorldPage page;
+        page.connectToServer("127.0.0.1", server.port());
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(!page.notified("does not answer as a world controller").isEmpty(), soon_ms);
+        QVERIFY(!page.isOpen());
+        page.screenshot("world_refused");
+    }
+};
+
+USAR_E2E_MAIN(tst_WindowWorld)
+#include "tst_window_world.moc"
