@@ -85,7 +85,7 @@ class tst_WorldSession : public QObject {
 
 private slots:
     void makesMovesAndRemovesThingsInTheSimulation() {
-        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 5.0);
+        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1, .speed_x = 5.0});
         QVERIFY(simulator);
         Session world;
         world.session.open("127.0.0.1", (*simulator)->port());
@@ -107,7 +107,7 @@ private slots:
     }
 
     void learnsTheKindsOfThingsThatOthersMade() {
-        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 5.0);
+        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1, .speed_x = 5.0});
         QVERIFY(simulator);
         Session maker;
         maker.session.open("127.0.0.1", (*simulator)->port());
@@ -119,7 +119,7 @@ private slots:
     }
 
     void saysThatAThingOfAnUnknownClassDidNotCome() {
-        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), 1, 5.0);
+        auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1, .speed_x = 5.0});
         QVERIFY(simulator);
         Session world(std::nullopt);
         world.session.open("127.0.0.1", (*simulator)->port());
