@@ -80,6 +80,7 @@ WorldPanel::WorldPanel(QWidget* parent)
     other_class_->setAccessibleName(tr("Other class"));
     other_class_->setToolTip(tr("A class that only this server knows; then click on the map"));
     other_class_->setClearButtonEnabled(true);
+    other_class_->setMinimumHeight(minimum_target);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     column->setSpacing(gap::tiny);

@@ -34,6 +34,7 @@
 #include "widgets/time_bar.h"
 #include "widgets/toast.h"
 #include "widgets/toast_stack.h"
+#include "widgets/world_panel.h"
 
 using namespace usar;
 using namespace usar::widgets;
@@ -211,6 +212,7 @@ void tst_PanelReach::everything() {
     QTest::newRow("spawn card") << Maker(openSpawnCard);
     QTest::newRow("mission area") << Maker(plain<AreaForm>);
     QTest::newRow("layers") << Maker(plain<LayersPanel>);
+    QTest::newRow("world") << Maker(plain<WorldPanel>);
     QTest::newRow("map") << Maker(plain<MapView>);
     QTest::newRow("status") << Maker(plain<StatusStrip>);
     QTest::newRow("laser") << Maker(plain<LaserFanView>);
