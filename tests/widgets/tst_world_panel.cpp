@@ -112,6 +112,8 @@ private slots:
         QTest::keyClick(list, Qt::Key_Up);
         QCOMPARE(selected.last()[0].toString(), QString("Crate2"));
         QSignalSpy removal(&panel, &WorldPanel::removeRequested);
+        panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&panel));
         list->setFocus();
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(removal.count(), 1);
