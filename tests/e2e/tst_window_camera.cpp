@@ -14,17 +14,15 @@ using namespace usar;
 
 namespace {
 
-void spawnClass(WindowPage& page, const QString& class_name) {
-    page.clickStartPose("PlayerStart");
+void spawnClass(WindowPage& page, const QString& class_name, const std::string& start = "PlayerStart", int id = 1) {
+    page.clickStartPose(start);
     auto* const card = page.window().views().spawn_card;
     QTRY_VERIFY(card->isVisible());
     auto* const classes = card->findChild<QComboBox*>();
-    classes->setFocus();
-    for (int i = 0; classes->currentText() != class_name && i < classes->count(); ++i)
-        QTest::keyClick(classes, Qt::Key_Down);
+    classes->setCurrentText(class_name);
     QCOMPARE(classes->currentText(), class_name);
     page.press("Spawn");
-    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(id) && page.robot(id)->figures.spawned, soon_ms);
 }
 
 /// As a click on its tab does.
@@ -70,6 +68,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void picturesOfTheSelectedRobotComeAndGoOn();
     void zoomAndTurningChangeThePicture();
+    void ofTwoRobotsTheSelectedOnesCameraIsShown();
     void aHiddenDockAsksForNothing();
     void emptyStatesSayWhatToDo();
     void thePictureIsSaved();
@@ -116,6 +115,25 @@ void tst_WindowCamera::zoomAndTurningChangeThePicture() {
     canvas->setFocus();
     QTest::keyClick(canvas, Qt::Key_Right);
     QTRY_VERIFY_WITH_TIMEOUT(difference(wide, camera(page).picture()) > 4.0, soon_ms);
+}
+
+/// Without a choice the server would send both cameras as one picture of twice the size.
+void tst_WindowCamera::ofTwoRobotsTheSelectedOnesCameraIsShown() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    raiseCamera(page);
+    spawnClass(page, "P2DX");
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
+    spawnClass(page, "P2AT", "HillTop", 2);
+    QTest::qWait(2000); // until both stand still
+    QTRY_COMPARE_WITH_TIMEOUT(camera(page).picture().size(), QSize(320, 240), soon_ms);
+    const QImage second = camera(page).picture();
+    page.pressKey(Qt::Key_1);
+    QTRY_VERIFY_WITH_TIMEOUT(!camera(page).isEmpty() && camera(page).picture().size() == QSize(320, 240) &&
+                                 difference(second, camera(page).picture()) > 4.0,
+                             soon_ms);
+    page.pressKey(Qt::Key_2);
+    QTRY_VERIFY_WITH_TIMEOUT(difference(second, camera(page).picture()) < 2.0, soon_ms);
 }
 
 void tst_WindowCamera::aHiddenDockAsksForNothing() {
