@@ -25,6 +25,8 @@ public:
     virtual ~BulletBody() = default;
 
     virtual void place(const Pose& base_in_map) = 0;
+    /// Upward, with all that hangs on it; what falls stops.
+    virtual void lift(double height_m) = 0;
     virtual void letSleep(bool allowed) = 0;
     /// What it leaned on may be gone.
     virtual void wake() = 0;

@@ -123,6 +123,15 @@ void BulletMultiBody::place(const Pose& base_in_map) {
     refreshVelocities();
 }
 
+void BulletMultiBody::lift(double height_m) {
+    body_.setBasePos(body_.getBasePos() + btVector3(0.0, 0.0, height_m));
+    btVector3 velocity = body_.getBaseVel();
+    velocity.setZ(std::max(velocity.z(), 0.0));
+    body_.setBaseVel(velocity);
+    moveColliders();
+    refreshVelocities();
+}
+
 void BulletMultiBody::moveColliders() {
     btAlignedObjectArray<btQuaternion> rotations;
     btAlignedObjectArray<btVector3> origins;

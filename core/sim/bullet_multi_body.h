@@ -29,6 +29,7 @@ public:
 
     /// The joints stay where they are.
     void place(const Pose& base_in_map) override;
+    void lift(double height_m) override;
     void letSleep(bool allowed) override;
     void wake() override;
     BodyState state(int link) const override;

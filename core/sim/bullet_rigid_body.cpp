@@ -1,5 +1,7 @@
 #include "core/sim/bullet_rigid_body.h"
 
+#include <algorithm>
+
 #include "core/sim/bullet_ground.h"
 
 namespace usar::sim {
@@ -32,6 +34,16 @@ void BulletRigidBody::place(const Pose& body_in_map) {
     rigid_->setLinearVelocity({0.0, 0.0, 0.0});
     rigid_->setAngularVelocity({0.0, 0.0, 0.0});
     rigid_->clearForces();
+    world_.updateSingleAabb(rigid_.get());
+}
+
+void BulletRigidBody::lift(double height_m) {
+    if (rigid_->isStaticOrKinematicObject())
+        return;
+    rigid_->translate({0.0, 0.0, height_m});
+    btVector3 velocity = rigid_->getLinearVelocity();
+    velocity.setZ(std::max(velocity.z(), 0.0));
+    rigid_->setLinearVelocity(velocity);
     world_.updateSingleAabb(rigid_.get());
 }
 

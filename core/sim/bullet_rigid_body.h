@@ -20,6 +20,7 @@ public:
     BulletRigidBody& operator=(const BulletRigidBody&) = delete;
 
     void place(const Pose& body_in_map) override;
+    void lift(double height_m) override;
     void letSleep(bool allowed) override;
     void wake() override { rigid_->activate(); }
     BodyState state(int link) const override;

@@ -61,6 +61,7 @@ private:
     void indexBodies() const;
     BulletBody* bodyOf(const btCollisionObject& object);
     void wakeAll();
+    void keepAboveGround(BulletBody& body);
     void collectContacts();
     void record(const btPersistentManifold& manifold, const btManifoldPoint& point);
     void bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s);
@@ -154,8 +155,21 @@ void BulletPhysics::step(Seconds dt) {
     }
     dynamics_.stepSimulation(dt.count(), 0);
     collectContacts();
-    for (auto& [id, body] : bodies_)
+    for (auto& [id, body] : bodies_) {
         body->afterStep();
+        keepAboveGround(*body);
+    }
+}
+
+// The height field is a thin sheet to Bullet, and the ground a solid block: what was pressed through, as by a car that
+// rolls over it, comes out again.
+void BulletPhysics::keepAboveGround(BulletBody& body) {
+    const Vec3 at_m = fromBullet(body.position());
+    if (terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
+        return;
+    const double under_m = terrain_.height_m(at_m.head<2>()) - at_m.z();
+    if (under_m > 0.0)
+        body.lift(under_m);
 }
 
 void BulletPhysics::collectContacts() {

@@ -142,6 +142,21 @@ private slots:
         QVERIFY(contact.point_in_body_m.z() < -0.04);
     }
 
+    void whatIsPressedThroughTheGroundComesOut() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId pressed = physics->add(ball(), at(0.0, 0.0, 0.05));
+        for (int i = 0; i < 250; ++i) {
+            physics->apply(pressed, {0.0, 0.0, -20000.0}, Vec3::Zero()); // a lorry
+            physics->step(physics_dt);
+            QVERIFY2(physics->state(pressed).position_m.z() >= 0.0, qPrintable(QString::number(i)));
+        }
+        for (int i = 0; i < 500; ++i)
+            physics->step(physics_dt);
+        const BodyState free = physics->state(pressed);
+        QVERIFY2(std::abs(free.position_m.z() - 0.05) < 0.005, qPrintable(QString::number(free.position_m.z())));
+    }
+
     void bothBodiesFeelTheirMeeting() {
         const World world = flatWorld();
         const auto physics = makePhysics(world);
