@@ -145,16 +145,14 @@ private slots:
     void whatIsPressedThroughTheGroundComesOut() {
         const World world = flatWorld();
         const auto physics = makePhysics(world);
-        const BodyId pressed = physics->add(ball(), at(0.0, 0.0, 0.05));
-        for (int i = 0; i < 250; ++i) {
-            physics->apply(pressed, {0.0, 0.0, -20000.0}, Vec3::Zero()); // a lorry
-            physics->step(physics_dt);
-            QVERIFY2(physics->state(pressed).position_m.z() >= 0.0, qPrintable(QString::number(i)));
+        for (const double z_m : {-0.02, -0.2}) {
+            const BodyId pressed = physics->add(ball(), at(0.0, 0.0, z_m));
+            for (int i = 0; i < 500; ++i)
+                physics->step(physics_dt);
+            const BodyState free = physics->state(pressed);
+            QVERIFY2(std::abs(free.position_m.z() - 0.05) < 0.005, qPrintable(QString::number(free.position_m.z())));
+            physics->remove(pressed);
         }
-        for (int i = 0; i < 500; ++i)
-            physics->step(physics_dt);
-        const BodyState free = physics->state(pressed);
-        QVERIFY2(std::abs(free.position_m.z() - 0.05) < 0.005, qPrintable(QString::number(free.position_m.z())));
     }
 
     void bothBodiesFeelTheirMeeting() {
