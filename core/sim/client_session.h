@@ -14,8 +14,8 @@
 #include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
-#include "core/sim/faults/faulty_wire.h"
 #include "core/protocol/trace_pen.h"
+#include "core/sim/faults/faulty_wire.h"
 #include "core/sim/robots/robot.h"
 #include "core/sim/scene.h"
 

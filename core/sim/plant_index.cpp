@@ -111,6 +111,31 @@ std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) cons
     return static_cast<std::size_t>(row * columns_ + column);
 }
 
+bool PlantIndex::isClear(const Vec3& center_m, double radius_m) const {
+    const double bottom = center_m.z() - radius_m - slack_m;
+    if (plants_.empty() || bottom > maximum_z_m_)
+        return true;
+    const Vec2 offset_m = center_m.head<2>() - origin_m_;
+    const auto within = [](double at_m, std::ptrdiff_t count) {
+        return std::clamp<std::ptrdiff_t>(bucketOf(at_m), 0, count - 1);
+    };
+    const auto meets = [&](const Plant& plant) {
+        const double far_m = radius_m + reach_m(plant) + slack_m;
+        return (plant.base_in_map_m.head<2>() - center_m.head<2>()).squaredNorm() <= far_m * far_m &&
+               top_m(plant) >= bottom && bottom_m(plant) <= center_m.z() + radius_m + slack_m;
+    };
+    const std::ptrdiff_t last_column = within(offset_m.x() + radius_m, columns_);
+    for (std::ptrdiff_t row = within(offset_m.y() - radius_m, rows_); row <= within(offset_m.y() + radius_m, rows_);
+         ++row)
+        for (std::ptrdiff_t column = within(offset_m.x() - radius_m, columns_); column <= last_column; ++column) {
+            const std::size_t bucket = bucketAt(column, row);
+            if (static_cast<double>(tops_m_[bucket]) >= bottom &&
+                std::any_of(plants_.begin() + starts_[bucket], plants_.begin() + starts_[bucket + 1], meets))
+                return false;
+        }
+    return true;
+}
+
 template <class TakeBucket>
 double PlantIndex::walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const {
     if (plants_.empty())

@@ -20,6 +20,8 @@ public:
     double cast(const Ray& ray, double maximum_m) const;
     /// The same; `first` becomes the plant that is hit, and is left alone on a miss.
     double look(const Ray& ray, double maximum_m, const Plant*& first) const;
+    /// No plant within `radius_m` of a point. Looks at upright cylinders around plants.
+    bool isClear(const Vec3& center_m, double radius_m) const;
     /// No plant is higher.
     double maximum_z_m() const { return maximum_z_m_; }
 

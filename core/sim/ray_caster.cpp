@@ -76,6 +76,13 @@ struct RayCaster::Index {
         return nearest_m;
     }
 
+    bool isClear(const Vec3& center_m, double radius_m) const {
+        for (const PlacedBox& box : boxes)
+            if ((box.center_m - center_m).norm() <= radius_m + box.radius_m)
+                return false;
+        return ground.isClear(center_m, radius_m) && plants.isClear(center_m, radius_m);
+    }
+
     RayHit lookAtThings(const Ray& ray, double maximum_m) const {
         const Plant* plant = nullptr;
         const PlacedBox* met_box = nullptr;
@@ -114,6 +121,15 @@ double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maxim
     const Ray ray{origin_m, direction};
     // Things first: their hit bounds the walk over the ground, which is the dearer one.
     return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
+}
+
+double RayCaster::castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
+    if (index_->isClear(origin_m, maximum_m))
+        return maximum_m;
+    double nearest_m = maximum_m;
+    for (const Vec3& direction : directions)
+        nearest_m = cast(origin_m, direction, nearest_m);
+    return nearest_m;
 }
 
 RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {

@@ -1,6 +1,7 @@
 #include "core/sim/terrain_rays.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace usar::sim {
 
@@ -84,6 +85,24 @@ double TerrainRays::cast(const Ray& ray, double maximum_m) const {
         enter = leave;
     }
     return maximum_m;
+}
+
+bool TerrainRays::isClear(const Vec3& center_m, double radius_m) const {
+    if (terrain_->empty())
+        return true;
+    const Vec2 offset_m = center_m.head<2>() - terrain_->origin_m();
+    const double tile_m = static_cast<double>(tile_cells) * terrain_->step_m();
+    const auto tileAt = [&](double at_m, std::ptrdiff_t count) {
+        return std::clamp(static_cast<std::ptrdiff_t>(std::floor(at_m / tile_m)), std::ptrdiff_t(0), count - 1);
+    };
+    const double bottom_m = center_m.z() - radius_m;
+    for (std::ptrdiff_t row = tileAt(offset_m.y() - radius_m, tile_rows_);
+         row <= tileAt(offset_m.y() + radius_m, tile_rows_); ++row)
+        for (std::ptrdiff_t column = tileAt(offset_m.x() - radius_m, tile_columns_);
+             column <= tileAt(offset_m.x() + radius_m, tile_columns_); ++column)
+            if (static_cast<double>(tile_maxima_m_[static_cast<std::size_t>(row * tile_columns_ + column)]) >= bottom_m)
+                return false;
+    return true;
 }
 
 double TerrainRays::crossTile(const GridWalk& walk, const GridCell& tile, double enter, double leave) const {

@@ -21,6 +21,9 @@ public:
     /// enters the extent below its rim hits there.
     double cast(const Ray& ray, double maximum_m) const;
 
+    /// No ground within `radius_m` of a point. Looks at whole tiles: what is clear may be said to be not.
+    bool isClear(const Vec3& center_m, double radius_m) const;
+
 private:
     double crossTile(const GridWalk& walk, const GridCell& tile, double enter, double leave) const;
 

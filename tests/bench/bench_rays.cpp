@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/base/random.h"
@@ -95,13 +96,34 @@ void castScannerFanByBullet(benchmark::State& state) {
 }
 BENCHMARK(castScannerFanByBullet);
 
+/// The nearest in each cone, as a sonar wants it: `nearest(origin, directions, maximum)`.
+template <class Nearest>
+void castCones(benchmark::State& state, Nearest nearest) {
+    constexpr std::size_t rays_a_cone = 9;
+    const std::vector<Bundle> all = bundles(sonarCones);
+    std::size_t next = 0;
+    for (auto _ : state) {
+        const Bundle& bundle = all[next++ % all.size()];
+        const std::span<const Vec3> directions(bundle.directions);
+        for (std::size_t first = 0; first < directions.size(); first += rays_a_cone)
+            benchmark::DoNotOptimize(nearest(bundle.origin_m, directions.subspan(first, rays_a_cone), 5.0));
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.front().directions.size()));
+}
+
 void castSonarCones(benchmark::State& state) {
-    castBundles(state, caster(), bundles(sonarCones), 5.0);
+    castCones(state, [](const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) {
+        return caster().castNearest(origin_m, directions, maximum_m);
+    });
 }
 BENCHMARK(castSonarCones);
 
 void castSonarConesByBullet(benchmark::State& state) {
-    castBundles(state, bullet(), bundles(sonarCones), 5.0);
+    castCones(state, [](const Vec3& origin_m, std::span<const Vec3> directions, double nearest_m) {
+        for (const Vec3& direction : directions)
+            nearest_m = bullet().cast(origin_m, direction, nearest_m);
+        return nearest_m;
+    });
 }
 BENCHMARK(castSonarConesByBullet);
 

@@ -34,6 +34,8 @@ World bowl() {
 
 class tst_Endurance : public QObject {
     Q_OBJECT
+public:
+    static void initMain() { qputenv("QTEST_FUNCTION_TIMEOUT", "7200000"); } // Qt Test ends what takes five minutes
 private slots:
     void fourRobotsForEightHours();
 };

@@ -39,6 +39,7 @@ private slots:
     void agreesWithBulletOnThings_data();
     void agreesWithBulletOnThings();
     void lookingMeasuresWhatCastingMeasures();
+    void theNearestOfSeveralIsTheShortest();
     void surfacesFaceWhoLooksAtThem_data();
     void surfacesFaceWhoLooksAtThem();
     void groundFacesAwayFromItsSlope();
@@ -417,16 +418,47 @@ void TestRayCaster::agreesWithBulletOnThings() {
     QVERIFY2(far_apart * 50 <= hits, figures);
 }
 
-void TestRayCaster::lookingMeasuresWhatCastingMeasures() {
+namespace {
+
+/// Rough ground with a house, two trees and a post on it.
+World somethingOfEverything(usar::Random& random) {
     World world = house({{-3.0, 4.0, 2.0}, 0.0, 0.0, 0.4}, {2.0, 3.0, 4.0});
     world.plants = {roundTree(), firTree(), post()};
     world.plants[1].base_in_map_m = {-6.0, -2.0, -3.0};
     world.plants[2].base_in_map_m = {2.0, 7.0, 1.0};
-    usar::Random random = usar::seeded(23, 7);
     std::vector<float> heights_m(41 * 41);
     for (float& height_m : heights_m)
         height_m = static_cast<float>(usar::uniform(random, -1.0, 1.0));
     world.terrain = usar::sim::Terrain(41, 41, 0.5, {-10.0, -10.0}, heights_m);
+    return world;
+}
+
+} // namespace
+
+void TestRayCaster::theNearestOfSeveralIsTheShortest() {
+    usar::Random random = usar::seeded(29, 7);
+    const World world = somethingOfEverything(random);
+    const RayCaster caster(world);
+    int misses = 0;
+    int hits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 origin_m = randomPoint(random, {14.0, 14.0, 9.0});
+        const double maximum_m = usar::uniform(random, 0.2, 6.0);
+        std::vector<Vec3> directions;
+        double shortest_m = maximum_m;
+        for (int k = 0; k < 9; ++k) {
+            directions.push_back(randomDirection(random));
+            shortest_m = std::min(shortest_m, caster.cast(origin_m, directions.back(), maximum_m));
+        }
+        QCOMPARE(caster.castNearest(origin_m, directions, maximum_m), shortest_m);
+        ++(shortest_m == maximum_m ? misses : hits);
+    }
+    QVERIFY(misses > 2000 && hits > 2000);
+}
+
+void TestRayCaster::lookingMeasuresWhatCastingMeasures() {
+    usar::Random random = usar::seeded(23, 7);
+    const World world = somethingOfEverything(random);
     const RayCaster caster(world);
     std::array<int, 5> met{};
     for (int i = 0; i < 20000; ++i) {

@@ -1,6 +1,8 @@
 // What range sensors look through: the still world and the other robots.
 #pragma once
 
+#include <span>
+
 #include "core/base/geometry.h"
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
@@ -12,6 +14,12 @@ public:
     virtual ~Rays() = default;
     /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector; map frame.
     virtual double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const = 0;
+    /// The shortest of several.
+    virtual double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
+        for (const Vec3& direction : directions)
+            maximum_m = cast(origin_m, direction, maximum_m);
+        return maximum_m;
+    }
 };
 
 /// Everything but the robot that looks. What it refers to must outlive it.
@@ -25,6 +33,13 @@ public:
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
         const double still_m = still_.cast(origin_m, direction, maximum_m);
         return moving_.castAtBodies(origin_m, direction, still_m, self_);
+    }
+
+    double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const override {
+        double nearest_m = still_.castNearest(origin_m, directions, maximum_m);
+        for (const Vec3& direction : directions)
+            nearest_m = moving_.castAtBodies(origin_m, direction, nearest_m, self_);
+        return nearest_m;
     }
 
 private:

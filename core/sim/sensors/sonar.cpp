@@ -32,9 +32,10 @@ Sonar::Sonar(SonarParameters parameters, Random random)
 
 protocol::NamedRange Sonar::measure(const Eigen::Isometry3d& base_in_map, const Rays& rays) {
     const Vec3 origin_m = base_in_map * parameters_.sonar_in_base.position_m;
-    double nearest_m = parameters_.maximum_m;
+    directions_in_map_.clear();
     for (const Vec3& direction : directions_in_base_)
-        nearest_m = rays.cast(origin_m, base_in_map.linear() * direction, nearest_m);
+        directions_in_map_.emplace_back(base_in_map.linear() * direction);
+    const double nearest_m = rays.castNearest(origin_m, directions_in_map_, parameters_.maximum_m);
     return {parameters_.name, noise_(nearest_m, parameters_.minimum_m, parameters_.maximum_m)};
 }
 

@@ -33,6 +33,7 @@ public:
 private:
     SonarParameters parameters_;
     std::vector<Vec3> directions_in_base_;
+    std::vector<Vec3> directions_in_map_; ///< of the last measurement: keeps its memory
     RangeNoise noise_;
 };
 
