@@ -213,6 +213,8 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     const bool is_station = sameWord(bare_name, "ComStation"); // a base station without sensors or motion: no data
     if (!controls_ && !is_station)
         robot_ = host.spawn(wanted);
+    if (robot_ && isUdk())
+        send(robot_->configuration("Camera", ""), host.now); // unasked; nothing is written where there is no camera
     spawned_at_ = host.now;
     if (is_station)
         station_in_map_ = host.startOf(wanted);

@@ -57,6 +57,23 @@ class tst_UdkProfile : public QObject {
     Q_OBJECT
 
 private slots:
+    void camerasAreConfiguredInDegreesAndUnasked() {
+        Udk udk("P2DX");
+        const std::string line = "CONF {Type Camera} {Name Camera} {TextureOffsetX 0} {TextureOffsetY 0} "
+                                 "{TextureResolutionX 320} {TextureResolutionY 240} {CameraDefFov 79.9849} "
+                                 "{CameraMinFov 19.9962} {CameraMaxFov 119.9773} {CameraFov 79.9849}";
+        const auto unasked = udk.talker.hearText();
+        QCOMPARE(std::count_if(unasked.begin(), unasked.end(),
+                               [](const std::string& one) { return one.starts_with("CONF {Type Camera}"); }),
+                 1);
+        const auto asked = udk.answers("GETCONF {Type Camera}");
+        QCOMPARE(asked.size(), 1u);
+        QCOMPARE(QString::fromStdString(asked[0]), QString::fromStdString(line));
+        Udk blind("AirRobot");
+        for (const std::string& one : blind.talker.hearText())
+            QVERIFY(!one.starts_with("CONF"));
+    }
+
     void eachSensorHasALineOfItsOwn() {
         Udk udk("P2DX");
         const auto sonars = udk.linesOf("SEN Sonar", 2);

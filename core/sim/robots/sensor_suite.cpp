@@ -63,6 +63,7 @@ bool isMeant(const SensorModel& sensor, const std::string& type, const std::stri
 
 Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth& birth) {
     SensorSuite suite;
+    suite.profile_ = birth.profile;
     suite.seed_ = birth.seed;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
         Random random = seeded(birth.seed, birth.robot_number * streams_per_robot + i);
@@ -169,7 +170,9 @@ protocol::ConfigurationInfo SensorSuite::configuration(const std::string& type, 
     info.type = type;
     for (const Sensor* const sensor : find(type, name)) {
         info.type = sensor->model().type;
-        info.items.push_back({sensor->model().name, sensor->settings()});
+        const auto* const camera =
+            profile_ == protocol::Dialect::Udk ? dynamic_cast<const CameraSensor*>(sensor) : nullptr;
+        info.items.push_back({sensor->model().name, camera ? camera->udkSettings() : sensor->settings()});
     }
     if (info.items.empty() && !name.empty())
         info.items.push_back({name, {}});

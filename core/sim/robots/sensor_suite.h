@@ -60,6 +60,7 @@ private:
     std::vector<Place> sensors_;
     std::uint64_t seed_ = 1;
     std::uint64_t ticks_ = 0;
+    protocol::Dialect profile_ = protocol::Dialect::Ut2004;
 };
 
 } // namespace usar::sim

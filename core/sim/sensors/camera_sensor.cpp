@@ -29,10 +29,25 @@ std::optional<protocol::Response> CameraSensor::set(const protocol::Command& com
     return answer;
 }
 
-SeenFrom CameraSensor::view(const RobotBody& body) const {
-    const auto pixels = [this](std::string_view key, double otherwise) {
-        return static_cast<int>(std::clamp(std::round(number(key, otherwise)), 16.0, 1280.0));
+int CameraSensor::pixels(std::string_view key, double otherwise) const {
+    return static_cast<int>(std::clamp(std::round(number(key, otherwise)), 16.0, 1280.0));
+}
+
+std::vector<protocol::Setting> CameraSensor::udkSettings() const {
+    const auto whole = [](std::string key, int value) {
+        return protocol::Setting{std::move(key), std::to_string(value), static_cast<double>(value)};
     };
+    return {whole("TextureOffsetX", 0),
+            whole("TextureOffsetY", 0),
+            whole("TextureResolutionX", pixels("width", 320.0)),
+            whole("TextureResolutionY", pixels("height", 240.0)),
+            setting("CameraDefFov", degrees(default_rad_)),
+            setting("CameraMinFov", degrees(smallest_rad_)),
+            setting("CameraMaxFov", degrees(largest_rad_)),
+            setting("CameraFov", degrees(fov_rad_))};
+}
+
+SeenFrom CameraSensor::view(const RobotBody& body) const {
     SeenFrom view;
     view.camera = model().name;
     view.camera_in_map = body.link_in_map(model().link) * model().sensor_in_link.isometry();

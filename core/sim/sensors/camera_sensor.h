@@ -16,10 +16,14 @@ public:
     /// (usarsim-protocol 4.8).
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
+    /// As UDK has them: degrees, the angle now, and where it is in the picture of a viewer that is attached to it.
+    std::vector<protocol::Setting> udkSettings() const;
     double fieldOfView_rad() const { return fov_rad_; }
     SeenFrom view(const RobotBody& body) const;
 
 private:
+    int pixels(std::string_view key, double otherwise) const;
+
     double default_rad_;
     double smallest_rad_;
     double largest_rad_;
