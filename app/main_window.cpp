@@ -32,7 +32,8 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , commands_(this)
     , views_(makeViews(*this))
     , presenter_(control_, views_)
-    , camera_(std::make_unique<CameraDesk>(control_, *views_.camera)) {
+    , camera_(std::make_unique<CameraDesk>(control_, *views_.camera))
+    , radio_(control_, views_) {
     const QStringList plugin_folders = options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders;
     control_.loadPlugins(plugin_folders);
     control_.setResultFolder(options.result_folder);

@@ -8,6 +8,7 @@
 #include "app/camera_desk.h"
 #include "app/mission_control.h"
 #include "app/options.h"
+#include "app/radio_presenter.h"
 #include "app/robot_presenter.h"
 #include "app/window_views.h"
 #include "app/world_editor.h"
@@ -78,6 +79,8 @@ private:
     void registerFaultCommands();
     void registerCameraCommands();
     void registerTraceCommands();
+    void registerRadioCommands();
+    void spawnStation();
     void makeMenus();
     void wireControl();
     void wireBars();
@@ -151,6 +154,7 @@ private:
     RobotPresenter presenter_;
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
     WorldEditor world_{control_, views_, commands_, this};
+    RadioPresenter radio_;
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up

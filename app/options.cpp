@@ -44,6 +44,10 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
     if (!faults)
         return tl::unexpected(faults.error());
     server.simulator.faults = *std::move(faults);
+    const auto wireless = portFrom(parser.value("wireless-port"), "--wireless-port");
+    if (!wireless)
+        return tl::unexpected(wireless.error());
+    server.simulator.channels.wireless = *wireless;
     return {};
 }
 
@@ -60,6 +64,7 @@ Result<Options> readOptions(const QStringList& arguments) {
          {"seed", "Seed of the embedded simulator.", "number", "1"},
          {"fault", "Something that goes wrong in the embedded simulator; usar-sim --help lists them.", "text"},
          {"port", "Port of the embedded simulator.", "port", "3000"},
+         {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port", "50000"},
          {"out", "Folder for results.", "folder"},
          {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
          {"theme", "light or dark.", "theme"}});

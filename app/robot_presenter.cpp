@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "widgets/theme.h"
 
@@ -16,7 +17,8 @@ bool notBegun(const RobotView& view) {
 
 widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
-            view.link.state != link::LinkState::Connected && !notBegun(view)};
+            view.link.state != link::LinkState::Connected && !notBegun(view),
+            protocol::isStation(view.spawn.class_name)};
 }
 
 QString stateText(const RobotView& view) {
@@ -29,7 +31,7 @@ QString stateText(const RobotView& view) {
     if (view.figures.behavior_running && view.status)
         return QString::fromStdString(view.status->state);
     if (view.figures.spawned)
-        return QObject::tr("idle");
+        return protocol::isStation(view.spawn.class_name) ? QObject::tr("listens") : QObject::tr("idle");
     return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
 }
 

@@ -6,6 +6,7 @@
 #include "app/simulator_files.h"
 #include "app/world_picture.h"
 #include "core/base/text.h"
+#include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
 
@@ -87,6 +88,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
         if (sees)
             classes_with_camera << classes.back();
     }
+    classes << QString::fromStdString(std::string(protocol::station_class)).section('.', -1);
     for (const Error& refused : robots.refused)
         emit robotRefused(QString::fromStdString(refused.text()));
     auto simulation = begin(spec, robots);

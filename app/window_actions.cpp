@@ -11,6 +11,7 @@
 #include "app/main_window.h"
 #include "app/simulator_files.h"
 #include "core/mission/mission_writer.h"
+#include "core/protocol/commands/spawn.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {
@@ -175,7 +176,7 @@ void MainWindow::refreshRunState() {
         state = robot->view().paused ? RunState::Paused : RunState::Running;
     else if (robot && robot->isReplay())
         state = RunState::Replay;
-    else if (robot && robot->view().figures.spawned)
+    else if (robot && robot->view().figures.spawned && !protocol::isStation(robot->view().spawn.class_name))
         state = RunState::Ready;
     const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();
     if (views_.behavior->setRunState(state, name))

@@ -5,6 +5,7 @@
 #include <QUrl>
 
 #include "app/main_window.h"
+#include "core/protocol/commands/spawn.h"
 #include "widgets/command_palette.h"
 #include "widgets/shortcut_sheet.h"
 
@@ -42,6 +43,7 @@ void MainWindow::registerCommands() {
     registerCameraCommands();
     registerTraceCommands();
     world_.registerCommands();
+    registerRadioCommands();
 }
 
 void MainWindow::registerFileCommands() {
@@ -104,7 +106,8 @@ void MainWindow::registerMissionCommands() {
         [this](bool) { start(); },
         [this, running] {
             const Robot* robot = control_.robot(selected_);
-            return robot && robot->view().figures.spawned && !running() && !robot->isReplay();
+            return robot && robot->view().figures.spawned && !running() && !robot->isReplay() &&
+                   !protocol::isStation(robot->view().spawn.class_name);
         });
     commands_.add(
         {"mission.pause",
@@ -240,8 +243,8 @@ void MainWindow::makeMenus() {
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
                    {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
-                    "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "robot.spawn_again",
-                    "robot.remove", "-", "robot.trace"});
+                    "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "radio.station",
+                    "robot.spawn_again", "robot.remove", "-", "robot.trace"});
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
@@ -268,8 +271,9 @@ void MainWindow::makeMenus() {
                     "camera.up", "camera.down", "camera.center", "-", "camera.light", "-", "camera.save",
                     "camera.port"});
     auto* view = menuBar()->addMenu(tr("&View"));
-    commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "-", "view.operate",
-                          "view.analyse", "view.debug", "-", "view.dark", "view.hint", "view.palette", "-"});
+    commands_.fill(view, {"map.fit", "map.fit_world", "map.follow", "map.zoom_in", "map.zoom_out", "radio.map",
+                          "radio.show", "-", "view.operate", "view.analyse", "view.debug", "-", "view.dark",
+                          "view.hint", "view.palette", "-"});
     for (const QDockWidget* dock : views_.docks)
         view->addAction(dock->toggleViewAction());
     commands_.fill(menuBar()->addMenu(tr("&Help")), {"help.shortcuts"});

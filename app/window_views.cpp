@@ -118,8 +118,11 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
     window.tabifyDockWidget(behavior, views.world_dock); // what robots do, and what is there for them
     behavior->raise();
+    auto* radio =
+        addDock(window, views, "radio", QObject::tr("Radio"), Qt::BottomDockWidgetArea, views.radio = new RadioView);
     window.tabifyDockWidget(plots, messages);
     window.tabifyDockWidget(messages, views.notifications_dock);
+    window.tabifyDockWidget(views.notifications_dock, radio);
     plots->raise();
 }
 

@@ -20,6 +20,7 @@
 #include "widgets/notification_center.h"
 #include "widgets/parameter_form.h"
 #include "widgets/plot_view.h"
+#include "widgets/radio_view.h"
 #include "widgets/record_badge.h"
 #include "widgets/replay_bar.h"
 #include "widgets/robot_list.h"
@@ -65,6 +66,7 @@ struct WindowViews {
     widgets::FaultPanel* faults = nullptr;
     widgets::WorldPanel* world = nullptr; ///< the palette
     QDockWidget* world_dock = nullptr;
+    widgets::RadioView* radio = nullptr;
     QDockWidget* notifications_dock = nullptr;
     std::vector<QDockWidget*> docks; ///< in the order of the View menu
 };

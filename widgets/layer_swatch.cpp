@@ -97,6 +97,9 @@ void paintLayer(QPainter& painter, MapLayer layer) {
         return paintLaserSwatch(painter);
     case MapLayer::Goals:
         return paintGoalSwatch(painter);
+    case MapLayer::Radio:
+        painter.setPen(QPen(tokens().ok, 2.0));
+        return painter.drawLine(QPointF(-12.0, 4.0), QPointF(12.0, -4.0));
     case MapLayer::Robots:
         painter.scale(0.8, 0.8);
         return paintRobotSymbol(painter, pi / 2.0, robotColor(1), false);

@@ -13,6 +13,7 @@
 #include "core/protocol/info/game_info.h"
 #include "widgets/models/area_grip.h"
 #include "widgets/models/map_object.h"
+#include "widgets/models/radio_links.h"
 #include "widgets/models/trail.h"
 
 namespace usar::widgets {
@@ -31,9 +32,10 @@ enum class MapLayer {
     StartPoses,
     Laser,
     Goals,
+    Radio,
     Robots
 };
-inline constexpr std::size_t map_layer_count = 13;
+inline constexpr std::size_t map_layer_count = 14;
 /// "Height map": what menus and the layers panel call it.
 QString layerName(MapLayer layer);
 
@@ -45,7 +47,8 @@ struct LayerState {
 };
 
 using LayerStates = std::array<LayerState, map_layer_count>;
-/// What map and layers panel begin with: all visible, the world's picture thin under what is measured.
+/// What map and layers panel begin with: all visible but the radio links, the world's picture thin under what is
+/// measured.
 LayerStates firstLayers();
 
 /// A robot as the map needs it. `number` 1..9 chooses color and key.
@@ -54,7 +57,8 @@ struct MapRobot {
     int number = 1;
     /// Drawn from x, y and yaw; z is said in the tooltip only.
     Pose base_in_map;
-    bool stale = false; ///< nobody vouches for the pose any more
+    bool stale = false;   ///< nobody vouches for the pose any more
+    bool station = false; ///< a base station: it stands, and looks nowhere
     bool operator==(const MapRobot&) const = default;
 };
 
@@ -104,6 +108,8 @@ struct MapContent {
     /// Of all robots, in order of time.
     std::vector<agent::MapMark> marks;
     ObjectsOnMap objects;
+    /// Between robots by name; those that are not on the map are not drawn.
+    std::vector<RadioLink> radio_links;
     LayerStates layers = firstLayers();
 
     const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }

@@ -31,6 +31,8 @@ QString layerName(MapLayer layer) {
         return QStringLiteral("Laser hits");
     case MapLayer::Goals:
         return QStringLiteral("Goals");
+    case MapLayer::Radio:
+        return QStringLiteral("Radio links");
     case MapLayer::Robots:
         break;
     }
@@ -40,6 +42,7 @@ QString layerName(MapLayer layer) {
 LayerStates firstLayers() {
     LayerStates layers;
     layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
+    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // who looks for them turns them on
     return layers;
 }
 
@@ -117,6 +120,20 @@ void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, b
     painter.setBrush(stale ? tokens().background : color);
     painter.drawPolygon(QPolygonF({{0.0, -r}, {0.75 * r, 0.8 * r}, {0.0, 0.4 * r}, {-0.75 * r, 0.8 * r}}));
     painter.restore();
+}
+
+void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
+    const double r = symbol::robot_px;
+    painter.setPen(QPen(stale ? tokens().stale : inkOn(color), 1.5));
+    painter.setBrush(stale ? tokens().background : color);
+    painter.drawPolygon(QPolygonF({{0.0, -0.6 * r}, {0.6 * r, r}, {-0.6 * r, r}}));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(stale ? tokens().stale : color, 2.0));
+    for (const double reach : {0.55 * r, 0.95 * r}) { // waves to the left and to the right of the mast's tip
+        const QRectF around(-reach, -0.6 * r - reach, 2.0 * reach, 2.0 * reach);
+        painter.drawArc(around, -45 * 16, 90 * 16);
+        painter.drawArc(around, 135 * 16, 90 * 16);
+    }
 }
 
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {

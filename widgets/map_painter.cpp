@@ -70,6 +70,8 @@ void MapPainter::paint(MapLayer layer) {
         return paintLaser();
     case MapLayer::Goals:
         return paintGoals();
+    case MapLayer::Radio:
+        return paintRadio();
     case MapLayer::Robots:
         return paintRobots();
     }
@@ -280,6 +282,28 @@ void MapPainter::paintGoals() {
     }
 }
 
+void MapPainter::paintRadio() {
+    constexpr double room_px = 96.0; // shorter ones say no figure
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (const RadioLink& link : content_.radio_links) {
+        const auto a = content_.robots.find(link.a);
+        const auto b = content_.robots.find(link.b);
+        if (a == content_.robots.end() || b == content_.robots.end())
+            continue;
+        const RadioQuality quality = radioQuality(link.strength_dbm);
+        const QLineF line(transform_.toScreen(flat(a->second.robot.base_in_map.position_m)),
+                          transform_.toScreen(flat(b->second.robot.base_in_map.position_m)));
+        QPen pen(radioColor(quality), 2.0);
+        if (quality == RadioQuality::Lost || quality == RadioQuality::Unknown)
+            pen.setDashPattern({2.0, 4.0});
+        painter_.setPen(pen);
+        painter_.drawLine(line);
+        if (link.strength_dbm && line.length() >= room_px)
+            paintChip(painter_, line.center(), figure(*link.strength_dbm, 0) + QStringLiteral(" dBm"),
+                      Qt::AlignHCenter | Qt::AlignBottom);
+    }
+}
+
 void MapPainter::paintRobots() {
     painter_.setRenderHint(QPainter::Antialiasing);
     for (const auto& [name, robot] : content_.robots)
@@ -297,8 +321,11 @@ void MapPainter::paintRobot(const RobotOnMap& on_map) {
         painter_.setBrush(faded(tokens_.background, 0.35));
         painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
     }
-    paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad), robotColor(robot.number),
-                     robot.stale);
+    if (robot.station)
+        paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
+    else
+        paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad), robotColor(robot.number),
+                         robot.stale);
     painter_.restore();
     paintLabel(labels_.robots.at(robot.name), robotLabel(robot), selected);
 }

@@ -44,6 +44,8 @@ private:
     void paintStartPoses();
     void paintLaser();
     void paintGoals();
+    /// Lines between robots in the color of their quality, with their dBm; dashed where there is no link.
+    void paintRadio();
     void paintRobots();
     void paintStartPose(std::size_t start_pose);
     /// An arrowhead along the yaw; hollow and grey when stale.
@@ -68,6 +70,8 @@ void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px
 /// The symbols of the map, around the painter's origin, turned clockwise from "up".
 void paintStartPoseSymbol(QPainter& painter, double turn_rad, bool hot);
 void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, bool stale);
+/// A mast with waves.
+void paintStationSymbol(QPainter& painter, const QColor& color, bool stale);
 
 /// Around the painter's origin, in pixels; `selected` in the accent color.
 void paintObjectSymbol(QPainter& painter, const QPolygonF& outline_px, bool selected);

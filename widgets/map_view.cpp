@@ -124,6 +124,14 @@ void MapView::removeRobot(const QString& name) {
     update();
 }
 
+void MapView::setRadioLinks(const std::vector<RadioLink>& links) {
+    if (links == content_.radio_links)
+        return;
+    content_.radio_links = links;
+    if (layer(MapLayer::Radio).visible)
+        update();
+}
+
 void MapView::setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m) {
     if (const auto found = content_.robots.find(robot); found != content_.robots.end())
         found->second.goal_in_map_m = goal_in_map_m;

@@ -66,6 +66,8 @@ public:
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
     void addMark(const agent::MapMark& mark);
     void clearMarks();
+    /// All there are.
+    void setRadioLinks(const std::vector<RadioLink>& links);
     /// Trails, marks, laser hits and goals of the last mission.
     void clearTraces();
     /// Draws the ring; an empty name selects nobody and ends following.

@@ -248,6 +248,10 @@ void RobotSession::Private::init(const SpawnRequest& asked) {
     since_init.start();
     send({*init, {"session: spawn", {}}});
     link.flush();
+    if (protocol::isStation(asked.class_name)) { // it never says that it has come
+        setSpawn(SpawnState::Done);
+        emit q.spawned(QString::fromStdString(asked.robot_name));
+    }
 }
 
 void RobotSession::Private::setSpawn(SpawnState now) {

@@ -210,7 +210,7 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     robot_name_ = wanted.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
-    const bool is_station = sameWord(bare_name, "ComStation"); // a base station without sensors or motion: no data
+    const bool is_station = protocol::isStation(bare_name); // without sensors or motion: no data
     if (!controls_ && !is_station)
         robot_ = host.spawn(wanted);
     if (robot_ && isUdk())

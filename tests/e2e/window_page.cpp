@@ -15,6 +15,7 @@ WindowPage::WindowPage(const WindowSetup& setup) {
                        setup.settings_folder.isEmpty() ? folder_.filePath("settings") : setup.settings_folder);
     app::Options options;
     options.server.simulator.port = setup.simulator_port;
+    options.server.simulator.channels.wireless = setup.wireless_port;
     options.result_folder = result_folder_;
     options.plugin_folders = setup.plugin_folders;
     options.mission_file = setup.mission_file;

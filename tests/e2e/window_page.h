@@ -18,8 +18,9 @@ struct WindowSetup {
     QStringList plugin_folders{};
     QString mission_file{};
     QString recording{};
-    QString settings_folder{};  ///< empty: a temporary one, that of a first start
-    quint16 simulator_port = 0; ///< 0: any free one
+    QString settings_folder{};     ///< empty: a temporary one, that of a first start
+    quint16 simulator_port = 0;    ///< 0: any free one
+    quint16 wireless_port = 50000; ///< beside a real server
 };
 
 /// A window of its own with settings and results in a temporary folder, connected to an embedded simulator on a free

@@ -2,15 +2,25 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "core/base/text.h"
 #include "core/protocol/commands/checked_text.h"
 #include "core/protocol/dialect.h"
 
 namespace usar::protocol {
+
+/// A base of the radio network; no data ever come from it (usarsim-protocol 2.4).
+inline constexpr std::string_view station_class = "USARBot.ComStation";
+/// With or without the package, in any case.
+constexpr bool isStation(std::string_view class_name) {
+    return sameWord(class_name.substr(class_name.rfind('.') + 1), "ComStation");
+}
 
 /// INIT: spawn a robot. A start name is not attested for UT2004 servers; send the pose it stands for there.
 struct Init {

@@ -1,0 +1,136 @@
+// Radio links of robots and base stations in the real window: the dock, the map, and what is said when one is lost.
+#include <QTest>
+
+#include "tests/doubles/fake_robot_server.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+#include "widgets/empty_state.h"
+
+using namespace usar;
+
+namespace {
+
+/// Answers an observer with one strength for every pair.
+class WirelessDouble {
+public:
+    WirelessDouble() {
+        server_.listen();
+        server_.on_line = [this](const QByteArray& line) {
+            if (line.startsWith("INIT"))
+                return server_.say("INITREPLY {Status OK}\r\n");
+            QByteArray reply = line;
+            server_.say(reply.replace("GETSS", "SS") + " {Strength " + strength + "}\r\n");
+        };
+    }
+    quint16 port() const { return server_.port(); }
+    QByteArray strength = "-60.5";
+
+private:
+    test::FakeServer server_;
+};
+
+widgets::RadioView& radio(WindowPage& page) {
+    return *page.window().views().radio;
+}
+
+/// Each on a connection of its own, which has to open first.
+bool twoStations(WindowPage& page) {
+    bool spawned = true;
+    for (const char* const name : {"Base", "Relay"})
+        spawned =
+            spawned && QTest::qWaitFor(
+                           [&] {
+                               return page.window().control().spawn({"USARBot.ComStation", name, Pose{}}).has_value();
+                           },
+                           soon_ms);
+    return spawned;
+}
+
+/// The one pair that there is.
+std::optional<double> onlyStrength(WindowPage& page) {
+    const auto& model = radio(page).model();
+    return model.rowCount() == 1 ? model.row(0).link.strength_dbm : std::nullopt;
+}
+
+} // namespace
+
+class tst_WindowRadio : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void aRobotAndABaseStationHearEachOther();
+    void aLostLinkIsSaidAndCured();
+    void withoutAWirelessServerTheDockSaysSo();
+};
+
+void tst_WindowRadio::aRobotAndABaseStationHearEachOther() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.pressKey(Qt::Key_F7);
+    QTRY_VERIFY(radio(page).isVisible());
+    QVERIFY(radio(page).emptyState()->isVisible());
+    QVERIFY(radio(page).emptyState()->accessibleDescription().contains("Spawn two robots"));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QTRY_VERIFY(radio(page).emptyState()->accessibleDescription().contains("one more robot"));
+    page.press("Spawn a base station"); // the button in the empty dock
+    QTRY_VERIFY_WITH_TIMEOUT(onlyStrength(page), soon_ms);
+    QVERIFY(*onlyStrength(page) < -30.0 && *onlyStrength(page) > -120.0);
+    QVERIFY(!radio(page).emptyState()->isVisible());
+    QVERIFY(page.robot(2)->figures.spawned); // it says nothing, and nobody waits for it to
+    QVERIFY(page.notified("Nothing from Base").isEmpty());
+    QVERIFY(!page.window().commands().action("mission.start")->isEnabled()); // it flies no mission
+
+    const QImage without = page.map().grab().toImage();
+    page.pressKey(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(page.map().layer(widgets::MapLayer::Radio).visible);
+    QTRY_COMPARE(page.map().content().radio_links.size(), std::size_t(1));
+    QVERIFY(page.map().grab().toImage() != without);
+    page.screenshot("radio");
+    page.window().control().remove(2);
+    QTRY_VERIFY_WITH_TIMEOUT(radio(page).emptyState()->isVisible(), soon_ms);
+    QTRY_VERIFY(page.map().content().radio_links.empty());
+}
+
+void tst_WindowRadio::aLostLinkIsSaidAndCured() {
+    test::FakeRobotServer server;
+    QVERIFY(server.listen());
+    WirelessDouble wireless;
+    WindowPage page({.wireless_port = wireless.port()});
+    page.connectToServer("127.0.0.1", server.port());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(twoStations(page));
+    QTRY_VERIFY_WITH_TIMEOUT(onlyStrength(page) == -60.5, soon_ms);
+    QVERIFY(page.notified("radio link").isEmpty());
+    wireless.strength = "-94.2";
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Base and Relay have lost their radio link: −94.2 dBm").isEmpty(), soon_ms);
+    const auto* const model = page.window().views().notifications->model();
+    const auto open = [&] {
+        int rows = 0;
+        for (int i = 0; i < model->rowCount(); ++i)
+            rows += model->row(i).text.contains("radio link") && !model->row(i).cured ? 1 : 0;
+        return rows;
+    };
+    QCOMPARE(open(), 1);
+    wireless.strength = "-70";
+    QTRY_COMPARE_WITH_TIMEOUT(open(), 0, soon_ms);
+}
+
+void tst_WindowRadio::withoutAWirelessServerTheDockSaysSo() {
+    test::FakeRobotServer server;
+    QVERIFY(server.listen());
+    quint16 closed = 0;
+    {
+        test::FakeServer gone;
+        gone.listen();
+        closed = gone.port();
+    }
+    WindowPage page({.wireless_port = closed});
+    page.connectToServer("127.0.0.1", server.port());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(twoStations(page));
+    QTRY_VERIFY_WITH_TIMEOUT(radio(page).emptyState()->accessibleDescription().contains("Start WSS there"), soon_ms);
+}
+
+USAR_E2E_MAIN(tst_WindowRadio)
+#include "tst_window_radio.moc"

@@ -1,0 +1,107 @@
+#include "widgets/models/radio_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int most_bars = 4;
+
+bool samePair(const RadioLink& one, const RadioLink& other) {
+    return one.a == other.a && one.b == other.b;
+}
+
+} // namespace
+
+RadioQuality radioQuality(const std::optional<double>& strength_dbm) {
+    if (!strength_dbm)
+        return RadioQuality::Unknown;
+    const double margin_db = *strength_dbm - radio_cutoff_dbm;
+    if (margin_db < 0.0)
+        return RadioQuality::Lost;
+    return margin_db < radio_wall_db         ? RadioQuality::Weak
+           : margin_db < 2.0 * radio_wall_db ? RadioQuality::Fair
+                                             : RadioQuality::Good;
+}
+
+int radioBars(const std::optional<double>& strength_dbm) {
+    if (!strength_dbm || *strength_dbm < radio_cutoff_dbm)
+        return 0;
+    return std::min(most_bars, 1 + static_cast<int>((*strength_dbm - radio_cutoff_dbm) / radio_wall_db));
+}
+
+QString radioWord(RadioQuality quality) {
+    switch (quality) {
+    case RadioQuality::Unknown:
+        break;
+    case RadioQuality::Lost:
+        return QObject::tr("no link");
+    case RadioQuality::Weak:
+        return QObject::tr("weak");
+    case RadioQuality::Fair:
+        return QObject::tr("fair");
+    case RadioQuality::Good:
+        return QObject::tr("good");
+    }
+    return QObject::tr("not heard");
+}
+
+QColor radioColor(RadioQuality quality) {
+    switch (quality) {
+    case RadioQuality::Unknown:
+        break;
+    case RadioQuality::Lost:
+        return tokens().danger;
+    case RadioQuality::Weak:
+    case RadioQuality::Fair:
+        return tokens().caution;
+    case RadioQuality::Good:
+        return tokens().ok;
+    }
+    return tokens().stale;
+}
+
+void RadioLinkModel::take(std::vector<RadioLink> links) {
+    std::ranges::sort(links,
+                      [](const RadioLink& x, const RadioLink& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+    const bool same = std::ranges::equal(links, rows_, samePair, {},
+                                         [](const RadioRow& row) -> const RadioLink& { return row.link; });
+    std::vector<RadioRow> rows;
+    for (const RadioLink& link : links) {
+        const auto known = std::ranges::find_if(rows_, [&](const RadioRow& row) { return samePair(row.link, link); });
+        RadioRow& row = rows.emplace_back(known == rows_.end() ? RadioRow{} : *known);
+        row.link = link;
+        if (row.history_dbm.size() == most_samples)
+            row.history_dbm.erase(row.history_dbm.begin());
+        row.history_dbm.push_back(link.strength_dbm.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    if (!same)
+        beginResetModel();
+    rows_ = std::move(rows);
+    if (!same)
+        endResetModel();
+    else if (!rows_.empty())
+        emit dataChanged(index(0), index(rowCount() - 1));
+}
+
+int RadioLinkModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant RadioLinkModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole))
+        return {};
+    const RadioLink& link = row(index.row()).link;
+    const QString word = radioWord(radioQuality(link.strength_dbm));
+    if (!link.strength_dbm)
+        return tr("%1 and %2: %3").arg(link.a, link.b, word);
+    return tr("%1 and %2: %3 dBm, %4").arg(link.a, link.b, figure(*link.strength_dbm, 1), word);
+}
+
+} // namespace usar::widgets
