@@ -1,5 +1,6 @@
 #include "app/simulator_channels.h"
 
+#include "core/link/com_interface.h"
 #include "core/link/com_server.h"
 #include "core/link/radio_relay.h"
 #include "core/link/wireless_server.h"
@@ -28,12 +29,15 @@ void openRadio(link::SimulatorServer& server, const ChannelPorts& wanted, OpenCh
     auto* relay = new link::RadioRelay(server.simulation(), &server);
     auto* wireless = new link::WirelessServer(*relay, relay);
     auto* comserver = new link::ComServer(*relay, relay);
+    auto* cominterface = new link::ComInterface(server.simulation(), relay->field(), relay);
     // While time stands still robots come and go all the same.
     QObject::connect(&server, &link::SimulatorServer::ticked, relay, &link::RadioRelay::look);
     QObject::connect(&server, &link::SimulatorServer::figuresChanged, relay, &link::RadioRelay::look);
     QObject::connect(relay, &link::RadioRelay::logged, &server, &link::SimulatorServer::logged);
     open.ports.wireless = listen(*wireless, wanted.wireless, QObject::tr("wireless server"), open.sentences);
     open.ports.comserver = listen(*comserver, wanted.comserver, QObject::tr("ComServer"), open.sentences);
+    open.ports.cominterface =
+        listen(*cominterface, wanted.cominterface, QObject::tr("ComServerInterface"), open.sentences);
 }
 
 } // namespace

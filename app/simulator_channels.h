@@ -14,10 +14,11 @@ struct ChannelPorts {
     quint16 image = 5003;
     quint16 wireless = 50000;
     quint16 comserver = 5874;
+    quint16 cominterface = 7435;
     bool operator==(const ChannelPorts&) const = default;
 
     /// Free ones for all: for a simulator whose bot port is chosen freely, too.
-    static ChannelPorts anywhere() { return {.image = 0, .wireless = 0, .comserver = 0}; }
+    static ChannelPorts anywhere() { return {.image = 0, .wireless = 0, .comserver = 0, .cominterface = 0}; }
 };
 
 struct OpenChannels {

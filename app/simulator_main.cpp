@@ -59,7 +59,10 @@ usar::Result<long long> readWhole(const QCommandLineParser& parser, const QStrin
 }
 
 std::vector<std::pair<QString, quint16*>> channelOptions(usar::app::ChannelPorts& ports) {
-    return {{"image-port", &ports.image}, {"wireless-port", &ports.wireless}, {"comserver-port", &ports.comserver}};
+    return {{"image-port", &ports.image},
+            {"wireless-port", &ports.wireless},
+            {"comserver-port", &ports.comserver},
+            {"cominterface-port", &ports.cominterface}};
 }
 
 usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
@@ -108,19 +111,21 @@ void addOptions(QCommandLineParser& parser) {
     parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.\n\n" +
                                      usar::app::faultHelp());
     parser.addVersionOption();
-    parser.addOptions({{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
-                       {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
-                       {"image-port", "TCP port of the image server; 0 chooses a free one.", "number", "5003"},
-                       {"image-type", "How pictures are sent: raw, or a JPEG from superb to bad.", "type", "good"},
-                       {"image-first", "The image server sends its first picture unasked, as the oldest one did."},
-                       {"wireless-port", "TCP port of the wireless server.", "number", "50000"},
-                       {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
-                       {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
-                       {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
-                       {"resume", "A snapshot to go on from; world, seed, profile and faults are its own.", "file"},
-                       {"save", "Where a snapshot is saved when the program ends.", "file"},
-                       {"fault", "Something that goes wrong; again for more. See above.", "text"},
-                       {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
+    parser.addOptions(
+        {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
+         {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
+         {"image-port", "TCP port of the image server; 0 chooses a free one.", "number", "5003"},
+         {"image-type", "How pictures are sent: raw, or a JPEG from superb to bad.", "type", "good"},
+         {"image-first", "The image server sends its first picture unasked, as the oldest one did."},
+         {"wireless-port", "TCP port of the wireless server.", "number", "50000"},
+         {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
+         {"cominterface-port", "TCP port that a wireless server of somebody else's asks.", "number", "7435"},
+         {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
+         {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
+         {"resume", "A snapshot to go on from; world, seed, profile and faults are its own.", "file"},
+         {"save", "Where a snapshot is saved when the program ends.", "file"},
+         {"fault", "Something that goes wrong; again for more. See above.", "text"},
+         {"speed", "Times real time: a factor, max, or 0 for paused.", "factor", "1"}});
 }
 
 int complain(const usar::Error& error) {

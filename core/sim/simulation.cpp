@@ -323,10 +323,16 @@ std::vector<RadioStation> Simulation::radios() const {
     return radios;
 }
 
+int Simulation::obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const {
+    RadioParameters all = state_->options.radio;
+    all.most_obstacles = 1000;
+    return sim::obstaclesBetween(state_->caster, a_in_map_m, b_in_map_m, all);
+}
+
 double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& b) const {
     const RadioParameters& radio = state_->options.radio;
     return strengthOver((a.antenna_in_map_m - b.antenna_in_map_m).norm(),
-                        obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
+                        sim::obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
 }
 
 const std::vector<TraceMark>& Simulation::traceMarks() const {

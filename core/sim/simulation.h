@@ -118,6 +118,8 @@ public:
     std::vector<RobotTruth> robots() const;
     /// Of all robots and base stations, in the order of their connections.
     std::vector<RadioStation> radios() const;
+    /// All of them, also those that weaken a radio no further.
+    int obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const;
     /// Between two antennas, as they stand now.
     double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
     /// What robots under TRACE left behind, oldest first; of all clients.
