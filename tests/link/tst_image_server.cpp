@@ -59,7 +59,7 @@ public:
         for (const char byte : bytes) {
             socket_.write(&byte, 1);
             socket_.flush();
-            QCoreApplication::processEvents();
+            QTest::qWait(0); // a turn of the event loop
         }
     }
     struct Frame {

@@ -58,7 +58,7 @@ private slots:
         for (int at = 0; at < total; at += chunk) {
             call.say(there.mid(at, chunk));
             pair.listener.peer.say(back.mid(at, chunk));
-            QCoreApplication::processEvents();
+            QTest::qWait(0); // a turn of the event loop
         }
         QTRY_COMPARE(pair.listener.peer.heard().size(), there.size());
         QTRY_COMPARE(call.heard().size(), back.size());

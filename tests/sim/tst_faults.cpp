@@ -111,7 +111,8 @@ void tst_Faults::refusesAndNamesTheMend_data() {
                                   << "is no by";
     QTest::newRow("a sensor where there is none") << "battery sensor=INS"
                                                   << "unknown word 'sensor'";
-    QTest::newRow("a bias of nothing") << "sensor_bias sensor=INS x=0" << "changes nothing";
+    QTest::newRow("a bias of nothing") << "sensor_bias sensor=INS x=0"
+                                       << "changes nothing";
     QTest::newRow("the wind of one robot") << "wind robot=R1"
                                            << "unknown word 'robot'";
 }
