@@ -44,6 +44,7 @@ public:
     btVector3 position() const { return pieces_.front().object->getWorldTransform().getOrigin(); }
 
     std::vector<Contact> contacts; ///< of the last step
+    bool placed = false;           ///< since the last step: somebody carries it, and knows where to
     double restitution = 0.0;      ///< what this program makes bounce itself, see BulletPhysics::bounce
 
 protected:

@@ -118,6 +118,7 @@ void BulletPhysics::remove(BodyId id) {
 
 void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
     bodies_.at(id)->place(body_in_map);
+    bodies_.at(id)->placed = true;
     moved_ = true;
     wakeAll();
 }
@@ -165,7 +166,8 @@ void BulletPhysics::step(Seconds dt) {
 // rolls over it, comes out again.
 void BulletPhysics::keepAboveGround(BulletBody& body) {
     const Vec3 at_m = fromBullet(body.position());
-    if (terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
+    const bool carried = std::exchange(body.placed, false);
+    if (carried || terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
         return;
     const double under_m = terrain_.height_m(at_m.head<2>()) - at_m.z();
     if (under_m > 0.0)

@@ -155,6 +155,17 @@ private slots:
         }
     }
 
+    void whatIsCarriedThroughTheGroundStaysWhereItIsPut() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const BodyId carried = physics->add(ball(), at(0.0, 0.0, 1.0));
+        for (int i = 0; i < 50; ++i) {
+            physics->place(carried, at(0.1 * i, 0.0, -0.5));
+            physics->step(physics_dt);
+            QVERIFY(physics->state(carried).position_m.z() < -0.49);
+        }
+    }
+
     void bothBodiesFeelTheirMeeting() {
         const World world = flatWorld();
         const auto physics = makePhysics(world);
