@@ -44,7 +44,7 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
     connect(&simulator_, &SimulatorHost::robotRefused, this,
             [this](const QString& sentence) { note(Severity::Warning, "robot-file", sentence); });
     connect(&simulator_, &SimulatorHost::movedPort, this,
-            [this](const QString& sentence) { note(Severity::Warning, "simulator-port", sentence); });
+            [this](const QString& sentence) { note(Severity::Warning, "simulator-port/" + sentence, sentence); });
     connect(&simulator_, &SimulatorHost::faultTurned, this, [this](const QString& sentence) {
         for (const auto& [id, robot] : robots_)
             if (!robot->isReplay())
