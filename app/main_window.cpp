@@ -234,8 +234,8 @@ void MainWindow::wirePanels() {
     connect(views_.robots, &widgets::RobotList::robotSelected, this, &MainWindow::selectRobot);
     connect(views_.robots, &widgets::RobotList::removeRequested, &control_, &MissionControl::remove);
     connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
-        if (const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId()))
-            views_.parameters->setSpecs(behavior->parameters);
+        const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId());
+        views_.parameters->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
         const TaskDraft& draft = drafts_[selected_];
         if (draft.behavior_id == views_.behavior->behaviorId())
             views_.parameters->setValues(draft.values);

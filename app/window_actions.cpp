@@ -106,11 +106,12 @@ void MainWindow::selectRobot(int id) {
     keepDraft();
     selected_ = control_.robot(id) ? id : 0;
     const Robot* robot = control_.robot(selected_);
-    for (const agent::RobotDescription& description : control_.plugins().robots())
-        if (robot && description.class_name == robot->view().spawn.class_name)
-            views_.behavior->setBehaviors(description.behaviors);
-    if (!robot && !control_.plugins().robots().empty())
-        views_.behavior->setBehaviors(control_.plugins().robots().front().behaviors);
+    const auto& known = control_.plugins().robots();
+    const auto described = std::ranges::find_if(known, [&](const agent::RobotDescription& description) {
+        return !robot || description.class_name == robot->view().spawn.class_name;
+    });
+    views_.behavior->setBehaviors(described == known.end() ? std::vector<agent::BehaviorDescription>()
+                                                           : described->behaviors);
     showDraft();
     presenter_.select(selected_);
     camera_->select(selected_);
@@ -132,7 +133,7 @@ void MainWindow::showPlan() {
         return; // then the behavior itself says what it flies
     views_.hint->setDone(1, !area.empty());
     views_.map->setLanes(std::vector<Vec2>{});
-    if (area.empty()) {
+    if (area.empty() || views_.behavior->behaviorId().empty()) {
         views_.map->setAreaSummary({});
         return views_.behavior->setPlanSummary({}); // the area form says what to do
     }
@@ -176,7 +177,7 @@ void MainWindow::refreshRunState() {
         state = robot->view().paused ? RunState::Paused : RunState::Running;
     else if (robot && robot->isReplay())
         state = RunState::Replay;
-    else if (robot && robot->view().figures.spawned && !protocol::isStation(robot->view().spawn.class_name))
+    else if (robot && robot->view().figures.spawned)
         state = RunState::Ready;
     const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();
     if (views_.behavior->setRunState(state, name))

@@ -107,7 +107,7 @@ void MainWindow::registerMissionCommands() {
         [this, running] {
             const Robot* robot = control_.robot(selected_);
             return robot && robot->view().figures.spawned && !running() && !robot->isReplay() &&
-                   !protocol::isStation(robot->view().spawn.class_name);
+                   !views_.behavior->behaviorId().empty();
         });
     commands_.add(
         {"mission.pause",

@@ -195,7 +195,10 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
         behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
     }
     behavior_box_->setEnabled(!busy() && !behaviors.empty());
-    help_label_->setText(behavior_box_->currentData(Qt::ToolTipRole).toString());
+    help_label_->setText(behaviors.empty()
+                             ? tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
+                                  "command drives it.")
+                             : behavior_box_->currentData(Qt::ToolTipRole).toString());
     if (behaviorId() != chosen)
         emit behaviorChosen(QString::fromStdString(behaviorId()));
 }

@@ -135,6 +135,8 @@ void tst_WindowRobots::aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands() {
         return robot && robot->figures.spawned;
     };
     QTRY_VERIFY_WITH_TIMEOUT(speaks(), soon_ms);
+    QVERIFY(page.window().views().behavior->behaviorId().empty()); // not an AirRobot's
+    QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
     InspectorPage inspector(page);
     page.pressKey(Qt::Key_F4);
     inspector.type("DRIVE {Left 5} {Right 5}");
