@@ -1,0 +1,116 @@
+// The simulator alone as a program: it serves, ends, and goes on where it ended.
+#include <csignal>
+
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTcpSocket>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-sim";
+constexpr int patience_ms = 60000;
+
+/// Runs on free ports until it is interrupted or destroyed.
+class Simulator {
+public:
+    explicit Simulator(const QStringList& arguments) {
+        process_.setProcessChannelMode(QProcess::MergedChannels);
+        process_.start(program, QStringList{"--port", "0", "--image-port", "0", "--wireless-port", "0",
+                                            "--comserver-port", "0", "--cominterface-port", "0"} +
+                                    arguments);
+    }
+    ~Simulator() { interrupt(); }
+
+    /// Everything that it has printed, once these words are among it.
+    QString printed(const QString& words) {
+        const bool there = QTest::qWaitFor(
+            [&] {
+                text_ += QString::fromUtf8(process_.readAll());
+                return text_.contains(words) || process_.state() == QProcess::NotRunning;
+            },
+            patience_ms);
+        return there && text_.contains(words) ? text_ : QString();
+    }
+    quint16 port() {
+        const auto match = QRegularExpression("on 127\\.0\\.0\\.1:(\\d+) - connect").match(printed(" - connect"));
+        return static_cast<quint16>(match.captured(1).toUInt());
+    }
+    int interrupt() {
+        if (process_.state() != QProcess::Running)
+            return process_.exitCode();
+        ::kill(static_cast<pid_t>(process_.processId()), SIGINT);
+        if (!process_.waitForFinished(patience_ms))
+            process_.kill();
+        return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
+    }
+
+private:
+    QProcess process_;
+    QString text_;
+};
+
+/// The newest time that a robot's STA has told, above `least_s`; negative where none came.
+double heardTime(QTcpSocket& socket, double least_s) {
+    QByteArray heard;
+    double newest_s = -1.0;
+    const QRegularExpression state("STA \\{Type \\w+\\} \\{Time ([0-9.]+)\\}");
+    (void)QTest::qWaitFor(
+        [&] {
+            heard += socket.readAll();
+            for (auto it = state.globalMatch(QString::fromUtf8(heard)); it.hasNext();)
+                newest_s = it.next().captured(1).toDouble();
+            return newest_s > least_s;
+        },
+        patience_ms);
+    return newest_s;
+}
+
+} // namespace
+
+class tst_UsarSim : public QObject {
+    Q_OBJECT
+private slots:
+    void goesOnWhereItWasSaved();
+    void aFileThatIsNoSnapshotIsRefused();
+    void aWrongFaultIsRefused();
+};
+
+void tst_UsarSim::goesOnWhereItWasSaved() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("run.usarsnap");
+    double saved_s = 0.0;
+    {
+        Simulator simulator({"--save", file, "--speed", "10"});
+        QTcpSocket socket;
+        socket.connectToHost("127.0.0.1", simulator.port());
+        QVERIFY(socket.waitForConnected());
+        socket.write("INIT {ClassName USARBot.P2DX} {Name R7} {Start PlayerStart}\r\n");
+        saved_s = heardTime(socket, 5.0);
+        QVERIFY(saved_s > 5.0);
+        QCOMPARE(simulator.interrupt(), 0);
+    }
+    Simulator simulator({"--resume", file});
+    QVERIFY(!simulator.printed("USARBot.P2DX R7 waits").isEmpty());
+    QTcpSocket socket;
+    socket.connectToHost("127.0.0.1", simulator.port());
+    QVERIFY(socket.waitForConnected());
+    socket.write("INIT {ClassName USARBot.P2DX} {Name R7} {Location 9,9,-9}\r\n");
+    QVERIFY(heardTime(socket, 0.0) >= saved_s);
+}
+
+void tst_UsarSim::aFileThatIsNoSnapshotIsRefused() {
+    Simulator simulator({"--resume", program});
+    QVERIFY(!simulator.printed("line 1: this is no snapshot").isEmpty());
+    QCOMPARE(simulator.interrupt(), 2);
+}
+
+void tst_UsarSim::aWrongFaultIsRefused() {
+    Simulator simulator({"--fault", "wind sped=3"});
+    QVERIFY(!simulator.printed("Did you mean 'speed'?").isEmpty());
+    QCOMPARE(simulator.interrupt(), 2);
+}
+
+QTEST_GUILESS_MAIN(tst_UsarSim)
+#include "tst_usar_sim.moc"
