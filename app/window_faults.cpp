@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/main_window.h"
+#include "app/simulator_files.h"
 #include "widgets/empty_state.h"
 
 namespace usar::app {
@@ -27,15 +28,19 @@ std::vector<widgets::FaultKindInfo> kindsOf(std::span<const sim::FaultDescriptio
     return infos;
 }
 
+/// They have a place of their own in the list.
+QString withoutTimes(sim::Fault fault) {
+    fault.from = Seconds{0.0};
+    fault.lasts = sim::without_end;
+    return QString::fromStdString(write(fault));
+}
+
 widgets::FaultRow rowOf(const sim::FaultStatus& status) {
     const sim::Fault& fault = status.fault;
     QString when = widgets::FaultPanel::tr("From %1 s of the simulation's clock").arg(fault.from.count(), 0, 'f', 1);
     if (std::isfinite(fault.lasts.count()))
         when += widgets::FaultPanel::tr(" for %1 s").arg(fault.lasts.count(), 0, 'f', 1);
-    sim::Fault bare = fault; // its times have a place of their own
-    bare.from = Seconds{0.0};
-    bare.lasts = sim::without_end;
-    return {status.id, QString::fromStdString(write(bare)), static_cast<widgets::FaultState>(status.phase), when};
+    return {status.id, withoutTimes(fault), static_cast<widgets::FaultState>(status.phase), when};
 }
 
 } // namespace
@@ -114,6 +119,12 @@ void MainWindow::showFaultChoices() {
 void MainWindow::beginMissionFaults() {
     if (mission_faults_.isEmpty())
         return;
+    QStringList texts;
+    for (const sim::Fault& fault : readFaults(mission_faults_).value_or(std::vector<sim::Fault>()))
+        texts << withoutTimes(fault);
+    for (const sim::FaultStatus& one : faults_) // of an earlier start: two winds would blow twice as hard
+        if (one.phase != sim::FaultPhase::Over && texts.contains(withoutTimes(one.fault)))
+            control_.simulator().endFault(one.id);
     if (const auto added = control_.addFaults(mission_faults_); !added)
         say(Severity::Warning, "mission-faults",
             tr("The mission's faults are left out: %1").arg(QString::fromStdString(added.error().text())));

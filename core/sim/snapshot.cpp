@@ -64,6 +64,14 @@ public:
         return value;
     }
 
+    /// What a damaged digit must not make of a run: one that nobody lives to see the end of.
+    std::uint64_t upTo(std::uint64_t most, std::string_view text, std::string_view what) {
+        const std::uint64_t value = whole(text, what);
+        if (value > most)
+            fail("'" + std::string(text) + "' is no " + std::string(what));
+        return value;
+    }
+
     double number(std::string_view text, std::string_view what) {
         const auto value = readNumber(text);
         if (!value || !(*value > 0.0))
@@ -93,7 +101,7 @@ void readHead(Reading& reading, std::string_view key, std::string_view value, Sn
     else if (key == "tick_s")
         snapshot.tick = Seconds{reading.number(value, "time")};
     else if (key == "physics_steps_per_tick")
-        snapshot.physics_steps_per_tick = static_cast<int>(reading.whole(value, "number of steps"));
+        snapshot.physics_steps_per_tick = static_cast<int>(reading.upTo(10'000, value, "number of steps"));
     else if (key == "battery_life_s")
         snapshot.battery_life = Seconds{reading.number(value, "time")};
     else if (key == "noise")
@@ -101,7 +109,7 @@ void readHead(Reading& reading, std::string_view key, std::string_view value, Sn
     else if (key == "fault")
         snapshot.faults.emplace_back(value);
     else if (key == "ticks")
-        snapshot.ticks = reading.whole(value, "number of ticks");
+        snapshot.ticks = reading.upTo(100'000'000, value, "number of ticks");
     else if (key == "digest")
         snapshot.digest = reading.whole(value, "digest");
     else

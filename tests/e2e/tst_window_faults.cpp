@@ -107,6 +107,12 @@ void tst_WindowFaults::theFaultsOfAMissionBeginWithIt() {
     page.window().commands().action("mission.start")->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(
         dock.states(), (QStringList{"sensor_dropout sensor=INS share=0.1: to come", "wind speed=1: active"}), soon_ms);
+    page.window().commands().action("mission.stop")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().commands().action("mission.start")->isEnabled(), soon_ms);
+    page.window().commands().action("mission.start")->trigger(); // once more: not two winds at once
+    QTRY_COMPARE_WITH_TIMEOUT(dock.states().filter("wind speed=1: active").size() +
+                                  10 * dock.states().filter("wind speed=1: over").size(),
+                              11, soon_ms);
 }
 
 void tst_WindowFaults::aWrongFaultInAMissionFileIsNamedWithItsPlace() {
