@@ -1,0 +1,36 @@
+#include "core/posh/finding.h"
+
+#include <algorithm>
+
+namespace usar::posh {
+
+namespace {
+
+std::string placeText(const Spot& at) {
+    return std::to_string(at.line) + ':' + std::to_string(at.column);
+}
+
+} // namespace
+
+std::string toText(Code code) {
+    return (severityOf(code) == Severity::Error ? "E" : "W") + std::to_string(static_cast<int>(code));
+}
+
+Severity severityOf(Code code) {
+    return static_cast<int>(code) < 400 ? Severity::Error : Severity::Warning;
+}
+
+bool hasErrors(const Findings& findings) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [](const Finding& finding) { return severityOf(finding.code) == Severity::Error; });
+}
+
+std::string toText(const Finding& finding) {
+    const char* const kind = severityOf(finding.code) == Severity::Error ? "error " : "warning ";
+    std::string text = placeText(finding.at) + ": " + kind + toText(finding.code) + ": " + finding.message;
+    if (finding.opener)
+        text += " (the parenthesis at " + placeText(*finding.opener) + " is open)";
+    return text;
+}
+
+} // namespace usar::posh

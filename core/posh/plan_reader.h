@@ -1,0 +1,21 @@
+// Reads the text of a plan, in any of the dialects of POSH.
+#pragma once
+
+#include <string_view>
+
+#include "core/posh/finding.h"
+#include "core/posh/plan.h"
+
+namespace usar::posh {
+
+/// What could be read, and what is wrong with the text. A form with an error is left out of the plan.
+struct PlanReading {
+    Plan plan;
+    Findings findings; ///< those of the text in its order, then those of the plan as a whole in the order of the text
+};
+
+/// UTF-8; any bytes are allowed, and no depth of nesting is too great. Linear in the length of the text. Includes the
+/// static checks that need no robot (see plan_check.h).
+PlanReading readPlan(std::string_view text);
+
+} // namespace usar::posh
