@@ -1,0 +1,30 @@
+// Which name means which competence, pattern or adopt of a plan.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "core/posh/plan.h"
+
+namespace usar::posh {
+
+/// The plan must outlive it. Of two forms with one name the first counts.
+class FormIndex {
+public:
+    explicit FormIndex(const Plan& plan);
+
+    /// Index in Plan::forms; nothing for primitives and for the collection.
+    std::optional<std::size_t> find(std::string_view name) const;
+    bool declares(std::size_t form, std::string_view parameter) const { return formals_[form].contains(parameter); }
+    const std::unordered_set<std::string_view>& formals(std::size_t form) const { return formals_[form]; }
+
+private:
+    std::unordered_map<std::string_view, std::size_t> forms_;
+    std::vector<std::unordered_set<std::string_view>> formals_;
+};
+
+} // namespace usar::posh

@@ -1,0 +1,210 @@
+#include "core/posh/plan_reader.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/spelling.h"
+#include "core/base/text.h"
+#include "core/posh/form_reader.h"
+#include "core/posh/plan_check.h"
+#include "core/posh/remarks.h"
+#include "core/posh/token_cursor.h"
+
+namespace usar::posh {
+
+namespace {
+
+class PlanReader {
+public:
+    PlanReader(std::string_view text, const TokenList& tokens) : list_(&tokens), cursor_(text, tokens) {}
+
+    Plan run() {
+        if (!cursor_.at(TokenKind::Open)) {
+            cursor_.fail(Code::NotAPlan, "a plan is one list of forms; write ( before " + inQuotes(cursor_.word()));
+            return {};
+        }
+        cursor_.advance();
+        while (!cursor_.at(TokenKind::End))
+            next();
+        if (is_open_)
+            cursor_.unexpected("a form or the end of the plan", ")");
+        return std::move(plan_);
+    }
+    Findings takeFindings() { return cursor_.takeFindings(); }
+
+private:
+    void next();
+    void afterPlan();
+    void skipJunk();
+    void form();
+    bool readForm(const Spot& begin);
+    bool readDocumentationFirst(const Spot& begin);
+    bool readTheCollection(const Spot& begin, CollectionKind kind);
+    bool unknownForm();
+    template <class Kind>
+    bool keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&, Kind&));
+    std::size_t endOfBadForm(std::size_t begin) const;
+    bool beginsFormAt(std::size_t index) const;
+
+    const TokenList* list_;
+    TokenCursor cursor_;
+    Plan plan_;
+    bool is_open_ = true;
+    bool saw_form_ = false;
+    bool saw_collection_ = false;
+    bool saw_text_after_ = false;
+};
+
+/// At the depth of forms: a form, the end of the plan, or what should not be there.
+void PlanReader::next() {
+    if (!is_open_ && !saw_text_after_)
+        afterPlan();
+    if (cursor_.at(TokenKind::Open))
+        return form();
+    if (cursor_.at(TokenKind::Close)) {
+        is_open_ = false;
+        cursor_.advance();
+        return;
+    }
+    if (is_open_)
+        cursor_.unexpected("a form or the end of the plan", "(C …), (AP …), (AD …), (DC …) or )");
+    skipJunk();
+}
+
+/// Forms behind the plan are read all the same: nearly always a parenthesis was closed too early.
+void PlanReader::afterPlan() {
+    saw_text_after_ = true;
+    cursor_.fail(Code::TextAfterPlan, "the plan has ended before " + inQuotes(cursor_.word()) +
+                                          "; take it away, or a ) that stands too early");
+}
+
+void PlanReader::skipJunk() {
+    while (!cursor_.at(TokenKind::Open) && !cursor_.at(TokenKind::Close) && !cursor_.at(TokenKind::End))
+        cursor_.advance();
+}
+
+void PlanReader::form() {
+    const std::size_t begin_index = cursor_.index();
+    const std::size_t depth = cursor_.depth();
+    const Spot begin = cursor_.peek().at;
+    cursor_.advance();
+    const bool good = readForm(begin);
+    saw_form_ = true;
+    if (!good)
+        cursor_.resumeAt(endOfBadForm(begin_index), depth);
+}
+
+bool PlanReader::readForm(const Spot& begin) {
+    const Keyword keyword = cursor_.keyword();
+    if (const auto kind = collectionKind(keyword))
+        return readTheCollection(begin, *kind);
+    switch (keyword) {
+    case Keyword::Documentation:
+        return readDocumentationFirst(begin);
+    case Keyword::C:
+        return keep(begin, &readCompetence);
+    case Keyword::Ap:
+        return keep(begin, &readPattern);
+    case Keyword::Ad:
+        return keep(begin, &readAdopt);
+    default:
+        return unknownForm();
+    }
+}
+
+template <class Kind>
+bool PlanReader::keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&, Kind&)) {
+    cursor_.advance();
+    Kind form;
+    if (!read(cursor_, begin, form))
+        return false;
+    plan_.forms.emplace_back(std::move(form));
+    return true;
+}
+
+bool PlanReader::readDocumentationFirst(const Spot& begin) {
+    if (saw_form_)
+        return cursor_.fail(Code::LateDocumentation,
+                            "the documentation stands behind another form; write it first in the plan");
+    cursor_.advance();
+    Documentation documentation;
+    if (!readDocumentation(cursor_, begin, documentation))
+        return false;
+    plan_.documentation = std::move(documentation);
+    return true;
+}
+
+bool PlanReader::readTheCollection(const Spot& begin, CollectionKind kind) {
+    if (saw_collection_)
+        return cursor_.fail(Code::SecondCollection,
+                            "a plan has one drive collection and this is the second; put its drives into the first");
+    saw_collection_ = true;
+    Collection collection;
+    collection.kind = kind;
+    collection.keyword = cursor_.word();
+    cursor_.advance();
+    if (!readCollection(cursor_, begin, collection))
+        return false;
+    plan_.forms.emplace_back(std::move(collection));
+    return true;
+}
+
+bool PlanReader::unknownForm() {
+    if (!cursor_.at(TokenKind::Name))
+        return cursor_.unexpected("the kind of a form", "C, AP, AD or DC behind the (");
+    const std::string word = lowerCase(cursor_.word());
+    const std::string mend = editDistance(word, "documentation") <= 4 ? "documentation" : "C, AP, AD or DC";
+    return cursor_.fail(Code::UnknownForm, inQuotes(cursor_.word()) + " is no kind of form; write " + mend);
+}
+
+bool PlanReader::beginsFormAt(std::size_t index) const {
+    const auto& tokens = list_->tokens;
+    const std::size_t ahead = index - cursor_.index(); // may wrap around, as does the sum
+    return index + 2 < tokens.size() && tokens[index].first_on_line && beginsForm(cursor_.keyword(ahead + 1)) &&
+           (tokens[index + 2].kind == TokenKind::Name || tokens[index + 2].kind == TokenKind::String);
+}
+
+/// Where reading goes on: behind the parenthesis that closes the form, or, should one be missing, at the next line that
+/// begins a form no deeper than this one.
+std::size_t PlanReader::endOfBadForm(std::size_t begin) const {
+    const auto& tokens = list_->tokens;
+    std::size_t depth = 0;
+    for (std::size_t i = begin; tokens[i].kind != TokenKind::End; ++i) {
+        if (tokens[i].kind == TokenKind::Close && --depth == 0)
+            return i + 1;
+        if (tokens[i].kind != TokenKind::Open)
+            continue;
+        if (i > begin && tokens[i].at.column <= tokens[begin].at.column && beginsFormAt(i))
+            return i;
+        ++depth;
+    }
+    return tokens.size() - 1;
+}
+
+void sortByPlace(Findings& findings) {
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.at.offset < b.at.offset; });
+}
+
+} // namespace
+
+PlanReading readPlan(std::string_view text) {
+    if (text.size() > longest_plan_bytes)
+        return {{}, {{Code::NotAPlan, {1, 1, 0, 0}, "the text is too long for a plan; give a smaller file", {}}}};
+    TokenList tokens = tokenize(text);
+    PlanReader reader(text, tokens);
+    PlanReading reading{reader.run(), std::move(tokens.warnings)};
+    attachRemarks(text, tokens, reading.plan);
+    Findings complaints = reader.takeFindings();
+    const bool is_whole = !hasErrors(complaints);
+    reading.findings.insert(reading.findings.end(), std::make_move_iterator(complaints.begin()),
+                            std::make_move_iterator(complaints.end()));
+    sortByPlace(reading.findings);
+    Findings checked = checkPlan(reading.plan, is_whole);
+    sortByPlace(checked);
+    reading.findings.insert(reading.findings.end(), std::make_move_iterator(checked.begin()),
+                            std::make_move_iterator(checked.end()));
+    return reading;
+}
+
+} // namespace usar::posh

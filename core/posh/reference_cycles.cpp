@@ -1,0 +1,92 @@
+#include "core/posh/reference_cycles.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/posh/plan_walk.h"
+
+namespace usar::posh {
+
+namespace {
+
+struct Reference {
+    const Name* name = nullptr;
+    std::size_t target = 0;
+};
+
+/// Depth first with a stack of its own: a plan may be nested as deep as it is long.
+class CycleSearch {
+public:
+    CycleSearch(const Plan& plan, const FormIndex& index) : plan_(&plan), states_(plan.forms.size()) {
+        for (const Form& form : plan.forms) {
+            auto& references = references_.emplace_back();
+            if (std::holds_alternative<Collection>(form))
+                continue; // nothing refers to it
+            forEachCall(form, [&](const Call& call, bool is_sense) {
+                if (const auto target = is_sense ? std::nullopt : index.find(call.name.text))
+                    references.push_back({&call.name, *target});
+            });
+        }
+    }
+
+    void run(Findings& findings) {
+        for (std::size_t form = 0; form < states_.size(); ++form) {
+            if (states_[form] == State::New)
+                enter(form);
+            while (!path_.empty())
+                step(findings);
+        }
+    }
+
+private:
+    enum class State { New, OnPath, Done };
+    struct Visit {
+        std::size_t form = 0;
+        std::size_t next = 0; ///< of its references
+    };
+
+    void enter(std::size_t form) {
+        states_[form] = State::OnPath;
+        path_.push_back({form, 0});
+    }
+    void step(Findings& findings) {
+        Visit& top = path_.back();
+        if (top.next == references_[top.form].size()) {
+            states_[top.form] = State::Done;
+            path_.pop_back();
+            return;
+        }
+        const Reference& reference = references_[top.form][top.next++];
+        if (states_[reference.target] == State::New)
+            enter(reference.target);
+        else if (states_[reference.target] == State::OnPath)
+            findings.push_back({Code::ReferenceCycle, reference.name->at, message(reference), std::nullopt});
+    }
+    std::string message(const Reference& closing) const {
+        constexpr std::ptrdiff_t most_named = 6;
+        auto at =
+            std::find_if(path_.begin(), path_.end(), [&](const Visit& visit) { return visit.form == closing.target; });
+        std::string way = '"' + nameOf(plan_->forms[closing.target]).text + '"';
+        const bool is_long = path_.end() - at > most_named;
+        if (++at == path_.end())
+            return way + " contains itself; call something else here";
+        way += " contains itself through ";
+        for (const auto last = is_long ? at + most_named : path_.end(); at != last; ++at)
+            way += (way.ends_with(' ') ? "" : ", ") + nameOf(plan_->forms[at->form]).text;
+        return way + (is_long ? ", …" : "") + "; call something else here";
+    }
+
+    const Plan* plan_;
+    std::vector<std::vector<Reference>> references_;
+    std::vector<State> states_;
+    std::vector<Visit> path_;
+};
+
+} // namespace
+
+void checkReferenceCycles(const Plan& plan, const FormIndex& index, Findings& findings) {
+    CycleSearch(plan, index).run(findings);
+}
+
+} // namespace usar::posh

@@ -1,0 +1,15 @@
+// Gives the comments and blank lines of a text to the parts of the plan they belong to.
+#pragma once
+
+#include <string_view>
+
+#include "core/posh/plan.h"
+#include "core/posh/token.h"
+
+namespace usar::posh {
+
+/// A comment on a line of its own belongs to what begins next, one behind something to what began last; inside of a
+/// drive or an element, and of any form that is written in one piece, it belongs to that.
+void attachRemarks(std::string_view text, const TokenList& tokens, Plan& plan);
+
+} // namespace usar::posh

@@ -1,0 +1,337 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/base/text.h"
+#include "core/posh/token.h"
+#include "core/posh/utf8.h"
+#include "core/posh/word.h"
+
+namespace usar::posh {
+
+namespace {
+
+enum class Class : std::uint8_t { Word, Blank, LineEnd, Delimiter, High };
+
+constexpr std::array<Class, 256> classTable() {
+    std::array<Class, 256> table{};
+    for (const char c : {' ', '\t', '\r', '\f', '\v'})
+        table[static_cast<unsigned char>(c)] = Class::Blank;
+    table['\n'] = Class::LineEnd;
+    for (const char c : {'(', ')', ';', ',', '"', '=', '!', '<', '>', '$', '\'', '#'})
+        table[static_cast<unsigned char>(c)] = Class::Delimiter;
+    for (std::size_t i = 128; i < 256; ++i)
+        table[i] = Class::High;
+    return table;
+}
+
+constexpr std::array<Class, 256> classes = classTable();
+
+Class classOf(char c) {
+    return classes[static_cast<unsigned char>(c)];
+}
+
+/// More warnings about single characters than a person reads say nothing more.
+constexpr std::size_t most_warnings = 100;
+
+class Tokenizer {
+public:
+    explicit Tokenizer(std::string_view text) : text_(text) {
+        list_.tokens.reserve(text.size() / 5 + 16);
+        if (text.starts_with("\xEF\xBB\xBF"))
+            at_ = line_start_ = 3;
+    }
+
+    TokenList run() {
+        while (at_ < text_.size())
+            next();
+        list_.tokens.push_back({TokenKind::End, line_is_empty_, spotFrom(at_)});
+        return std::move(list_);
+    }
+
+private:
+    void next();
+    void highCharacter();
+    void lineEnd();
+    void delimiter();
+    void predicate();
+    void comment();
+    void string();
+    std::size_t escapeLength(std::size_t at, std::size_t limit) const;
+    void word();
+    void quoted(char mark);
+    std::size_t wordEnd(std::size_t from) const;
+
+    /// Counts lines and code points over what begins at at_, and moves on.
+    void passCharacter();
+    void passTo(std::size_t end) {
+        while (at_ < end)
+            passCharacter();
+    }
+    Spot spotFrom(std::size_t begin) const {
+        return {line_, static_cast<std::uint32_t>(begin - line_start_ - extra_bytes_ + 1),
+                static_cast<std::uint32_t>(begin), 0};
+    }
+    void add(TokenKind kind, Spot at) {
+        at.length = static_cast<std::uint32_t>(at_ - at.offset);
+        list_.tokens.push_back({kind, line_is_empty_, at});
+        line_is_empty_ = false;
+    }
+    /// A Bad token from `begin` to at_, whose error sits at `error_at`.
+    void addBad(Code code, const Spot& begin, Spot error_at) {
+        if (error_at.length == 0)
+            error_at.length = 1;
+        list_.errors.push_back({code, error_at});
+        add(TokenKind::Bad, begin);
+    }
+    void warn(Code code, const Spot& at, std::string message);
+
+    std::string_view text_;
+    TokenList list_;
+    std::size_t at_ = 0;
+    std::size_t line_start_ = 0;
+    std::size_t extra_bytes_ = 0; ///< bytes of this line, up to at_, that begin no code point
+    std::uint32_t line_ = 1;
+    bool line_is_empty_ = true;         ///< no token on this line yet
+    bool line_is_blank_ = false;        ///< nor a comment; the first line ends what is no line
+    bool string_runs_to_end_ = false;   ///< a quote was never closed, so no later one is
+    std::size_t odd_spaces_end_ = ~0UL; ///< neighbors are one finding
+};
+
+void Tokenizer::next() {
+    switch (classOf(text_[at_])) {
+    case Class::Blank:
+        ++at_;
+        break;
+    case Class::LineEnd:
+        lineEnd();
+        break;
+    case Class::Delimiter:
+        delimiter();
+        break;
+    case Class::High:
+        highCharacter();
+        break;
+    case Class::Word:
+        word();
+    }
+}
+
+void Tokenizer::warn(Code code, const Spot& at, std::string message) {
+    if (list_.warnings.size() > most_warnings)
+        return;
+    if (list_.warnings.size() == most_warnings)
+        message = "there are more such characters and names, which are not listed; mend the ones above first";
+    list_.warnings.push_back({code, at, std::move(message), std::nullopt});
+}
+
+void Tokenizer::passCharacter() {
+    if (text_[at_] == '\n') {
+        ++at_;
+        ++line_;
+        line_start_ = at_;
+        extra_bytes_ = 0;
+        return;
+    }
+    if (classOf(text_[at_]) != Class::High) {
+        ++at_;
+        return;
+    }
+    const CodePoint character = codePointAt(text_, at_);
+    if (!character.valid) {
+        Spot at = spotFrom(at_);
+        at.length = 1;
+        warn(Code::BadByte, at, "this byte is no UTF-8 and reads as U+FFFD; save the file as UTF-8");
+    }
+    at_ += character.length;
+    extra_bytes_ += character.length - 1;
+}
+
+void Tokenizer::lineEnd() {
+    // A line end on an empty line makes it a blank one; several count as one.
+    const bool has_comment = !list_.comments.empty() && list_.comments.back().offset >= line_start_;
+    if (line_is_empty_ && !has_comment && !line_is_blank_) {
+        list_.comments.push_back({static_cast<std::uint32_t>(line_start_), 0, true});
+        line_is_blank_ = true;
+    } else if (!line_is_empty_ || has_comment) {
+        line_is_blank_ = false;
+    }
+    passCharacter();
+    line_is_empty_ = true;
+}
+
+void Tokenizer::highCharacter() {
+    const CodePoint character = codePointAt(text_, at_);
+    if (!character.valid || !isOddSpace(character.value))
+        return word();
+    Spot at = spotFrom(at_);
+    at.length = static_cast<std::uint32_t>(character.length);
+    if (odd_spaces_end_ != at_)
+        warn(Code::OddSpace, at, "this is not an ordinary space, though it looks like one; write a space");
+    passCharacter();
+    odd_spaces_end_ = at_;
+}
+
+void Tokenizer::delimiter() {
+    const Spot begin = spotFrom(at_);
+    switch (text_[at_]) {
+    case ';':
+    case '#':
+        return comment();
+    case '"':
+        return string();
+    case '$':
+    case '\'':
+        return quoted(text_[at_]);
+    case '(':
+        ++at_;
+        return add(TokenKind::Open, begin);
+    case ')':
+        ++at_;
+        return add(TokenKind::Close, begin);
+    case ',':
+        ++at_;
+        return add(TokenKind::Comma, begin);
+    default:
+        return predicate();
+    }
+}
+
+void Tokenizer::predicate() {
+    const Spot begin = spotFrom(at_);
+    const char first = text_[at_++];
+    const bool with_equals = at_ < text_.size() && text_[at_] == '=';
+    if (with_equals)
+        ++at_;
+    if (first == '!' && !with_equals)
+        return addBad(Code::IllegalCharacter, begin, begin);
+    add(TokenKind::Predicate, begin);
+}
+
+void Tokenizer::comment() {
+    const std::size_t begin = at_;
+    passTo(std::min(text_.find('\n', at_), text_.size()));
+    std::size_t end = at_;
+    while (end > begin + 1 && classOf(text_[end - 1]) == Class::Blank)
+        --end;
+    list_.comments.push_back(
+        {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), line_is_empty_});
+}
+
+std::size_t Tokenizer::wordEnd(std::size_t from) const {
+    std::size_t end = from;
+    while (end < text_.size()) {
+        const Class kind = classOf(text_[end]);
+        if (kind == Class::Word) {
+            ++end;
+            continue;
+        }
+        if (kind != Class::High)
+            break;
+        const CodePoint character = codePointAt(text_, end);
+        if (character.valid && isOddSpace(character.value))
+            break;
+        end += character.length;
+    }
+    return end;
+}
+
+void Tokenizer::word() {
+    const Spot begin = spotFrom(at_);
+    const std::size_t end = wordEnd(at_);
+    const WordKind kind = classifyWord(text_.substr(at_, end - at_));
+    passTo(begin.offset + kind.bad);
+    const Spot bad = spotFrom(at_);
+    passTo(end);
+    if (kind.error)
+        return addBad(*kind.error, begin, bad);
+    add(kind.kind, begin);
+    if (kind.starts_with_digit)
+        warn(Code::NameStartsWithDigit, list_.tokens.back().at,
+             "the name starts with a digit, which other readers refuse; begin it with a letter");
+}
+
+void Tokenizer::quoted(char mark) {
+    const Spot begin = spotFrom(at_);
+    const std::size_t end = wordEnd(++at_);
+    const std::string_view rest = text_.substr(at_, end - at_);
+    const Code lone = mark == '$' ? Code::DollarWithoutName : Code::MalformedSymbol;
+    if (rest.empty())
+        return addBad(lone, begin, begin);
+    const WordKind kind = mark == '$' ? classifyWord(rest) : classifySymbol(rest);
+    passTo(begin.offset + 1 + kind.bad);
+    const Spot bad = spotFrom(at_);
+    passTo(end);
+    if (kind.error)
+        return addBad(*kind.error, begin, bad);
+    if (mark == '$' && kind.kind != TokenKind::Name)
+        return addBad(lone, begin, begin); // a number is no name
+    add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
+    if (kind.starts_with_digit)
+        warn(Code::NameStartsWithDigit, list_.tokens.back().at,
+             "the name starts with a digit, which other readers refuse; begin it with a letter");
+}
+
+/// Of the escape whose backslash stands at `at`; 0 where it is none.
+std::size_t Tokenizer::escapeLength(std::size_t at, std::size_t limit) const {
+    const auto charAt = [&](std::size_t i) { return i < limit ? text_[i] : '\0'; };
+    const auto isOctal = [](char c) { return c >= '0' && c <= '7'; };
+    const char first = charAt(at + 1);
+    if (first != '\0' && std::string_view("btnfr'\"\\").find(first) != std::string_view::npos)
+        return 2;
+    if (isOctal(first)) {
+        std::size_t digits = 1;
+        while (digits < (first <= '3' ? 3U : 2U) && isOctal(charAt(at + 1 + digits)))
+            ++digits;
+        return 1 + digits;
+    }
+    std::size_t end = at + 1;
+    while (charAt(end) == 'u')
+        ++end;
+    if (end == at + 1)
+        return 0;
+    for (std::size_t digit = 0; digit < 4; ++digit) {
+        const char c = lowerCase(charAt(end + digit));
+        if (!(c >= '0' && c <= '9') && !(c >= 'a' && c <= 'f'))
+            return 0;
+    }
+    return end + 4 - at;
+}
+
+/// The string that begins here: String, or Bad with its first error. One that is never closed ends with its line, so
+/// that the rest of the plan can be read.
+void Tokenizer::string() {
+    const Spot begin = spotFrom(at_);
+    const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());
+    const std::size_t limit = string_runs_to_end_ ? line_end : text_.size();
+    // First where it ends, then its lines and columns.
+    std::size_t end = at_ + 1;
+    std::size_t wrong = 0;
+    while (end < limit && text_[end] != '"') {
+        const std::size_t length = text_[end] == '\\' ? escapeLength(end, limit) : 1;
+        if (length == 0 && wrong == 0)
+            wrong = end;
+        end += length > 0 ? length : std::min<std::size_t>(2, limit - end);
+    }
+    const bool closed = end < limit;
+    string_runs_to_end_ = string_runs_to_end_ || !closed;
+    if (!closed && wrong > line_end)
+        wrong = 0;
+    if (wrong > 0)
+        passTo(wrong);
+    const Spot wrong_at = spotFrom(at_);
+    passTo(closed ? end + 1 : line_end);
+    if (wrong > 0)
+        return addBad(Code::UnknownEscape, begin, wrong_at);
+    if (!closed)
+        return addBad(Code::StringNeverClosed, begin, begin);
+    add(TokenKind::String, begin);
+}
+
+} // namespace
+
+TokenList tokenize(std::string_view text) {
+    return Tokenizer(text).run();
+}
+
+} // namespace usar::posh
