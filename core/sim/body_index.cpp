@@ -56,14 +56,18 @@ void BodyIndex::layOut() {
     rows_ = static_cast<std::ptrdiff_t>(size_m.y() / bucket_m_) + 1;
 }
 
-BodyIndex::Range BodyIndex::footprint(const BodySphere& sphere) const {
-    const auto cell = [&](double at_m, double origin_m, std::ptrdiff_t count) {
-        return std::clamp(static_cast<std::ptrdiff_t>((at_m - origin_m) / bucket_m_), std::ptrdiff_t(0), count - 1);
+BodyIndex::Range BodyIndex::bucketsUnder(const Vec2& low_m, const Vec2& high_m) const {
+    const auto bucket = [&](double at_m, double origin_m, std::ptrdiff_t count) {
+        const double last = static_cast<double>(count - 1);
+        return static_cast<std::ptrdiff_t>(std::min(std::max(0.0, (at_m - origin_m) / bucket_m_), last));
     };
-    const Vec3& at_m = sphere.center_m;
-    const double r_m = sphere.radius_m + hair_m;
-    return {cell(at_m.x() - r_m, origin_m_.x(), columns_), cell(at_m.x() + r_m, origin_m_.x(), columns_),
-            cell(at_m.y() - r_m, origin_m_.y(), rows_), cell(at_m.y() + r_m, origin_m_.y(), rows_)};
+    return {bucket(low_m.x(), origin_m_.x(), columns_), bucket(high_m.x(), origin_m_.x(), columns_),
+            bucket(low_m.y(), origin_m_.y(), rows_), bucket(high_m.y(), origin_m_.y(), rows_)};
+}
+
+BodyIndex::Range BodyIndex::footprint(const BodySphere& sphere) const {
+    const Vec2 reach_m = Vec2::Constant(sphere.radius_m + hair_m);
+    return bucketsUnder(sphere.center_m.head<2>() - reach_m, sphere.center_m.head<2>() + reach_m);
 }
 
 } // namespace usar::sim

@@ -28,12 +28,19 @@ public:
     template <class Visit>
     double along(const Ray& ray, double maximum_m, Visit visit) const;
 
+    /// Whether `counts(sphere)` holds of a sphere that reaches into a box.
+    template <class Counts>
+    bool anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const;
+
 private:
     struct Range {
         std::ptrdiff_t first_column, last_column, first_row, last_row;
     };
+    Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
     Range footprint(const BodySphere& sphere) const;
     void layOut();
+
+    static constexpr std::size_t few_spheres = 8; ///< sooner tried than sorted out
 
     Vec2 origin_m_ = Vec2::Zero();
     double bucket_m_ = 1.0;
@@ -71,6 +78,24 @@ double BodyIndex::along(const Ray& ray, double maximum_m, Visit visit) const {
         enter = std::max(enter, cell.advance(walk));
     }
     return nearest_m;
+}
+
+template <class Counts>
+bool BodyIndex::anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const {
+    const auto reaches = [&](const BodySphere& sphere) {
+        return box_m.squaredExteriorDistance(sphere.center_m) <= sphere.radius_m * sphere.radius_m && counts(sphere);
+    };
+    if (spheres_.size() <= few_spheres)
+        return std::any_of(spheres_.begin(), spheres_.end(), reaches);
+    const Range range = bucketsUnder(box_m.min().head<2>(), box_m.max().head<2>());
+    for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
+        for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
+            const auto bucket = static_cast<std::size_t>(row * columns_ + column);
+            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
+                if (reaches(spheres_[items_[i]]))
+                    return true;
+        }
+    return false;
 }
 
 } // namespace usar::sim

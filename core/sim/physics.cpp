@@ -54,10 +54,13 @@ public:
     }
     void step(Seconds dt) override;
     std::span<const Contact> contacts(BodyId id) const override { return bodies_.at(id)->contacts; }
-    double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const override;
+    double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, double nearest_m,
+                        BodyId except) const override;
+    bool hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const override;
     double distanceToBodies_m(const Vec3& point_m, BodyId except) const override;
 
 private:
+    bool isAlone(BodyId body) const;
     void indexBodies() const;
     BulletBody* bodyOf(const btCollisionObject& object);
     void wakeAll();
@@ -241,26 +244,40 @@ void BulletPhysics::bounce(const btPersistentManifold& manifold, const btManifol
                 ->applyImpulse(side == 0 ? impulse : -impulse, at[side] - pair[side]->getCenterOfMassPosition());
 }
 
-double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const {
-    if (bodies_.size() <= 1 && (bodies_.empty() || bodies_.begin()->first == except))
-        return maximum_m;
-    if (std::exchange(moved_, false))
-        indexBodies();
+bool BulletPhysics::isAlone(BodyId body) const {
+    return bodies_.empty() || (bodies_.size() == 1 && bodies_.begin()->first == body);
+}
+
+double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, double nearest_m,
+                                   BodyId except) const {
+    if (isAlone(except))
+        return nearest_m;
+    indexBodies();
     const btTransform start(btQuaternion::getIdentity(), toBullet(origin_m));
     const btTransform end(btQuaternion::getIdentity(), toBullet(origin_m + maximum_m * direction));
-    btCollisionWorld::ClosestRayResultCallback nearest(start.getOrigin(), end.getOrigin());
-    index_.along({origin_m, direction}, maximum_m, [&](const BodySphere& sphere, double nearest_m) {
+    btCollisionWorld::ClosestRayResultCallback met(start.getOrigin(), end.getOrigin());
+    return index_.along({origin_m, direction}, nearest_m, [&](const BodySphere& sphere, double so_far_m) {
         btCollisionObject* const object = indexed_[sphere.piece];
         if (object->getUserIndex2() == static_cast<int>(except.value))
-            return nearest_m;
+            return so_far_m;
         btCollisionWorld::rayTestSingle(start, end, object, object->getCollisionShape(), object->getWorldTransform(),
-                                        nearest);
-        return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
+                                        met);
+        return met.hasHit() ? std::min(so_far_m, maximum_m * met.m_closestHitFraction) : so_far_m;
     });
-    return nearest.hasHit() ? maximum_m * nearest.m_closestHitFraction : maximum_m;
+}
+
+bool BulletPhysics::hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const {
+    if (isAlone(except))
+        return false;
+    indexBodies();
+    return index_.anyIn(box_in_map_m, [&](const BodySphere& sphere) {
+        return indexed_[sphere.piece]->getUserIndex2() != static_cast<int>(except.value);
+    });
 }
 
 void BulletPhysics::indexBodies() const {
+    if (!std::exchange(moved_, false))
+        return;
     std::vector<BodySphere> spheres;
     indexed_.clear();
     for (const auto& [id, body] : bodies_)

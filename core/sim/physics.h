@@ -71,8 +71,13 @@ public:
     /// Valid until the next step.
     virtual std::span<const Contact> contacts(BodyId body) const = 0;
 
-    /// Distance to the first movable body but `except`; `maximum_m` on a miss. `direction` is a unit vector.
-    virtual double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, BodyId except) const = 0;
+    /// Distance to the first movable body but `except`; `nearest_m` on a miss and beyond it. `direction` is a unit
+    /// vector. The engine tests a piece of `maximum_m`, to whose length it owes its last digits; `nearest_m` is not
+    /// above it.
+    virtual double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, double nearest_m,
+                                BodyId except) const = 0;
+    /// Whether a movable body but `except` may reach into a box; where it denies, there is none.
+    virtual bool hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const = 0;
     /// From a point to the nearest body's origin but that of `except`; infinite when there is none.
     virtual double distanceToBodies_m(const Vec3& point_m, BodyId except) const = 0;
 };

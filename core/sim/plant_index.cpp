@@ -53,6 +53,17 @@ double hitPlant(const Plant& plant, const Ray& ray) {
     return nearest_m;
 }
 
+double nearestOn(const Plant& plant, const RayBundle& bundle, double nearest_m) {
+    if (!bundle.mayMeetColumn(plant.base_in_map_m.head<2>(), reach_m(plant), nearest_m))
+        return nearest_m;
+    for (const Vec3& direction : bundle.directions()) {
+        const Ray ray{bundle.origin_m(), direction};
+        if (passesNear(plant, ray))
+            nearest_m = std::min(nearest_m, hitPlant(plant, ray));
+    }
+    return nearest_m;
+}
+
 std::ptrdiff_t bucketOf(double offset_m) {
     return static_cast<std::ptrdiff_t>(std::floor(offset_m / bucket_m));
 }
@@ -97,43 +108,47 @@ PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
 }
 
 PlantIndex::Range PlantIndex::footprint(const Plant& plant) const {
-    const Vec2 center_m = plant.base_in_map_m.head<2>() - origin_m_;
     // A hair more than the radius: a ray that touches the very edge may be counted into the next bucket.
-    const double reach = reach_m(plant) + 1e-6;
+    const Vec2 reach = Vec2::Constant(reach_m(plant) + 1e-6);
+    return bucketsUnder(plant.base_in_map_m.head<2>() - reach, plant.base_in_map_m.head<2>() + reach);
+}
+
+PlantIndex::Range PlantIndex::bucketsUnder(const Vec2& low_m, const Vec2& high_m) const {
     const auto within = [](double offset_m, std::ptrdiff_t count) {
         return std::clamp<std::ptrdiff_t>(bucketOf(offset_m), 0, count - 1);
     };
-    return {within(center_m.x() - reach, columns_), within(center_m.x() + reach, columns_),
-            within(center_m.y() - reach, rows_), within(center_m.y() + reach, rows_)};
+    return {within(low_m.x() - origin_m_.x(), columns_), within(high_m.x() - origin_m_.x(), columns_),
+            within(low_m.y() - origin_m_.y(), rows_), within(high_m.y() - origin_m_.y(), rows_)};
 }
 
 std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const {
     return static_cast<std::size_t>(row * columns_ + column);
 }
 
-bool PlantIndex::isClear(const Vec3& center_m, double radius_m) const {
-    const double bottom = center_m.z() - radius_m - slack_m;
-    if (plants_.empty() || bottom > maximum_z_m_)
-        return true;
-    const Vec2 offset_m = center_m.head<2>() - origin_m_;
-    const auto within = [](double at_m, std::ptrdiff_t count) {
-        return std::clamp<std::ptrdiff_t>(bucketOf(at_m), 0, count - 1);
-    };
-    const auto meets = [&](const Plant& plant) {
-        const double far_m = radius_m + reach_m(plant) + slack_m;
-        return (plant.base_in_map_m.head<2>() - center_m.head<2>()).squaredNorm() <= far_m * far_m &&
-               top_m(plant) >= bottom && bottom_m(plant) <= center_m.z() + radius_m + slack_m;
-    };
-    const std::ptrdiff_t last_column = within(offset_m.x() + radius_m, columns_);
-    for (std::ptrdiff_t row = within(offset_m.y() - radius_m, rows_); row <= within(offset_m.y() + radius_m, rows_);
-         ++row)
-        for (std::ptrdiff_t column = within(offset_m.x() - radius_m, columns_); column <= last_column; ++column) {
+double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const {
+    constexpr std::ptrdiff_t most_buckets = 64; // long rays of a wide bundle are better off each on its own way
+    const Eigen::AlignedBox3d box = bundle.box(maximum_m);
+    const double bottom = box.min().z() - slack_m;
+    const double top = box.max().z() + slack_m;
+    if (plants_.empty() || bottom > maximum_z_m_ || top < minimum_z_m_)
+        return maximum_m;
+    double nearest_m = maximum_m;
+    const Range range = bucketsUnder(box.min().head<2>(), box.max().head<2>());
+    if ((range.last_column - range.first_column + 1) * (range.last_row - range.first_row + 1) > most_buckets) {
+        for (const Vec3& direction : bundle.directions())
+            nearest_m = cast({bundle.origin_m(), direction}, nearest_m);
+        return nearest_m;
+    }
+    for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
+        for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
             const std::size_t bucket = bucketAt(column, row);
-            if (static_cast<double>(tops_m_[bucket]) >= bottom &&
-                std::any_of(plants_.begin() + starts_[bucket], plants_.begin() + starts_[bucket + 1], meets))
-                return false;
+            if (static_cast<double>(tops_m_[bucket]) < bottom)
+                continue;
+            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
+                if (bottom_m(plants_[i]) <= top && top_m(plants_[i]) >= bottom)
+                    nearest_m = nearestOn(plants_[i], bundle, nearest_m);
         }
-    return true;
+    return nearest_m;
 }
 
 template <class TakeBucket>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/sim/ray_bundle.h"
 #include "core/sim/ray_shapes.h"
 #include "core/sim/world.h"
 
@@ -20,8 +21,8 @@ public:
     double cast(const Ray& ray, double maximum_m) const;
     /// The same; `first` becomes the plant that is hit, and is left alone on a miss.
     double look(const Ray& ray, double maximum_m, const Plant*& first) const;
-    /// No plant within `radius_m` of a point. Looks at upright cylinders around plants.
-    bool isClear(const Vec3& center_m, double radius_m) const;
+    /// The least of what `cast` answers for each ray.
+    double castNearest(const RayBundle& bundle, double maximum_m) const;
     /// No plant is higher.
     double maximum_z_m() const { return maximum_z_m_; }
 
@@ -30,6 +31,7 @@ private:
         std::ptrdiff_t first_column, last_column, first_row, last_row;
     };
     Range footprint(const Plant& plant) const;
+    Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
     std::size_t bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const;
     /// `takeBucket(first, last, nearest_m)` answers how far the ray gets among these plants.
     template <class TakeBucket>

@@ -76,11 +76,20 @@ struct RayCaster::Index {
         return nearest_m;
     }
 
-    bool isClear(const Vec3& center_m, double radius_m) const {
-        for (const PlacedBox& box : boxes)
-            if ((box.center_m - center_m).norm() <= radius_m + box.radius_m)
-                return false;
-        return ground.isClear(center_m, radius_m) && plants.isClear(center_m, radius_m);
+    double nearestBox(const RayBundle& bundle, double maximum_m) const {
+        const Eigen::AlignedBox3d reach = bundle.box(maximum_m);
+        double nearest_m = maximum_m;
+        for (const PlacedBox& box : boxes) {
+            if (reach.squaredExteriorDistance(box.center_m) > box.radius_m * box.radius_m + 1e-9 ||
+                !bundle.mayMeetColumn(box.center_m.head<2>(), box.radius_m, nearest_m))
+                continue;
+            for (const Vec3& direction : bundle.directions()) {
+                const Ray ray{bundle.origin_m(), direction};
+                if (passesNear(box, ray, nearest_m))
+                    nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
+            }
+        }
+        return nearest_m;
     }
 
     RayHit lookAtThings(const Ray& ray, double maximum_m) const {
@@ -123,13 +132,9 @@ double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maxim
     return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
 }
 
-double RayCaster::castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
-    if (index_->isClear(origin_m, maximum_m))
-        return maximum_m;
-    double nearest_m = maximum_m;
-    for (const Vec3& direction : directions)
-        nearest_m = cast(origin_m, direction, nearest_m);
-    return nearest_m;
+double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
+    const double at_things_m = index_->plants.castNearest(bundle, index_->nearestBox(bundle, maximum_m));
+    return index_->ground.castNearest(bundle, at_things_m);
 }
 
 RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {

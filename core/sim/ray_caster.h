@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "core/base/geometry.h"
+#include "core/sim/ray_bundle.h"
 #include "core/sim/world.h"
 
 namespace usar::sim {
@@ -30,9 +30,9 @@ public:
     /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector. Water is not seen. A ray
     /// that starts inside something solid or below ground measures 0.
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
-    /// The shortest of several from one place: what a sonar hears. The same numbers as from `cast`, sooner where there
-    /// is nothing about.
-    double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const;
+    /// The shortest of several: what a sonar hears. Bit for bit the least of what `cast` answers for each, and sooner:
+    /// what none of them can meet is told at once.
+    double castNearest(const RayBundle& bundle, double maximum_m) const;
     /// The same for eyes, some dearer: what it is and how it lies. Nothing at `maximum_m` on a miss.
     RayHit look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
     /// Whether a box covers all the ground, as a room's ceiling does.

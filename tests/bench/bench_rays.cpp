@@ -113,7 +113,7 @@ void castCones(benchmark::State& state, Nearest nearest) {
 
 void castSonarCones(benchmark::State& state) {
     castCones(state, [](const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) {
-        return caster().castNearest(origin_m, directions, maximum_m);
+        return caster().castNearest(sim::RayBundle(origin_m, directions), maximum_m);
     });
 }
 BENCHMARK(castSonarCones);

@@ -272,11 +272,11 @@ private slots:
         body.links[0].body.parts = {{SphereShape{0.1}, Pose{}}};
         Bench bench(body);
         const BodyId none{};
-        QVERIFY(std::abs(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, none) - 2.9) < 1e-6);
-        QCOMPARE(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, bench.body), 5.0);
+        QVERIFY(std::abs(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, 5.0, none) - 2.9) < 1e-6);
+        QCOMPARE(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, 5.0, bench.body), 5.0);
         QVERIFY(std::abs(bench.physics->distanceToBodies_m({3.0, 0.0, 2.0}, none) - 3.0) < 1e-9);
         bench.physics->remove(bench.body);
-        QCOMPARE(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, none), 5.0);
+        QCOMPARE(bench.physics->castAtBodies({3.0, 0.8, 1.9}, -Vec3::UnitX(), 5.0, 5.0, none), 5.0);
         bench.physics->step(physics_dt);
     }
 

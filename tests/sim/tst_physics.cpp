@@ -182,13 +182,14 @@ private slots:
         const World world = flatWorld();
         const auto physics = makePhysics(world);
         const BodyId eye = physics->add(ball(), at(0.0, 0.0, 3.0));
-        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye), 5.0);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, 5.0, eye), 5.0);
         const BodyId other = physics->add(ball(), at(2.0, 0.0, 3.0));
-        QVERIFY(std::abs(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye) - 1.95) < 0.001);
-        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitY(), 5.0, eye), 5.0);
-        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, -Vec3::UnitZ(), 5.0, eye), 5.0); // the ground is not a body
+        QVERIFY(std::abs(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, 5.0, eye) - 1.95) < 0.001);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitY(), 5.0, 5.0, eye), 5.0);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, -Vec3::UnitZ(), 5.0, 5.0, eye),
+                 5.0); // the ground is not a body
         physics->remove(other);
-        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, eye), 5.0);
+        QCOMPARE(physics->castAtBodies({0.0, 0.0, 3.0}, Vec3::UnitX(), 5.0, 5.0, eye), 5.0);
     }
 
     void sleepsOnlyWhereAllowedAndWakesWhenHit() {

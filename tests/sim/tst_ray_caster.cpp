@@ -450,7 +450,7 @@ void TestRayCaster::theNearestOfSeveralIsTheShortest() {
             directions.push_back(randomDirection(random));
             shortest_m = std::min(shortest_m, caster.cast(origin_m, directions.back(), maximum_m));
         }
-        QCOMPARE(caster.castNearest(origin_m, directions, maximum_m), shortest_m);
+        QVERIFY(caster.castNearest({origin_m, directions}, maximum_m) == shortest_m); // QCOMPARE would round
         ++(shortest_m == maximum_m ? misses : hits);
     }
     QVERIFY(misses > 2000 && hits > 2000);

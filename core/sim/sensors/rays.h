@@ -14,7 +14,7 @@ public:
     virtual ~Rays() = default;
     /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector; map frame.
     virtual double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const = 0;
-    /// The shortest of several.
+    /// The shortest of several; at least one direction. Bit for bit the least of what `cast` answers for each.
     virtual double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
         for (const Vec3& direction : directions)
             maximum_m = cast(origin_m, direction, maximum_m);
@@ -32,13 +32,15 @@ public:
 
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
         const double still_m = still_.cast(origin_m, direction, maximum_m);
-        return moving_.castAtBodies(origin_m, direction, still_m, self_);
+        return moving_.castAtBodies(origin_m, direction, maximum_m, still_m, self_);
     }
 
     double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const override {
-        double nearest_m = still_.castNearest(origin_m, directions, maximum_m);
-        for (const Vec3& direction : directions)
-            nearest_m = moving_.castAtBodies(origin_m, direction, nearest_m, self_);
+        const RayBundle bundle(origin_m, directions);
+        double nearest_m = still_.castNearest(bundle, maximum_m);
+        if (moving_.hasBodies(bundle.box(nearest_m), self_))
+            for (const Vec3& direction : directions)
+                nearest_m = moving_.castAtBodies(origin_m, direction, maximum_m, nearest_m, self_);
         return nearest_m;
     }
 
