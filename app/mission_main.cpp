@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QJsonDocument>
 
+#include "app/check_plan_verb.h"
 #include "app/headless_simulator.h"
 #include "app/lines_verb.h"
 #include "app/locations.h"
@@ -143,6 +144,8 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName("usar-mission");
     if (QCoreApplication::arguments().value(1) == "lines")
         return app::runLinesVerb(QCoreApplication::arguments().mid(1));
+    if (QCoreApplication::arguments().value(1) == "check-plan")
+        return app::runCheckPlanVerb(QCoreApplication::arguments().mid(1));
     if (mission::isReplayVerb(QCoreApplication::arguments().value(1)))
         return app::runReplayVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));

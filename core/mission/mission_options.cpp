@@ -108,7 +108,13 @@ QString missionHelp() {
                           "usar-mission lines FILE\n"
                           "\n"
                           "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
-                          "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n");
+                          "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
+                          "\n"
+                          "usar-mission check-plan FILE...\n"
+                          "\n"
+                          "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
+                          "FILE is -: code, severity, line, column, message, file.\n"
+                          "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n");
 }
 
 } // namespace usar::mission

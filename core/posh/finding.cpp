@@ -1,6 +1,9 @@
 #include "core/posh/finding.h"
 
 #include <algorithm>
+#include <cstddef>
+
+#include "core/posh/utf8.h"
 
 namespace usar::posh {
 
@@ -18,6 +21,21 @@ std::string toText(Code code) {
 
 Severity severityOf(Code code) {
     return static_cast<int>(code) < 400 ? Severity::Error : Severity::Warning;
+}
+
+std::string inQuotes(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    std::string text = "\"";
+    for (std::size_t at = 0; at < word.size();) {
+        if (at >= longest) {
+            text += "…";
+            break;
+        }
+        const CodePoint character = codePointAt(word, at);
+        appendUtf8(text, character.value < 0x20 ? U' ' : character.value);
+        at += character.length;
+    }
+    return text + '"';
 }
 
 bool hasErrors(const Findings& findings) {

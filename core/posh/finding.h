@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -74,6 +75,9 @@ struct Finding {
 };
 
 using Findings = std::vector<Finding>;
+
+/// A word of the plan as a message names it: in quotes, and shortened, for a name may be as long as a plan.
+std::string inQuotes(std::string_view word);
 
 bool hasErrors(const Findings& findings);
 

@@ -20,34 +20,47 @@ void checkNames(const Plan& plan, const FormIndex& index, Findings& findings) {
             continue;
         const Spot& at = nameOf(plan.forms[*first]).at;
         findings.push_back({Code::DuplicateName, name.at,
-                            "the name \"" + name.text + "\" stands at " + std::to_string(at.line) + ':' +
+                            "the name " + inQuotes(name.text) + " stands at " + std::to_string(at.line) + ':' +
                                 std::to_string(at.column) + " already; give this one another name",
                             std::nullopt});
     }
 }
 
-std::string freeVariableMessage(const Variable& variable, bool in_collection,
-                                const std::unordered_set<std::string_view>& known) {
-    const std::string what = "$" + variable.name;
+/// Comparing costs the product of the lengths, so what is long or one of very many has no neighbor.
+constexpr std::size_t longest_compared = 40;
+constexpr std::size_t most_compared = 50;
+
+std::string nearestFormal(const std::string& name, const std::unordered_set<std::string_view>& known) {
+    if (known.size() > most_compared || name.size() > longest_compared)
+        return {};
+    std::vector<std::string> names;
+    for (const std::string_view formal : known)
+        if (formal.size() <= longest_compared)
+            names.emplace_back(formal);
+    return nearestWord(name, names);
+}
+
+std::string freeVariableMessage(const std::string& name, const std::string& nearest, bool in_collection) {
+    const std::string what = inQuotes("$" + name);
     if (in_collection)
         return what + " has no value here: a collection has no parameters; write a value";
-    constexpr std::size_t most_compared = 50;
-    if (known.empty() || known.size() > most_compared)
-        return what + " is no parameter of this form; declare it as vars(" + what + "=value)";
-    const std::vector<std::string> names(known.begin(), known.end());
-    return what + " is no parameter of this form; write $" + nearestWord(variable.name, names) +
-           " or declare it as vars(" + what + "=value)";
+    return what + " is no parameter of this form; " + (nearest.empty() ? "" : "write $" + nearest + " or ") +
+           "declare it with vars($name=value)";
 }
 
 void checkVariables(const Plan& plan, const FormIndex& index, Findings& findings) {
+    std::size_t compared = 0;
     for (std::size_t i = 0; i < plan.forms.size(); ++i) {
         const bool in_collection = std::holds_alternative<Collection>(plan.forms[i]);
         forEachCall(plan.forms[i], [&](const Call& call, bool) {
             for (const Argument& argument : call.arguments) {
                 const auto* const variable = std::get_if<Variable>(&argument.value);
-                if (variable && !index.declares(i, variable->name))
-                    findings.push_back({Code::FreeVariable, variable->at,
-                                        freeVariableMessage(*variable, in_collection, index.formals(i)), std::nullopt});
+                if (!variable || index.declares(i, variable->name))
+                    continue;
+                const bool compares = compared++ < most_compared;
+                const std::string nearest = compares ? nearestFormal(variable->name, index.formals(i)) : "";
+                findings.push_back({Code::FreeVariable, variable->at,
+                                    freeVariableMessage(variable->name, nearest, in_collection), std::nullopt});
             }
         });
     }

@@ -20,7 +20,7 @@ void warnOfDuplicates(const Levels& levels, Code code, Findings& findings) {
         for (const auto& member : level)
             if (!seen.insert(member.name.text))
                 add(findings, code, member.name.at,
-                    "the name \"" + member.name.text + "\" is used twice here; give one of the two another name");
+                    "the name " + inQuotes(member.name.text) + " is used twice here; give one of the two another name");
 }
 
 bool isAlwaysTaken(const Element& element) {
@@ -34,8 +34,8 @@ bool isAlwaysTaken(const Drive& drive) {
 
 void warnOfNeverReached(const Name& name, const Name& always, Findings& findings) {
     add(findings, Code::NeverReached, name.at,
-        "\"" + name.text + "\" is never reached: \"" + always.text +
-            "\" before it is always ready; give that a trigger, or move it to the end");
+        inQuotes(name.text) + " is never reached: " + inQuotes(always.text) +
+            " before it is always ready; give that a trigger, or move it to the end");
 }
 
 /// Elements are asked in their order, also within a level.
@@ -72,7 +72,8 @@ void warnOfFindingNothing(const Competence& competence, Findings& findings) {
     const Element& last = competence.levels.back().back();
     if (!last.trigger.empty())
         add(findings, Code::MayFindNothing, competence.name.at,
-            "no element of \"" + competence.name.text + "\" may be ready; add a last one without a trigger, or a goal");
+            "no element of " + inQuotes(competence.name.text) +
+                " may be ready; add a last one without a trigger, or a goal");
 }
 
 void warnOfForm(const Form& form, Findings& findings) {
@@ -91,13 +92,14 @@ void warnOfArguments(const Call& call, const Plan& plan, const FormIndex& index,
     const std::size_t formals = formalsOf(plan.forms[target]).size();
     for (std::size_t i = 0; i < call.arguments.size(); ++i) {
         const Argument& argument = call.arguments[i];
-        const std::string whom = '"' + call.name.text + '"';
+        const std::string whom = inQuotes(call.name.text);
         if (argument.name.empty() && i >= formals)
             add(findings, Code::UndeclaredArgument, argument.at,
                 whom + " has fewer parameters, so this argument is ignored; leave it out, or declare it");
         else if (!argument.name.empty() && !index.declares(target, argument.name))
             add(findings, Code::UndeclaredArgument, argument.at,
-                whom + " declares no $" + argument.name + ", which is passed down; declare it, or correct the name");
+                whom + " declares no " + inQuotes("$" + argument.name) +
+                    ", which is passed down; declare it, or correct the name");
     }
 }
 
@@ -126,7 +128,7 @@ void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Finding
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Name& name = nameOf(plan.forms[i]);
         if (!used[i] && !std::holds_alternative<Collection>(plan.forms[i]) && index.find(name.text) == i)
-            add(findings, Code::NeverUsed, name.at, "\"" + name.text + "\" is never used; call it, or take it away");
+            add(findings, Code::NeverUsed, name.at, inQuotes(name.text) + " is never used; call it, or take it away");
     }
 }
 

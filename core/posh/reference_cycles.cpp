@@ -67,13 +67,13 @@ private:
         constexpr std::ptrdiff_t most_named = 6;
         auto at =
             std::find_if(path_.begin(), path_.end(), [&](const Visit& visit) { return visit.form == closing.target; });
-        std::string way = '"' + nameOf(plan_->forms[closing.target]).text + '"';
+        std::string way = inQuotes(nameOf(plan_->forms[closing.target]).text);
         const bool is_long = path_.end() - at > most_named;
         if (++at == path_.end())
             return way + " contains itself; call something else here";
         way += " contains itself through ";
         for (const auto last = is_long ? at + most_named : path_.end(); at != last; ++at)
-            way += (way.ends_with(' ') ? "" : ", ") + nameOf(plan_->forms[at->form]).text;
+            way += (way.ends_with(' ') ? "" : ", ") + inQuotes(nameOf(plan_->forms[at->form]).text);
         return way + (is_long ? ", …" : "") + "; call something else here";
     }
 

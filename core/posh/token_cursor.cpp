@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/posh/utf8.h"
-
 namespace usar::posh {
 
 namespace {
@@ -29,21 +27,6 @@ std::string lexicalMessage(Code code, std::string_view text, const Spot& at) {
 }
 
 } // namespace
-
-std::string inQuotes(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    std::string text = "\"";
-    for (std::size_t at = 0; at < word.size();) {
-        if (at >= longest) {
-            text += "…";
-            break;
-        }
-        const CodePoint character = codePointAt(word, at);
-        appendUtf8(text, character.value < 0x20 ? U' ' : character.value);
-        at += character.length;
-    }
-    return text + '"';
-}
 
 void TokenCursor::advance() {
     const Token& token = peek();
@@ -105,6 +88,8 @@ bool TokenCursor::fail(Code code, std::string message) {
     }
     if (token.kind != TokenKind::End)
         return failAt(code, token.at, std::move(message));
+    if (!findings_.empty() && findings_.back().code == Code::EndOfFile)
+        return false; // the text ends once
     if (openers_.empty())
         message = "the text has no plan in it; write one, as ((DC name (drives ((name action)))))";
     else if (code != Code::UnexpectedToken)

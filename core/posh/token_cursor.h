@@ -61,7 +61,4 @@ private:
     Findings findings_;
 };
 
-/// A token as a complaint names it: shortened and in quotes.
-std::string inQuotes(std::string_view word);
-
 } // namespace usar::posh

@@ -1,0 +1,82 @@
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTest>
+
+/// The verb of the program: what it prints, and how it exits.
+class tst_CheckPlan : public QObject {
+    Q_OBJECT
+private slots:
+    void exitsByTheWorstOfItsFiles_data();
+    void exitsByTheWorstOfItsFiles();
+    void printsOneObjectForEachFinding();
+    void readsStandardInput();
+};
+
+namespace {
+
+const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-mission";
+const QString plans = QString(USAR_SOURCE_DIR) + "/tests/data/posh/";
+constexpr int patience_ms = 60000;
+
+struct Ended {
+    int exit_code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+Ended run(const QStringList& arguments, const QByteArray& input = {}) {
+    QProcess process;
+    process.start(program, QStringList{"check-plan"} + arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(patience_ms))
+        return {};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+} // namespace
+
+void tst_CheckPlan::exitsByTheWorstOfItsFiles_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("exit_code");
+    QTest::addColumn<QString>("complaint");
+    const QString sound = plans + "valid/tour.lap";
+    const QString broken = plans + "malformed/bare-unit.lap";
+    QTest::newRow("a sound plan") << QStringList{sound} << 0 << "";
+    QTest::newRow("a broken plan among sound ones") << QStringList{sound, broken, sound} << 1 << "";
+    QTest::newRow("a file that is not there") << QStringList{plans + "none.lap", broken} << 2 << "none.lap";
+    QTest::newRow("a folder") << QStringList{plans} << 2 << "tests/data/posh";
+    QTest::newRow("no file") << QStringList{} << 2 << "usar-mission check-plan FILE";
+    QTest::newRow("an unknown option") << QStringList{"--colour", sound} << 2 << "usar-mission check-plan FILE";
+}
+
+void tst_CheckPlan::exitsByTheWorstOfItsFiles() {
+    QFETCH(QStringList, arguments);
+    QFETCH(int, exit_code);
+    QFETCH(QString, complaint);
+    const Ended ended = run(arguments);
+    QCOMPARE(ended.exit_code, exit_code);
+    QCOMPARE(ended.err.contains("usar-mission: "), !complaint.isEmpty()); // Qt may have something to say, too
+    QVERIFY2(QString::fromUtf8(ended.err).contains(complaint), ended.err);
+}
+
+void tst_CheckPlan::printsOneObjectForEachFinding() {
+    const QString file = plans + "malformed/bare-unit.lap";
+    const Ended ended = run({file});
+    QCOMPARE(ended.out.count('\n'), 1);
+    const QJsonObject finding = QJsonDocument::fromJson(ended.out).object();
+    QCOMPARE(finding["code"].toString(), QString("E213"));
+    QCOMPARE(finding["line"].toInt(), 1);
+    QCOMPARE(finding["column"].toInt(), 25);
+    QCOMPARE(finding["file"].toString(), file);
+}
+
+void tst_CheckPlan::readsStandardInput() {
+    const Ended ended = run({"-"}, "((DC d (drives ())))");
+    QCOMPARE(ended.exit_code, 1);
+    QVERIFY(ended.out.contains("\"file\":\"-\""));
+}
+
+QTEST_APPLESS_MAIN(tst_CheckPlan)
+#include "tst_check_plan.moc"

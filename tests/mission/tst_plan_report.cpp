@@ -1,0 +1,91 @@
+#include <QBuffer>
+#include <QJsonDocument>
+#include <QTest>
+
+#include "core/mission/plan_report.h"
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+struct Report {
+    bool sound = false;
+    QList<QJsonObject> findings;
+};
+
+Report reportOn(QByteArray plan) {
+    QBuffer input(&plan);
+    QByteArray printed;
+    QBuffer output(&printed);
+    if (!input.open(QIODevice::ReadOnly) || !output.open(QIODevice::WriteOnly))
+        return {};
+    Report report{reportPlan(input, "a.lap", output).value(), {}};
+    for (const QByteArray& line : printed.split('\n'))
+        if (!line.isEmpty())
+            report.findings << QJsonDocument::fromJson(line).object();
+    return report;
+}
+
+} // namespace
+
+class tst_PlanReport : public QObject {
+    Q_OBJECT
+private slots:
+    void aSoundPlanHasNothingToSay();
+    void aFindingHasItsCodePlaceAndFile();
+    void aWarningLeavesThePlanSound();
+    void anOpenParenthesisIsNamed();
+    void aFullDiskIsAnError();
+};
+
+void tst_PlanReport::aSoundPlanHasNothingToSay() {
+    const Report report = reportOn("((DC d (drives ((a act)))))");
+    QVERIFY(report.sound);
+    QVERIFY(report.findings.isEmpty());
+}
+
+void tst_PlanReport::aFindingHasItsCodePlaceAndFile() {
+    const Report report = reportOn("(\n  (documentation \"\xC3\xA4\" \"b\")\n  (DC d (drives ((a act (days 2))))))");
+    QVERIFY(!report.sound);
+    QCOMPARE(report.findings.size(), 2);
+    QCOMPARE(report.findings[0]["code"].toString(), QString("E207"));
+    QCOMPARE(report.findings[0]["severity"].toString(), QString("error"));
+    QCOMPARE(report.findings[0]["line"].toInt(), 2);
+    QCOMPARE(report.findings[0]["column"].toInt(), 25);
+    QCOMPARE(report.findings[0]["file"].toString(), QString("a.lap"));
+    QVERIFY(!report.findings[0].contains("opener"));
+    QCOMPARE(report.findings[1]["code"].toString(), QString("E209"));
+    QVERIFY(report.findings[1]["message"].toString().contains("; write "));
+}
+
+void tst_PlanReport::aWarningLeavesThePlanSound() {
+    const Report report = reportOn("((AP p (act)))");
+    QVERIFY(report.sound);
+    QCOMPARE(report.findings.size(), 1);
+    QCOMPARE(report.findings[0]["code"].toString(), QString("W401"));
+    QCOMPARE(report.findings[0]["severity"].toString(), QString("warning"));
+}
+
+void tst_PlanReport::anOpenParenthesisIsNamed() {
+    const Report report = reportOn("(\n (DC d (drives ((a act)))\n");
+    QCOMPARE(report.findings.size(), 1);
+    QCOMPARE(report.findings[0]["code"].toString(), QString("E203"));
+    QCOMPARE(report.findings[0]["line"].toInt(), 3);
+    QCOMPARE(report.findings[0]["opener"].toObject(), (QJsonObject{{"line", 2}, {"column", 2}}));
+}
+
+void tst_PlanReport::aFullDiskIsAnError() {
+    QFile full("/dev/full");
+    if (!full.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        QSKIP("no /dev/full here");
+    QByteArray plan = "(";
+    QBuffer input(&plan);
+    QVERIFY(input.open(QIODevice::ReadOnly));
+    const auto reported = reportPlan(input, "a.lap", full);
+    QVERIFY(!reported);
+    QVERIFY(QString::fromStdString(reported.error().text()).contains("takes no more"));
+}
+
+QTEST_APPLESS_MAIN(tst_PlanReport)
+#include "tst_plan_report.moc"
