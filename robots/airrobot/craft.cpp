@@ -51,20 +51,36 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     log.tick(senses, airborne, settings, port);
 }
 
+void Craft::look(const Leg& leg) {
+    evasion_.observe(senses, threats, leg.aim_m, settings);
+    decision_.reset();
+}
+
+const EvasionDecision& Craft::decide(agent::CommandPort& port) {
+    if (!decision_) {
+        decision_ = evasion_.decide(senses, threats, obstacles_, settings);
+        log.risks(senses, *decision_, port);
+    }
+    return *decision_;
+}
+
 FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
+    look(leg);
+    const EvasionMode mode = decide(port).mode;
+    Maneuver maneuver = mode == EvasionMode::None ? Maneuver::Cruise : Maneuver::Avoid;
+    if (mode != EvasionMode::Flee && climbingOver())
+        maneuver = Maneuver::ClimbOver;
+    const FlightState state = perform(maneuver, leg, port);
+    if (!stuck())
+        return state;
+    startAnew();
+    return FlightState::Unreachable;
+}
+
+FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port) {
     FlightState state = FlightState::Flying;
-    const EvasionDecision decision = evasion_.decide(senses, threats, obstacles_, leg.aim_m, settings);
-    log.risks(senses, decision, port);
     log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
-    Motion motion;
-    if (decision.mode == EvasionMode::Flee)
-        motion = evade(decision, leg, state);
-    else if (climb_over_.active())
-        motion = climbOver(leg, state);
-    else if (decision.mode == EvasionMode::None)
-        motion = cruise(leg, state);
-    else
-        motion = evade(decision, leg, state);
+    Motion motion = motionFor(maneuver, leg, state, port);
     const bool hindered = state != FlightState::Flying;
     stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
     if (hindered && settings.climb_over && !climb_over_.active() &&
@@ -72,10 +88,19 @@ FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
         climb_over_.start(senses, obstacles_, settings);
     makeSafe(motion);
     pilot_.fly(motion, senses, port, leg.source, settings);
-    if (stuck_.withoutProgress() <= Seconds(settings.give_up_after_s))
-        return state;
-    startAnew();
-    return FlightState::Unreachable;
+    return state;
+}
+
+Motion Craft::motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port) {
+    switch (maneuver) {
+    case Maneuver::Cruise:
+        break;
+    case Maneuver::Avoid:
+        return evade(decide(port), leg, state);
+    case Maneuver::ClimbOver:
+        return climbOver(leg, state);
+    }
+    return cruise(leg, state);
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {

@@ -28,13 +28,36 @@ struct Leg {
 
 enum class FlightState { Flying, Evading, ClimbingOver, Unreachable };
 
-/// Owned by one behavior; `perceive` first, then at most one act a tick.
+/// What one tick of flight can be.
+enum class Maneuver {
+    Cruise,   ///< along the leg, over and beside what is known
+    Avoid,    ///< away from a high risk, around a low one, or waiting between two
+    ClimbOver ///< away from the obstacle, straight up, across
+};
+
+/// Owned by one behavior; `perceive` first, then at most one act a tick. In flight, `look` comes between them.
 class Craft {
 public:
     /// Senses, memory, threats, battery; publishes pose, scan, path and zones.
     void perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port);
 
-    /// Toward the leg's goal, over and around what is in the way; Unreachable when it is time to give the goal up.
+    /// Judges the threats on the way of this tick, for what follows.
+    void look(const Leg& leg);
+    /// There is a high risk, or a low one on the way.
+    bool threatMatters() const { return evasion_.threatMatters(); }
+    bool climbingOver() const { return climb_over_.active(); }
+    bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
+    /// Something is in the way, or was a moment ago.
+    bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
+    /// The goal has not come nearer for as long as the settings allow.
+    bool stuck() const { return stuck_.withoutProgress() > Seconds(settings.give_up_after_s); }
+    Seconds hindered() const { return stuck_.hindered(); }
+
+    /// What to do about the threats that were looked at: once a tick, with its marks on the map.
+    const EvasionDecision& decide(agent::CommandPort& port);
+    /// One tick of the leg. Never Unreachable: `stuck` tells.
+    FlightState perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port);
+    /// All of it in the usual order: looks, decides, performs; Unreachable when it is time to give the goal up.
     FlightState fly(const Leg& leg, agent::CommandPort& port);
     /// Straight up over the place where it began; true when `goal_z_m` is reached.
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
@@ -59,6 +82,7 @@ public:
     Touchdown touchdown;
 
 private:
+    Motion motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port);
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
@@ -70,6 +94,7 @@ private:
 
     SenseReader reader_;
     Evasion evasion_;
+    std::optional<EvasionDecision> decision_; ///< of this tick
     Steering steering_;
     AltitudeHold altitude_;
     ClimbOver climb_over_;

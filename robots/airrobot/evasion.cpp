@@ -68,37 +68,41 @@ std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const V
     return std::nullopt;
 }
 
-EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                                const Vec2& goal_m, const Settings& settings) {
-    EvasionDecision decision;
-    if (picture.risk == agent::Risk::High) {
-        const double threat_rad = senses.base_in_map.yaw_rad + picture.zones[*picture.greatest].bearing_rad;
-        const auto escape = escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m);
-        decision.mode = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
-        decision.flee_bearing_rad = escape.value_or(0.0);
-        decision.new_high_risk = last_risk_ != agent::Risk::High;
-        mode_ = decision.mode;
-        calm_since_.reset();
-    } else if (picture.risk == agent::Risk::Low) {
-        decision = divert(senses, picture, obstacles, goal_m, settings);
-    } else {
-        decision = calm(senses.now, settings);
+void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const Vec2& goal_m,
+                      const Settings& settings) {
+    last_risk_ = risk_;
+    risk_ = picture.risk;
+    matters_ = picture.risk == agent::Risk::High;
+    if (picture.risk == agent::Risk::Low) {
+        const Vec2 way_m = goal_m - senses.position2_m();
+        const double goal_rad = normalizedAngle(bearingTo(senses.position2_m(), goal_m) - senses.base_in_map.yaw_rad);
+        const auto free_rad = freeBearing(picture);
+        matters_ = !free_rad || !mayIgnore(picture, *free_rad, goal_rad, way_m.norm());
     }
-    last_risk_ = picture.risk;
+    if (matters_)
+        calm_since_.reset();
+    else
+        calm(senses.now, settings);
+}
+
+EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles) {
+    EvasionDecision decision;
+    const double threat_rad = senses.base_in_map.yaw_rad + picture.zones[*picture.greatest].bearing_rad;
+    const auto escape = escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m);
+    decision.mode = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
+    decision.flee_bearing_rad = escape.value_or(0.0);
+    decision.new_high_risk = last_risk_ != agent::Risk::High;
+    mode_ = decision.mode;
     return decision;
 }
 
 EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                                const Vec2& goal_m, const Settings& settings) {
+                                const Settings& settings) {
     const Vec2 here_m = senses.position2_m();
     const double yaw_rad = senses.base_in_map.yaw_rad;
     const auto free_rad = freeBearing(picture);
-    const double goal_rad = normalizedAngle(bearingTo(here_m, goal_m) - yaw_rad);
-    if (free_rad && mayIgnore(picture, *free_rad, goal_rad, (goal_m - here_m).norm()))
-        return calm(senses.now, settings);
     EvasionDecision decision;
     decision.new_low_risk = last_risk_ == agent::Risk::None;
-    calm_since_.reset();
     const double wanted_m = settings.diversion_distance_m;
     const bool open = free_rad && clearance_m(obstacles, here_m, yaw_rad + *free_rad, settings.side_clearance_m,
                                               wanted_m) >= wanted_m;
@@ -113,8 +117,21 @@ EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& pictu
     return decision;
 }
 
-EvasionDecision Evasion::calm(Seconds now, const Settings& settings) {
+EvasionDecision Evasion::keep() const {
     EvasionDecision decision;
+    decision.mode = mode_;
+    decision.diversion_m = diversion_m_;
+    return decision;
+}
+
+EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                                const Settings& settings) {
+    if (picture.risk == agent::Risk::High)
+        return flee(senses, picture, obstacles);
+    return matters_ ? divert(senses, picture, obstacles, settings) : keep();
+}
+
+void Evasion::calm(Seconds now, const Settings& settings) {
     if (!calm_since_ || now < *calm_since_)
         calm_since_ = now;
     // This tick counts too, and printed times are rounded.
@@ -122,9 +139,6 @@ EvasionDecision Evasion::calm(Seconds now, const Settings& settings) {
     if (calm_for >= static_cast<double>(settings.calm_cycles) * usual_tick || mode_ == EvasionMode::Flee ||
         mode_ == EvasionMode::Enclosed)
         mode_ = EvasionMode::None;
-    decision.mode = mode_;
-    decision.diversion_m = diversion_m_;
-    return decision;
 }
 
 } // namespace usar::airrobot

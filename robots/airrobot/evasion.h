@@ -40,22 +40,35 @@ bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goa
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
                                     double needed_m);
 
-/// Keeps the mode until a time of `calm_cycles` usual ticks was without a risk. Owned by one robot; called once a tick.
+/// Keeps the mode until a time of `calm_cycles` usual ticks was without a risk. Owned by one robot; once a tick it
+/// observes, then may decide.
 class Evasion {
 public:
+    /// Judges the tick's picture: whether the threat matters on the way to the goal, and whether it has been calm for
+    /// long enough to go on.
+    void observe(const Senses& senses, const ThreatPicture& picture, const Vec2& goal_m, const Settings& settings);
+    /// There is a high risk, or a low one on the way.
+    bool threatMatters() const { return matters_; }
+    /// What was decided last, until the calm has lasted.
+    EvasionMode mode() const { return mode_; }
+
     EvasionDecision decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                           const Vec2& goal_m, const Settings& settings);
+                           const Settings& settings);
     void reset() { *this = {}; }
 
 private:
+    EvasionDecision flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles);
     EvasionDecision divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                           const Vec2& goal_m, const Settings& settings);
-    EvasionDecision calm(Seconds now, const Settings& settings);
+                           const Settings& settings);
+    EvasionDecision keep() const;
+    void calm(Seconds now, const Settings& settings);
 
     EvasionMode mode_ = EvasionMode::None;
     Vec2 diversion_m_ = Vec2::Zero();
+    bool matters_ = false;
     std::optional<Seconds> calm_since_;
-    agent::Risk last_risk_ = agent::Risk::None;
+    agent::Risk risk_ = agent::Risk::None;
+    agent::Risk last_risk_ = agent::Risk::None; ///< at the observation before
 };
 
 } // namespace usar::airrobot

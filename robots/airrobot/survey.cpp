@@ -36,34 +36,49 @@ Vec2 Survey::goal_m(const Settings& settings) const {
 Vec2 Survey::aim_m(const Vec2& position_m, const Settings& settings) const {
     if (!on_lane_)
         return pointAt_m(entry_along_m_);
-    const mapping::Lane& lane = plan_.lanes[lane_];
-    const Vec2 along = (lane.end_m - lane.start_m).normalized();
-    const double here_m = along.dot(position_m - lane.start_m);
+    const double here_m = placeOf(position_m).along_m;
     return pointAt_m(std::clamp(here_m + settings.lookahead_m, piece_start_m_, length_m()));
 }
 
-SurveyEvent Survey::update(const Vec2& position_m, const Settings& settings) {
-    if (done())
-        return SurveyEvent::AllDone;
-    if (!on_lane_) {
-        if ((position_m - pointAt_m(entry_along_m_)).norm() > settings.goal_reached_m)
-            return SurveyEvent::None;
-        on_lane_ = true;
-        piece_start_m_ = reached_m_ = entry_along_m_;
-        return SurveyEvent::LaneEntered;
-    }
+Survey::Place Survey::placeOf(const Vec2& position_m) const {
     const mapping::Lane& lane = plan_.lanes[lane_];
     const Vec2 along = (lane.end_m - lane.start_m).normalized();
     const Vec2 offset_m = position_m - lane.start_m;
-    const double here_m = along.dot(offset_m);
-    const double aside_m = std::abs(along.x() * offset_m.y() - along.y() * offset_m.x());
-    if (aside_m < passing_m)
-        reached_m_ = std::clamp(here_m, reached_m_, length_m());
+    return {along.dot(offset_m), std::abs(along.x() * offset_m.y() - along.y() * offset_m.x())};
+}
+
+void Survey::note(const Vec2& position_m) {
+    if (done() || !on_lane_)
+        return;
+    const Place place = placeOf(position_m);
+    if (place.aside_m < passing_m)
+        reached_m_ = std::clamp(place.along_m, reached_m_, length_m());
+}
+
+bool Survey::goalReached(const Vec2& position_m, const Settings& settings) const {
+    if (done())
+        return false;
+    if (!on_lane_)
+        return (position_m - pointAt_m(entry_along_m_)).norm() <= settings.goal_reached_m;
+    const Place place = placeOf(position_m);
     const double end_m = pieceEnd_m(settings);
     const bool last = end_m >= length_m();
-    if (here_m < end_m - settings.goal_reached_m || aside_m > (last ? end_passing_m : passing_m))
-        return SurveyEvent::None;
-    return endPiece(settings);
+    return place.along_m >= end_m - settings.goal_reached_m && place.aside_m <= (last ? end_passing_m : passing_m);
+}
+
+SurveyEvent Survey::next(const Settings& settings) {
+    if (done())
+        return SurveyEvent::AllDone;
+    if (on_lane_)
+        return endPiece(settings);
+    on_lane_ = true;
+    piece_start_m_ = reached_m_ = entry_along_m_;
+    return SurveyEvent::LaneEntered;
+}
+
+SurveyEvent Survey::update(const Vec2& position_m, const Settings& settings) {
+    note(position_m);
+    return done() || goalReached(position_m, settings) ? next(settings) : SurveyEvent::None;
 }
 
 SurveyEvent Survey::endPiece(const Settings& settings) {

@@ -33,6 +33,13 @@ public:
     /// Point to steer at: on the lane ahead of the robot, so that it comes back to the lane after a detour.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;
 
+    /// Once a tick: how far along the lane it has come.
+    void note(const Vec2& position_m);
+    /// The present goal is reached: where the lane is entered, or the end of its piece. Not when all is done.
+    bool goalReached(const Vec2& position_m, const Settings& settings) const;
+    /// Goes on to the goal after one that was reached.
+    SurveyEvent next(const Settings& settings);
+    /// All three.
     SurveyEvent update(const Vec2& position_m, const Settings& settings);
     /// The next goal after one that cannot be reached.
     SurveyEvent giveUp(const Settings& settings);
@@ -45,6 +52,11 @@ public:
     std::vector<Vec2> corners_m() const;
 
 private:
+    struct Place {
+        double along_m = 0.0; ///< the lane, from its start
+        double aside_m = 0.0;
+    };
+    Place placeOf(const Vec2& position_m) const;
     double length_m() const;
     Vec2 pointAt_m(double along_m) const;
     double pieceEnd_m(const Settings& settings) const;

@@ -1,9 +1,9 @@
 // What the survey says of itself at each tick: the figures of the status strip.
-#include "robots/airrobot/survey_behavior.h"
+#include "robots/airrobot/survey_flight.h"
 
 namespace usar::airrobot {
 
-std::string SurveyBehavior::words() const {
+std::string SurveyFlight::words() const {
     const std::string lane =
         "lane " + std::to_string(survey_.laneIndex() + 1) + " of " + std::to_string(survey_.laneCount());
     switch (phase_) {
@@ -28,13 +28,13 @@ std::string SurveyBehavior::words() const {
     return {};
 }
 
-double SurveyBehavior::progress_pct() const {
+double SurveyFlight::progress_pct() const {
     if (survey_.laneCount() == 0)
         return 0.0;
     return 100.0 * survey_.doneLength_m() / survey_.totalLength_m();
 }
 
-std::optional<Seconds> SurveyBehavior::timeLeft() const {
+std::optional<Seconds> SurveyFlight::timeLeft() const {
     if (survey_.laneCount() == 0)
         return std::nullopt;
     const Settings& settings = craft_.settings;
@@ -49,10 +49,10 @@ std::optional<Seconds> SurveyBehavior::timeLeft() const {
     return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
 }
 
-void SurveyBehavior::publishStatus(const agent::Tick& tick, agent::CommandPort& port) const {
+void SurveyFlight::publishStatus(agent::CommandPort& port) const {
     agent::BehaviorStatus status;
-    status.time = tick.now;
-    status.elapsed = tick.now - *started_;
+    status.time = craft_.senses.now;
+    status.elapsed = craft_.senses.now - *started_;
     status.state = silent_ ? "waiting for sensors" : paused_ ? "paused, " + words() : words();
     status.distance_to_goal_m = goal_distance_m_;
     status.battery_used_pct = craft_.battery.used_pct(craft_.settings);

@@ -21,7 +21,9 @@ class TestEvasion : public QObject {
                                   const Vec2& goal_m = {20, 0}, double now_s = 100.0) {
         Senses senses = sensesAt({0, 0, 6}, 0.0, now_s);
         setSonars(senses, ranges);
-        return evasion.decide(senses, judgeThreats(senses, {}), obstacles, goal_m, {});
+        const ThreatPicture picture = judgeThreats(senses, {});
+        evasion.observe(senses, picture, goal_m, {});
+        return evasion.decide(senses, picture, obstacles, {});
     }
     static bool near(double a_rad, double b_rad) { return std::abs(normalizedAngle(a_rad - b_rad)) < 1e-6; }
 

@@ -1,0 +1,328 @@
+#include "robots/airrobot/survey_flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double over_base_m = 0.8;
+constexpr Seconds lost_after{15.0};
+/// A robot that stands this far from its start pose was put there, as the place was taken; farther away it was flown.
+constexpr double beside_start_m = 1.0;
+constexpr double away_from_start_m = 6.0;
+
+/// "sonars" for all of them, else "sonar L4" or "sonars L4, L3".
+std::string silentSonars(const Senses& senses) {
+    if (senses.sonars.empty())
+        return "sonars";
+    std::string names;
+    for (const std::string& name : senses.silent_sonars)
+        names += (names.empty() ? " " : ", ") + name;
+    return (senses.silent_sonars.size() == 1 ? "sonar" : "sonars") + names;
+}
+
+Seconds longestSilence(const Senses& senses) {
+    return std::max({senses.ins_age, senses.sonar_age, senses.scan_age});
+}
+
+} // namespace
+
+SurveyFlight::SurveyFlight(agent::BehaviorContext context)
+    : task_(std::move(context.task))
+    , base_in_map_(task_.start_in_map) {
+    craft_.settings = settingsFrom(context.parameters);
+}
+
+void SurveyFlight::setParameters(const agent::ParameterSet& parameters) {
+    craft_.settings = settingsFrom(parameters);
+}
+
+bool SurveyFlight::inTheAir() const {
+    return phase_ != Phase::Launch && phase_ != Phase::Ground && phase_ != Phase::Finished;
+}
+
+bool SurveyFlight::returning() const {
+    return phase_ == Phase::Home || phase_ == Phase::Landing || (phase_ == Phase::Ground && errand_ != Errand::Start);
+}
+
+bool SurveyFlight::atBase() const {
+    return landing() || (base_in_map_.position_m.head<2>() - craft_.senses.position2_m()).norm() < over_base_m;
+}
+
+double SurveyFlight::beelineHome_m() const {
+    return (craft_.senses.position_m() - base_in_map_.position_m).norm();
+}
+
+double SurveyFlight::batteryMargin() const {
+    return craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings) / craft_.settings.battery_range_m;
+}
+
+bool SurveyFlight::robotBatteryLow() const {
+    const Settings& settings = craft_.settings;
+    const Seconds way_home(1.3 * beelineHome_m() / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
+    return craft_.senses.robot_battery && *craft_.senses.robot_battery < way_home;
+}
+
+bool SurveyFlight::charged() const {
+    const Seconds charging(errand_ == Errand::Start ? 0.0 : craft_.settings.recharge_time_s);
+    return craft_.senses.now - landed_ >= charging;
+}
+
+void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
+    if (!started_)
+        started_ = tick.now;
+    craft_.perceive(tick, checklist_.layout(), inTheAir(), port);
+    goal_distance_m_.reset();
+    if (phase_ != Phase::Launch)
+        noteSilence(port);
+    if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
+        survey_.note(craft_.senses.position2_m());
+}
+
+void SurveyFlight::noteSilence(agent::CommandPort& port) {
+    const Senses& senses = craft_.senses;
+    const Seconds worst = longestSilence(senses);
+    const bool silent = worst > Seconds(craft_.settings.sensor_timeout_s);
+    if (silent && !silent_) {
+        const std::string which = worst == senses.ins_age     ? "INS"
+                                  : worst == senses.sonar_age ? silentSonars(senses)
+                                                              : "range scanner";
+        port.publish(agent::BehaviorEvent{Severity::Error,
+                                          "The " + which + " went silent; the robot waits for data where it is."});
+    }
+    if (silent_ && !silent)
+        port.publish(agent::BehaviorEvent{Severity::Note, "All sensors speak again."});
+    silent_ = silent;
+}
+
+void SurveyFlight::awaitSensors(agent::CommandPort& port) {
+    craft_.rest(port, "sensors silent");
+    if (longestSilence(craft_.senses) > lost_after)
+        finish(false, "A sensor that the flight needs stays silent; the robot hovers. Take over by hand.", port);
+}
+
+LaunchState SurveyFlight::checkLaunch(const agent::Tick& tick, agent::CommandPort& port) {
+    const LaunchState state = checklist_.step(tick.now, tick.robot, port);
+    if (state == LaunchState::Failed)
+        finish(false, checklist_.words() + ".", port);
+    return state;
+}
+
+void SurveyFlight::planSurvey(agent::CommandPort& port) {
+    const Vec2 base_m = task_.start_in_map.position_m.head<2>();
+    const Settings& settings = craft_.settings;
+    const auto plan =
+        mapping::planCoverage(task_.area_in_map, base_m, {settings.lane_spacing_m, settings.quadrant_limit_m});
+    if (!plan)
+        return finish(false, plan.error().text(), port);
+    survey_ = Survey(*plan);
+    port.publish(agent::PlannedPath{survey_.corners_m()});
+    phase_ = Phase::Ground;
+}
+
+void SurveyFlight::beginReset() {
+    ins_reset_.start(craft_.senses.now);
+}
+
+ResetState SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
+    const ResetState before = ins_reset_.state();
+    const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
+    if (reset != before)
+        onResetEnded(reset, port);
+    return reset;
+}
+
+void SurveyFlight::onResetEnded(ResetState reset, agent::CommandPort& port) const {
+    if (reset == ResetState::Failed)
+        port.publish(
+            agent::BehaviorEvent{Severity::Warning, "The INS could not be set; the flight goes on with its drift."});
+    if (reset == ResetState::Done)
+        port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
+}
+
+void SurveyFlight::setOut() {
+    craft_.forgetPlaces();
+    phase_ = Phase::TakeOff;
+    launched_ = true;
+    landing_m_.reset();
+    take_off_m_.reset();
+}
+
+bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
+    if (!take_off_m_) {
+        take_off_m_ = craft_.senses.position_m(); // not before: the INS was set a tick ago
+        const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
+        if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
+            base_in_map_ = craft_.senses.base_in_map;
+    }
+    const double goal_z_m = std::max(take_off_m_->z() + altitude_m, craft_.settings.floor_level_m);
+    return craft_.rise(goal_z_m, take_off_m_->head<2>(), port);
+}
+
+void SurveyFlight::beginWork() {
+    phase_ = Phase::ToLane;
+    at_work_ = true;
+    craft_.startAnew();
+}
+
+Leg SurveyFlight::leg() const {
+    const Settings& settings = craft_.settings;
+    if (returning()) {
+        const Vec2 base_m = base_in_map_.position_m.head<2>();
+        return {base_m, base_m, settings.transit_speed_m_s, words()};
+    }
+    if (survey_.done())
+        return {craft_.senses.position2_m(), craft_.senses.position2_m(), settings.transit_speed_m_s, words()};
+    return {survey_.goal_m(settings), survey_.aim_m(craft_.senses.position2_m(), settings),
+            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words()};
+}
+
+Leg SurveyFlight::takeLeg() {
+    if (!returning()) {
+        phase_ = survey_.onLane() ? Phase::Lane : Phase::ToLane;
+        had_lane_since_charge_ = had_lane_since_charge_ || phase_ == Phase::Lane;
+    }
+    const Leg next = leg();
+    goal_distance_m_ = (next.goal_m - craft_.senses.position2_m()).norm();
+    return next;
+}
+
+void SurveyFlight::holdPlace(agent::CommandPort& port) {
+    craft_.hover(hold_m_, port, "paused");
+}
+
+void SurveyFlight::nextGoal(agent::CommandPort& port) {
+    afterGoal(survey_.next(craft_.settings), port);
+}
+
+void SurveyFlight::skipGoal(agent::CommandPort& port) {
+    const Vec2 goal_m = leg().goal_m;
+    craft_.log.mark(agent::MarkKind::GoalGivenUp, Vec3(goal_m.x(), goal_m.y(), craft_.senses.position_m().z()),
+                    craft_.senses, port);
+    port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
+    craft_.startAnew();
+    afterGoal(survey_.giveUp(craft_.settings), port);
+}
+
+void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
+    if (event == SurveyEvent::AllDone)
+        goHome(Errand::Done, "", port);
+    else if (event == SurveyEvent::QuadrantDone)
+        goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
+}
+
+void SurveyFlight::goHome(Errand errand, const std::string& why, agent::CommandPort& port) {
+    errand_ = errand;
+    endPause("the robot has to go home", port);
+    survey_.interrupt();
+    craft_.startAnew();
+    phase_ = Phase::Home;
+    if (!why.empty())
+        port.publish(agent::BehaviorEvent{Severity::Note, why});
+}
+
+void SurveyFlight::endPause(const std::string& why, agent::CommandPort& port) {
+    if (!std::exchange(paused_, false))
+        return;
+    port.publish(agent::BehaviorEvent{Severity::Warning, "The pause ends, for " + why + "."});
+}
+
+void SurveyFlight::markRecharge(agent::CommandPort& port) const {
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position_m(), craft_.senses, port);
+}
+
+void SurveyFlight::returnToCharge(agent::CommandPort& port) {
+    markRecharge(port);
+    goHome(Errand::Recharge, "The battery's reserve is near; home for a charge.", port);
+}
+
+void SurveyFlight::abortScan(agent::CommandPort& port) {
+    markRecharge(port);
+    end_reason_ = "The place to resume at is out of the battery's range; raise the range or move the base.";
+    goHome(Errand::GivenUp, end_reason_, port);
+}
+
+void SurveyFlight::obeyRobotBattery(agent::CommandPort& port) {
+    endPause("the robot's own battery runs out", port);
+    if (phase_ == Phase::Home)
+        return;
+    end_reason_ = "The robot's own battery runs out, and the simulator cannot charge it; raise its battery life.";
+    goHome(Errand::GivenUp, end_reason_, port);
+}
+
+void SurveyFlight::landAt(const Vec2& near_m) {
+    landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m);
+    craft_.touchdown.start();
+    phase_ = Phase::Landing;
+}
+
+void SurveyFlight::beginLanding() {
+    landAt(base_in_map_.position_m.head<2>());
+}
+
+void SurveyFlight::landHere(agent::CommandPort& port) {
+    port.publish(agent::BehaviorEvent{Severity::Error, "The way home is blocked; the robot lands where it is."});
+    end_reason_ = "The way home was blocked.";
+    errand_ = Errand::GivenUp;
+    landAt(craft_.senses.position2_m());
+}
+
+bool SurveyFlight::land(agent::CommandPort& port) {
+    if (!craft_.descend(*landing_m_, port))
+        return false;
+    craft_.rest(port, "landed");
+    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position_m(), craft_.senses, port);
+    craft_.log.goal(std::nullopt, port);
+    phase_ = Phase::Ground;
+    at_work_ = false;
+    landed_ = craft_.senses.now;
+    return true;
+}
+
+void SurveyFlight::recharge() {
+    craft_.battery.recharge();
+    had_lane_since_charge_ = false;
+}
+
+void SurveyFlight::conclude(agent::CommandPort& port) {
+    if (errand_ != Errand::Done)
+        return finish(false, end_reason_, port);
+    if (survey_.goalsGivenUp() == 0)
+        return finish(true, "The area is scanned.", port);
+    const double share_pct = survey_.givenUp_pct();
+    const double most_pct = craft_.settings.most_left_out_pct;
+    const std::string goals = "goals left out: " + std::to_string(survey_.goalsGivenUp()) + ", " +
+                              std::to_string(std::lround(share_pct)) + " % of the lanes";
+    if (share_pct <= most_pct)
+        return finish(true, "The area is scanned; " + goals + ".", port);
+    finish(false,
+           "The area is not scanned; " + goals + ", and at most " + std::to_string(std::lround(most_pct)) +
+               " % may be. Raise the time until a goal is given up, or choose an area with room to fly.",
+           port);
+}
+
+void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
+    if (finished())
+        return;
+    hold_m_ = craft_.senses.position2_m();
+    paused_ = order == agent::Order::Pause;
+    if (order != agent::Order::LandNow)
+        return;
+    end_reason_ = "The robot landed because a person asked it to.";
+    if (!inTheAir())
+        return finish(false, end_reason_, port);
+    errand_ = Errand::GivenUp;
+    if (phase_ != Phase::Landing)
+        landAt(craft_.senses.position2_m());
+}
+
+void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port) {
+    phase_ = Phase::Finished;
+    craft_.rest(port, "finished");
+    port.publish(agent::BehaviorFinished{success, reason});
+}
+
+} // namespace usar::airrobot
