@@ -200,7 +200,7 @@ struct Plan {
     std::optional<Documentation> documentation;
     std::vector<Form> forms; ///< in file order: the indices of paths count among those of one kind
     Remarks remarks;
-    std::vector<std::string> closing_remarks; ///< comment lines after the last form
+    std::vector<std::string> closing_remarks; ///< comments after the last form, a line each
     bool operator==(const Plan&) const = default;
 };
 

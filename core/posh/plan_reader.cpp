@@ -31,6 +31,8 @@ public:
         return std::move(plan_);
     }
     Findings takeFindings() { return cursor_.takeFindings(); }
+    /// Where the parenthesis stands that closes the plan.
+    std::size_t closing() const { return closing_; }
 
 private:
     void next();
@@ -49,6 +51,7 @@ private:
     const TokenList* list_;
     TokenCursor cursor_;
     Plan plan_;
+    std::size_t closing_ = std::string_view::npos;
     bool is_open_ = true;
     bool saw_form_ = false;
     bool saw_collection_ = false;
@@ -62,6 +65,8 @@ void PlanReader::next() {
     if (cursor_.at(TokenKind::Open))
         return form();
     if (cursor_.at(TokenKind::Close)) {
+        if (is_open_)
+            closing_ = cursor_.peek().at.offset;
         is_open_ = false;
         cursor_.advance();
         return;
@@ -194,7 +199,7 @@ PlanReading readPlan(std::string_view text) {
     TokenList tokens = tokenize(text);
     PlanReader reader(text, tokens);
     PlanReading reading{reader.run(), std::move(tokens.warnings)};
-    attachRemarks(text, tokens, reading.plan);
+    attachRemarks(text, tokens, reader.closing(), reading.plan);
     Findings complaints = reader.takeFindings();
     const bool is_whole = !hasErrors(complaints);
     reading.findings.insert(reading.findings.end(), std::make_move_iterator(complaints.begin()),

@@ -60,7 +60,7 @@ void putAbove(std::vector<std::string>& above, std::string_view comment) {
 
 } // namespace
 
-void attachRemarks(std::string_view text, const TokenList& tokens, Plan& plan) {
+void attachRemarks(std::string_view text, const TokenList& tokens, std::size_t closing, Plan& plan) {
     if (tokens.comments.empty())
         return;
     const std::vector<Holder> holders = holdersOf(plan);
@@ -74,6 +74,8 @@ void attachRemarks(std::string_view text, const TokenList& tokens, Plan& plan) {
         const bool inside = next > 0 && comment.offset < holders[next - 1].end;
         if (comment.offset < opening)
             putAbove(plan.remarks.above, words);
+        else if (comment.offset > closing)
+            putAbove(plan.closing_remarks, words);
         else if (!comment.whole_line || inside)
             putBeside(last, words);
         else

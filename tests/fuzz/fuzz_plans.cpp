@@ -1,0 +1,47 @@
+// Any bytes through everything that reads and writes plans. What is asserted: places lie inside of the text, a sound
+// plan reads back equal from both layouts, and writing is stable.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "core/posh/plan_reader.h"
+#include "core/posh/plan_writer.h"
+
+namespace {
+
+using namespace usar::posh;
+
+void check(bool holds) {
+    if (!holds)
+        std::abort();
+}
+
+void checkPlaces(const Findings& findings, std::string_view text) {
+    for (const Finding& finding : findings) {
+        check(finding.at.line > 0 && finding.at.column > 0);
+        check(finding.at.offset <= text.size() && finding.at.length <= text.size() - finding.at.offset);
+        check(!finding.message.empty());
+    }
+}
+
+void checkWriting(std::string_view text, const Plan& plan) {
+    const std::string written = writePlan(plan);
+    const PlanReading again = readPlan(written);
+    check(!hasErrors(again.findings) && again.plan == plan);
+    check(writePlan(again.plan) == written);
+    check(writeKeepingLayout(text, plan) == text);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const PlanReading reading = readPlan(text);
+    checkPlaces(reading.findings, text);
+    if (!hasErrors(reading.findings))
+        checkWriting(text, reading.plan);
+    else
+        writePlan(reading.plan);
+    return 0;
+}

@@ -1,0 +1,218 @@
+// Edited plans keep the bytes of what was not edited.
+#include <QTest>
+
+#include <functional>
+
+#include "core/base/random.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/plan_walk.h"
+#include "core/posh/plan_writer.h"
+#include "plan_corpus.h"
+#include "random_plan.h"
+
+using namespace usar;
+using namespace usar::posh;
+
+namespace {
+
+using Edit = std::function<void(Plan&)>;
+
+const std::string source = "; mine\n( ; opened\n"
+                           "  (documentation \"a\" \"b\"\n     \"c\")\n"
+                           "\n"
+                           "  ;; picks it up\n"
+                           "  (C pick NIL (GOAL ((holding))) ; header\n"
+                           "\t(elements\n"
+                           "\t  ((grab   (trigger (near)) close 3)) ; quick\n"
+                           "\t  ((go ; why\n\t\tdrive\n\t)) ) )\n"
+                           "  (AP wave (up   down)) (AP bow (down))\n"
+                           "  # the root\n"
+                           "  (rdc me (drives ((a (trigger nil) pick nil)) ((b hop\n(hz 2)))) \"all\")\n"
+                           ") ; closed\n";
+
+Competence& competence(Plan& plan) {
+    return std::get<Competence>(plan.forms[0]);
+}
+Collection& collection(Plan& plan) {
+    return std::get<Collection>(plan.forms.back());
+}
+
+/// `text` with the first `old` replaced.
+std::string with(std::string text, const std::string& old, const std::string& wanted) {
+    const std::size_t at = text.find(old);
+    return at == std::string::npos ? "there is no " + old : text.replace(at, old.size(), wanted);
+}
+
+/// Something small happens to the plan.
+void editSomewhere(Plan& plan, Random& random) {
+    if (plan.forms.empty())
+        return;
+    Form& form = plan.forms[random() % plan.forms.size()];
+    switch (random() % 6) {
+    case 0:
+        plan.forms.push_back(
+            Pattern{{"added" + std::to_string(random() % 1000), {}}, {}, {}, {Call{{"x", {}}, {}}}, {}, {}, {}});
+        break;
+    case 1:
+        std::swap(form, plan.forms.front());
+        break;
+    case 2:
+        plan.forms.erase(plan.forms.begin());
+        break;
+    case 3:
+        remarksOf(form).above.emplace_back("; said later");
+        break;
+    case 4:
+        std::visit([](auto& any) { any.name.text = "renamed"; }, form);
+        break;
+    default:
+        forEachCall(form, [&](Call& call, bool) {
+            if (random() % 3 == 0)
+                call.name.text = "called";
+            else if (random() % 3 == 0)
+                call.arguments.clear();
+        });
+    }
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Edit)
+
+class tst_Layout : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingEditedKeepsEveryByte_data();
+    void nothingEditedKeepsEveryByte();
+    void anEditChangesOnlyItsPlace_data();
+    void anEditChangesOnlyItsPlace();
+    void whatIsMovedTakesItsCommentsAlong();
+    void whatCannotBeKeptIsWrittenAnew();
+    void lineEndsOfTheTextAreUsed();
+    void anyEditReadsBack();
+};
+
+void tst_Layout::nothingEditedKeepsEveryByte_data() {
+    QTest::addColumn<QByteArray>("text");
+    int number = 0;
+    for (const corpus::PlanFile& file : corpus::soundPlans())
+        QTest::addRow("%d %s", ++number, file.name.c_str()) << QByteArray::fromStdString(file.text);
+}
+
+void tst_Layout::nothingEditedKeepsEveryByte() {
+    QFETCH(QByteArray, text);
+    QCOMPARE(QByteArray::fromStdString(writeKeepingLayout(text.toStdString(), readPlan(text.toStdString()).plan)),
+             text);
+}
+
+void tst_Layout::anEditChangesOnlyItsPlace_data() {
+    QTest::addColumn<Edit>("edit");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char* name, Edit edit, const std::string& old, const std::string& wanted) {
+        QTest::newRow(name) << std::move(edit) << QString::fromStdString(with(source, old, wanted));
+    };
+    row(
+        "an action is renamed", [](Plan& plan) { competence(plan).levels[0][0].action.name.text = "shut"; },
+        "(near)) close 3", "((near))) shut 3");
+    row(
+        "retries are given",
+        [](Plan& plan) {
+            competence(plan).levels[1][0].retries = Literal{std::int64_t{7}, "", {}};
+        },
+        "drive\n", "drive 7\n");
+    row(
+        "retries are taken", [](Plan& plan) { competence(plan).levels[0][0].retries.reset(); }, "(near)) close 3",
+        "((near))) close");
+    row(
+        "a sense gets a value",
+        [](Plan& plan) {
+            SenseTest& test = competence(plan).levels[0][0].trigger[0];
+            test.operand = Literal{0.5, "", {}};
+            test.predicate = Predicate::Less;
+        },
+        "(near)", "((near 0.5 <))");
+    row(
+        "a competence is renamed", [](Plan& plan) { competence(plan).name.text = "take"; }, "C pick NIL", "C take");
+    row(
+        "a goal changes", [](Plan& plan) { competence(plan).goal[0].call.name.text = "held"; }, "NIL (GOAL ((holding",
+        "(goal ((held");
+    row(
+        "a pattern gets a step",
+        [](Plan& plan) {
+            std::get<Pattern>(plan.forms[1]).steps.emplace_back(Call{{"up", {}}, {}});
+        },
+        "up   down)", "up   down up)");
+    row(
+        "a collection's comment changes", [](Plan& plan) { collection(plan).comment->spelling = "\"most\""; },
+        "\"all\"", "\"most\"");
+    row(
+        "a frequency is taken", [](Plan& plan) { collection(plan).levels[1][0].frequency.reset(); }, "hop\n(hz 2)",
+        "hop");
+    row(
+        "a form is taken away", [](Plan& plan) { plan.forms.erase(plan.forms.begin() + 1); }, "  (AP wave (up   down))",
+        "");
+    row(
+        "documentation is taken away", [](Plan& plan) { plan.documentation.reset(); },
+        "  (documentation \"a\" \"b\"\n     \"c\")\n", "");
+    row(
+        "a form is added",
+        [](Plan& plan) {
+            plan.forms.insert(plan.forms.begin(),
+                              Pattern{{"p", {}}, {}, {}, {Call{{"x", {}}, {}}}, {}, {{"about p"}, ""}, {}});
+        },
+        "\n\n  ;; picks", "\n  ; about p\n  (AP p (x))\n\n  ;; picks");
+}
+
+void tst_Layout::anEditChangesOnlyItsPlace() {
+    QFETCH(Edit, edit);
+    QFETCH(QString, expected);
+    Plan plan = readPlan(source).plan;
+    edit(plan);
+    QCOMPARE(QString::fromStdString(writeKeepingLayout(source, plan)), expected);
+}
+
+void tst_Layout::whatIsMovedTakesItsCommentsAlong() {
+    Plan plan = readPlan(source).plan;
+    std::rotate(plan.forms.begin(), plan.forms.begin() + 1, plan.forms.end());
+    const std::string written = writeKeepingLayout(source, plan);
+    QVERIFY2(readPlan(written).plan == plan, written.c_str());
+    QVERIFY2(written.find("(AP wave (up   down)) (AP bow (down))\n  # the root\n  (rdc me") != std::string::npos,
+             written.c_str());
+    QVERIFY2(written.find("\n\n  ;; picks it up\n  (C pick NIL") != std::string::npos, written.c_str());
+}
+
+void tst_Layout::whatCannotBeKeptIsWrittenAnew() {
+    Plan plan = readPlan(source).plan;
+    QCOMPARE(writeKeepingLayout("( broken", plan), writePlan(plan));
+    plan.remarks.above = {"; yours"};
+    QCOMPARE(writeKeepingLayout(source, plan), writePlan(plan));
+}
+
+void tst_Layout::lineEndsOfTheTextAreUsed() {
+    const std::string text = "(\r\n  (DC d (drives ((a p))))\r\n)\r\n";
+    Plan plan = readPlan(text).plan;
+    Pattern pattern{{"p", {}}, {}, {}, {Call{{"say", {}}, {}}}, {}, {}, {}};
+    std::get<Call>(pattern.steps[0]).arguments.push_back({"", Literal{std::string("x\ny"), "\"x\ny\"", {}}, {}});
+    plan.forms.emplace_back(pattern);
+    QCOMPARE(QString::fromStdString(writeKeepingLayout(text, plan)),
+             QString("(\r\n  (DC d (drives ((a p))))\r\n  (AP p (say(\"x\ny\")))\r\n)\r\n"));
+}
+
+void tst_Layout::anyEditReadsBack() {
+    doubles::RandomPlanOptions options;
+    options.with_decoration = true;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        Random random = seeded(seed, 2);
+        const std::string text = writePlan(doubles::randomPlan(random, options));
+        Plan plan = readPlan(text).plan;
+        for (std::uint64_t edits = random() % 3; edits > 0; --edits)
+            editSomewhere(plan, random);
+        const std::string written = writeKeepingLayout(text, plan);
+        const Plan again = readPlan(written).plan;
+        if (!hasErrors(readPlan(writePlan(plan)).findings) && again != readPlan(writePlan(plan)).plan)
+            QFAIL((std::to_string(seed) + ":\n" + text + "\nbecame\n" + written).c_str());
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_Layout)
+#include "tst_layout.moc"
