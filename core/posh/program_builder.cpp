@@ -86,6 +86,7 @@ private:
     void addItems(Index form, const Pattern& pattern);
     void addItems(Index form, const Adopt& adopt);
     void addStep(Index form, const Step& step, Index position);
+    void addReference(Index form, const Call& call, Index position);
     void finish();
 
     Index addPlace(const Place& place, const Name& name);
@@ -377,23 +378,29 @@ void Builder::addItems(Index form, const Pattern& pattern) {
 void Builder::addItems(Index form, const Adopt& adopt) {
     program_->forms[form].goal = addTests(adopt.goal, program_->forms[form].place);
     const Index first = static_cast<Index>(program_->steps.size());
-    addStep(form, adopt.adopted, 0);
+    addReference(form, adopt.adopted, 0);
     program_->forms[form].items = {first, first + 1};
 }
 
 void Builder::addStep(Index form, const Step& step, Index position) {
+    const auto* const test = std::get_if<SenseTest>(&step);
+    if (!test)
+        return addReference(form, std::get<Call>(step), position);
+    const Place place{.kind = PlaceKind::SenseStep,
+                      .parent = program_->forms[form].place,
+                      .item = static_cast<Index>(program_->tests.size()),
+                      .position = position,
+                      .at = {}};
+    program_->steps.push_back({addTest(*test, addPlace(place, test->call.name)), {}});
+}
+
+/// The call must be the plan's own: it is looked at again when it is expanded.
+void Builder::addReference(Index form, const Call& call, Index position) {
     const Index index = static_cast<Index>(program_->steps.size());
     const Index parent = program_->forms[form].place;
-    ProgramStep made;
-    if (const auto* const test = std::get_if<SenseTest>(&step)) {
-        const Index item = static_cast<Index>(program_->tests.size());
-        const Place place{.kind = PlaceKind::SenseStep, .parent = parent, .item = item, .position = position, .at = {}};
-        made.test = addTest(*test, addPlace(place, test->call.name));
-    } else {
-        made.target = refer(std::get<Call>(step),
-                            {.place = parent, .reference = position, .slot = Slot::Step, .slot_index = index});
-    }
-    program_->steps.push_back(made);
+    const Target target =
+        refer(call, {.place = parent, .reference = position, .slot = Slot::Step, .slot_index = index});
+    program_->steps.push_back({nowhere, target});
 }
 
 /// Forms are in preorder: what is below one follows it directly.
