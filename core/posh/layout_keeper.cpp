@@ -234,8 +234,11 @@ std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
         return std::string(text);
     std::string kept = LayoutKeeper(text, old.plan, plan).run();
     // Comments may stand where nobody thought of; what a person meant goes before how it looked.
-    std::string canonical = writePlan(plan);
-    return readPlan(kept).plan == readPlan(canonical).plan ? kept : canonical;
+    const Plan again = readPlan(kept).plan;
+    if (again == plan)
+        return kept;
+    std::string canonical = writePlan(plan); // literals that the edit left without a spelling have one now
+    return again == readPlan(canonical).plan ? kept : canonical;
 }
 
 } // namespace usar::posh

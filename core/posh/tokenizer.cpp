@@ -11,10 +11,18 @@ namespace usar::posh {
 
 namespace {
 
-enum class Class : std::uint8_t { Word, Blank, LineEnd, Delimiter, High };
+/// NameStart and NamePart make up ordinary names; Word is what else can stand in a word, sound or not.
+enum class Class : std::uint8_t { Word, NameStart, NamePart, Blank, LineEnd, Delimiter, High };
 
 constexpr std::array<Class, 256> classTable() {
     std::array<Class, 256> table{};
+    for (std::size_t i = 0; i < 128; ++i) {
+        const char c = static_cast<char>(i);
+        if (isLetter(c) || c == '_')
+            table[i] = Class::NameStart;
+        else if ((c >= '0' && c <= '9') || c == '-')
+            table[i] = Class::NamePart;
+    }
     for (const char c : {' ', '\t', '\r', '\f', '\v'})
         table[static_cast<unsigned char>(c)] = Class::Blank;
     table['\n'] = Class::LineEnd;
@@ -37,7 +45,7 @@ constexpr std::size_t most_warnings = 100;
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : text_(text) {
-        list_.tokens.reserve(text.size() / 5 + 16);
+        list_.tokens.reserve(text.size() / 3 + 16);
         if (text.starts_with("\xEF\xBB\xBF"))
             at_ = line_start_ = 3;
     }
@@ -58,6 +66,7 @@ private:
     void comment();
     void string();
     std::size_t escapeLength(std::size_t at, std::size_t limit) const;
+    void name();
     void word();
     void quoted(char mark);
     std::size_t wordEnd(std::size_t from) const;
@@ -66,7 +75,10 @@ private:
     void passCharacter();
     void passTo(std::size_t end) {
         while (at_ < end)
-            passCharacter();
+            if (classOf(text_[at_]) < Class::LineEnd)
+                ++at_;
+            else
+                passCharacter();
     }
     Spot spotFrom(std::size_t begin) const {
         return {line_, static_cast<std::uint32_t>(begin - line_start_ - extra_bytes_ + 1),
@@ -101,7 +113,9 @@ private:
 void Tokenizer::next() {
     switch (classOf(text_[at_])) {
     case Class::Blank:
-        ++at_;
+        do
+            ++at_;
+        while (at_ < text_.size() && classOf(text_[at_]) == Class::Blank);
         break;
     case Class::LineEnd:
         lineEnd();
@@ -112,7 +126,11 @@ void Tokenizer::next() {
     case Class::High:
         highCharacter();
         break;
+    case Class::NameStart:
+        name();
+        break;
     case Class::Word:
+    case Class::NamePart:
         word();
     }
 }
@@ -222,7 +240,7 @@ std::size_t Tokenizer::wordEnd(std::size_t from) const {
     std::size_t end = from;
     while (end < text_.size()) {
         const Class kind = classOf(text_[end]);
-        if (kind == Class::Word) {
+        if (kind <= Class::NamePart) {
             ++end;
             continue;
         }
@@ -234,6 +252,20 @@ std::size_t Tokenizer::wordEnd(std::size_t from) const {
         end += character.length;
     }
     return end;
+}
+
+/// The usual word: letters, digits, _ and - only.
+void Tokenizer::name() {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (classOf(text_[end]) == Class::NameStart || classOf(text_[end]) == Class::NamePart))
+        ++end;
+    const bool goes_on =
+        end < text_.size() && (classOf(text_[end]) == Class::Word || classOf(text_[end]) == Class::High);
+    if (goes_on)
+        return word();
+    const Spot begin = spotFrom(at_);
+    at_ = end;
+    add(TokenKind::Name, begin);
 }
 
 void Tokenizer::word() {
