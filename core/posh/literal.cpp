@@ -139,8 +139,10 @@ std::string spelled(const Value& value) {
         return spelledFloat(*number);
     if (const auto* const text = std::get_if<std::string>(&value))
         return quoted(*text);
-    if (const auto* const symbol = std::get_if<Symbol>(&value))
-        return '\'' + symbol->text;
+    if (const auto* const symbol = std::get_if<Symbol>(&value)) {
+        const bool is_bare = symbol->text.find('.') != std::string::npos && symbol->text.find('-') != std::string::npos;
+        return is_bare ? symbol->text : '\'' + symbol->text;
+    }
     return "nil";
 }
 

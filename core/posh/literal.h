@@ -22,7 +22,8 @@ std::optional<std::int64_t> integerOf(std::string_view word);
 /// Nothing where no double holds it. `word` must be a FLOAT or INT.
 std::optional<double> floatOf(std::string_view word);
 
-/// As a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`. Reads back to the same value.
+/// As a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`. Reads back to the same value. A symbol with dots
+/// and hyphens, which only a sense can be compared with, has no quote.
 std::string spelled(const Value& value);
 
 } // namespace usar::posh

@@ -1,10 +1,11 @@
 // Any bytes through everything that reads and writes plans. What is asserted: places lie inside of the text, a sound
-// plan reads back equal from both layouts, and writing is stable.
+// plan reads back equal from both layouts, writing is stable, and exports are read.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "core/posh/plan_export.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
 
@@ -31,6 +32,9 @@ void checkWriting(std::string_view text, const Plan& plan) {
     check(!hasErrors(again.findings) && again.plan == plan);
     check(writePlan(again.plan) == written);
     check(writeKeepingLayout(text, plan) == text);
+    for (const Dialect dialect : {Dialect::Classic, Dialect::Yaposh})
+        for (const Finding& finding : readPlan(exportPlan(plan, dialect).text).findings)
+            check(static_cast<int>(finding.code) > 300); // two names may have become one
 }
 
 } // namespace
