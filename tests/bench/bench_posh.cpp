@@ -10,6 +10,9 @@
 
 #include "core/posh/engine.h"
 #include "core/posh/plan_reader.h"
+#include "core/posh/trace_encoder.h"
+#include "core/posh/trace_file.h"
+#include "core/posh/trace_ring.h"
 #include "tests/doubles/allocation_counter.h"
 
 namespace {
@@ -56,13 +59,17 @@ private:
 };
 
 /// Drive i runs when its own sense holds, and nothing is nearer than half a metre where `with_scan`.
-std::shared_ptr<const Program> drivesProgram(std::int64_t count, bool with_scan) {
+std::string drivesText(std::int64_t count, bool with_scan) {
     std::string text = "((DC d (drives ";
     for (std::int64_t i = 0; i < count; ++i) {
         const std::string n = std::to_string(i);
         text += "((d" + n + " (trigger (" + (with_scan ? "(nearest 0.5 >) " : "") + "(s" + n + "))) a" + n + "))";
     }
-    return *compile(readPlan(text + ")))").plan);
+    return text + ")))";
+}
+
+std::shared_ptr<const Program> drivesProgram(std::int64_t count, bool with_scan) {
+    return *compile(readPlan(drivesText(count, with_scan)).plan);
 }
 
 /// The usual design: nodes on the heap, a virtual call each, conditions as functions, nothing remembered.
@@ -123,17 +130,6 @@ std::unique_ptr<Node> drivesTree(World& world, std::int64_t count, bool with_sca
     return root;
 }
 
-/// Keeps the newest records, as a view or a file takes them.
-class Ring final : public TraceObserver {
-public:
-    void takeProgram(const std::shared_ptr<const Program>&) override {}
-    void take(const TraceRecord& record, std::string_view) override { records_[next_++ % records_.size()] = record; }
-
-private:
-    std::vector<TraceRecord> records_ = std::vector<TraceRecord>(1 << 14);
-    std::size_t next_ = 0;
-};
-
 void run(benchmark::State& state, bool with_scan, TraceObserver* observer) {
     World world;
     BenchHost host(world);
@@ -156,7 +152,7 @@ void poshCycle(benchmark::State& state) {
 BENCHMARK(poshCycle)->Arg(6)->Arg(20)->Arg(100)->Arg(1000);
 
 void poshCycleTraced(benchmark::State& state) {
-    Ring ring;
+    TraceRing ring;
     run(state, false, &ring);
 }
 BENCHMARK(poshCycleTraced)->Arg(6)->Arg(20)->Arg(100)->Arg(1000);
@@ -239,5 +235,52 @@ void compilePlan(benchmark::State& state) {
         benchmark::DoNotOptimize(compile(reading.plan));
 }
 BENCHMARK(compilePlan)->Arg(3000)->Unit(benchmark::kMillisecond);
+
+/// A run of twenty drives at 5 Hz in which a measurement changes in each cycle, and every ten seconds another drive
+/// wins.
+std::string recordedRun(std::int64_t hours) {
+    World world;
+    BenchHost host(world);
+    TraceEncoder encoder(drivesText(20, true));
+    Engine engine(host, drivesProgram(20, true));
+    engine.watch(&encoder);
+    std::string bytes;
+    for (std::int64_t cycle = 0; cycle < hours * 18'000; ++cycle) {
+        world.beams_m[0] = 1.0 + static_cast<double>(cycle % 977) * 0.001;
+        world.ready[1] = cycle / 50 % 2 ? 1 : 0;
+        engine.cycle(Milliseconds(200 * cycle));
+        bytes += encoder.takeBytes();
+    }
+    engine.watch(nullptr);
+    return bytes;
+}
+
+void replayHour(benchmark::State& state) {
+    const std::string bytes = recordedRun(1);
+    for (auto _ : state) {
+        const auto file = TraceFile::open(bytes);
+        std::size_t events = 0;
+        auto cursor = file->begin();
+        while (const TracedCycle* const cycle = cursor.next())
+            events += cycle->events.size();
+        benchmark::DoNotOptimize(events);
+        state.counters["events"] = static_cast<double>(events);
+    }
+    state.counters["bytes/cycle"] = static_cast<double>(bytes.size()) / 18'000;
+}
+BENCHMARK(replayHour)->Unit(benchmark::kMillisecond);
+
+/// From nothing but the bytes of a day: the index and the cycle.
+void openAndSeekInDay(benchmark::State& state) {
+    const std::string bytes = recordedRun(24);
+    std::uint64_t cycle = 1;
+    for (auto _ : state) {
+        const auto file = TraceFile::open(bytes);
+        cycle = (cycle * 7919 + 255) % (24 * 18'000) + 1;
+        auto cursor = file->seek(cycle);
+        benchmark::DoNotOptimize(cursor.next());
+    }
+}
+BENCHMARK(openAndSeekInDay)->Unit(benchmark::kMillisecond);
 
 } // namespace
