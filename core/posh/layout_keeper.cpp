@@ -224,21 +224,64 @@ private:
     std::size_t prefix_end_ = 0;
 };
 
+/// Calls `visit` with the remarks of every part.
+template <class AnyPlan, class Visit>
+void forEachRemarks(AnyPlan& plan, Visit&& visit) {
+    visit(plan.remarks);
+    if (plan.documentation)
+        visit(plan.documentation->remarks);
+    for (auto& form : plan.forms)
+        std::visit(
+            [&visit](auto& any) {
+                visit(any.remarks);
+                if constexpr (requires { any.levels; })
+                    for (auto& level : any.levels)
+                        for (auto& member : level)
+                            visit(member.remarks);
+            },
+            form);
+}
+
+/// Takes all comments out of the plan and gives how many letters they have.
+std::size_t takeComments(Plan& plan) {
+    std::size_t letters = 0;
+    const auto count = [&letters](const std::string& words) {
+        letters += words.size() - static_cast<std::size_t>(std::count(words.begin(), words.end(), ' '));
+    };
+    const auto take = [&count](std::vector<std::string>& lines) {
+        for (const std::string& line : lines)
+            count(commentText(line));
+        lines.clear();
+    };
+    forEachRemarks(plan, [&](Remarks& remarks) {
+        take(remarks.above);
+        count(commentText(remarks.beside));
+        remarks.beside.clear();
+    });
+    take(plan.closing_remarks);
+    return letters;
+}
+
+/// Whether the texts hold the same plan, and all comments, though a moved form may leave one to its neighbor.
+bool sayTheSame(Plan a, Plan b) {
+    return takeComments(a) == takeComments(b) && a == b;
+}
+
 } // namespace
 
 std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
     const PlanReading old = readPlan(text);
-    if (hasErrors(old.findings))
+    if (hasErrors(old.findings) || old.plan.remarks != plan.remarks || old.plan.closing_remarks != plan.closing_remarks)
         return writePlan(plan);
     if (old.plan == plan)
         return std::string(text);
     std::string kept = LayoutKeeper(text, old.plan, plan).run();
     // Comments may stand where nobody thought of; what a person meant goes before how it looked.
     const Plan again = readPlan(kept).plan;
-    if (again == plan)
+    if (sayTheSame(again, plan))
         return kept;
     std::string canonical = writePlan(plan); // literals that the edit left without a spelling have one now
-    return again == readPlan(canonical).plan ? kept : canonical;
+    return sayTheSame(again, readPlan(canonical).plan) ? kept : canonical;
 }
 
 } // namespace usar::posh

@@ -71,6 +71,11 @@ void PlanReader::next() {
         cursor_.advance();
         return;
     }
+    if (is_open_ && beginsForm(cursor_.keyword()) && cursor_.at(TokenKind::Name, 1)) {
+        cursor_.unexpected("a form or the end of the plan", "( before it");
+        cursor_.pretendOpen();
+        return form();
+    }
     if (is_open_)
         cursor_.unexpected("a form or the end of the plan", "(C …), (AP …), (AD …), (DC …) or )");
     skipJunk();
@@ -88,11 +93,14 @@ void PlanReader::skipJunk() {
         cursor_.advance();
 }
 
+/// The present token is the form's parenthesis or, where that is missing and said to be so, its keyword.
 void PlanReader::form() {
     const std::size_t begin_index = cursor_.index();
-    const std::size_t depth = cursor_.depth();
+    const bool is_whole = cursor_.at(TokenKind::Open);
+    const std::size_t depth = cursor_.depth() - (is_whole ? 0 : 1);
     const Spot begin = cursor_.peek().at;
-    cursor_.advance();
+    if (is_whole)
+        cursor_.advance();
     const bool good = readForm(begin);
     saw_form_ = true;
     if (!good)
@@ -173,7 +181,7 @@ bool PlanReader::beginsFormAt(std::size_t index) const {
 /// begins a form no deeper than this one.
 std::size_t PlanReader::endOfBadForm(std::size_t begin) const {
     const auto& tokens = list_->tokens;
-    std::size_t depth = 0;
+    std::size_t depth = tokens[begin].kind == TokenKind::Open ? 0 : 1;
     for (std::size_t i = begin; tokens[i].kind != TokenKind::End; ++i) {
         if (tokens[i].kind == TokenKind::Close && --depth == 0)
             return i + 1;

@@ -30,6 +30,9 @@ public:
     }
     void advance();
 
+    /// As if a parenthesis stood before the present token.
+    void pretendOpen() { openers_.push_back(peek().at); }
+
     std::size_t index() const { return index_; }
     /// Goes on at a token that lies outside of every parenthesis opened after the first `depth`.
     void resumeAt(std::size_t index, std::size_t depth);

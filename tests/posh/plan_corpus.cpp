@@ -71,12 +71,15 @@ void appendFolder(const fs::path& root, std::vector<PlanFile>& plans) {
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     const auto counts = knownCounts(root);
+    const auto errors_of_all = expectedErrors(root);
     for (const fs::path& file : files) {
         PlanFile plan{fs::relative(file, root).generic_string(), contentOf(file), std::nullopt, {}};
         const auto errors = expectedErrors(file.parent_path());
         const auto error = errors.find(file.filename().string());
         if (error != errors.end())
             plan.error = error->second;
+        else if (const auto listed = errors_of_all.find(plan.name); listed != errors_of_all.end())
+            plan.error = listed->second;
         if (const auto known = counts.find(plan.name); known != counts.end())
             plan.counts = known->second;
         plans.push_back(std::move(plan));

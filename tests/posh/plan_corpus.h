@@ -23,8 +23,9 @@ struct PlanFile {
 };
 
 /// Every .lap below tests/data/posh, below shared/corpus/posh beside the checkout, and below each folder that the
-/// environment variable USAR_POSH_PLANS names (with colons between). EXPECTED.tsv in a folder lists those of its plans
-/// that have an error: file, line, column, code; SOURCES.txt beside or above it may tell the counts of others.
+/// environment variable USAR_POSH_PLANS names (with colons between). EXPECTED.tsv in a folder, or above it, lists those
+/// of its plans that have an error: file, line, column, code; SOURCES.txt beside or above it may tell the counts of
+/// others.
 std::vector<PlanFile> planFiles();
 std::vector<PlanFile> soundPlans();
 

@@ -74,6 +74,9 @@ void tst_PlanErrors::severalErrorsAreFoundInOnePass_data() {
         "3:2 E202, 3:9 E218");
     row("behind a plan that closes too early", "((C c (elements ((e act)))))\n(AP p ())\n(DC d (drives ((a c)))))",
         "2:1 E204, 2:8 E218");
+    row("a form without its first parenthesis",
+        "(\n C k (elements ((e act 1.5))))\n AP p (a))\n(DC d (drives ((a p) x))))",
+        "2:2 E202, 2:24 E219, 3:2 E202, 4:22 E202");
     row("junk between forms", "( x y (AP p (a)) 3 (DC d (drives ((a p)))))", "1:3 E202, 1:18 E202");
     row("errors of the text and of the plan", "((C c (elements ((e c))))\n (AP p)\n (DC d (drives ((a c)))))",
         "2:7 E202, 1:21 E302");
