@@ -46,6 +46,7 @@ public:
 
     /// Nothing: nobody watches.
     void watch(TraceObserver* observer) { tracer_.watch(observer, program_); }
+    bool watched() const { return tracer_.watched(); }
     /// For the host, during its calls: what it wrote or sent, put into the trace at the place of that call.
     void note(TraceEvent event, Index place, std::string_view text) { tracer_.noteText(event, place, text); }
     /// A drive that is switched off is never ready.

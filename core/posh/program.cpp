@@ -50,6 +50,13 @@ std::string pathOf(const Program& program, Index place) {
     return path;
 }
 
+std::string namePathOf(const Program& program, Index place) {
+    std::string path;
+    for (Index at = place; at != nowhere; at = program.places[at].parent)
+        path = nameOf(program, at) + (path.empty() ? "" : " ▸ ") + path;
+    return path;
+}
+
 const std::string& nameOf(const Program& program, Index place) {
     return program.names[program.places[place].name];
 }

@@ -130,6 +130,8 @@ struct Program {
 
 /// "/P:0/DC:0/DE:1/A:0/C:2/CE:0/A:0".
 std::string pathOf(const Program& program, Index place);
+/// The same for people, by names: "robot ▸ work ▸ pick-up ▸ grab ▸ close-gripper".
+std::string namePathOf(const Program& program, Index place);
 const std::string& nameOf(const Program& program, Index place);
 /// Every call of a sense or act as a trace shows it at its place; empty for other places.
 const std::string& callTextAt(const Program& program, Index place);

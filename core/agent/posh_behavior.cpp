@@ -1,0 +1,171 @@
+#include "core/agent/posh_behavior.h"
+
+#include <cmath>
+
+namespace usar::agent {
+
+namespace {
+
+Error refusal(const posh::Findings& findings) {
+    std::string list;
+    std::size_t errors = 0;
+    for (const posh::Finding& finding : findings)
+        if (posh::severityOf(finding.code) == Severity::Error)
+            list += (errors++ == 0 ? "" : "; ") + posh::toText(finding);
+    return {"it cannot be used: " + list, "the plan", "Mend the plan"};
+}
+
+posh::Milliseconds wholeMilliseconds(Seconds time) {
+    return posh::Milliseconds(std::llround(time.count() * 1000.0));
+}
+
+} // namespace
+
+void PoshBehavior::Reporter::takeProgram(const std::shared_ptr<const posh::Program>& program) {
+    program_ = program;
+    reported_.clear();
+    if (next_)
+        next_->takeProgram(program);
+}
+
+void PoshBehavior::Reporter::take(const posh::TraceRecord& record, std::string_view text) {
+    if (record.event == posh::TraceEvent::Error || record.event == posh::TraceEvent::Warning)
+        report(record, text);
+    if (next_)
+        next_->take(record, text);
+}
+
+void PoshBehavior::Reporter::watch(posh::TraceObserver* observer) {
+    next_ = observer;
+    if (next_)
+        next_->takeProgram(program_);
+}
+
+void PoshBehavior::Reporter::report(const posh::TraceRecord& record, std::string_view text) {
+    const bool is_error = record.event == posh::TraceEvent::Error;
+    const bool of_act = program_->places[record.place].kind == posh::PlaceKind::Act;
+    const bool spins_or_starves = !is_error && (record.warning() == posh::WarningCode::Budget ||
+                                                record.warning() == posh::WarningCode::StarvingDrive);
+    needs_safety = needs_safety || (is_error && of_act) || spins_or_starves;
+    if (!reported_.emplace(record.place, text).second)
+        return;
+    const Severity severity = is_error || spins_or_starves ? Severity::Error : Severity::Warning;
+    events.push_back({severity, "Plan: " + posh::namePathOf(*program_, record.place) + ": " + std::string(text) + "."});
+}
+
+Result<std::unique_ptr<PoshBehavior>> PoshBehavior::make(PoshParts parts) {
+    PlanForRobot plan = bindPlan(parts.plan_text, parts.registry);
+    if (!plan.program)
+        return tl::unexpected(refusal(plan.findings));
+    return std::unique_ptr<PoshBehavior>(new PoshBehavior(std::move(parts), std::move(plan.program)));
+}
+
+PoshBehavior::PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program)
+    : parts_(std::move(parts))
+    , host_(parts_.registry, *parts_.body)
+    , engine_(host_, std::move(program), [this] {
+        parts_.options.on_goal = posh::OnGoal::Stop;
+        return parts_.options;
+    }()) {
+    parts_.body->engine_ = &engine_;
+    engine_.watch(&reporter_);
+}
+
+PoshBehavior::~PoshBehavior() {
+    engine_.stop();
+    engine_.watch(nullptr);
+    parts_.body->engine_ = nullptr;
+}
+
+void PoshBehavior::watch(posh::TraceObserver* observer) {
+    reporter_.watch(observer);
+}
+
+void PoshBehavior::onInfo(const protocol::InfoLine& line, CommandPort&) {
+    parts_.body->onInfo(line);
+}
+
+void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
+    if (finished_)
+        return;
+    if (!began_)
+        began_ = tick.now;
+    PoshBody& body = *parts_.body;
+    const PoshBody::Opening opening(body, tick, port);
+    body.begin(tick);
+    if (!paused_ && !landing_)
+        runCycle(tick, port);
+    body.end(tick);
+    publishStatus(tick, port);
+    body.sendDrive();
+}
+
+void PoshBehavior::runCycle(const Tick& tick, CommandPort& port) {
+    PoshBody& body = *parts_.body;
+    reporter_.needs_safety = false;
+    body.cycle_ = engine_.cycleNumber() + 1;
+    const posh::Outcome outcome = engine_.cycle(wholeMilliseconds(tick.now));
+    body.place_ = 0;
+    const bool is_idle = outcome == posh::Outcome::Idle;
+    if (reporter_.needs_safety || (is_idle && !idle_))
+        body.drive(body.safeCommand());
+    idle_ = is_idle;
+    report(outcome, port);
+}
+
+void PoshBehavior::report(posh::Outcome outcome, CommandPort& port) {
+    for (BehaviorEvent& event : reporter_.events)
+        port.publish(std::move(event));
+    reporter_.events.clear();
+    if (outcome != posh::Outcome::GoalSatisfied && outcome != posh::Outcome::Won)
+        return;
+    finished_ = true;
+    parts_.body->drive(parts_.body->safeCommand());
+    port.publish(parts_.body->finished());
+}
+
+void PoshBehavior::publishStatus(const Tick& tick, CommandPort& port) {
+    BehaviorStatus status;
+    status.time = tick.now;
+    status.elapsed = tick.now - *began_;
+    status.paused = paused_;
+    const posh::Index act = engine_.currentAct();
+    const posh::Program& program = *engine_.program();
+    if (landing_)
+        status.state = "plan stopped";
+    else if (act == posh::nowhere)
+        status.state = program.title;
+    else
+        status.state = posh::namePathOf(program, program.acts[act].place);
+    parts_.body->describe(status);
+    port.publish(std::move(status));
+}
+
+void PoshBehavior::order(Order order, CommandPort& port) {
+    if (finished_ || parts_.body->order(order))
+        return;
+    if (order == Order::LandNow)
+        return land(port);
+    paused_ = order == Order::Pause;
+    if (paused_)
+        port.send(safeCommand(), "paused");
+}
+
+/// The robot's safe command is all that a body without an order of its own can do.
+void PoshBehavior::land(CommandPort& port) {
+    landing_ = true;
+    engine_.stop();
+    port.send(safeCommand(), "plan stopped");
+    port.publish(BehaviorEvent{Severity::Warning, "The plan is stopped; this robot knows no way to land at once."});
+}
+
+posh::Findings PoshBehavior::replacePlan(const std::string& text) {
+    PlanForRobot plan = bindPlan(text, parts_.registry);
+    if (plan.program) {
+        engine_.replace(std::move(plan.program));
+        parts_.plan_text = text;
+    }
+    return std::move(plan.findings);
+}
+
+} // namespace usar::agent

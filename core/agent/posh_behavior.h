@@ -1,0 +1,83 @@
+// A behavior that is a plan file and a robot's senses and acts.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/agent/posh_binding.h"
+#include "core/agent/posh_host.h"
+
+namespace usar::agent {
+
+/// What a plan behavior is made of.
+struct PoshParts {
+    std::string plan_text;
+    PoshRegistry registry;
+    std::unique_ptr<PoshBody> body;
+    posh::EngineOptions options; ///< a plan whose goal is reached is finished, whatever they say
+};
+
+/// One cycle a tick, on the robot's own clock in whole milliseconds. An act that throws, a plan that spends its budget
+/// of acts or a drive that starves is reported by its path, and the robot gets its safe command in that cycle; when no
+/// drive is ready it gets it once. Orders that the body does not see to: pause and resume keep the plan where it is;
+/// landing stops the plan and gives the safe command. The plan's goal finishes the behavior.
+class PoshBehavior final : public Behavior {
+public:
+    /// A plan that cannot be read, or does not fit the robot, is an error that lists all that is wrong with it.
+    static Result<std::unique_ptr<PoshBehavior>> make(PoshParts parts);
+    ~PoshBehavior() override;
+
+    void onInfo(const protocol::InfoLine& line, CommandPort& port) override;
+    void tick(const Tick& tick, CommandPort& port) override;
+    void order(Order order, CommandPort& port) override;
+    void setParameters(const ParameterSet& parameters) override { parts_.body->setParameters(parameters); }
+    protocol::Command safeCommand() const override { return parts_.body->safeCommand(); }
+
+    /// Before the next tick another plan takes the place of this; body and blackboard stay. With errors nothing
+    /// changes.
+    posh::Findings replacePlan(const std::string& text);
+    const std::string& planText() const { return parts_.plan_text; }
+    const posh::Engine& engine() const { return engine_; }
+    /// Null: nobody watches.
+    void watch(posh::TraceObserver* observer);
+
+private:
+    /// Hears what goes wrong, and passes everything on.
+    class Reporter final : public posh::TraceObserver {
+    public:
+        void takeProgram(const std::shared_ptr<const posh::Program>& program) override;
+        void take(const posh::TraceRecord& record, std::string_view text) override;
+        void watch(posh::TraceObserver* observer);
+
+        bool needs_safety = false; ///< in this cycle
+        std::vector<BehaviorEvent> events;
+
+    private:
+        void report(const posh::TraceRecord& record, std::string_view text);
+
+        posh::TraceObserver* next_ = nullptr;
+        std::shared_ptr<const posh::Program> program_;
+        std::set<std::pair<posh::Index, std::string>> reported_; ///< once each
+    };
+
+    PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program);
+    void runCycle(const Tick& tick, CommandPort& port);
+    void report(posh::Outcome outcome, CommandPort& port);
+    void publishStatus(const Tick& tick, CommandPort& port);
+    void land(CommandPort& port);
+
+    PoshParts parts_;
+    PoshHost host_;
+    Reporter reporter_;
+    posh::Engine engine_;
+    std::optional<Seconds> began_;
+    bool paused_ = false;
+    bool idle_ = false;
+    bool landing_ = false;
+    bool finished_ = false;
+};
+
+} // namespace usar::agent

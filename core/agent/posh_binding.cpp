@@ -1,0 +1,181 @@
+#include "core/agent/posh_binding.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/base/spelling.h"
+#include "core/base/text.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/plan_walk.h"
+
+namespace usar::agent {
+
+using posh::Call;
+using posh::Code;
+
+namespace {
+
+constexpr std::size_t most_similar = 3;
+
+/// Names that the engine has itself.
+bool isBuiltIn(std::string_view name, PrimitiveKind kind) {
+    constexpr std::string_view executor = "cz.cuni.amis.pogamut.sposh.executor.";
+    constexpr std::array<std::string_view, 4> senses{"succeed", "true", "fail", "false"};
+    if (name.starts_with(executor)) {
+        name.remove_prefix(executor.size());
+        return kind == PrimitiveKind::Sense ? name == "Succeed" || name == "Fail" : name == "DoNothing";
+    }
+    return kind == PrimitiveKind::Sense ? std::ranges::find(senses, name) != senses.end() : name == "doNothing";
+}
+
+class Checker {
+public:
+    Checker(const posh::Plan& plan, const PoshRegistry& registry) : plan_(plan), registry_(registry) {}
+
+    posh::Findings check();
+
+private:
+    void checkName(const posh::Form& form);
+    void checkCall(const Call& call, PrimitiveKind kind);
+    void checkArguments(const Call& call, const PrimitiveDescription& primitive);
+    std::string similarTo(const std::string& name, PrimitiveKind kind) const;
+    void complain(Code code, const posh::Spot& at, std::string message) {
+        findings_.push_back({code, at, std::move(message), {}});
+    }
+
+    const posh::Plan& plan_;
+    const PoshRegistry& registry_;
+    std::set<std::string, std::less<>> forms_;
+    posh::Findings findings_;
+};
+
+posh::Findings Checker::check() {
+    if (!posh::collectionOf(plan_))
+        complain(Code::NoCollection, {},
+                 "the plan has no drives and cannot run; add a form such as (DC name (drives …))");
+    for (const posh::Form& form : plan_.forms)
+        if (!std::holds_alternative<posh::Collection>(form))
+            checkName(form);
+    for (const posh::Form& form : plan_.forms)
+        posh::forEachCall(form, [this](const Call& call, bool is_sense) {
+            checkCall(call, is_sense ? PrimitiveKind::Sense : PrimitiveKind::Act);
+        });
+    std::ranges::stable_sort(findings_, {}, [](const posh::Finding& finding) { return finding.at.offset; });
+    return std::move(findings_);
+}
+
+void Checker::checkName(const posh::Form& form) {
+    const posh::Name& name = posh::nameOf(form);
+    forms_.insert(name.text);
+    if (const PoshPrimitive* const primitive = registry_.find(name.text))
+        complain(Code::PrimitiveNamedAsForm, name.at,
+                 name.text + " is " + (primitive->sense ? "a sense" : "an act") +
+                     " of the robot; give this form another name");
+}
+
+void Checker::checkCall(const Call& call, PrimitiveKind kind) {
+    const std::string& name = call.name.text;
+    const bool wants_sense = kind == PrimitiveKind::Sense;
+    if (forms_.contains(name)) {
+        if (wants_sense)
+            complain(Code::WrongUse, call.name.at,
+                     name + " is a form of the plan, and here a sense is asked; name one");
+        return;
+    }
+    const PoshPrimitive* const primitive = registry_.find(name);
+    if (!primitive && isBuiltIn(name, kind))
+        return;
+    if (!primitive)
+        return complain(Code::UnknownPrimitive, call.name.at,
+                        "the robot has no " + std::string(wants_sense ? "sense " : "act ") + posh::inQuotes(name) +
+                            "; " + similarTo(name, kind));
+    if (primitive->description.kind != kind)
+        return complain(
+            Code::WrongUse, call.name.at,
+            name + (wants_sense ? " is an act, and here a sense is asked" : " is a sense, and here an act is asked") +
+                "; " + similarTo(name, kind));
+    checkArguments(call, primitive->description);
+}
+
+void Checker::checkArguments(const Call& call, const PrimitiveDescription& primitive) {
+    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+        const posh::Argument& argument = call.arguments[i];
+        const PoshParameter* const parameter = parameterFor(primitive, i, argument.name);
+        if (!parameter) {
+            complain(Code::WrongUse, call.name.at,
+                     primitive.name + " takes " + std::to_string(primitive.parameters.size()) + " arguments and no " +
+                         (argument.name.empty() ? std::to_string(i + 1) + ". one" : "$" + argument.name) +
+                         "; take it out");
+            continue;
+        }
+        const auto* const literal = std::get_if<posh::Literal>(&argument.value);
+        if (!literal)
+            continue; // what it comes to is known when the plan is expanded
+        if (const auto value = convertArgument(*parameter, literal->value); !value)
+            complain(Code::WrongUse, call.name.at, primitive.name + " " + value.error() + "; write another value");
+    }
+}
+
+/// "did you mean A, B or C?".
+std::string Checker::similarTo(const std::string& name, PrimitiveKind kind) const {
+    std::vector<std::pair<std::size_t, std::string>> near;
+    for (const auto& [known, primitive] : registry_.all())
+        if (primitive.description.kind == kind)
+            near.emplace_back(editDistance(lowerCase(name), lowerCase(known)), known);
+    std::ranges::sort(near);
+    std::erase_if(near, [&name](const auto& pair) { return pair.first > std::max<std::size_t>(3, name.size() / 2); });
+    near.resize(std::min(near.size(), most_similar));
+    if (near.empty())
+        return "write one that it has";
+    std::string text = "did you mean ";
+    for (std::size_t i = 0; i < near.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == near.size() ? " or " : ", ") + near[i].second;
+    return text + "?";
+}
+
+} // namespace
+
+posh::Findings checkBinding(const posh::Plan& plan, const PoshRegistry& registry) {
+    return Checker(plan, registry).check();
+}
+
+namespace {
+
+/// Arguments that come from parameters of forms: known since the plan is expanded.
+void checkExpanded(const std::vector<posh::ProgramCall>& calls, const PoshRegistry& registry,
+                   posh::Findings& findings) {
+    for (const posh::ProgramCall& call : calls) {
+        const PoshPrimitive* const primitive = registry.find(call.name);
+        if (!primitive)
+            continue;
+        if (const auto arguments = PoshArguments::make(primitive->description, call.arguments); !arguments)
+            findings.push_back({Code::WrongUse, call.at, arguments.error() + "; write another value", {}});
+    }
+}
+
+} // namespace
+
+PlanForRobot bindPlan(std::string_view text, const PoshRegistry& registry) {
+    PlanForRobot made;
+    posh::PlanReading reading = posh::readPlan(text);
+    made.findings = std::move(reading.findings);
+    if (posh::hasErrors(made.findings))
+        return made;
+    for (posh::Finding& finding : checkBinding(reading.plan, registry))
+        made.findings.push_back(std::move(finding));
+    if (posh::hasErrors(made.findings))
+        return made;
+    auto program = posh::compile(reading.plan);
+    if (!program) {
+        made.findings.push_back({Code::ReferenceCycle, {}, program.error().text(), {}});
+        return made;
+    }
+    checkExpanded((*program)->sense_calls, registry, made.findings);
+    checkExpanded((*program)->act_calls, registry, made.findings);
+    if (!posh::hasErrors(made.findings))
+        made.program = *std::move(program);
+    return made;
+}
+
+} // namespace usar::agent

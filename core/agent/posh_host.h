@@ -1,0 +1,43 @@
+// Serves a plan with the senses and acts of a registry, on one body.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/agent/posh_registry.h"
+#include "core/posh/host.h"
+
+namespace usar::agent {
+
+/// Makes all acts and converts all arguments when a program is put in. A call that does not fit (see checkBinding) is
+/// refused each time: it throws, and the engine reports it at its place.
+class PoshHost final : public posh::Host {
+public:
+    /// Both must outlive it; the registry must not change.
+    PoshHost(const PoshRegistry& registry, PoshBody& body) : registry_(registry), body_(body) {}
+
+    bool hasSense(std::string_view name) const override;
+    bool hasAct(std::string_view name) const override;
+    void bind(const posh::Program& program) override;
+    void sense(posh::CallSite site, posh::Value& answer) override;
+    void init(posh::CallSite site) override;
+    posh::ActResult run(posh::CallSite site) override;
+    void done(posh::CallSite site, posh::DoneReason reason) override;
+
+private:
+    struct BoundCall {
+        const PoshPrimitive* primitive = nullptr;
+        PoshArguments arguments;
+        std::unique_ptr<PoshAct> act;
+        std::string refusal; ///< empty: it fits
+    };
+    BoundCall boundTo(const posh::ProgramCall& call) const;
+    BoundCall& at(std::vector<BoundCall>& calls, posh::CallSite site);
+
+    const PoshRegistry& registry_;
+    PoshBody& body_;
+    std::vector<BoundCall> senses_;
+    std::vector<BoundCall> acts_;
+};
+
+} // namespace usar::agent
