@@ -148,7 +148,7 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         control(command, host);
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
-    else if (attachCamera(command, host))
+    else if (attachCamera(command, host) || setViewports(command, host))
         return;
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
         obeyUnknown(command, host);
@@ -170,7 +170,38 @@ bool ClientSession::attachCamera(const protocol::Command& command, const Host& h
         return false;
     const bool ok = host.attach(command);
     if (!isUdk())
-        attached_ = protocol::Response{{}, "Camera", attach ? attach->camera_name : std::string(), ok};
+        window_set_ = protocol::Response{{}, "Camera", attach ? attach->camera_name : std::string(), ok};
+    return true;
+}
+
+bool ClientSession::hasCamera(std::string_view name) const {
+    return std::ranges::any_of(robot_->cameras(), [&](const SeenFrom& one) { return sameWord(one.camera, name); });
+}
+
+/// What the image server's window shows: cameras of this robot. True for this command; UDK does not know it.
+bool ClientSession::setViewports(const protocol::Command& command, const Host& host) {
+    const auto* const wanted = std::get_if<protocol::SetViewports>(&command);
+    if (!wanted || isUdk())
+        return false;
+    Viewports viewports = host.shown();
+    viewports.four = wanted->layout == protocol::ViewLayout::Quad;
+    protocol::Response answer{{}, "Viewports", "", true};
+    answer.parts.push_back({"Config", viewports.four ? "QuadView" : "SingleView", true});
+    for (std::size_t i = 0; i < (viewports.four ? wanted->views.size() : 1); ++i) {
+        const std::string& view = wanted->views[i];
+        if (view.empty())
+            continue; // as it was
+        const bool off = sameWord(view, "Disabled") || sameWord(view, "None");
+        const bool fine = off || hasCamera(view);
+        if (off)
+            viewports.cameras[i].reset();
+        else if (fine)
+            viewports.cameras[i] = CameraChoice{robot_name_, view};
+        answer.parts.push_back({"Viewport" + std::to_string(i + 1), view, fine});
+        answer.ok = answer.ok && fine;
+    }
+    host.show(viewports);
+    window_set_ = std::move(answer);
     return true;
 }
 
@@ -254,7 +285,7 @@ void ClientSession::answer(Seconds now) {
         send(robot_->geometry(asked->type, asked->name), now);
     if (const auto asked = std::exchange(configuration_asked_, {}); asked && robot_->alive())
         send(robot_->configuration(asked->type, asked->name), now);
-    if (auto result = std::exchange(attached_, {}); result && robot_->alive()) {
+    if (auto result = std::exchange(window_set_, {}); result && robot_->alive()) {
         result->time = now;
         send(*result, now);
     }

@@ -15,6 +15,7 @@
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/trace_pen.h"
+#include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/faulty_wire.h"
 #include "core/sim/robots/robot.h"
 #include "core/sim/scene.h"
@@ -76,6 +77,10 @@ public:
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
         /// AttachCamera and DetachCamera; false where there is no such camera.
         std::function<bool(const protocol::Command&)> attach;
+        /// SET of viewports, of which the session has said which cameras there are.
+        std::function<void(const Viewports&)> show;
+        /// The viewports that there are.
+        std::function<Viewports()> shown;
         Log log;
         Seconds now{0.0};
     };
@@ -91,6 +96,8 @@ private:
     void control(const protocol::Command& command, const Host& host);
     bool obeyForRobot(const protocol::Command& command, Seconds now);
     bool attachCamera(const protocol::Command& command, const Host& host);
+    bool setViewports(const protocol::Command& command, const Host& host);
+    bool hasCamera(std::string_view name) const;
     void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
     void startPoses();
@@ -126,7 +133,7 @@ private:
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;
     std::optional<protocol::Command> set_asked_;
-    std::optional<protocol::Response> attached_; ///< to be answered at the tick
+    std::optional<protocol::Response> window_set_; ///< AttachCamera or Viewports, to be answered at the tick
     std::vector<protocol::InfoMessage> lines_;
 };
 

@@ -103,6 +103,8 @@ void Simulation::State::obeyAll() {
                              [&](const protocol::Command& command) { return controller.obey(command, client.value); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
                              [&](const protocol::Command& command) { return attachCamera(command); },
+                             [&](const Viewports& wanted) { viewports = wanted; },
+                             [&] { return viewports.value_or(Viewports{}); },
                              [&](const std::string& sentence) { log(client, sentence); }, now()});
     }
 }
@@ -296,6 +298,7 @@ CameraScene Simulation::cameraScene() const {
     addObjects(seen, state_->scene);
     addMarks(seen, state_->world);
     seen.attached = state_->attached;
+    seen.viewports = state_->viewports;
     return seen;
 }
 

@@ -63,6 +63,7 @@ struct Simulation::State {
     std::vector<ClientId> cut;
     std::vector<FaultStatus> fault_news;
     std::map<std::string, CameraChoice> attached; ///< cameras, by the address of the viewer
+    std::optional<Viewports> viewports;
     ClientId last_client;
     std::uint64_t spawned = 0;
     std::uint64_t ticks = 0;

@@ -292,6 +292,60 @@ private slots:
         QVERIFY(simulation->cameraScene().attached.empty());
     }
 
+    void aClientSaysWhatTheWindowShows() {
+        const auto simulation = simulationOf(flatWorld());
+        Talker first(*simulation);
+        Talker second(*simulation);
+        first.say(init_p2dx);
+        second.say("INIT {ClassName USARBot.P2AT} {Name R2} {Location 3,0,-0.2}");
+        steps(*simulation, 5);
+        const auto answerTo = [&](Talker& who, const std::string& line) {
+            who.hearText();
+            who.say(line);
+            steps(*simulation, 1);
+            for (const std::string& heard : who.hearText())
+                if (heard.starts_with("RES "))
+                    return heard.substr(heard.find("{Type"));
+            return std::string("no answer");
+        };
+        QCOMPARE(answerTo(second, "SET {Type Viewports} {Config SingleView} {Viewport1 Camera}"),
+                 std::string("{Type Viewports} {Config SingleView} {Status OK} {Viewport1 Camera} {Status OK}"));
+        CameraScene scene = simulation->cameraScene();
+        QCOMPARE(windowPicture(scene), render(scene, scene.cameras[1]));
+
+        QCOMPARE(answerTo(first, "SET {Type Viewports} {Config QuadView} {Viewport1 Disabled} {Viewport2 camera} "
+                                 "{Viewport3 None} {Viewport4 RearCam}"),
+                 std::string("{Type Viewports} {Config QuadView} {Status OK} {Viewport1 Disabled} {Status OK} "
+                             "{Viewport2 camera} {Status OK} {Viewport3 None} {Status OK} {Viewport4 RearCam} "
+                             "{Status Failed}"));
+        scene = simulation->cameraScene();
+        const Picture four = windowPicture(scene);
+        QCOMPARE(four.width_px, 640);
+        QCOMPARE(cut(four, 320, 0, 320, 240), render(scene, scene.cameras[0]));
+        QCOMPARE(cut(four, 0, 0, 320, 240), Picture(320, 240));
+        QCOMPARE(cut(four, 0, 240, 640, 240), Picture(640, 240));
+
+        // What is not named stays as it was; who is attached to a camera sees that one.
+        answerTo(second, "SET {Type Viewports} {Config QuadView} {Viewport3 Camera}");
+        scene = simulation->cameraScene();
+        QCOMPARE(cut(windowPicture(scene), 320, 0, 320, 240), render(scene, scene.cameras[0]));
+        QCOMPARE(cut(windowPicture(scene), 0, 240, 320, 240), render(scene, scene.cameras[1]));
+        const CameraChoice choice{"R2", ""};
+        QCOMPARE(windowPicture(scene, &choice), render(scene, scene.cameras[1]));
+    }
+
+    void aWindowWhoseCamerasHaveGoneIsItsUsualSelf() {
+        const auto simulation = simulationOf(flatWorld());
+        Talker talker(*simulation);
+        talker.say(init_p2dx);
+        steps(*simulation, 2);
+        talker.say("SET {Type Viewports} {Config QuadView} {Viewport1 Camera}");
+        steps(*simulation, 1);
+        QCOMPARE(windowPicture(simulation->cameraScene()).width_px, 640);
+        simulation->disconnect(talker.id());
+        QCOMPARE(windowPicture(simulation->cameraScene()).width_px, 320);
+    }
+
     void aPartOfAPictureStaysInsideIt() {
         Picture whole(4, 3);
         for (int i = 0; i < 12; ++i)

@@ -1,9 +1,11 @@
 // What cameras can see at one moment, by value: a picture of it can be made in any thread while the simulation goes on.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -50,6 +52,14 @@ struct CameraChoice {
     bool operator==(const CameraChoice&) const = default;
 };
 
+/// How the window is cut where a client has said so (SET {Type Viewports}): one camera, or four, from the top left.
+/// Without a camera a part stays black.
+struct Viewports {
+    bool four = false;
+    std::array<std::optional<CameraChoice>, 4> cameras{};
+    bool operator==(const Viewports&) const = default;
+};
+
 struct CameraScene {
     std::shared_ptr<const StillWorld> still;
     std::uint64_t tick = 0; ///< of one simulation: equal ticks show the same
@@ -57,6 +67,7 @@ struct CameraScene {
     std::vector<SeenLamp> lamps;
     std::vector<SeenFrom> cameras;                ///< in the order of the robots' connections
     std::map<std::string, CameraChoice> attached; ///< by the address of the viewer
+    std::optional<Viewports> viewports{};
 };
 
 } // namespace usar::sim

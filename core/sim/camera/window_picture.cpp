@@ -1,6 +1,8 @@
 #include "core/sim/camera/window_picture.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "core/base/text.h"
 #include "core/sim/camera/renderer.h"
@@ -36,18 +38,46 @@ SeenFrom bystander(const StillWorld& still) {
     return view;
 }
 
-Picture quadView(const CameraScene& scene) {
-    const std::size_t count = std::min(scene.cameras.size(), most_views);
+using Views = std::array<const SeenFrom*, most_views>;
+
+/// In the size of the largest; what has no camera is black.
+Picture quadView(const CameraScene& scene, const Views& views) {
     int width_px = 0;
     int height_px = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        width_px = std::max(width_px, scene.cameras[i].width_px);
-        height_px = std::max(height_px, scene.cameras[i].height_px);
+    for (const SeenFrom* const view : views) {
+        width_px = std::max(width_px, view ? view->width_px : 0);
+        height_px = std::max(height_px, view ? view->height_px : 0);
     }
     Picture whole(2 * width_px, 2 * height_px);
-    for (std::size_t i = 0; i < count; ++i)
-        paste(whole, render(scene, scene.cameras[i]), i % 2 == 0 ? 0 : width_px, i < 2 ? 0 : height_px);
+    for (std::size_t i = 0; i < most_views; ++i)
+        if (views[i])
+            paste(whole, render(scene, *views[i]), i % 2 == 0 ? 0 : width_px, i < 2 ? 0 : height_px);
     return whole;
+}
+
+Picture firstFour(const CameraScene& scene) {
+    Views views{};
+    for (std::size_t i = 0; i < std::min(scene.cameras.size(), most_views); ++i)
+        views[i] = &scene.cameras[i];
+    return quadView(scene, views);
+}
+
+/// Nothing where every camera that was chosen has gone.
+std::optional<Picture> viewportPicture(const CameraScene& scene, const Viewports& wanted) {
+    const SeenFrom usual;
+    Views views{};
+    bool any_chosen = false;
+    bool any_there = false;
+    for (std::size_t i = 0; i < (wanted.four ? most_views : 1); ++i) {
+        any_chosen = any_chosen || wanted.cameras[i];
+        views[i] = wanted.cameras[i] ? find(scene, *wanted.cameras[i]) : nullptr;
+        any_there = any_there || views[i];
+    }
+    if (any_chosen && !any_there)
+        return std::nullopt;
+    if (!any_there)
+        return Picture(usual.width_px, usual.height_px); // switched off
+    return wanted.four ? quadView(scene, views) : render(scene, *views[0]);
 }
 
 } // namespace
@@ -56,9 +86,12 @@ Picture windowPicture(const CameraScene& scene, const CameraChoice* choice) {
     if (choice)
         if (const SeenFrom* const camera = find(scene, *choice))
             return render(scene, *camera);
+    if (scene.viewports)
+        if (auto picture = viewportPicture(scene, *scene.viewports))
+            return *std::move(picture);
     if (scene.cameras.empty())
         return render(scene, bystander(*scene.still));
-    return scene.cameras.size() == 1 ? render(scene, scene.cameras.front()) : quadView(scene);
+    return scene.cameras.size() == 1 ? render(scene, scene.cameras.front()) : firstFour(scene);
 }
 
 } // namespace usar::sim
