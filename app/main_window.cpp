@@ -48,6 +48,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireMission();
     wireMessages();
     wireReplay();
+    wireLoading();
     wireFaults();
     wireCamera();
     wireObjects();

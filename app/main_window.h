@@ -54,7 +54,7 @@ public slots:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    /// A mission, a recording or a snapshot may be dropped anywhere on the window.
+    /// A mission, a recording, a snapshot, a world's folder or a robot file may be dropped anywhere on the window.
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -63,9 +63,22 @@ private:
     void registerFileCommands();
     void registerWorldCommands();
     void registerSnapshotCommands();
+    void registerRobotFileCommand();
     void fillWorldMenu(QMenu* menu);
-    /// The embedded simulator starts anew in it.
+    /// The embedded simulator starts anew in it, once it has been read.
     void chooseWorld(const QString& name_or_folder);
+    void wireLoading();
+    /// What runs goes on until it is ready, and where it is refused or given up.
+    void load(const SimulatorSpec& spec, const QString& what);
+    void takeLoaded(const SimulatorSpec& spec);
+    void cancelLoading();
+    /// Because a person wants it so.
+    void abandonLoading();
+    /// The embedded simulator knows one more robot.
+    void openRobotFile(const QString& path);
+    void openFile(const QString& path);
+    /// The selected robot's time, or where it has none the simulator's.
+    void showClock();
     std::vector<agent::RobotDescription> robotsToSpawn(const QStringList& classes) const;
     void registerMissionCommands();
     void registerRobotCommands();
@@ -155,6 +168,9 @@ private:
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
     WorldEditor world_{control_, views_, commands_, this};
     RadioPresenter radio_;
+    SimulationLoader loader_;
+    WorldPicture world_picture_;        ///< of the embedded simulator
+    std::optional<Seconds> server_now_; ///< likewise
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up

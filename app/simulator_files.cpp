@@ -20,7 +20,8 @@ sim::RobotsRead loadRobots() {
 }
 
 Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
-                                                          std::shared_ptr<const sim::RobotCatalog> robots) {
+                                                          std::shared_ptr<const sim::RobotCatalog> robots,
+                                                          const sim::Simulation::ResumeWatch& watch) {
     constexpr qint64 most_bytes = qint64(512) << 20;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -37,7 +38,7 @@ Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
     auto world = loadWorld(QString::fromStdString(snapshot->world));
     if (!world)
         return inFile(world.error());
-    auto simulation = sim::Simulation::resume(*std::move(world), std::move(robots), *snapshot);
+    auto simulation = sim::Simulation::resume(*std::move(world), std::move(robots), *snapshot, watch);
     if (!simulation)
         return inFile(simulation.error());
     return simulation;

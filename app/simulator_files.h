@@ -22,9 +22,11 @@ Result<sim::World> loadWorld(const QString& name_or_folder);
 /// What cannot be read is left out and said.
 sim::RobotsRead loadRobots();
 
-/// Goes on from a snapshot's file, in its own world. It takes as long as the run took, divided by some hundred.
+/// Goes on from a snapshot's file, in its own world. It takes as long as the run took, divided by some hundred, unless
+/// `watch` gives it up.
 Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
-                                                          std::shared_ptr<const sim::RobotCatalog> robots);
+                                                          std::shared_ptr<const sim::RobotCatalog> robots,
+                                                          const sim::Simulation::ResumeWatch& watch = {});
 /// A file that is there is replaced only by a whole one.
 Result<void> saveSnapshot(const sim::Simulation& simulation, const QString& path);
 

@@ -1,12 +1,9 @@
 #include "app/simulator_host.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/simulator_files.h"
 #include "app/world_picture.h"
-#include "core/base/text.h"
-#include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
 
@@ -62,43 +59,18 @@ void SimulatorHost::retire() {
     worker_ = nullptr;
 }
 
-/// Runs in the simulator's thread, as `serve` does.
-Result<std::unique_ptr<sim::Simulation>> SimulatorHost::begin(const SimulatorSpec& spec, sim::RobotsRead& robots) {
-    auto catalog = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
-    if (!spec.snapshot.isEmpty())
-        return resumeSimulation(spec.snapshot, std::move(catalog));
-    Result<sim::World> world = loadWorld(spec.world);
-    if (!world)
-        return tl::unexpected(world.error());
-    return sim::Simulation::make(std::move(*world), {.seed = spec.seed,
-                                                     .battery_life = sim::survey_battery_life,
-                                                     .robots = std::move(catalog),
-                                                     .faults = spec.faults,
-                                                     .world_source = spec.world.toStdString()});
-}
-
 void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
-    sim::RobotsRead robots = loadRobots();
-    QStringList classes;
-    QStringList classes_with_camera;
-    for (const sim::RobotModel& robot : robots.robots) {
-        classes << QString::fromStdString(robot.class_name);
-        const bool sees = std::ranges::any_of(
-            robot.sensors, [](const sim::SensorModel& sensor) { return sameWord(sensor.type, "Camera"); });
-        if (sees)
-            classes_with_camera << classes.back();
-    }
-    classes << QString::fromStdString(std::string(protocol::station_class)).section('.', -1);
-    for (const Error& refused : robots.refused)
-        emit robotRefused(QString::fromStdString(refused.text()));
-    auto simulation = begin(spec, robots);
-    if (!simulation)
-        return emit failed(QString::fromStdString(simulation.error().text()));
-    WorldPicture picture = pictureOf((*simulation)->world());
-    picture.robot_classes = classes;
-    picture.camera_classes = classes_with_camera;
-    const std::vector<sim::Simulation::Orphan> waiting = (*simulation)->orphans();
-    auto* server = new link::SimulatorServer(std::move(*simulation), worker);
+    const bool is_loaded = spec.loaded && spec.loaded->simulation;
+    Result<LoadedSimulation> loaded = is_loaded ? std::move(*spec.loaded) : loadSimulation(spec);
+    if (!loaded)
+        return emit failed(QString::fromStdString(loaded.error().text()));
+    for (const QString& refused : loaded->refused_robots)
+        emit robotRefused(refused);
+    WorldPicture picture = pictureOf(loaded->simulation->world());
+    picture.robot_classes = loaded->robot_classes;
+    picture.camera_classes = loaded->camera_classes;
+    const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
+    auto* server = new link::SimulatorServer(std::move(loaded->simulation), worker);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
         port = server->listen(0);
@@ -109,11 +81,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
                            .arg(spec.port)
                            .arg(*port));
     }
-    connect(server, &link::SimulatorServer::figuresChanged, this, &SimulatorHost::figuresChanged);
-    connect(server, &link::SimulatorServer::robotsChanged, this, &SimulatorHost::robotsChanged);
-    connect(server, &link::SimulatorServer::logged, this, &SimulatorHost::noted);
-    connect(server, &link::SimulatorServer::faultsChanged, this, &SimulatorHost::faultsChanged);
-    connect(server, &link::SimulatorServer::faultTurned, this, &SimulatorHost::faultTurned);
+    wire(*server);
     emit faultsChanged(server->simulation().faults()); // those of the one before are gone
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
     for (const QString& sentence : channels.sentences)
@@ -124,6 +92,28 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
         server_ = server;
         emit channelsOpened(ports);
         emit ready(port, picture, waiting);
+    });
+}
+
+void SimulatorHost::wire(const link::SimulatorServer& server) {
+    using Server = link::SimulatorServer;
+    connect(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
+    connect(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
+    connect(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
+    connect(&server, &Server::logged, this, &SimulatorHost::noted);
+    connect(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
+    connect(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
+}
+
+void SimulatorHost::learn(const QString& robot_file) {
+    if (!server_)
+        return;
+    QMetaObject::invokeMethod(server_, [this, server = server_, robot_file] {
+        auto robot = sim::readRobot(robot_file.toStdString());
+        if (!robot)
+            return emit robotRefused(QString::fromStdString(robot.error().text()));
+        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot));
+        server->simulation().learn(*std::move(robot));
     });
 }
 

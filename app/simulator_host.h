@@ -7,22 +7,12 @@
 #include <QObject>
 #include <QThread>
 
-#include "app/simulator_channels.h"
+#include "app/simulation_loader.h"
 #include "app/world_picture.h"
 #include "core/base/geometry.h"
 #include "core/link/simulator_server.h"
-#include "core/sim/robots/robot_reader.h"
 
 namespace usar::app {
-
-struct SimulatorSpec {
-    QString world = "tall_test"; ///< name or folder
-    QString snapshot{};          ///< a file to go on from; world, seed and faults are then its own
-    quint64 seed = 1;
-    std::vector<sim::Fault> faults{};
-    quint16 port = 3000; ///< another one is taken where it is in use; 0 chooses free ones for the channels, too
-    ChannelPorts channels{};
-};
 
 /// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.
 class SimulatorHost : public QObject {
@@ -43,6 +33,8 @@ public:
     void endFault(int id);
     /// `snapshotSaved` or `snapshotFailed` follows.
     void saveSnapshot(const QString& path);
+    /// The class of a robot file can be spawned from now on: `robotLearned` or `robotRefused` follows.
+    void learn(const QString& robot_file);
     /// Time goes on without the robots that wait since a snapshot was taken up.
     void letOrphansGo();
 
@@ -57,6 +49,7 @@ signals:
     void noted(const QString& sentence);
     /// A robot file that cannot be read; the others can be spawned.
     void robotRefused(const QString& sentence);
+    void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera);
     /// The wanted port belongs to another program; one sentence with the port that was taken instead.
     void movedPort(const QString& sentence);
     /// Before `ready`: where its further channels listen.
@@ -65,10 +58,11 @@ signals:
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
+    void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:
     void serve(const SimulatorSpec& spec, QObject* worker);
-    Result<std::unique_ptr<sim::Simulation>> begin(const SimulatorSpec& spec, sim::RobotsRead& robots);
+    void wire(const link::SimulatorServer& server);
     void launch(const SimulatorSpec& spec);
     void retire();
 

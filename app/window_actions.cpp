@@ -23,12 +23,14 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
         target.host = host;
         target.port = port;
     }
+    cancelLoading();
     views_.map->clear();
     views_.behavior->setArea(std::nullopt);
     views_.behavior->clearAreaLimits(); // until the world is known; a real server's never is
     for (auto& [id, draft] : drafts_)
         draft.area_in_map.reset(); // of another world
     start_poses_.clear();
+    server_now_.reset();
     views_.spawn_card->setRobots(control_.plugins().robots());
     views_.time->setSteerable(target.embedded);
     control_.connectTo(target);
@@ -37,6 +39,7 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
 }
 
 void MainWindow::showWorld(const WorldPicture& world) {
+    world_picture_ = world;
     views_.map->setWorld(world.extent_in_map, world.name);
     views_.map->setBackground(world.relief, world.extent_in_map);
     views_.behavior->setAreaLimits(world.extent_in_map);
@@ -61,13 +64,6 @@ std::vector<agent::RobotDescription> MainWindow::robotsToSpawn(const QStringList
             robots.push_back({class_name, name.toStdString(), {}, {}});
     }
     return robots;
-}
-
-void MainWindow::chooseWorld(const QString& name_or_folder) {
-    options_.server.simulator.world = name_or_folder;
-    views_.connection->setServer(widgets::ServerChoice::Embedded);
-    connectTo(widgets::ServerChoice::Embedded, {}, 0);
-    commands_.refresh();
 }
 
 void MainWindow::spawn(const widgets::SpawnChoice& choice) {
@@ -348,6 +344,7 @@ void MainWindow::exportFailed(const QString& reason) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     saveSettings();
+    cancelLoading(); // nobody waits for it
     if (may_close_ || !control_.anythingToSave())
         return event->accept();
     event->ignore();

@@ -35,6 +35,7 @@ void MainWindow::registerCommands() {
     registerLinkCommands();
     registerWorldCommands();
     registerSnapshotCommands();
+    registerRobotFileCommand();
     registerTimeCommands();
     registerLayoutCommands();
     registerMessageCommands();
@@ -248,9 +249,10 @@ void MainWindow::makeMenus() {
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
-    commands_.fill(server, {"simulator.save_snapshot", "simulator.open_snapshot", "-", "time.pause", "time.step",
-                            "time.faster", "time.slower", "time.real", "time.max", "-", "faults.inject", "faults.end",
-                            "faults.end_all", "-", "link.figures"});
+    commands_.fill(server, {"simulator.open_robot", "simulator.save_snapshot", "simulator.open_snapshot",
+                            "simulator.cancel_opening", "-", "time.pause", "time.step", "time.faster", "time.slower",
+                            "time.real", "time.max", "-", "faults.inject", "faults.end", "faults.end_all", "-",
+                            "link.figures"});
     commands_.fill(menuBar()->addMenu(tr("&Objects")),
                    {"view.dock.world", "-", "world.turn_left", "world.turn_right", "world.spin", "-", "world.waypoints",
                     "world.clear_way", "world.go", "world.halt", "-", "world.undo", "world.delete", "world.delete_all",

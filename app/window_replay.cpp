@@ -1,6 +1,7 @@
 // Recording and replay in the window: commands, the bar, files that are dropped.
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QUrl>
 
@@ -15,7 +16,8 @@ QString fileOf(const QMimeData& data) {
     if (data.urls().size() != 1)
         return {};
     const QString path = data.urls().first().toLocalFile();
-    const bool known = path.endsWith(".usarrec") || path.endsWith(".usarsnap") || path.endsWith(".json");
+    const bool known = path.endsWith(".usarrec") || path.endsWith(".usarsnap") || path.endsWith(".json") ||
+                       path.endsWith(".sdf") || QFileInfo(path + "/world.sdf").isFile();
     return known ? path : QString();
 }
 
@@ -154,10 +156,22 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (path.isEmpty())
         return;
     event->acceptProposedAction();
+    openFile(path);
+}
+
+void MainWindow::openFile(const QString& path) {
+    const QFileInfo file(path);
+    const bool is_world = file.isDir() || file.fileName() == "world.sdf";
+    if (is_world && !commands_.action("world.folder")->isEnabled())
+        return say(Severity::Warning, "simulator", tr("A robot is on its mission. Stop it, then open another world."));
     if (path.endsWith(".usarsnap"))
         openSnapshot(path);
     else if (path.endsWith(".usarrec"))
         openRecording(path);
+    else if (is_world)
+        chooseWorld(file.isDir() ? path : file.absolutePath());
+    else if (path.endsWith(".sdf"))
+        openRobotFile(path);
     else
         openMission(path);
 }

@@ -42,6 +42,7 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(views.hint = new HintStrip);
+    layout->addWidget(views.progress = new ProgressStrip);
     layout->addWidget(views.replay = new ReplayBar);
     views.replay->hide();
     layout->addWidget(views.map = new MapView, 1);

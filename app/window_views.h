@@ -20,6 +20,7 @@
 #include "widgets/notification_center.h"
 #include "widgets/parameter_form.h"
 #include "widgets/plot_view.h"
+#include "widgets/progress_strip.h"
 #include "widgets/radio_view.h"
 #include "widgets/record_badge.h"
 #include "widgets/replay_bar.h"
@@ -43,7 +44,8 @@ struct WindowViews {
     widgets::StopButton* stop_all = nullptr;
     widgets::RecordBadge* record = nullptr;
     widgets::HintStrip* hint = nullptr;
-    widgets::ReplayBar* replay = nullptr; ///< visible while a replay is selected
+    widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is opened
+    widgets::ReplayBar* replay = nullptr;       ///< visible while a replay is selected
     widgets::MapView* map = nullptr;
     widgets::SpawnCard* spawn_card = nullptr;
     widgets::RobotList* robots = nullptr;

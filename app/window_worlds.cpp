@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 
 #include "app/locations.h"
@@ -75,6 +76,14 @@ void MainWindow::registerSnapshotCommands() {
             if (!path.isEmpty())
                 openSnapshot(path);
         });
+    commands_.add(
+        {"simulator.cancel_opening",
+         tr("Cancel opening"),
+         tr("World"),
+         tr("Of a world or a snapshot that is on its way; everything stays as it is"),
+         "",
+         {}},
+        [this](bool) { abandonLoading(); }, [this] { return loader_.busy(); });
     connect(&control_.simulator(), &SimulatorHost::snapshotSaved, this, [this](const QString& path) {
         control_.cure("snapshot");
         say(Severity::Note, "snapshot-saved", tr("Snapshot saved: %1").arg(path));
@@ -83,11 +92,97 @@ void MainWindow::registerSnapshotCommands() {
             [this](const QString& reason) { say(Severity::Error, "snapshot", reason); });
 }
 
+void MainWindow::registerRobotFileCommand() {
+    commands_.add(
+        {"simulator.open_robot",
+         tr("Robot from a file…"),
+         tr("World"),
+         tr("The embedded simulator can spawn one more kind of robot; see resources/robots/README.md"),
+         "",
+         {}},
+        [this](bool) {
+            const QString path =
+                QFileDialog::getOpenFileName(this, tr("Robot from a file"), QDir::homePath(), tr("Robots (*.sdf)"));
+            if (!path.isEmpty())
+                openRobotFile(path);
+        },
+        [this] { return control_.simulator().running(); });
+    connect(&control_.simulator(), &SimulatorHost::robotLearned, this,
+            [this](const QString& file, const QString& class_name, bool has_camera) {
+                QStringList& files = options_.server.simulator.robot_files;
+                files.removeAll(file);
+                files << file; // for the next world, too
+                for (auto [classes, is_one] : {std::pair(&world_picture_.robot_classes, true),
+                                               std::pair(&world_picture_.camera_classes, has_camera)}) {
+                    classes->removeAll(class_name);
+                    if (is_one)
+                        classes->append(class_name);
+                }
+                views_.spawn_card->setRobots(robotsToSpawn(world_picture_.robot_classes));
+                camera_->setCameraClasses(world_picture_.camera_classes);
+                control_.cure("robot-file");
+                say(Severity::Note, "robot-learned",
+                    tr("%1 can be spawned: click a start pose and choose it.").arg(class_name));
+            });
+}
+
+void MainWindow::openRobotFile(const QString& path) {
+    if (control_.simulator().running())
+        return control_.simulator().learn(path);
+    say(Severity::Warning, "robot-file",
+        tr("%1 is a robot for the embedded simulator, which does not run. Connect to it first.").arg(path));
+}
+
 void MainWindow::openSnapshot(const QString& path) {
-    options_.server.simulator.snapshot = path;
+    SimulatorSpec spec = options_.server.simulator;
+    spec.snapshot = path;
+    load(spec, tr("Taking up %1").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::chooseWorld(const QString& name_or_folder) {
+    SimulatorSpec spec = options_.server.simulator;
+    spec.world = name_or_folder;
+    load(spec, tr("Opening %1").arg(titleOf(QDir(name_or_folder).dirName())));
+}
+
+void MainWindow::wireLoading() {
+    connect(views_.progress, &widgets::ProgressStrip::cancelRequested, this, &MainWindow::abandonLoading);
+    connect(&loader_, &SimulationLoader::progressed, views_.progress, &widgets::ProgressStrip::setProgress);
+    connect(&loader_, &SimulationLoader::loaded, this, &MainWindow::takeLoaded);
+    connect(&loader_, &SimulationLoader::refused, this, [this](const QString& reason) {
+        views_.progress->end();
+        commands_.refresh();
+        say(Severity::Error, "simulator", reason);
+    });
+}
+
+void MainWindow::load(const SimulatorSpec& spec, const QString& what) {
+    loader_.load(spec);
+    views_.progress->begin(what);
+    commands_.refresh();
+}
+
+void MainWindow::takeLoaded(const SimulatorSpec& spec) {
+    views_.progress->end();
+    control_.cure("simulator");
+    const SimulatorSpec usual = options_.server.simulator;
+    options_.server.simulator = spec;
     views_.connection->setServer(widgets::ServerChoice::Embedded);
     connectTo(widgets::ServerChoice::Embedded, {}, 0);
-    options_.server.simulator.snapshot.clear(); // another start is from the beginning
+    options_.server.simulator = usual; // another start is from the beginning, and the snapshot's world only its own
+    if (spec.snapshot.isEmpty())
+        options_.server.simulator.world = spec.world;
+    commands_.refresh();
+}
+
+void MainWindow::abandonLoading() {
+    cancelLoading();
+    say(Severity::Note, "opening-cancelled", tr("Opening was cancelled; everything is as it was."));
+}
+
+void MainWindow::cancelLoading() {
+    loader_.giveUp();
+    views_.progress->end();
     commands_.refresh();
 }
 

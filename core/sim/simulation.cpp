@@ -169,8 +169,10 @@ void Simulation::State::reportAll() {
     refresh(scene, *physics);
     for (auto& [id, session] : sessions) {
         session.report(now());
-        if (auto mark = session.takeMark(now()))
+        if (auto mark = session.takeMark(now())) {
             addMark(scene, *std::move(mark));
+            ++marks_made;
+        }
     }
 }
 
@@ -340,6 +342,26 @@ double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& 
 
 const std::vector<TraceMark>& Simulation::traceMarks() const {
     return state_->scene.trace_marks;
+}
+
+std::vector<TraceMark> Simulation::traceMarksSince(std::uint64_t made) const {
+    const std::vector<TraceMark>& marks = state_->scene.trace_marks;
+    const std::uint64_t fresh =
+        std::min<std::uint64_t>(state_->marks_made - std::min(made, state_->marks_made), marks.size());
+    return {marks.end() - static_cast<std::ptrdiff_t>(fresh), marks.end()};
+}
+
+std::uint64_t Simulation::traceMarksMade() const {
+    return state_->marks_made;
+}
+
+void Simulation::learn(RobotModel model) {
+    auto robots = std::make_shared<RobotCatalog>(state_->options.robots ? *state_->options.robots : RobotCatalog{});
+    std::erase_if(*robots, [&](const RobotModel& one) { return sameWord(one.class_name, model.class_name); });
+    robots->push_back(std::move(model));
+    if (state_->options.robots)
+        state_->former_robots.push_back(state_->options.robots);
+    state_->options.robots = std::move(robots);
 }
 
 std::size_t Simulation::clientCount() const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,11 +75,13 @@ public:
 
     /// This moment, to go on from. Fails where the run has been told more than can be kept (256 MiB).
     Result<Snapshot> snapshot() const;
+    /// So much of a run has been lived through again, of so much; false gives it up.
+    using ResumeWatch = std::function<bool(Seconds done, Seconds whole)>;
     /// Goes on where the snapshot was taken, with this world and these robots; fails where they are not those of the
-    /// run any more. Its robots wait, and time with them, each for a client that says INIT with its name; one that
-    /// nobody wants is let go by `releaseFromLockstep`.
+    /// run any more, or where `watch`, which is asked each tick, gives it up. Its robots wait, and time with them, each
+    /// for a client that says INIT with its name; one that nobody wants is let go by `releaseFromLockstep`.
     static Result<std::unique_ptr<Simulation>> resume(World world, std::shared_ptr<const RobotCatalog> robots,
-                                                      const Snapshot& snapshot);
+                                                      const Snapshot& snapshot, const ResumeWatch& watch = {});
     /// A robot that waits.
     struct Orphan {
         std::string class_name; ///< as INIT takes it
@@ -87,6 +90,10 @@ public:
     };
     std::vector<Orphan> orphans() const;
     void letOrphansGo();
+
+    /// One more class of robots can be spawned, or this one in the place of one of the same name. No input of the run:
+    /// a snapshot is taken up with all its robots.
+    void learn(RobotModel model);
 
     /// False while a lockstep client has not said STEP since the last tick.
     bool readyToStep() const;
@@ -124,6 +131,9 @@ public:
     double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
     /// What robots under TRACE left behind, oldest first; of all clients.
     const std::vector<TraceMark>& traceMarks() const;
+    std::uint64_t traceMarksMade() const;
+    /// Those that came after the first so many were made, as far as they are kept.
+    std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
     /// What was ignored, refused or mended since the last call: one sentence each, for the server's log.
     std::vector<std::string> takeLog();

@@ -127,7 +127,7 @@ void Simulation::apply(const JournalEntry& entry) {
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_ptr<const RobotCatalog> robots,
-                                                       const Snapshot& snapshot) {
+                                                       const Snapshot& snapshot, const ResumeWatch& watch) {
     SimulationOptions options;
     options.seed = snapshot.seed;
     options.profile = snapshot.profile;
@@ -152,7 +152,10 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
         for (; entry != snapshot.journal.end() && entry->tick <= simulation.state_->ticks; ++entry)
             simulation.apply(*entry);
     };
+    const Seconds whole = static_cast<double>(snapshot.ticks) * snapshot.tick;
     for (applyUntilNow(); simulation.state_->ticks < snapshot.ticks; applyUntilNow()) {
+        if (watch && !watch(simulation.now(), whole))
+            return failure("it was given up before its moment was reached", "snapshot of " + snapshot.world);
         simulation.step();
         for (auto& [client, session] : simulation.state_->sessions)
             session.takeOutput(simulation.now()); // as its server did

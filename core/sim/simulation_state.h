@@ -67,6 +67,8 @@ struct Simulation::State {
     ClientId last_client;
     std::uint64_t spawned = 0;
     std::uint64_t ticks = 0;
+    std::uint64_t marks_made = 0;                                   ///< of TRACE
+    std::vector<std::shared_ptr<const RobotCatalog>> former_robots; ///< robots that are there may be of them
     std::vector<JournalEntry> journal;
     std::size_t journal_bytes = 0;
     std::vector<std::string> sentences;

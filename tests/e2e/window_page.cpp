@@ -3,9 +3,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QSettings>
 #include <QSpinBox>
+#include <QUrl>
 
 using namespace usar;
 
@@ -97,6 +100,18 @@ void WindowPage::connectToServer(const QString& host, quint16 port) {
     port_box->selectAll();
     QTest::keyClicks(port_box, QString::number(port));
     QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
+}
+
+bool WindowPage::dropFile(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_.get(), &enter);
+    if (!enter.isAccepted())
+        return false;
+    QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_.get(), &drop);
+    return drop.isAccepted();
 }
 
 void WindowPage::typeArea(const Rectangle& area_in_map) {

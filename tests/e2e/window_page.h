@@ -44,6 +44,8 @@ public:
     void chooseSpeed(const QString& text);
     /// Leaves the server there is, and types the address of another.
     void connectToServer(const QString& host, quint16 port);
+    /// As from a file manager; a folder, too. False where the window does not take it.
+    bool dropFile(const QString& path);
     /// Into the form's four fields.
     void typeArea(const usar::Rectangle& area_in_map);
     /// Over the map's start pose, and until the robot has spoken.

@@ -60,6 +60,7 @@ private slots:
     void canBeTakenUpTwiceAndGoDifferentWays();
     void ofAResumedRunIsAnotherSnapshot();
     void aRobotNobodyWantsIsLetGo();
+    void whoTakesItUpIsToldHowFarItIsAndMayGiveUp();
     void theFileRoundTrips();
     void anotherWorldIsRefused();
     void damagedFilesAreRefusedWithTheirLine_data();
@@ -147,6 +148,27 @@ void tst_Snapshot::aRobotNobodyWantsIsLetGo() {
         (*again)->releaseFromLockstep(client);
     QVERIFY((*again)->readyToStep());
     QVERIFY((*again)->robots().empty());
+}
+
+void tst_Snapshot::whoTakesItUpIsToldHowFarItIsAndMayGiveUp() {
+    Run run;
+    for (int tick = 0; tick < 30; ++tick)
+        run.go(tick);
+    const Snapshot snapshot = run.simulation->snapshot().value();
+    std::vector<double> done_s;
+    const auto watch = [&](Seconds done, Seconds whole) {
+        done_s.push_back(done.count());
+        return whole == run.simulation->now();
+    };
+    QVERIFY(Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot, watch));
+    QCOMPARE(done_s.size(), std::size_t(30));
+    QVERIFY(std::ranges::is_sorted(done_s) && done_s.back() > 5.0);
+    int asked = 0;
+    const auto given_up = Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot,
+                                             [&](Seconds, Seconds) { return ++asked < 5; });
+    QVERIFY(!given_up);
+    QCOMPARE(asked, 5);
+    QVERIFY(given_up.error().text().find("given up") != std::string::npos);
 }
 
 void tst_Snapshot::theFileRoundTrips() {
