@@ -66,8 +66,10 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
         restart(view, selected);
     showRow(id);
     showOnMap(view, update, selected);
-    for (const mission::TraceSpot& spot : traces_[view.connection].take(update))
-        views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
+    const std::vector<mission::TraceSpot> spots = traces_[view.connection].take(update);
+    if (!control_.simulator().running() || !view.recording.isEmpty()) // else the simulator tells of all robots' marks
+        for (const mission::TraceSpot& spot : spots)
+            views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
     if (!selected)
         return;

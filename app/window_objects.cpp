@@ -73,8 +73,14 @@ void MainWindow::wireObjects() {
     });
     connect(&world_, &WorldEditor::cured, views_.notifications, &widgets::NotificationCenter::cured);
     connect(&control_, &MissionControl::linkChanged, &world_, &WorldEditor::setServer);
-    connect(&control_, &MissionControl::worldKnown, this,
-            [this](const WorldPicture& world) { world_.setGround(world.ground); });
+    connect(&control_, &MissionControl::worldKnown, &world_, &WorldEditor::setWorld);
+    connect(&control_.simulator(), &SimulatorHost::marksLeft, this, [this](const std::vector<sim::TraceMark>& marks) {
+        const bool none_before = views_.map->traces().empty();
+        for (const sim::TraceMark& mark : marks)
+            views_.map->addTraceMark(mark.position_in_map_m.head<2>(), widgets::traceColor(mark.color));
+        if (none_before)
+            commands_.refresh();
+    });
 }
 
 } // namespace usar::app

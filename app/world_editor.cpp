@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/sim/object_kinds.h"
 
 namespace usar::app {
@@ -53,10 +54,7 @@ WorldEditor::WorldEditor(MissionControl& control, WindowViews& views, widgets::C
     , control_(control)
     , views_(views)
     , commands_(commands) {
-    std::vector<std::string> classes;
-    for (const sim::ObjectKind& kind : sim::objectKinds())
-        classes.emplace_back(kind.name);
-    link_.setClasses(classes);
+    setClasses();
     views_.world->setKinds(palette());
 }
 
@@ -117,6 +115,9 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         known_.clear();
         used_names_.clear();
         deleted_.clear();
+        ground_.reset(); // of the embedded world, which the next server need not have
+        own_objects_.clear();
+        setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
         host_ = status.host;
         port_ = status.port;
@@ -125,8 +126,22 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
     refresh();
 }
 
-void WorldEditor::setGround(std::shared_ptr<const sim::Terrain> ground) {
-    ground_ = std::move(ground);
+void WorldEditor::setWorld(const WorldPicture& world) {
+    ground_ = world.ground;
+    own_objects_ = world.objects;
+    setClasses();
+}
+
+/// Of which the server is asked, to learn what is of them.
+void WorldEditor::setClasses() {
+    std::vector<std::string> classes;
+    for (const sim::ObjectKind& kind : sim::objectKinds())
+        classes.emplace_back(kind.name);
+    for (const auto& [name, class_name] : own_objects_)
+        if (const std::string bare_name = class_name.section('.', -1).toStdString();
+            std::ranges::find(classes, bare_name) == classes.end())
+            classes.push_back(bare_name);
+    link_.setClasses(classes);
 }
 
 void WorldEditor::refresh() {
@@ -277,36 +292,55 @@ void WorldEditor::spin() {
     send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
 }
 
+/// Nothing where neither the server nor the embedded world tells of which class it is.
 std::optional<protocol::CreateObject> WorldEditor::creationOf(const MapObject& object) const {
-    const sim::ObjectKind* const kind = sim::findObjectKind(object.kind.toStdString());
-    if (!kind)
+    const auto bare = [](const QString& class_name) { return class_name.section('.', -1).toStdString(); };
+    const auto own = own_objects_.find(object.name);
+    const bool is_own = own != own_objects_.end() && (own->second.isEmpty() || object.kind.isEmpty() ||
+                                                      sameWord(bare(own->second), bare(object.kind)));
+    if (object.kind.isEmpty() && !is_own)
         return std::nullopt;
-    protocol::CreateObject created{tokenOf(object.kind)};
+    protocol::CreateObject created{tokenOf(is_own ? own->second : object.kind)}; // a thing of no class goes by its name
     created.object_name = protocol::Name::mended(object.name.toStdString());
     created.start = object.body_in_map;
+    const sim::ObjectKind* const kind = is_own ? nullptr : sim::findObjectKind(object.kind.toStdString());
+    if (!kind)
+        return created; // in the size that its class has
     if (const Vec3 scale = object.size_m.cwiseQuotient(kind->size_m); !scale.isApprox(Vec3::Ones(), 0.02))
         created.scale = scale;
     return created;
+}
+
+void WorldEditor::keepForUndo(std::vector<protocol::CreateObject> deleted, const QStringList& lost) {
+    if (!deleted.empty())
+        deleted_.push_back(std::move(deleted));
+    if (deleted_.size() > most_undo)
+        deleted_.erase(deleted_.begin());
+    if (!lost.isEmpty())
+        say(tr("%1 cannot be brought back: the server does not tell of which class it was. Put another object there "
+               "if one is needed.")
+                .arg(lost.join(", ")));
 }
 
 void WorldEditor::remove(const QString& name) {
     const auto object = std::ranges::find(shown_, name, &MapObject::name);
     if (object == shown_.end())
         return;
-    if (const auto created = creationOf(*object))
-        deleted_.push_back({*created});
+    const auto created = creationOf(*object);
+    keepForUndo(created ? std::vector{*created} : std::vector<protocol::CreateObject>(),
+                created ? QStringList() : QStringList(name));
     send(protocol::KillObject{tokenOf(name)});
 }
 
 void WorldEditor::removeAll() {
     std::vector<protocol::CreateObject> all;
+    QStringList lost;
     for (const MapObject& object : shown_)
         if (const auto created = creationOf(object))
             all.push_back(*created);
-    if (!all.empty())
-        deleted_.push_back(std::move(all));
-    if (deleted_.size() > most_undo)
-        deleted_.erase(deleted_.begin());
+        else
+            lost << object.name;
+    keepForUndo(std::move(all), lost);
     send(protocol::KillAllObjects{});
 }
 

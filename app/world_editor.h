@@ -28,8 +28,9 @@ public:
     void wire();
     /// Of the connection that MissionControl keeps open.
     void setServer(const link::LinkStatus& status);
-    /// Of the embedded world; without it heights are guessed from the map and the start poses.
-    void setGround(std::shared_ptr<const sim::Terrain> ground);
+    /// The embedded one. Without it heights are guessed from the map and the start poses, and a thing of which the
+    /// server does not tell the class cannot be brought back.
+    void setWorld(const WorldPicture& world);
     void setPaused(bool paused) { link_.setPaused(paused); }
 
 signals:
@@ -52,6 +53,8 @@ private:
     void turn(double angle_rad);
     void spin();
     void remove(const QString& name);
+    void keepForUndo(std::vector<protocol::CreateObject> deleted, const QStringList& lost);
+    void setClasses();
     void removeAll();
     void undo();
     void addWaypoint(const Vec2& at_m);
@@ -74,6 +77,7 @@ private:
     widgets::CommandRegistry& commands_;
     WorldLink link_;
     std::shared_ptr<const sim::Terrain> ground_;
+    std::map<QString, QString> own_objects_; ///< classes of what the embedded world began with, by name
     QString host_;
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< there

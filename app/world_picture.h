@@ -1,6 +1,7 @@
 // What the window may show of the embedded world before anything is scanned.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include <QImage>
@@ -19,6 +20,7 @@ struct WorldPicture {
     QStringList robot_classes;  ///< that can be spawned there, without package
     QStringList camera_classes; ///< those that have a camera
     std::shared_ptr<const sim::Terrain> ground{};
+    std::map<QString, QString> objects{}; ///< that it begins with: their classes, by name
 };
 
 /// Without trees, for they are what a robot should find. Classes are left to whoever knows them.

@@ -247,6 +247,9 @@ void SimulatorServer::report() {
         samples_.pop_front();
     emit figuresChanged(figures());
     emit robotsChanged(simulation_->robots());
+    if (const std::vector<sim::TraceMark> marks = simulation_->traceMarksSince(marks_told_); !marks.empty())
+        emit marksLeft(marks);
+    marks_told_ = simulation_->traceMarksMade();
 }
 
 } // namespace usar::link

@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include "core/base/result.h"
+#include "core/sim/scene.h"
 #include "core/sim/simulation.h"
 
 namespace usar::link {
@@ -67,6 +68,8 @@ signals:
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);                            ///< "60.0 s: fault begins: wind speed=5"
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
+    /// Left behind by robots of any client since the last time; with figuresChanged.
+    void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:
     /// Simulated time at a moment of real time, for the real-time factor.
@@ -103,6 +106,7 @@ private:
     std::chrono::milliseconds held_up_{0}; ///< so long others have waited for the STEP of a client
     qint64 last_watch_ms_ = 0;
     int steps_asked_ = 0;
+    std::uint64_t marks_told_ = 0;
     qint64 last_advance_ms_ = 0;
     Seconds tick_;
     Seconds owed_{0.0}; ///< simulated time that the pace would have let pass and that was not made

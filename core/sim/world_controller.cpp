@@ -43,28 +43,19 @@ void WorldController::removeUnless(Keep&& keep) {
 }
 
 WorldController::Answer WorldController::create(const protocol::CreateObject& wanted, std::uint32_t client) {
-    const Vec3 scale = wanted.scale.value_or(Vec3::Ones());
     if (!wanted.object_name.text().empty() && find(wanted.object_name))
         return "there is an object '" + wanted.object_name.text() + "' already";
-    if (!(scale.minCoeff() > 0.0) || scale.maxCoeff() > 100.0)
-        return "an object's scale must be above 0 and at most 100";
-    const ObjectKind* const kind = findObjectKind(wanted.class_name.text());
-    if (!kind)
-        return "unknown object class '" + wanted.class_name.text() + "'; known are " + objectKindNames();
-    WorldObject object{
-        wanted.object_name.text(), wanted.class_name.text(), bodyOf(*kind, scale), {}, beltOf(*kind, scale)};
+    WorldObject object;
+    if (const Answer trouble = describe(wanted, object))
+        return trouble;
+    object.name = wanted.object_name.text();
+    object.class_name = wanted.class_name.text();
+    const std::string bare_name(withoutPackage(object.class_name));
     for (std::size_t number = scene_.objects.size() + 1; object.name.empty(); ++number)
-        if (const std::string free = std::string(kind->name) + std::to_string(number); !find(free))
+        if (const std::string free = bare_name + std::to_string(number); !find(free))
             object.name = free;
-    if (const auto* const start = std::get_if<protocol::Token>(&wanted.start)) {
-        const auto pose =
-            std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *start); });
-        if (pose == world_.start_poses.end())
-            return "there is no start pose '" + start->text() + "'";
-        object.body_in_map = pose->pose_in_map;
-    } else {
-        object.body_in_map = std::get<Pose>(wanted.start);
-    }
+    if (const Answer trouble = startOf(wanted, object.body_in_map))
+        return trouble;
     SceneObject& added = addObject(scene_, physics_, object);
     if (!makeRoom(added)) {
         removeObject(added, physics_);
@@ -75,6 +66,54 @@ WorldController::Answer WorldController::create(const protocol::CreateObject& wa
     if (!wanted.permanent.value_or(false))
         added.goes_with = client;
     return {};
+}
+
+WorldController::Answer WorldController::describe(const protocol::CreateObject& wanted, WorldObject& object) const {
+    const Vec3 scale = wanted.scale.value_or(Vec3::Ones());
+    if (!(scale.minCoeff() > 0.0) || scale.maxCoeff() > 100.0)
+        return "an object's scale must be above 0 and at most 100";
+    const std::string_view bare_name = withoutPackage(wanted.class_name.text());
+    const auto ofClass = [&](const WorldObject& one) { return sameWord(withoutPackage(one.class_name), bare_name); };
+    auto own = std::ranges::find_if(world_.objects, [&](const WorldObject& one) {
+        return !wanted.scale && (ofClass(one) || one.class_name.empty()) && sameWord(one.name, wanted.object_name);
+    });
+    const ObjectKind* const kind = findObjectKind(wanted.class_name.text());
+    if (own == world_.objects.end() && !kind)
+        own = std::ranges::find_if(world_.objects, ofClass);
+    if (own != world_.objects.end()) {
+        if (!scale.isOnes())
+            return "an object of class '" + wanted.class_name.text() + "' has one size, for it is the world's own";
+        object = *own;
+        return {};
+    }
+    if (!kind)
+        return "unknown object class '" + wanted.class_name.text() + "'; known are " + knownClasses();
+    object.body = bodyOf(*kind, scale);
+    object.belt = beltOf(*kind, scale);
+    return {};
+}
+
+WorldController::Answer WorldController::startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const {
+    const auto* const name = std::get_if<protocol::Token>(&wanted.start);
+    if (!name) {
+        start_in_map = std::get<Pose>(wanted.start);
+        return {};
+    }
+    const auto start =
+        std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *name); });
+    if (start == world_.start_poses.end())
+        return "there is no start pose '" + name->text() + "'";
+    start_in_map = start->pose_in_map;
+    return {};
+}
+
+std::string WorldController::knownClasses() const {
+    std::string names = objectKindNames();
+    for (const WorldObject& object : world_.objects)
+        if (const std::string bare_name(withoutPackage(object.class_name));
+            !findObjectKind(bare_name) && names.find(bare_name) == std::string::npos)
+            names += ", " + bare_name;
+    return names;
 }
 
 WorldController::Answer WorldController::move(const protocol::Token& name, const Pose& body_in_map) {

@@ -29,6 +29,11 @@ public:
 private:
     using Answer = std::optional<std::string>;
     Answer create(const protocol::CreateObject& wanted, std::uint32_t client);
+    /// What is to be made, but for its name and place: a thing that the world begins with, by its name and, if it has
+    /// one, its class; one of our kinds; or one of the world's classes.
+    Answer describe(const protocol::CreateObject& wanted, WorldObject& object) const;
+    Answer startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const;
+    std::string knownClasses() const;
     Answer move(const protocol::Token& name, const Pose& body_in_map);
     Answer runConveyor(const protocol::RunConveyor& wanted);
     /// Raised by up to a meter until nothing is in its way: what is dropped on a slope or a thing lands on it.

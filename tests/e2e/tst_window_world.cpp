@@ -2,11 +2,14 @@
 #include <QComboBox>
 #include <QMimeData>
 #include <QTabBar>
+#include <QTcpSocket>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
 
+#include "core/sim/world_writer.h"
 #include "tests/doubles/fake_robot_server.h"
+#include "tests/doubles/test_worlds.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 
@@ -50,6 +53,22 @@ struct WorldPage : WindowPage {
         return row < count() && (placeOf(row) - point_m).norm() < reach_m;
     }
 };
+
+/// Level ground and things of classes that no palette has.
+sim::World yardWithStatues() {
+    sim::World yard = doubles::flatWorld();
+    yard.name = "yard";
+    sim::WorldObject venus{.name = "Venus", .class_name = "Mine.Statue", .body = {}, .body_in_map = {}};
+    venus.body.mass_kg = 40.0;
+    venus.body.parts = {{sim::CylinderShape{0.3, 1.4}, {}}};
+    venus.body_in_map.position_m = {3.0, 1.0, 0.7};
+    sim::WorldObject nameless = venus; // no class at all
+    nameless.name = "Apollo";
+    nameless.class_name.clear();
+    nameless.body_in_map.position_m = {-3.0, 1.0, 0.7};
+    yard.objects = {venus, nameless};
+    return yard;
+}
 
 /// Pixels of about this color in the middle of the map.
 int countColor(widgets::MapView& map, const QColor& color) {
@@ -141,6 +160,85 @@ private slots:
         page.chooseSpeed("10×");
         QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {4, -2}, 0.2), soon_ms);
+    }
+
+    void aConveyorCarriesWhatLiesOnIt() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.lookAt({0, 0});
+        page.put("Conveyor", {0, 2});
+        QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Conveyor1"), soon_ms);
+        page.put("Box", {-1, 2});
+        QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
+        const auto rowOf = [&](const QString& kind) {
+            int row = 0;
+            while (row < page.count() && page.panel().model().object(row).kind != kind)
+                ++row;
+            return row;
+        };
+        const auto box = [&] { return page.panel().model().object(rowOf("Box")).body_in_map.position_m; };
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
+        const double belt_m = page.panel().model().object(rowOf("Conveyor")).body_in_map.position_m.z();
+        QVERIFY2(box().z() > belt_m + 0.3, "it lies on the belt, not in it");
+        QVERIFY(!page.window().commands().action("world.go")->isEnabled()); // a box has nothing that runs
+        page.clickMap({1, 2});
+        QTRY_COMPARE(page.map().content().objects.selected, QString("Conveyor1"));
+        QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(box().x() > -0.3, soon_ms);
+        page.screenshot("world_conveyor");
+        QTest::mouseClick(page.button("Stop moving"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().object(rowOf("Box")).speed_m_s < 0.02, soon_ms);
+        QVERIFY(box().z() > belt_m + 0.3);
+        QVERIFY(page.isNear(rowOf("Conveyor"), {0, 2}));
+    }
+
+    void whatTheWorldBeganWithIsBroughtBack() {
+        QTemporaryDir folder;
+        QVERIFY(sim::writeWorld(yardWithStatues(), folder.filePath("yard").toStdString()));
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.dropFile(folder.filePath("yard"));
+        const auto named = [&](const QString& name) {
+            for (int row = 0; row < page.count(); ++row)
+                if (page.panel().model().object(row).name == name)
+                    return page.panel().model().object(row);
+            return widgets::MapObject{};
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(named("Venus").kind, QString("Statue"), soon_ms);
+        const Vec3 size_m = named("Venus").size_m;
+        QVERIFY(size_m.z() > 1.3);
+        page.window().commands().action("world.delete_all")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
+        QVERIFY(page.notified("cannot be brought back").isEmpty());
+        page.window().commands().action("world.undo")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
+        for (const auto& [name, x_m] : {std::pair("Venus", 3.0), std::pair("Apollo", -3.0)}) {
+            QTRY_VERIFY_WITH_TIMEOUT((named(name).size_m - size_m).norm() < 0.02, soon_ms);
+            QVERIFY(std::abs(named(name).body_in_map.position_m.x() - x_m) < 0.1);
+        }
+    }
+
+    void marksOfSomebodyElsesRobotAreSeen() {
+        WorldPage page;
+        quint16 port = 0;
+        connect(&page.window().control().simulator(), &app::SimulatorHost::ready, &page.window(),
+                [&](quint16 bots) { port = bots; });
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses() && port != 0, soon_ms);
+        QTcpSocket other;
+        other.connectToHost(QHostAddress::LocalHost, port);
+        QVERIFY(other.waitForConnected());
+        other.write("INIT {ClassName USARBot.P2DX} {Name Stranger} {Start PlayerStart}\r\n"
+                    "TRACE {On true} {Interval 0.2} {Color Blue}\r\nDRIVE {Left 6} {Right 6}\r\n");
+        QTRY_VERIFY_WITH_TIMEOUT(page.map().traces().count() >= 5, soon_ms);
+        QVERIFY(page.window().control().robots().empty());
+        QVERIFY(page.window().commands().action("map.wipe_trace")->isEnabled());
+        page.window().commands().action("map.wipe_trace")->trigger();
+        QVERIFY(page.map().traces().count() < 3);
     }
 
     void aRobotPushesWhatLiesInItsWayAndLeavesATrace() {

@@ -44,6 +44,10 @@ private slots:
             QCOMPARE(marks[i].color, protocol::TraceColor::Cyan);
             QCOMPARE(marks[i].robot_name, std::string("R1"));
         }
+        QCOMPARE(simulation->traceMarksMade(), std::uint64_t(marks.size()));
+        QVERIFY(simulation->traceMarksSince(0) == marks);
+        QVERIFY(simulation->traceMarksSince(marks.size() - 2) == std::vector(marks.end() - 2, marks.end()));
+        QVERIFY(simulation->traceMarksSince(marks.size()).empty());
         robot.say("Trace {On false}");
         for (int i = 0; i < 5; ++i)
             simulation->step();

@@ -57,6 +57,44 @@ private slots:
         QCOMPARE(states[0].memory, std::string("left here"));
     }
 
+    void whatTheWorldBeganWithComesBackAsItWas() {
+        World meadow = flatWorld();
+        BodyDescription statue;
+        statue.mass_kg = 40.0;
+        statue.parts = {{CylinderShape{0.2, 1.4}, Pose{}}, {SphereShape{0.15}, Pose{.position_m = {0.0, 0.0, 0.8}}}};
+        BodyDescription ball;
+        ball.parts = {{SphereShape{0.5}, Pose{}}};
+        meadow.objects = {{"Venus", "Mine.Statue", statue, Pose{.position_m = {3.0, 1.0, 0.7}}},
+                          {"Big", "USARModels.Ball", ball, Pose{.position_m = {-3.0, 1.0, 0.5}}}};
+        Controlled world(meadow);
+        const auto sizeOf = [&](const char* which) {
+            const auto states = world.states(which);
+            return states.size() == 1 && states[0].size_m ? *states[0].size_m : Vec3(Vec3::Zero());
+        };
+        const Vec3 was_m = sizeOf(" {ClassName Statue}");
+        QVERIFY(was_m.z() > 1.4);
+        world.talker.say("CONTROL {Type KillAll}");
+        QVERIFY(world.states().empty());
+        world.talker.say("CONTROL {Type Create} {ClassName Mine.Statue} {Name Venus} {Location 3,-1,-0.7}");
+        world.talker.say("CONTROL {Type Create} {ClassName USARModels.Ball} {Name Big} {Location -3,-1,-0.5}");
+        world.talker.say("CONTROL {Type Create} {ClassName Statue} {Location 6,-1,-0.7}");
+        world.talker.say("CONTROL {Type Create} {ClassName Ball} {Name Small} {Location -6,-1,-0.5}");
+        QCOMPARE(world.states().size(), std::size_t(4));
+        QCOMPARE(sizeOf(" {Name Venus}"), was_m);
+        QCOMPARE(sizeOf(" {Name Statue3}"), was_m);
+        QVERIFY2(sizeOf(" {Name Big}").x() > 0.9, "the world's own, by its name");
+        QVERIFY2(sizeOf(" {Name Small}").x() < 0.3, "our kind");
+        world.talker.say("CONTROL {Type Create} {ClassName Statue} {Location 9,-1,-0.7} {Scale 2,2,2}");
+        world.talker.say("CONTROL {Type Create} {ClassName Fountain} {Location 9,-1,-0.7}");
+        world.steps(1);
+        const auto log = world.simulation->takeLog();
+        const auto said = [&](const char* words) {
+            return std::ranges::any_of(log, [&](const auto& one) { return one.find(words) != std::string::npos; });
+        };
+        QVERIFY(said("has one size"));
+        QVERIFY(said("Conveyor, Statue"));
+    }
+
     void killsOneAllAndThoseInABox() {
         Controlled world;
         for (const char* at : {"0,0,-1", "5,0,-1", "10,0,-1", "15,0,-1"})
