@@ -135,7 +135,7 @@ void MainWindow::wireControl() {
             return;
         views_.connection->setRate(update->figures.replay ? std::nullopt
                                                           : std::optional(update->figures.lines_per_second));
-        views_.time->setClock(update->figures.now);
+        showClock();
         if (update->task && views_.map->area() != update->task->area_in_map) {
             views_.behavior->setArea(update->task->area_in_map);
             views_.map->setArea(update->task->area_in_map);
@@ -148,9 +148,21 @@ void MainWindow::wireControl() {
     });
     connect(&control_.simulator(), &SimulatorHost::figuresChanged, this, [this](const link::SimulatorFigures& figures) {
         views_.time->setRealTimeFactor(figures.real_time_factor);
-        if (control_.robots().empty())
-            views_.time->setClock(figures.now);
+        server_now_ = figures.now;
+        showClock();
     });
+}
+
+void MainWindow::showClock() {
+    const auto timed = [](const Robot* robot) { return robot && robot->view().figures.now.count() > 0.0; };
+    const Robot* const shown = control_.robot(selected_);
+    if (shown && (shown->isReplay() || timed(shown)))
+        return views_.time->setClock(shown->view().figures.now);
+    if (server_now_)
+        return views_.time->setClock(*server_now_);
+    for (const Robot* robot : control_.robots()) // a base station hears no time; robots on its server do
+        if (!robot->isReplay() && timed(robot))
+            return views_.time->setClock(robot->view().figures.now);
 }
 
 void MainWindow::wireMission() {

@@ -1,4 +1,6 @@
 // Radio links of robots and base stations in the real window: the dock, the map, and what is said when one is lost.
+#include <QLabel>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "tests/doubles/fake_robot_server.h"
@@ -80,6 +82,15 @@ void tst_WindowRadio::aRobotAndABaseStationHearEachOther() {
     QVERIFY(page.robot(2)->figures.spawned); // it says nothing, and nobody waits for it to
     QVERIFY(page.notified("Nothing from Base").isEmpty());
     QVERIFY(!page.window().commands().action("mission.start")->isEnabled()); // it flies no mission
+    QCOMPARE(page.window().selectedRobot(), 2);
+    const auto clockRuns = [&] { // it hears no time; the simulator has one
+        const QRegularExpression time("^\\d\\d:\\d\\d:\\d\\d");
+        for (const QLabel* label : page.window().views().time->findChildren<QLabel*>())
+            if (time.match(label->text()).hasMatch())
+                return !label->text().startsWith("00:00:00");
+        return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(clockRuns(), soon_ms);
 
     const QImage without = page.map().grab().toImage();
     page.pressKey(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
