@@ -7,6 +7,7 @@
 #include "core/posh/engine.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
+#include "tests/posh/plan_corpus.h"
 #include "tests/posh/random_plan.h"
 #include "tests/posh/run_monitor.h"
 #include "tests/posh/scripted_host.h"
@@ -200,6 +201,8 @@ class tst_EngineProperties : public QObject {
 private slots:
     void everyRunKeepsTheRules_data();
     void everyRunKeepsTheRules();
+    void plansOfPeopleKeepTheRulesToo_data();
+    void plansOfPeopleKeepTheRulesToo();
     void aRunIsAFunctionOfItsInputs();
     void namesAndUnusedFormsChangeNothing();
     void drivesThatAreNeverReadyChangeNothing();
@@ -240,6 +243,25 @@ void tst_EngineProperties::everyRunKeepsTheRules() {
         ++runs;
     });
     QCOMPARE(runs, std::size_t(plans));
+}
+
+void tst_EngineProperties::plansOfPeopleKeepTheRulesToo_data() {
+    QTest::addColumn<QByteArray>("text");
+    for (const corpus::PlanFile& file : corpus::soundPlans())
+        QTest::addRow("%s", file.name.c_str()) << QByteArray::fromStdString(file.text);
+}
+
+void tst_EngineProperties::plansOfPeopleKeepTheRulesToo() {
+    QFETCH(QByteArray, text);
+    const Plan plan = readPlan(text.toStdString()).plan;
+    if (!collectionOf(plan))
+        QSKIP("a fragment cannot run");
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        ScriptedHost host({.seed = seed, .throws = seed % 2 == 0});
+        RunMonitor monitor(optionsFor(seed).most_acts);
+        run(host, compiled(plan), seed, monitor);
+        QVERIFY2(monitor.complaint().empty(), monitor.complaint().c_str());
+    }
 }
 
 void tst_EngineProperties::aRunIsAFunctionOfItsInputs() {
