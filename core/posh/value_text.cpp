@@ -1,24 +1,32 @@
 #include "core/posh/value_text.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-
-#include "core/base/numbers.h"
 
 namespace usar::posh {
 
 namespace {
+
+/// Without exponent where people would write none.
+void appendReal(std::string& out, double number) {
+    const double size = std::abs(number);
+    const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e16);
+    std::array<char, 32> digits{};
+    const auto [end, unused] = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                             plain ? std::chars_format::fixed : std::chars_format::scientific);
+    const std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    out += text;
+    if (plain && text.find('.') == std::string_view::npos)
+        out += ".0";
+}
 
 struct Append {
     std::string& out;
     void operator()(std::monostate) const { out += "nil"; }
     void operator()(bool flag) const { out += flag ? "true" : "false"; }
     void operator()(std::int64_t whole) const { out += std::to_string(whole); }
-    void operator()(double number) const {
-        const std::size_t begin = out.size();
-        appendShortest(out, number);
-        if (std::isfinite(number) && out.find_first_of(".e", begin) == std::string::npos)
-            out += ".0";
-    }
+    void operator()(double number) const { appendReal(out, number); }
     void operator()(const std::string& text) const { appendQuoted(out, text); }
     void operator()(const Symbol& symbol) const { out.append(1, '\'') += symbol.text; }
 };
