@@ -121,6 +121,13 @@ bool checkAmount(TokenCursor& cursor, Unit unit) {
     return true;
 }
 
+/// Senses that are called by these words have a name of their own.
+const char* otherNameFor(Keyword keyword) {
+    if (keyword == Keyword::True)
+        return "write succeed";
+    return keyword == Keyword::False ? "write fail" : "choose another";
+}
+
 } // namespace
 
 bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
@@ -128,7 +135,8 @@ bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
         return cursor.unexpected("the name " + std::string(whose), "a name");
     if (cursor.keyword() != Keyword::None)
         cursor.warn(Code::KeywordAsName, cursor.peek().at,
-                    inQuotes(cursor.word()) + " is a word of the language and is read as a name here; choose another");
+                    inQuotes(cursor.word()) + " is a word of the language and is read as a name here; " +
+                        otherNameFor(cursor.keyword()));
     name = {std::string(cursor.word()), cursor.peek().at};
     cursor.advance();
     return true;

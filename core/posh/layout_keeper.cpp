@@ -3,23 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/posh/form_splicer.h"
+#include "core/posh/layout_text.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_text.h"
 #include "core/posh/plan_writer.h"
-#include "core/posh/token_splice.h"
+#include "core/posh/token.h"
 
 namespace usar::posh {
 
 namespace {
-
-/// A form or the documentation in the old text: what stands before it, itself, and the rest of its last line.
-struct Chunk {
-    std::size_t begin = 0;
-    std::size_t body = 0;
-    std::size_t body_end = 0;
-    std::size_t end = 0;
-};
 
 class LayoutKeeper {
 public:
@@ -28,11 +21,11 @@ public:
         , tokens_(tokenize(text))
         , old_(&old_plan)
         , new_(&plan) {
-        std::size_t begin = lineRest(tokens_.tokens.front().at.offset + 1);
+        std::size_t begin = lineRest(text_, tokens_.tokens.front().at.offset + 1);
         prefix_end_ = begin;
         const auto add = [&](const Spot& at) {
             const std::size_t end = at.offset + at.length;
-            chunks_.push_back({begin, at.offset, end, lineRest(end)});
+            chunks_.push_back({begin, at.offset, end, lineRest(text_, end)});
             begin = chunks_.back().end;
         };
         if (old_plan.documentation)
@@ -52,41 +45,6 @@ public:
     }
 
 private:
-    /// Behind the end of the line, if only blanks and a comment are left of it; else `from`.
-    std::size_t lineRest(std::size_t from) const {
-        std::size_t at = from;
-        while (at < text_.size() && text_[at] != '\n' && isSpace(text_[at]))
-            ++at;
-        if (at < text_.size() && (text_[at] == ';' || text_[at] == '#'))
-            at = std::min(text_.find('\n', at), text_.size());
-        return at < text_.size() && text_[at] == '\n' ? at + 1 : from;
-    }
-
-    std::string verbatim(const Chunk& chunk) const {
-        return std::string(text_.substr(chunk.begin, chunk.end - chunk.begin));
-    }
-
-    /// Line ends as the text has them; those within strings are part of their values.
-    std::string withLineEnds(std::string words) const {
-        if (text_.find("\r\n") == std::string_view::npos)
-            return words;
-        const TokenList list = tokenize(words);
-        std::string result;
-        std::size_t done = 0;
-        const auto copyTo = [&](std::size_t end, bool converts) {
-            for (; done < end; ++done) {
-                if (words[done] == '\n' && converts)
-                    result += '\r';
-                result += words[done];
-            }
-        };
-        for (const Token& token : list.tokens) {
-            copyTo(token.at.offset, true);
-            copyTo(token.at.offset + token.at.length, token.kind != TokenKind::String);
-        }
-        return result;
-    }
-
     /// In the canonical layout, on lines of its own. What stood before it stays, if the remarks are the same.
     std::string rewritten(const std::string& words, const std::vector<std::string>& above, const Chunk* chunk,
                           bool same_above, const std::string& before) const {
@@ -100,7 +58,7 @@ private:
                 result += line.empty() ? "\n" : "  " + commentText(line) + '\n';
             result += "  ";
         }
-        return withLineEnds(result + words + '\n');
+        return withLineEnds(text_, result + words + '\n');
     }
 
     std::string documentation(const std::string& before) {
@@ -108,7 +66,7 @@ private:
         if (!old_->documentation)
             return rewritten(writeDocumentation(wanted), wanted.remarks.above, nullptr, false, before);
         if (*old_->documentation == wanted)
-            return verbatim(chunks_.front());
+            return std::string(chunks_.front().of(text_));
         const bool same_above = old_->documentation->remarks.above == wanted.remarks.above;
         return rewritten(writeDocumentation(wanted), wanted.remarks.above, &chunks_.front(), same_above, before);
     }
@@ -131,89 +89,11 @@ private:
         const Chunk& chunk = chunks_[index + (old_->documentation ? 1 : 0)];
         const Form& old_form = old_->forms[index];
         if (old_form == form)
-            return verbatim(chunk);
-        std::vector<Splice> splices;
-        if (remarksOf(old_form) == remarksOf(form) && spliceForm(old_form, form, splices))
-            return spliced(text_, chunk.begin, chunk.end, splices);
+            return std::string(chunk.of(text_));
+        if (auto kept = spliceForm(text_, tokens_, chunk, old_form, form))
+            return *std::move(kept);
         return rewritten(writeForm(form), remarksOf(form).above, &chunk,
                          remarksOf(old_form).above == remarksOf(form).above, before);
-    }
-
-    bool splice(std::size_t begin, std::size_t end, const std::string& wanted, std::vector<Splice>& splices) const {
-        auto found = spliceTokens(text_, tokens_, begin, end, wanted);
-        if (found)
-            splices.push_back(*std::move(found));
-        return found.has_value();
-    }
-
-    /// False where the form must be written anew.
-    bool spliceForm(const Form& old_form, const Form& form, std::vector<Splice>& splices) const {
-        return std::visit(
-            [&]<class Kind>(const Kind& wanted) {
-                const Kind& old = std::get<Kind>(old_form);
-                if constexpr (requires { wanted.levels; })
-                    return spliceLevels(old, wanted, splices);
-                else
-                    return splice(old.at.offset, old.at.offset + old.at.length, writeBare(wanted), splices);
-            },
-            form);
-    }
-    template <class Kind>
-    static std::string writeBare(Kind form) {
-        form.remarks = {};
-        return writeForm(std::move(form));
-    }
-
-    template <class Kind>
-    bool spliceLevels(const Kind& old, const Kind& wanted, std::vector<Splice>& splices) const {
-        if (!sameShape(old.levels, wanted.levels) || old.levels.empty())
-            return false;
-        const Spot& first = old.levels.front().front().at;
-        const Spot& last = old.levels.back().back().at;
-        if (headerText(old) != headerText(wanted) &&
-            !splice(old.at.offset, first.offset + 1, headerText(wanted) + " ((", splices))
-            return false;
-        for (std::size_t i = 0; i < old.levels.size(); ++i)
-            for (std::size_t j = 0; j < old.levels[i].size(); ++j)
-                if (!spliceMember(old.levels[i][j], wanted.levels[i][j], splices))
-                    return false;
-        std::string tail = ")))";
-        appendComment(tail, wanted.comment);
-        return old.comment == wanted.comment ||
-               splice(last.offset + last.length - 1, old.at.offset + old.at.length, tail + ')', splices);
-    }
-
-    template <class Member>
-    bool spliceMember(const Member& old, const Member& wanted, std::vector<Splice>& splices) const {
-        if (old == wanted)
-            return true;
-        std::string words;
-        appendMember(words, wanted);
-        return old.remarks == wanted.remarks && splice(old.at.offset, old.at.offset + old.at.length, words, splices);
-    }
-
-    /// Each member stands where it stood.
-    template <class Levels>
-    static bool sameShape(const Levels& old, const Levels& wanted) {
-        const auto sameMember = [](const auto& a, const auto& b) {
-            return b.at.line > 0 && a.at.offset == b.at.offset;
-        };
-        return std::equal(old.begin(), old.end(), wanted.begin(), wanted.end(), [&](const auto& a, const auto& b) {
-            return !a.empty() && std::equal(a.begin(), a.end(), b.begin(), b.end(), sameMember);
-        });
-    }
-
-    static std::string headerText(const Competence& competence) {
-        std::string text = "(C " + competence.name.text;
-        appendFormals(text, competence.formals);
-        appendInterval(text, competence.time_limit);
-        appendGoal(text, competence.goal);
-        return text + " (elements";
-    }
-    static std::string headerText(const Collection& collection) {
-        std::string text = '(' + keywordText(collection) + ' ' + collection.name.text;
-        appendGoal(text, collection.goal);
-        return text + " (drives";
     }
 
     std::string_view text_;

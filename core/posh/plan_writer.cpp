@@ -37,40 +37,50 @@ std::size_t nameWidth(const Levels& levels) {
     return widest;
 }
 
+/// The members of one level; `last` are the remarks of the member written last, whose line is not ended yet.
+template <class Member>
+void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t width, const Remarks*& last) {
+    const bool alone = level.size() == 1;
+    for (const Member& member : level) {
+        const bool is_first = &member == &level.front();
+        if (last)
+            appendBeside(out, *last);
+        appendAbove(out, member.remarks.above, is_first ? 6 : 8);
+        out += is_first ? (alone ? "      (" : "      ( ") : "        ";
+        appendMember(out, member, alone ? width : width - std::min<std::size_t>(width, 1));
+        last = &member.remarks;
+    }
+    if (!level.empty())
+        out += ')';
+}
+
 /// The levels, the parentheses that close the list and the form, and the comment string.
 template <class Form>
 void appendLevels(std::string& out, const Form& form) {
     const std::size_t width = nameWidth(form.levels);
-    const std::string ending = form.comment ? ")" : "))"; // of the list, and of the form unless a comment follows
-    const Remarks* last = nullptr;
-    for (const auto& level : form.levels) {
-        for (const auto& member : level) {
-            const bool is_first = &member == &level.front();
-            const bool alone = level.size() == 1;
-            if (last)
-                appendBeside(out, *last);
-            else
-                out += '\n';
-            appendAbove(out, member.remarks.above, is_first ? 6 : 8);
-            out += is_first ? (alone ? "      (" : "      ( ") : "        ";
-            appendMember(out, member, alone ? width : width - std::min<std::size_t>(width, 1));
-            if (&member == &level.back())
-                out += ')';
-            last = &member.remarks;
-        }
-    }
-    out += ending;
+    const Remarks start; // the line with the list's keyword is ended like a member's
+    const Remarks* last = form.levels.empty() ? nullptr : &start;
+    for (const auto& level : form.levels)
+        appendLevel(out, level, width, last);
+    out += form.comment ? ")" : "))"; // of the list, and of the form unless a comment follows
     if (form.comment) {
-        if (last)
-            appendBeside(out, *last);
-        else
-            out += '\n';
+        appendBeside(out, last ? *last : start);
         out += "   ";
         appendComment(out, form.comment);
         out += ')';
     } else if (last && !last->beside.empty()) {
         out += "  " + commentText(last->beside);
     }
+}
+
+template <class Levels>
+std::string levelText(const Levels& levels, std::size_t index) {
+    std::string out;
+    const Remarks* last = nullptr;
+    appendLevel(out, levels[index], nameWidth(levels), last);
+    if (last)
+        appendBeside(out, *last);
+    return out;
 }
 
 std::string text(const Competence& competence) {
@@ -140,6 +150,14 @@ std::string text(const Adopt& adopt) {
 }
 
 } // namespace
+
+std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index) {
+    return levelText(levels, index);
+}
+
+std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index) {
+    return levelText(levels, index);
+}
 
 std::string writeForm(const Form& form) {
     return std::visit([](const auto& any) { return text(any); }, form);

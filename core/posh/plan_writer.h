@@ -1,8 +1,10 @@
 // Plans as text: in the canonical layout, or in the layout of the text they were read from.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/posh/plan.h"
 
@@ -16,9 +18,13 @@ std::string writePlan(const Plan& plan);
 std::string writeForm(const Form& form);
 std::string writeDocumentation(const Documentation& documentation);
 
-/// `plan` was read from `text` and then edited. Keeps every byte of what was not edited: of a form in which only drives
-/// or elements changed, the others; else the other forms. Where `text` is no plan without errors, or nothing of it
-/// remains, this is writePlan.
+/// The lines of one level, as they stand in its form.
+std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index);
+std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index);
+
+/// `plan` was read from `text` and then edited. Keeps every byte of what was not edited: the other forms, and of an
+/// edited one the levels that are as they were; within what changed, the words around the change. Where `text` is no
+/// plan without errors, or nothing of it remains, this is writePlan.
 std::string writeKeepingLayout(std::string_view text, const Plan& plan);
 
 } // namespace usar::posh

@@ -45,12 +45,25 @@ std::string with(std::string text, const std::string& old, const std::string& wa
     return at == std::string::npos ? "there is no " + old : text.replace(at, old.size(), wanted);
 }
 
+template <class AnyForm>
+void editLevels(AnyForm& form, Random& random) {
+    if constexpr (requires { form.levels; }) {
+        auto& any = form.levels[random() % form.levels.size()];
+        if (random() % 3 == 0)
+            std::swap(any, form.levels.front());
+        else if (random() % 2 == 0)
+            any.push_back(form.levels.back().back());
+        else if (form.levels.size() > 1)
+            form.levels.pop_back();
+    }
+}
+
 /// Something small happens to the plan.
 void editSomewhere(Plan& plan, Random& random) {
     if (plan.forms.empty())
         return;
     Form& form = plan.forms[random() % plan.forms.size()];
-    switch (random() % 6) {
+    switch (random() % 7) {
     case 0:
         plan.forms.push_back(
             Pattern{{"added" + std::to_string(random() % 1000), {}}, {}, {}, {Call{{"x", {}}, {}}}, {}, {}, {}});
@@ -66,6 +79,9 @@ void editSomewhere(Plan& plan, Random& random) {
         break;
     case 4:
         std::visit([](auto& any) { any.name.text = "renamed"; }, form);
+        break;
+    case 5:
+        std::visit([&random](auto& any) { editLevels(any, random); }, form);
         break;
     default:
         forEachCall(form, [&](Call& call, bool) {
@@ -165,6 +181,29 @@ void tst_Layout::anEditChangesOnlyItsPlace_data() {
     row(
         "a frequency is taken", [](Plan& plan) { collection(plan).levels[1][0].frequency.reset(); }, "hop\n(hz 2)",
         "hop");
+    row(
+        "an element is taken away", [](Plan& plan) { competence(plan).levels.erase(competence(plan).levels.begin()); },
+        "\t  ((grab   (trigger (near)) close 3)) ; quick\n", "");
+    row(
+        "the last element is taken away", [](Plan& plan) { competence(plan).levels.pop_back(); },
+        "\t  ((go ; why\n\t\tdrive\n\t)) ) )", " ) )");
+    row(
+        "an element is added at the end",
+        [](Plan& plan) {
+            competence(plan).levels.push_back({Element{{"rest", {}}, {}, {{"sleep", {}}, {}}, {}, {}, {}, {}}});
+        },
+        "\n\t)) ) )", "\n\t))\n      ((rest sleep)) ) )");
+    row(
+        "elements change places", [](Plan& plan) { std::swap(competence(plan).levels[0], competence(plan).levels[1]); },
+        "\t  ((grab   (trigger (near)) close 3)) ; quick\n\t  ((go ; why\n\t\tdrive\n\t)) ) )",
+        "\t  ((go ; why\n\t\tdrive\n\t))\n\t  ((grab   (trigger (near)) close 3)) ; quick\n ) )");
+    row(
+        "a drive is added to a level",
+        [](Plan& plan) {
+            collection(plan).levels[1].push_back(Drive{{"c", {}}, {}, {{"sit", {}}, {}}, {}, {}, {}, {}});
+            collection(plan).comment.reset();
+        },
+        " ((b hop\n(hz 2)))) \"all\")", "\n      ( (b hop (hz 2))\n        (c sit))))");
     row(
         "a form is taken away", [](Plan& plan) { plan.forms.erase(plan.forms.begin() + 1); }, "  (AP wave (up   down))",
         "");
