@@ -42,6 +42,11 @@ const std::vector<Page> pages = {
     {QStringLiteral("behaviors"), gallery::behaviorsPage},
     {QStringLiteral("stale"), gallery::stalePage},
     {QStringLiteral("spawned"), gallery::spawnedPage},
+    {QStringLiteral("plan"), gallery::planPage},
+    {QStringLiteral("narrow_plan"), gallery::narrowPlanPage},
+    {QStringLiteral("docked_plan"), gallery::dockedPlanPage},
+    {QStringLiteral("whole_plan"), gallery::wholePlanPage},
+    {QStringLiteral("empty_plan"), gallery::emptyPlanPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

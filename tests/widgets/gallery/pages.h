@@ -28,5 +28,10 @@ std::unique_ptr<QWidget> emptySensorsPage();
 std::unique_ptr<QWidget> behaviorsPage();
 std::unique_ptr<QWidget> stalePage();
 std::unique_ptr<QWidget> spawnedPage();
+std::unique_ptr<QWidget> planPage();
+std::unique_ptr<QWidget> narrowPlanPage();
+std::unique_ptr<QWidget> dockedPlanPage();
+std::unique_ptr<QWidget> wholePlanPage();
+std::unique_ptr<QWidget> emptyPlanPage();
 
 } // namespace usar::gallery

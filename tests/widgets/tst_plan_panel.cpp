@@ -1,0 +1,225 @@
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/widgets/plan_samples.h"
+#include "widgets/plan_panel.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+const std::string root = "/P:0/DC:0";
+
+PlanSnapshot working() {
+    PlanSnapshot snapshot;
+    snapshot.now = Seconds(20.0);
+    snapshot.activities.resize(4);
+    for (int i = 0; i < 3; ++i)
+        snapshot.activities[static_cast<std::size_t>(i)].running = true;
+    snapshot.activities[3].answer = SenseAnswer{QStringLiteral("false"), false, Seconds(12.0), Seconds(20.0)};
+    snapshot.paths = std::make_shared<const std::vector<std::string>>(
+        std::vector<std::string>{root, root + "/DE:1", root + "/DE:1/A:0/C:0", root + "/DE:0/S:0"});
+    return snapshot;
+}
+
+} // namespace
+
+class tst_PlanPanel : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void robotsAreChosenAndOneAloneIsNoChoice();
+    void runningListJumps();
+    void reasonsNameSenseValueAndSince();
+    void reasonsJumpToTheirSense();
+    void nothingSelectedSaysWhatToDo();
+    void searchCountsAndSteps();
+    void returnStepsAndEscapeGoesBack();
+    void sharedPartsAreSwitched();
+    void buttonsFoldAndUnfold();
+    void textIsAskedForByDoubleClick();
+    void narrowPanelStacks();
+    void buttonsHaveNames();
+    void newsKeepsTheChosenRow();
+
+private:
+    QListWidget* list(const char* name) const;
+    QAbstractButton* button(const QString& part) const;
+    std::unique_ptr<PlanPanel> panel_;
+};
+
+void tst_PlanPanel::init() {
+    applyTheme(Theme::Dark);
+    panel_ = std::make_unique<PlanPanel>();
+    panel_->resize(1200, 600);
+    panel_->setPlan(planOf(courier_plan));
+    panel_->setSnapshot(working());
+    panel_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+    QTRY_COMPARE(panel_->view().newsTaken(), 1);
+}
+
+void tst_PlanPanel::cleanup() {
+    panel_.reset();
+}
+
+QListWidget* tst_PlanPanel::list(const char* name) const {
+    for (QListWidget* list : panel_->findChildren<QListWidget*>())
+        if (list->accessibleName() == QLatin1String(name))
+            return list;
+    return nullptr;
+}
+
+QAbstractButton* tst_PlanPanel::button(const QString& part) const {
+    for (QAbstractButton* button : panel_->findChildren<QAbstractButton*>())
+        if (button->toolTip().contains(part))
+            return button;
+    return nullptr;
+}
+
+void tst_PlanPanel::robotsAreChosenAndOneAloneIsNoChoice() {
+    auto* box = panel_->findChild<QComboBox*>();
+    QVERIFY(box->isHidden());
+    QSignalSpy chosen(panel_.get(), &PlanPanel::robotChosen);
+    panel_->setRobots({QStringLiteral("R1"), QStringLiteral("R2")}, QStringLiteral("R2"));
+    QVERIFY(box->isVisible());
+    QCOMPARE(panel_->shownRobot(), QStringLiteral("R2"));
+    QCOMPARE(chosen.count(), 0);
+    QTest::keyClick(box, Qt::Key_Up);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen[0][0].toString(), QStringLiteral("R1"));
+    panel_->setRobots({QStringLiteral("R1")}, QStringLiteral("R1"));
+    QVERIFY(box->isHidden());
+}
+
+void tst_PlanPanel::runningListJumps() {
+    QListWidget* running = list("Running now");
+    QCOMPARE(running->count(), 3);
+    QCOMPARE(running->item(2)->text().trimmed(), QStringLiteral("fetch"));
+    QTest::mouseClick(running->viewport(), Qt::LeftButton, {}, running->visualItemRect(running->item(2)).center());
+    QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:1/A:0/C:0"));
+}
+
+void tst_PlanPanel::reasonsNameSenseValueAndSince() {
+    panel_->view().selectPath(root + "/DE:0");
+    QListWidget* reasons = list("Reasons");
+    QStringList texts;
+    for (int i = 0; i < reasons->count(); ++i)
+        texts << reasons->item(i)->text();
+    QVERIFY2(texts.contains(QStringLiteral("safety: Bumped – no, it is false, for 8.0 s")),
+             qPrintable(texts.join('\n')));
+}
+
+void tst_PlanPanel::reasonsJumpToTheirSense() {
+    panel_->view().selectPath(root + "/DE:0/A:0");
+    QListWidget* reasons = list("Reasons");
+    const auto rows = reasons->findItems(QStringLiteral("Bumped"), Qt::MatchContains);
+    QCOMPARE(rows.size(), 1);
+    emit reasons->itemActivated(rows[0]);
+    QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:0/S:0"));
+}
+
+void tst_PlanPanel::nothingSelectedSaysWhatToDo() {
+    QVERIFY(list("Reasons")->item(0)->text().contains(QStringLiteral("Select a part")));
+    QTest::mouseClick(list("Reasons")->viewport(), Qt::LeftButton, {}, QPoint(20, 10));
+    QCOMPARE(panel_->view().selected(), -1);
+    panel_->clear();
+    QCOMPARE(list("Running now")->count(), 0);
+    QVERIFY(!list("Reasons")->isVisible()); // the sheet of the view says all there is to say
+}
+
+void tst_PlanPanel::searchCountsAndSteps() {
+    auto* line = panel_->findChild<QLineEdit*>();
+    QVERIFY(!button(QStringLiteral("Next one"))->isEnabled());
+    QTest::keyClicks(line, QStringLiteral("distance"));
+    const auto says = [&](const char* words) {
+        for (const QLabel* label : panel_->findChildren<QLabel*>())
+            if (label->isVisible() && label->text() == QLatin1String(words))
+                return true;
+        return false;
+    };
+    QVERIFY(says("1 of 3"));
+    button(QStringLiteral("Next one"))->click();
+    QVERIFY(says("2 of 3"));
+    button(QStringLiteral("Previous one"))->click();
+    QVERIFY(says("1 of 3"));
+    QTest::keyClicks(line, QStringLiteral("zebra"));
+    QVERIFY(says("none"));
+}
+
+void tst_PlanPanel::returnStepsAndEscapeGoesBack() {
+    panel_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+    auto* line = panel_->findChild<QLineEdit*>();
+    QTest::keyClick(&panel_->view(), Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(line->hasFocus());
+    QTest::keyClicks(line, QStringLiteral("distance"));
+    const int first = panel_->view().selected();
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(panel_->view().selected() > first);
+    QTest::keyClick(line, Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(panel_->view().selected(), first);
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(line->text().isEmpty() && panel_->view().hasFocus());
+}
+
+void tst_PlanPanel::sharedPartsAreSwitched() {
+    const int once = panel_->view().tree().size();
+    auto* shared = button(QStringLiteral("used at several places"));
+    shared->click();
+    QVERIFY(panel_->view().tree().size() > once);
+    shared->click();
+    QCOMPARE(panel_->view().tree().size(), once);
+}
+
+void tst_PlanPanel::buttonsFoldAndUnfold() {
+    PlanView& view = panel_->view();
+    const int grab = view.tree().find(root + "/DE:1/A:0/C:0/CE:0");
+    button(QStringLiteral("Folds everything"))->click();
+    QVERIFY(!view.layout().shown(grab));
+    button(QStringLiteral("Unfolds everything"))->click();
+    QVERIFY(view.layout().shown(grab));
+    button(QStringLiteral("Opens what runs"))->click();
+    QVERIFY(!view.layout().shown(grab));
+}
+
+void tst_PlanPanel::textIsAskedForByDoubleClick() {
+    QSignalSpy asked(panel_.get(), &PlanPanel::textRequested);
+    panel_->view().selectPath(root + "/DE:1");
+    QTest::keyClick(&panel_->view(), Qt::Key_Return);
+    QCOMPARE(asked.count(), 1);
+    QCOMPARE(static_cast<int>(asked[0][0].value<posh::Spot>().line), 14);
+}
+
+void tst_PlanPanel::narrowPanelStacks() {
+    auto* reasons = list("Reasons");
+    QVERIFY(reasons->mapTo(panel_.get(), QPoint()).x() > panel_->view().mapTo(panel_.get(), QPoint()).x() + 400);
+    panel_->resize(320, 700);
+    QVERIFY(reasons->mapTo(panel_.get(), QPoint()).y() > panel_->view().mapTo(panel_.get(), QPoint()).y() + 200);
+    QVERIFY(panel_->width() <= 320);
+}
+
+void tst_PlanPanel::buttonsHaveNames() {
+    for (const QAbstractButton* each : panel_->findChildren<QToolButton*>())
+        if (each->parent() == panel_.get())
+            QVERIFY(!each->accessibleName().isEmpty() && each->height() >= minimum_target);
+}
+
+void tst_PlanPanel::newsKeepsTheChosenRow() {
+    QListWidget* running = list("Running now");
+    running->setCurrentRow(1);
+    panel_->setSnapshot(working());
+    QTRY_COMPARE(panel_->view().newsTaken(), 2);
+    QCOMPARE(running->currentRow(), 1);
+}
+
+QTEST_MAIN(tst_PlanPanel)
+#include "tst_plan_panel.moc"

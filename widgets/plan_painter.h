@@ -1,0 +1,76 @@
+// Draws a plan: cards, the lines between them, what runs and what the senses said. The same code for screen and paper.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <QFont>
+#include <QPainter>
+
+#include "widgets/models/plan_activity.h"
+#include "widgets/models/plan_layout.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+/// All that a drawing is made of; it must outlive the painter.
+struct PlanScene {
+    const PlanTree& tree;
+    const PlanLayout& layout;
+    const PlanFolds& folds;
+    const PlanStates& states;
+    const Tokens& colors;
+    std::vector<bool> found{}; ///< by node: what a search found; empty: there is no search
+    int selected = -1;
+    int hot = -1; ///< under the mouse
+    bool focused = false;
+};
+
+/// What a scale leaves room for: everything; blocks with names; blocks alone.
+enum class PlanDetail { Full, Names, Blocks };
+PlanDetail planDetailAt(double scale);
+
+/// Of pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
+QFont planFont(bool bold = false);
+/// Measures with planFont. GUI thread.
+PlanMetrics planMetrics();
+/// "1234", "12k", "3M": four characters at most.
+QString shortCount(std::uint64_t count);
+
+/// The painter's transform maps the layout's pixels to the device, `scale` of its pixels to one of the layout's.
+class PlanPainter {
+public:
+    PlanPainter(QPainter& painter, const PlanScene& scene, double scale);
+    /// What lies in `area`, in the layout's pixels.
+    void paint(const QRectF& area);
+
+private:
+    void paintLines(const std::vector<int>& nodes, const QRectF& area);
+    void paintLine(int parent, int child, const QColor& color, double width);
+    void paintEquals(int node);
+    void paintCard(int node);
+    void paintBlockName(int node, const QRectF& box);
+    void paintTitle(int node, const QRectF& row);
+    void paintKindMark(int node, const QRectF& place);
+    double paintCounters(int node, const QRectF& row, double right);
+    double paintFoldMark(int node, const QRectF& row, double right);
+    void paintSenseRow(int sense);
+    double paintAnswer(int sense, const QRectF& row);
+    void paintVerdict(int sense, const QRectF& place);
+    void paintFrames(int node);
+    void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
+    void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
+    QColor fillOf(int node) const;
+    /// At least a pixel of the device.
+    double thin() const { return 1.0 / std::min(scale_, 1.0); }
+
+    QPainter& painter_;
+    const PlanScene& scene_;
+    const Tokens& colors_;
+    double scale_;
+    PlanDetail detail_;
+    QFont name_font_;
+    QFont text_font_;
+};
+
+} // namespace usar::widgets

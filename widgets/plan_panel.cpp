@@ -1,0 +1,287 @@
+#include "widgets/plan_panel.h"
+
+#include <QKeyEvent>
+#include <QResizeEvent>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "widgets/icons.h"
+#include "widgets/models/plan_reasons.h"
+#include "widgets/theme.h"
+#include "widgets/tool_button.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int narrow_px = 640;
+constexpr int node_role = Qt::UserRole;
+
+struct Row {
+    QString text;
+    int node = -1;
+    QIcon icon{};
+    int mark = 0; ///< rows with another one are others, though the text be the same
+};
+
+/// Only what is other is touched, so that neither selection nor scroll place jump at every tick.
+void fill(QListWidget& list, const std::vector<Row>& rows) {
+    const int count = static_cast<int>(rows.size());
+    while (list.count() > count)
+        delete list.takeItem(list.count() - 1);
+    for (int i = 0; i < count; ++i) {
+        const Row& row = rows[static_cast<std::size_t>(i)];
+        if (i == list.count())
+            list.addItem(new QListWidgetItem);
+        QListWidgetItem* const item = list.item(i);
+        if (item->text() != row.text)
+            item->setText(row.text);
+        if (item->data(node_role).isNull() || item->data(node_role + 1).toInt() != row.mark)
+            item->setIcon(row.icon);
+        item->setData(node_role, row.node);
+        item->setData(node_role + 1, row.mark);
+    }
+}
+
+QIcon verdictIcon(PlanVerdict verdict) {
+    switch (verdict) {
+    case PlanVerdict::Yes:
+        return icon(QStringLiteral("check"), tokens().ok);
+    case PlanVerdict::No:
+        return icon(QStringLiteral("clear"), tokens().danger);
+    case PlanVerdict::Open:
+        break;
+    }
+    return icon(QStringLiteral("help"), tokens().text_muted);
+}
+
+QLabel* makeTitle(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "title");
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+PlanPanel::PlanPanel(QWidget* parent)
+    : QWidget(parent)
+    , view_(new PlanView(this))
+    , head_(new QBoxLayout(QBoxLayout::LeftToRight))
+    , body_(new QSplitter(this)) {
+    setAccessibleName(tr("Plan"));
+    head_->setSpacing(gap::tiny);
+    head_->addLayout(makeSearchRow(), 1);
+    head_->addLayout(makeButtonRow());
+    body_->addWidget(view_);
+    body_->addWidget(makeSide());
+    body_->setStretchFactor(0, 1);
+    body_->setHandleWidth(gap::small);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    column->setSpacing(gap::tiny);
+    column->setSizeConstraint(QLayout::SetNoConstraint); // the broad row would forbid the narrow panel
+    column->addLayout(head_);
+    column->addWidget(body_, 1);
+    connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunning);
+    connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
+    connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showReasons);
+    connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
+    QWidget* const side = body_->widget(1);
+    connect(view_, &PlanView::treeChanged, this, [this, side] {
+        side->setVisible(!view_->tree().empty());
+        showRunning();
+        search(search_->text());
+    });
+    connect(view_, &PlanView::activated, this, [this](int node) { emit textRequested(view_->tree()[node].at); });
+    connect(robots_, &QComboBox::textActivated, this, &PlanPanel::robotChosen);
+    auto* to_search = new QShortcut(QKeySequence::Find, this);
+    to_search->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(to_search, &QShortcut::activated, this, [this] {
+        search_->setFocus(Qt::ShortcutFocusReason);
+        search_->selectAll();
+    });
+    side->hide();
+    setRobots({}, {});
+    showFound();
+    showRunning();
+    showReasons();
+}
+
+QBoxLayout* PlanPanel::makeSearchRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    robots_ = new QComboBox(this);
+    robots_->setAccessibleName(tr("Robot"));
+    robots_->setToolTip(tr("Whose plan is shown"));
+    robots_->setMinimumHeight(minimum_target);
+    row->addWidget(robots_);
+    search_ = makeSearchLine(tr("Find in the plan"),
+                             tr("Names or kinds (drive, competence, element, act, sense, …); Return goes to the next, "
+                                "Shift+Return to the previous (Ctrl+F)"),
+                             this);
+    row->addWidget(search_, 1);
+    found_ = new QLabel(this);
+    found_->setProperty("role", "muted");
+    row->addWidget(found_);
+    previous_ = addButton(row, QStringLiteral("up"), tr("Previous one found (Shift+Return)"));
+    next_ = addButton(row, QStringLiteral("down"), tr("Next one found (Return)"));
+    connect(previous_, &QToolButton::clicked, this, [this] { view_->findNext(true); });
+    connect(next_, &QToolButton::clicked, this, [this] { view_->findNext(); });
+    connect(search_, &QLineEdit::textChanged, this, &PlanPanel::search);
+    auto* next = new QShortcut(Qt::Key_Return, search_, nullptr, nullptr, Qt::WidgetShortcut);
+    auto* previous = new QShortcut(Qt::SHIFT | Qt::Key_Return, search_, nullptr, nullptr, Qt::WidgetShortcut);
+    auto* done = new QShortcut(Qt::Key_Escape, search_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(next, &QShortcut::activated, this, [this] { view_->findNext(); });
+    connect(previous, &QShortcut::activated, this, [this] { view_->findNext(true); });
+    connect(done, &QShortcut::activated, this, [this] {
+        search_->clear();
+        view_->setFocus(Qt::OtherFocusReason);
+    });
+    return row;
+}
+
+QToolButton* PlanPanel::addButton(QBoxLayout* row, const QString& icon_name, const QString& help) {
+    auto* button = makeToolButton(help, this, icon_name);
+    row->addWidget(button);
+    return button;
+}
+
+QBoxLayout* PlanPanel::makeButtonRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    expanded_ = addButton(row, QStringLiteral("branches"),
+                          tr("Draws parts that are used at several places at each of them; else once, with links"));
+    expanded_->setCheckable(true);
+    expanded_->setAccessibleName(tr("Shared parts everywhere"));
+    connect(expanded_, &QToolButton::toggled, this, [this](bool expanded) {
+        view_->setSharing(expanded ? PlanSharing::Expanded : PlanSharing::Once);
+        view_->showBeginning();
+    });
+    auto* running = addButton(row, QStringLiteral("follow"), tr("Opens what runs now and folds the rest"));
+    connect(running, &QToolButton::clicked, view_, &PlanView::showRunning);
+    auto* unfold = addButton(row, QStringLiteral("unfold"), tr("Unfolds everything"));
+    connect(unfold, &QToolButton::clicked, view_, &PlanView::unfoldAll);
+    auto* fold = addButton(row, QStringLiteral("fold"), tr("Folds everything (Space folds the selected part)"));
+    connect(fold, &QToolButton::clicked, view_, &PlanView::foldAll);
+    auto* larger = addButton(row, QStringLiteral("plus"), tr("Larger (+, or the wheel)"));
+    connect(larger, &QToolButton::clicked, view_, &PlanView::zoomIn);
+    auto* smaller = addButton(row, QStringLiteral("minus"), tr("Smaller (-)"));
+    connect(smaller, &QToolButton::clicked, view_, &PlanView::zoomOut);
+    auto* fit = addButton(row, QStringLiteral("fit"), tr("Shows all of the plan (F)"));
+    connect(fit, &QToolButton::clicked, view_, &PlanView::fit);
+    auto* save = addButton(row, QStringLiteral("export"), tr("Saves the drawing as a picture"));
+    connect(save, &QToolButton::clicked, this, &PlanPanel::exportRequested);
+    row->addStretch(1);
+    return row;
+}
+
+QWidget* PlanPanel::makeSide() {
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap::tiny);
+    running_title_ = makeTitle(tr("Running now"), side);
+    column->addWidget(running_title_);
+    running_ = makeList(tr("Running now"), tr("What runs now, from the root on; a click goes there"));
+    column->addWidget(running_, 2);
+    verdict_ = makeTitle({}, side);
+    column->addWidget(verdict_);
+    reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
+    reasons_->setWordWrap(true);
+    column->addWidget(reasons_, 3);
+    return side;
+}
+
+QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
+    auto* list = new QListWidget(this);
+    list->setAccessibleName(name);
+    list->setToolTip(help);
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list->setMinimumHeight(48);
+    list->setIconSize({14, 14});
+    connect(list, &QListWidget::itemClicked, this, &PlanPanel::jumpTo);
+    connect(list, &QListWidget::itemActivated, this, &PlanPanel::jumpTo);
+    return list;
+}
+
+void PlanPanel::setRobots(const QStringList& names, const QString& shown) {
+    const QSignalBlocker quiet(robots_);
+    robots_->clear();
+    robots_->addItems(names);
+    robots_->setCurrentText(shown);
+    robots_->setVisible(names.size() > 1);
+}
+
+void PlanPanel::search(const QString& words) {
+    view_->find(words);
+    showFound();
+}
+
+void PlanPanel::showFound() {
+    const auto& found = view_->found();
+    const bool any = !found.empty();
+    previous_->setEnabled(any);
+    next_->setEnabled(any);
+    const auto at = std::find(found.begin(), found.end(), view_->selected());
+    found_->setVisible(!search_->text().trimmed().isEmpty());
+    found_->setText(!any                ? tr("none")
+                    : at == found.end() ? tr("%1 found").arg(found.size())
+                                        : tr("%1 of %2").arg(at - found.begin() + 1).arg(found.size()));
+}
+
+void PlanPanel::showRunning() {
+    const PlanTree& tree = view_->tree();
+    std::vector<Row> rows;
+    for (const int node : view_->states().running(tree))
+        rows.push_back({QString(2 * tree[node].depth, u' ') + tree[node].name, node});
+    const bool idle = rows.empty();
+    running_title_->setText(idle ? tr("Nothing runs now") : tr("Running now"));
+    fill(*running_, rows);
+}
+
+void PlanPanel::showReasons() {
+    const int node = view_->selected();
+    if (node < 0) {
+        verdict_->setText(tr("Why?"));
+        fill(*reasons_,
+             {{view_->tree().empty() ? QString() : tr("Select a part of the plan to see why it runs, or why not.")}});
+        return;
+    }
+    verdict_->setText(planVerdict(view_->tree(), view_->states(), node));
+    std::vector<Row> rows;
+    for (const PlanReason& reason : planReasons(view_->tree(), view_->states(), node))
+        rows.push_back({reason.text, reason.node, verdictIcon(reason.verdict), 1 + static_cast<int>(reason.verdict)});
+    fill(*reasons_, rows);
+}
+
+void PlanPanel::jumpTo(const QListWidgetItem* item) {
+    if (const int node = item->data(node_role).toInt(); node >= 0)
+        view_->select(node);
+}
+
+void PlanPanel::arrange() {
+    const int narrow = width() < narrow_px ? 1 : 0;
+    if (narrow == narrow_)
+        return;
+    narrow_ = narrow;
+    head_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    body_->setOrientation(narrow ? Qt::Vertical : Qt::Horizontal);
+    body_->setSizes(narrow ? QList<int>{height() * 2 / 3, height() / 3} : QList<int>{width() - 280, 280});
+}
+
+void PlanPanel::resizeEvent(QResizeEvent* event) {
+    arrange();
+    QWidget::resizeEvent(event);
+}
+
+void PlanPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) { // icons have the colors of the theme
+        reasons_->clear();
+        showReasons();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace usar::widgets

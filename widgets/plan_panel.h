@@ -1,0 +1,73 @@
+// The plan of a robot with what one needs around it: search, what runs now, and why a part runs or does not.
+#pragma once
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
+#include <QToolButton>
+
+#include "widgets/plan_view.h"
+
+namespace usar::widgets {
+
+/// Values in by setters, wishes out by signals. A narrow panel stacks what a broad one has side by side. GUI thread.
+class PlanPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlanPanel(QWidget* parent = nullptr);
+
+    PlanView& view() { return *view_; }
+    void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
+    void setSnapshot(PlanSnapshot snapshot) { view_->setSnapshot(std::move(snapshot)); }
+    void clear() { view_->clear(); }
+    /// Silent. Fewer than two leave nothing to choose: the box is hidden.
+    void setRobots(const QStringList& names, const QString& shown);
+    QString shownRobot() const { return robots_->currentText(); }
+
+    QSize sizeHint() const override { return {1100, 420}; }
+    QSize minimumSizeHint() const override { return {240, 260}; }
+
+signals:
+    void robotChosen(const QString& name);
+    /// The person wants to see where a part stands in the plan's text.
+    void textRequested(const usar::posh::Spot& at);
+    /// As a picture in a file.
+    void exportRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QBoxLayout* makeSearchRow();
+    QBoxLayout* makeButtonRow();
+    QWidget* makeSide();
+    QListWidget* makeList(const QString& name, const QString& help);
+    QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
+    void arrange();
+    void search(const QString& words);
+    void showFound();
+    void showRunning();
+    void showReasons();
+    void jumpTo(const QListWidgetItem* item);
+
+    PlanView* view_;
+    QComboBox* robots_;
+    QLineEdit* search_;
+    QLabel* found_;
+    QToolButton* previous_;
+    QToolButton* next_;
+    QToolButton* expanded_;
+    QBoxLayout* head_;
+    QSplitter* body_;
+    QLabel* running_title_;
+    QListWidget* running_;
+    QLabel* verdict_;
+    QListWidget* reasons_;
+    int narrow_ = -1; ///< not yet arranged
+};
+
+} // namespace usar::widgets
