@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
 
@@ -346,6 +347,25 @@ private slots:
         QVERIFY(scan);
         QCOMPARE(scan->ranges_m[90], 20.0);
         QVERIFY(simulation->robots().front().base_in_map.position_m.x() > 60.0);
+    }
+
+    void learnsRobotsWhileOthersDrive() {
+        const auto simulation = simulationOf(startWorld());
+        Talker first(*simulation);
+        first.say(init_p2dx);
+        first.say("DRIVE {Left 2} {Right 2}");
+        steps(*simulation, 5);
+        RobotModel own = *findRobot(*doubles::shippedRobots(), "P2DX");
+        simulation->learn(own); // the one that drives is of the former
+        own.class_name = "Own";
+        simulation->learn(own);
+        const double before_m = simulation->robots().front().base_in_map.position_m.x();
+        Talker second(*simulation);
+        second.say("INIT {ClassName USARBot.Own} {Name R2} {Location 0,-4,-0.2}");
+        steps(*simulation, 5);
+        QCOMPARE(simulation->robots().size(), std::size_t(2));
+        QVERIFY(simulation->robots().front().base_in_map.position_m.x() > before_m + 0.05);
+        QVERIFY(anyContains(second.hearText(), "STA {Type GroundVehicle}"));
     }
 
     void aWorldWithoutGroundIsRefused() {

@@ -9,6 +9,7 @@
 #include "widgets/connection_bar.h"
 #include "widgets/layer_swatch.h"
 #include "widgets/layers_panel.h"
+#include "widgets/progress_strip.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme.h"
 #include "widgets/time_bar.h"
@@ -47,6 +48,7 @@ private slots:
     void realServerHasOnlyAClock();
     void clockIsUnknownAtFirst();
     void stopButtonIsReachedByKeys();
+    void progressIsSaidOfWhatTakesLong();
     void layerRowsTellEyeAndOpacity();
     void layersBeginAsTheMapDoes();
     void layersAreRememberedAcrossStarts();
@@ -294,6 +296,27 @@ void tst_Bars::stopButtonIsReachedByKeys() {
     QTest::keyClick(&button, Qt::Key_Space);
     QCOMPARE(clicked.count(), 1);
     QVERIFY(button.toolTip().contains(QStringLiteral("Esc")));
+}
+
+void tst_Bars::progressIsSaidOfWhatTakesLong() {
+    ProgressStrip strip;
+    QSignalSpy cancelled(&strip, &ProgressStrip::cancelRequested);
+    strip.begin("Opening the quick one");
+    strip.end();
+    QTest::qWait(400);
+    QVERIFY2(!strip.isVisible(), "what ends soon needs no strip");
+    strip.begin("Taking up run.usarsnap");
+    QVERIFY(!strip.isVisible());
+    QTRY_VERIFY(strip.isVisible());
+    QCOMPARE(strip.findChild<QLabel*>()->text(), QString("Taking up run.usarsnap…"));
+    strip.setProgress(Seconds{90.0}, Seconds{3600.0});
+    QCOMPARE(strip.findChild<QLabel*>()->text(), QString("Taking up run.usarsnap: 1 min 30 s of 1 h 00 min"));
+    QCOMPARE(strip.findChild<QProgressBar*>()->value(), strip.findChild<QProgressBar*>()->maximum() / 40);
+    strip.setProgress(Seconds{0.0}, Seconds{0.0}); // a run of no length
+    QTest::mouseClick(strip.findChild<QPushButton*>(), Qt::LeftButton);
+    QCOMPARE(cancelled.count(), 1);
+    strip.end();
+    QVERIFY(!strip.isVisible());
 }
 
 void tst_Bars::layerRowsTellEyeAndOpacity() {
