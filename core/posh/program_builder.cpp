@@ -106,6 +106,8 @@ private:
     std::unordered_map<std::string, Index> act_calls_;
     std::vector<Scope> scopes_; ///< one for each form of the program
     std::vector<Waiting> waiting_;
+    std::string call_text_;
+    std::vector<const Value*> call_values_;
     Index scope_ = nowhere; ///< of what is being read
     Index drive_ = 0;
     bool failed_ = false;
@@ -216,25 +218,30 @@ Index Builder::addTest(const SenseTest& test, Index place) {
     return static_cast<Index>(program_->tests.size() - 1);
 }
 
-/// Equal calls print alike, and unlike ones do not.
+/// Equal calls print alike, and unlike ones do not. Most calls of a large plan are known already.
 Index Builder::addCall(std::vector<ProgramCall>& calls, std::unordered_map<std::string, Index>& known,
                        const Call& call) {
-    ProgramCall made{.name = call.name.text, .arguments = {}, .text = call.name.text, .at = call.name.at};
+    call_text_ = call.name.text;
+    call_values_.clear();
     for (const Argument& argument : call.arguments) {
         const Value* const value = valueOf(argument, scope_);
         if (!value)
-            break;
-        made.text += made.arguments.empty() ? "(" : ", ";
+            return 0; // the builder has failed
+        call_text_ += call_values_.empty() ? "(" : ", ";
         if (!argument.name.empty())
-            made.text += "$" + argument.name + "=";
-        appendValue(made.text, *value);
-        made.arguments.push_back({argument.name, *value});
+            call_text_.append("$").append(argument.name).append("=");
+        appendValue(call_text_, *value);
+        call_values_.push_back(value);
     }
-    if (!made.arguments.empty())
-        made.text += ")";
-    const auto [place, is_new] = known.try_emplace(made.text, static_cast<Index>(calls.size()));
-    if (is_new)
-        calls.push_back(std::move(made));
+    if (!call_values_.empty())
+        call_text_ += ')';
+    const auto [place, is_new] = known.try_emplace(call_text_, static_cast<Index>(calls.size()));
+    if (!is_new)
+        return place->second;
+    ProgramCall made{.name = call.name.text, .arguments = {}, .text = call_text_, .at = call.name.at};
+    for (std::size_t i = 0; i < call_values_.size(); ++i)
+        made.arguments.push_back({call.arguments[i].name, *call_values_[i]});
+    calls.push_back(std::move(made));
     return place->second;
 }
 
