@@ -11,7 +11,8 @@ inline void needApplication() {
     static int argc = 1;
     static char name[] = "usar-bench";
     static char* argv[] = {name, nullptr};
-    static QApplication application(argc, argv);
+    // Never taken down: at the end of the program it would meet statics of Qt that are gone already.
+    [[maybe_unused]] static auto* const application = new QApplication(argc, argv);
 }
 
 } // namespace usar::bench
