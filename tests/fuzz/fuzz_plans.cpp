@@ -1,5 +1,6 @@
 // Any bytes through everything that reads and writes plans. What is asserted: places lie inside of the text, a sound
-// plan reads back equal from both layouts, writing is stable, and exports are read.
+// plan reads back equal from both layouts, also after an edit, writing is stable, and exports are read.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "core/posh/plan_export.h"
 #include "core/posh/plan_reader.h"
+#include "core/posh/plan_walk.h"
 #include "core/posh/plan_writer.h"
 
 namespace {
@@ -26,12 +28,25 @@ void checkPlaces(const Findings& findings, std::string_view text) {
     }
 }
 
+/// A form is moved and a call renamed, as an editor does it.
+void checkEditing(std::string_view text, Plan plan) {
+    if (plan.forms.empty())
+        return;
+    std::rotate(plan.forms.begin(), plan.forms.begin() + 1, plan.forms.end());
+    forEachCall(plan.forms.front(), [](Call& call, bool) { call.name.text = "renamed"; });
+    const PlanReading again = readPlan(writeKeepingLayout(text, plan));
+    check(again.plan.forms.size() == plan.forms.size());
+    for (const Finding& finding : again.findings)
+        check(static_cast<int>(finding.code) > 300); // what a form is called now may be its own name
+}
+
 void checkWriting(std::string_view text, const Plan& plan) {
     const std::string written = writePlan(plan);
     const PlanReading again = readPlan(written);
     check(!hasErrors(again.findings) && again.plan == plan);
     check(writePlan(again.plan) == written);
     check(writeKeepingLayout(text, plan) == text);
+    checkEditing(text, plan);
     for (const Dialect dialect : {Dialect::Classic, Dialect::Yaposh})
         for (const Finding& finding : readPlan(exportPlan(plan, dialect).text).findings)
             check(static_cast<int>(finding.code) > 300); // two names may have become one
