@@ -23,44 +23,53 @@ bool atAssignment(const TokenCursor& cursor, std::size_t ahead) {
     return cursor.at(TokenKind::Predicate, ahead) && cursor.word(ahead) == "=";
 }
 
-Variable takeVariable(TokenCursor& cursor) {
-    Variable variable{std::string(cursor.word().substr(1)), cursor.peek().at};
+void takeVariable(TokenCursor& cursor, Variable& variable) {
+    variable.name = cursor.word().substr(1);
+    variable.at = cursor.peek().at;
     cursor.advance();
-    return variable;
 }
 
-/// The value of the token, if a number is not beyond all bounds.
-std::optional<Value> valueAt(const TokenCursor& cursor) {
+template <class Number>
+bool setNumber(std::optional<Number> number, Value& value) {
+    if (number)
+        value = *number;
+    return number.has_value();
+}
+
+/// False where a number is beyond all bounds. Values are made in place: most of a plan is made of them.
+bool setValue(const TokenCursor& cursor, Value& value) {
     const std::string_view word = cursor.word();
     switch (cursor.peek().kind) {
-    case TokenKind::Integer: {
-        const auto whole = integerOf(word);
-        return whole ? std::optional<Value>(*whole) : std::nullopt;
-    }
-    case TokenKind::Float: {
-        const auto number = floatOf(word);
-        return number ? std::optional<Value>(*number) : std::nullopt;
-    }
+    case TokenKind::Integer:
+        return setNumber(integerOf(word), value);
+    case TokenKind::Float:
+        return setNumber(floatOf(word), value);
     case TokenKind::String:
-        return Value(unescaped(word.substr(1, word.size() - 2)));
+        value = unescaped(word.substr(1, word.size() - 2));
+        return true;
     case TokenKind::Symbol:
-        return Value(Symbol{std::string(word.substr(1))});
+        value.emplace<Symbol>().text = word.substr(1);
+        return true;
     default:
         break;
     }
     const Keyword keyword = cursor.keyword();
     if (keyword == Keyword::Nil)
-        return Value();
-    return isLiteral(keyword) ? Value(keyword == Keyword::True) : Value(Symbol{std::string(word)});
+        value = std::monostate();
+    else if (isLiteral(keyword))
+        value = keyword == Keyword::True;
+    else
+        value.emplace<Symbol>().text = word;
+    return true;
 }
 
 /// Takes a token that is a value, or a bare word, which is a symbol.
 bool takeValue(TokenCursor& cursor, Literal& literal) {
-    std::optional<Value> value = valueAt(cursor);
-    if (!value)
+    if (!setValue(cursor, literal.value))
         return cursor.fail(Code::MalformedNumber, "the number " + inQuotes(cursor.word()) +
                                                       " is beyond what 64 bits hold; write a smaller one");
-    literal = {*std::move(value), std::string(cursor.word()), cursor.peek().at};
+    literal.spelling = cursor.word();
+    literal.at = cursor.peek().at;
     cursor.advance();
     return true;
 }
@@ -74,7 +83,7 @@ bool bareName(TokenCursor& cursor) {
 /// A value or a variable: what an argument is made of.
 bool readArgumentValue(TokenCursor& cursor, std::variant<Literal, Variable>& value) {
     if (cursor.at(TokenKind::Variable)) {
-        value = takeVariable(cursor);
+        takeVariable(cursor, value.emplace<Variable>());
         return true;
     }
     if (atValue(cursor))
@@ -90,7 +99,8 @@ bool readArgument(TokenCursor& cursor, bool after_named, NameSet& seen, Argument
         if (!seen.insert(cursor.word()))
             return cursor.fail(Code::ArgumentTwice,
                                "the argument " + inQuotes(cursor.word()) + " is given twice; write it once");
-        argument.name = takeVariable(cursor).name;
+        argument.name = cursor.word().substr(1);
+        cursor.advance();
         cursor.advance();
     } else if (after_named && (cursor.at(TokenKind::Variable) || atValue(cursor))) {
         return cursor.fail(Code::PositionalAfterNamed,
@@ -137,7 +147,8 @@ bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
         cursor.warn(Code::KeywordAsName, cursor.peek().at,
                     inQuotes(cursor.word()) + " is a word of the language and is read as a name here; " +
                         otherNameFor(cursor.keyword()));
-    name = {std::string(cursor.word()), cursor.peek().at};
+    name.text = cursor.word();
+    name.at = cursor.peek().at;
     cursor.advance();
     return true;
 }
@@ -180,7 +191,7 @@ bool readFormals(TokenCursor& cursor, std::vector<Formal>& formals) {
             return cursor.fail(Code::ParameterTwice, "the parameter " + inQuotes(cursor.word()) +
                                                          " is declared twice; give the second another name");
         Formal& formal = formals.emplace_back();
-        formal.variable = takeVariable(cursor);
+        takeVariable(cursor, formal.variable);
         if (!atAssignment(cursor, 0))
             return cursor.fail(Code::ParameterWithoutDefault, "the parameter $" + formal.variable.name +
                                                                   " has no default; write $" + formal.variable.name +
@@ -197,11 +208,11 @@ bool readFormals(TokenCursor& cursor, std::vector<Formal>& formals) {
 bool readArguments(TokenCursor& cursor, std::vector<Argument>& arguments) {
     cursor.advance();
     NameSet seen;
+    arguments.reserve(2);
     for (;;) {
-        Argument argument;
-        if (!readArgument(cursor, !arguments.empty() && !arguments.back().name.empty(), seen, argument))
+        const bool after_named = !arguments.empty() && !arguments.back().name.empty();
+        if (!readArgument(cursor, after_named, seen, arguments.emplace_back()))
             return false;
-        arguments.push_back(std::move(argument));
         if (!cursor.at(TokenKind::Comma))
             return cursor.take(TokenKind::Close, "a comma or the end of the arguments", ", or )");
         cursor.advance();
@@ -244,6 +255,7 @@ bool readSenses(TokenCursor& cursor, Senses& senses) {
     }
     if (!cursor.take(TokenKind::Open, "a list of senses", "((sense) (sense value <)), or nil"))
         return false;
+    senses.reserve(2);
     while (!cursor.at(TokenKind::Close)) {
         const bool is_test = cursor.at(TokenKind::Open);
         if (!is_test && !cursor.at(TokenKind::Name))

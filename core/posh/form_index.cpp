@@ -1,5 +1,7 @@
 #include "core/posh/form_index.h"
 
+#include "core/posh/plan_walk.h"
+
 namespace usar::posh {
 
 FormIndex::FormIndex(const Plan& plan) : formals_(plan.forms.size()) {
@@ -10,6 +12,11 @@ FormIndex::FormIndex(const Plan& plan) : formals_(plan.forms.size()) {
         for (const Formal& formal : formalsOf(plan.forms[i]))
             formals_[i].insert(formal.variable.name);
     }
+    for (std::size_t i = 0; i < plan.forms.size(); ++i)
+        forEachCall(plan.forms[i], [&](const Call& call, bool is_sense) {
+            if (const auto target = is_sense ? std::nullopt : find(call.name.text))
+                references_.push_back({&call, i, *target});
+        });
 }
 
 std::optional<std::size_t> FormIndex::find(std::string_view name) const {

@@ -1,4 +1,4 @@
-// Which name means which competence, pattern or adopt of a plan.
+// Which name means which competence, pattern or adopt of a plan, and who calls them.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,13 @@
 
 namespace usar::posh {
 
+/// A call of a competence, pattern or adopt.
+struct Reference {
+    const Call* call = nullptr;
+    std::size_t form = 0; ///< where it stands, as an index in Plan::forms
+    std::size_t target = 0;
+};
+
 /// The plan must outlive it. Of two forms with one name the first counts.
 class FormIndex {
 public:
@@ -19,12 +26,15 @@ public:
 
     /// Index in Plan::forms; nothing for primitives and for the collection.
     std::optional<std::size_t> find(std::string_view name) const;
+    /// In the order of the text.
+    const std::vector<Reference>& references() const { return references_; }
     bool declares(std::size_t form, std::string_view parameter) const { return formals_[form].contains(parameter); }
     const std::unordered_set<std::string_view>& formals(std::size_t form) const { return formals_[form]; }
 
 private:
     std::unordered_map<std::string_view, std::size_t> forms_;
     std::vector<std::unordered_set<std::string_view>> formals_;
+    std::vector<Reference> references_;
 };
 
 } // namespace usar::posh

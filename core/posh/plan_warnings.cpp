@@ -3,7 +3,6 @@
 #include <string>
 
 #include "core/posh/name_set.h"
-#include "core/posh/plan_walk.h"
 
 namespace usar::posh {
 
@@ -106,16 +105,12 @@ void warnOfArguments(const Call& call, const Plan& plan, const FormIndex& index,
 } // namespace
 
 void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Findings& findings) {
-    std::vector<bool> used(plan.forms.size(), false);
-    for (const Form& form : plan.forms) {
+    for (const Form& form : plan.forms)
         warnOfForm(form, findings);
-        forEachCall(form, [&](const Call& call, bool is_sense) {
-            const auto target = is_sense ? std::nullopt : index.find(call.name.text);
-            if (!target)
-                return;
-            used[*target] = true;
-            warnOfArguments(call, plan, index, *target, findings);
-        });
+    std::vector<bool> used(plan.forms.size(), false);
+    for (const Reference& reference : index.references()) {
+        used[reference.target] = true;
+        warnOfArguments(*reference.call, plan, index, reference.target, findings);
     }
     if (!is_whole)
         return;

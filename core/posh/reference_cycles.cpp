@@ -4,35 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "core/posh/plan_walk.h"
-
 namespace usar::posh {
 
 namespace {
 
-struct Reference {
-    const Name* name = nullptr;
-    std::size_t target = 0;
-};
-
 /// Depth first with a stack of its own: a plan may be nested as deep as it is long.
 class CycleSearch {
 public:
-    CycleSearch(const Plan& plan, const FormIndex& index) : plan_(&plan), states_(plan.forms.size()) {
-        for (const Form& form : plan.forms) {
-            auto& references = references_.emplace_back();
-            if (std::holds_alternative<Collection>(form))
-                continue; // nothing refers to it
-            forEachCall(form, [&](const Call& call, bool is_sense) {
-                if (const auto target = is_sense ? std::nullopt : index.find(call.name.text))
-                    references.push_back({&call.name, *target});
-            });
-        }
+    CycleSearch(const Plan& plan, const FormIndex& index)
+        : plan_(&plan)
+        , references_(index.references())
+        , first_(plan.forms.size() + 1)
+        , states_(plan.forms.size()) {
+        for (const Reference& reference : references_)
+            ++first_[reference.form + 1];
+        for (std::size_t form = 0; form < plan.forms.size(); ++form)
+            first_[form + 1] += first_[form];
     }
 
     void run(Findings& findings) {
         for (std::size_t form = 0; form < states_.size(); ++form) {
-            if (states_[form] == State::New)
+            const bool is_root = std::holds_alternative<Collection>(plan_->forms[form]); // nothing refers to it
+            if (states_[form] == State::New && !is_root)
                 enter(form);
             while (!path_.empty())
                 step(findings);
@@ -43,25 +36,25 @@ private:
     enum class State { New, OnPath, Done };
     struct Visit {
         std::size_t form = 0;
-        std::size_t next = 0; ///< of its references
+        std::size_t next = 0; ///< of the references
     };
 
     void enter(std::size_t form) {
         states_[form] = State::OnPath;
-        path_.push_back({form, 0});
+        path_.push_back({form, first_[form]});
     }
     void step(Findings& findings) {
         Visit& top = path_.back();
-        if (top.next == references_[top.form].size()) {
+        if (top.next == first_[top.form + 1]) {
             states_[top.form] = State::Done;
             path_.pop_back();
             return;
         }
-        const Reference& reference = references_[top.form][top.next++];
+        const Reference& reference = references_[top.next++];
         if (states_[reference.target] == State::New)
             enter(reference.target);
         else if (states_[reference.target] == State::OnPath)
-            findings.push_back({Code::ReferenceCycle, reference.name->at, message(reference), std::nullopt});
+            findings.push_back({Code::ReferenceCycle, reference.call->name.at, message(reference), std::nullopt});
     }
     std::string message(const Reference& closing) const {
         constexpr std::ptrdiff_t most_named = 6;
@@ -78,7 +71,8 @@ private:
     }
 
     const Plan* plan_;
-    std::vector<std::vector<Reference>> references_;
+    const std::vector<Reference>& references_;
+    std::vector<std::size_t> first_; ///< reference of each form
     std::vector<State> states_;
     std::vector<Visit> path_;
 };

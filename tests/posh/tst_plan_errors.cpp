@@ -86,6 +86,8 @@ void tst_PlanErrors::severalErrorsAreFoundInOnePass_data() {
         "((documentation \"a\" \"b\" \"c)\n (AP p ()) (DC d (drives ())))", "1:25 E102, 2:9 E218, 2:27 E202");
     row("several malformed words", "((AP p (1.2.3))\n (AP q (a(')))\n (AP r ($))\n (DC d (drives ((a @)))))",
         "1:9 E104, 2:11 E105, 3:9 E106, 4:20 E101");
+    row("a cycle is closed as the text goes, wherever the collection stands",
+        "((DC l (drives ((a q))))\n (AP p (q))\n (AP q (p)))", "3:9 E302");
     row("each cycle is closed once",
         "((C c (elements ((e c) (f d))))\n (C d (elements ((e c) (f d))))\n (DC l (drives ((a c)))))",
         "1:21 E302, 2:21 E302, 2:27 E302");
