@@ -200,8 +200,7 @@ void MainWindow::wireMission() {
 
 void MainWindow::wireBars() {
     connect(views_.connection, &widgets::ConnectionBar::connectRequested, this, &MainWindow::connectTo);
-    connect(views_.connection, &widgets::ConnectionBar::disconnectRequested, &control_,
-            &MissionControl::disconnectFromServer);
+    connect(views_.connection, &widgets::ConnectionBar::disconnectRequested, this, &MainWindow::disconnectFromServer);
     connect(views_.time, &widgets::TimeBar::pauseRequested, this, &MainWindow::pauseTime);
     connect(views_.time, &widgets::TimeBar::stepRequested, &control_.simulator(), &SimulatorHost::stepOnce);
     connect(views_.time, &widgets::TimeBar::speedRequested, this, &MainWindow::setSpeed);

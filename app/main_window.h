@@ -127,6 +127,8 @@ private:
     void showDraft();
 
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
+    /// And no world comes that is on its way.
+    void disconnectFromServer();
     void showWorld(const WorldPicture& world);
     void spawn(const widgets::SpawnChoice& choice);
     void showPlan();

@@ -38,6 +38,11 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
         selectRobot(selected_);
 }
 
+void MainWindow::disconnectFromServer() {
+    cancelLoading();
+    control_.disconnectFromServer();
+}
+
 void MainWindow::showWorld(const WorldPicture& world) {
     world_picture_ = world;
     views_.map->setWorld(world.extent_in_map, world.name);

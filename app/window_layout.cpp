@@ -29,7 +29,7 @@ void MainWindow::registerLinkCommands() {
          tr("Stops the robots, saves what was scanned and leaves the server"),
          "unplug",
          {QKeySequence("Ctrl+Shift+L")}},
-        [this](bool) { control_.disconnectFromServer(); }, [idle] { return !idle(); });
+        [this](bool) { disconnectFromServer(); }, [idle] { return !idle(); });
 }
 
 void MainWindow::registerTimeCommands() {

@@ -1,4 +1,6 @@
 // Recording and replay in the window: commands, the bar, files that are dropped.
+#include <algorithm>
+
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -162,7 +164,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::openFile(const QString& path) {
     const QFileInfo file(path);
     const bool is_world = file.isDir() || file.fileName() == "world.sdf";
-    if (is_world && !commands_.action("world.folder")->isEnabled())
+    const bool flies = std::ranges::any_of(control_.robots(), [](const Robot* robot) { return robot->running(); });
+    if (is_world && flies)
         return say(Severity::Warning, "simulator", tr("A robot is on its mission. Stop it, then open another world."));
     if (path.endsWith(".usarsnap"))
         openSnapshot(path);

@@ -113,6 +113,19 @@ private slots:
         QVERIFY(page.spawnAt("PlayerStart"));
     }
 
+    void noWorldIsOpenedUnderARobotOnItsMission() {
+        BusyPage page;
+        QVERIFY(page.spawned);
+        page.pressKey(Qt::Key_A);
+        page.drawArea({{-20, -15}, {20, 15}});
+        page.press("Start");
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot(1)->running(), soon_ms);
+        QVERIFY(page.dropFile(writeWorld()));
+        QVERIFY(!page.notified("A robot is on its mission").isEmpty());
+        QVERIFY(page.goesOn());
+        QVERIFY(page.window().control().robot(1)->running());
+    }
+
     void aBrokenRobotIsRefusedAndNothingElseChanges() {
         const QString file = folder_->filePath("Broken.sdf");
         writeRobot(file, "<usar:joint>LeftWheel</usar:joint>", "<usar:joint>LeftWing</usar:joint>");

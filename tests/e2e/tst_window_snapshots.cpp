@@ -102,6 +102,11 @@ void tst_WindowSnapshots::aLongRunIsSaidAndCanBeCancelled() {
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now.count() > cancelled_s + 0.5, soon_ms);
     QCOMPARE(page.robot(1)->connection, connection);
     QVERIFY(!run.strip().isVisible());
+
+    QVERIFY(run.isTakenUp());
+    page.press("Disconnect"); // who leaves wants no other world, either
+    QVERIFY(!run.strip().isVisible());
+    QVERIFY(!page.window().commands().action("simulator.cancel_opening")->isEnabled());
 }
 
 void tst_WindowSnapshots::closingTheWindowDoesNotWaitForALongRun() {
