@@ -6,13 +6,13 @@ namespace usar::agent {
 
 namespace {
 
-Error refusal(const posh::Findings& findings) {
+Error refusal(const std::string& plan_name, const posh::Findings& findings) {
     std::string list;
     std::size_t errors = 0;
     for (const posh::Finding& finding : findings)
         if (posh::severityOf(finding.code) == Severity::Error)
             list += (errors++ == 0 ? "" : "; ") + posh::toText(finding);
-    return {"it cannot be used: " + list, "the plan", "Mend the plan"};
+    return {"it cannot be used: " + list, "plan " + plan_name, "Mend the plan"};
 }
 
 posh::Milliseconds wholeMilliseconds(Seconds time) {
@@ -24,6 +24,7 @@ posh::Milliseconds wholeMilliseconds(Seconds time) {
 void PoshBehavior::Reporter::takeProgram(const std::shared_ptr<const posh::Program>& program) {
     program_ = program;
     reported_.clear();
+    encoder_.takeProgram(program);
     if (next_)
         next_->takeProgram(program);
 }
@@ -31,6 +32,7 @@ void PoshBehavior::Reporter::takeProgram(const std::shared_ptr<const posh::Progr
 void PoshBehavior::Reporter::take(const posh::TraceRecord& record, std::string_view text) {
     if (record.event == posh::TraceEvent::Error || record.event == posh::TraceEvent::Warning)
         report(record, text);
+    encoder_.take(record, text);
     if (next_)
         next_->take(record, text);
 }
@@ -56,13 +58,14 @@ void PoshBehavior::Reporter::report(const posh::TraceRecord& record, std::string
 Result<std::unique_ptr<PoshBehavior>> PoshBehavior::make(PoshParts parts) {
     PlanForRobot plan = bindPlan(parts.plan_text, parts.registry);
     if (!plan.program)
-        return tl::unexpected(refusal(plan.findings));
+        return tl::unexpected(refusal(parts.plan_name, plan.findings));
     return std::unique_ptr<PoshBehavior>(new PoshBehavior(std::move(parts), std::move(plan.program)));
 }
 
 PoshBehavior::PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program)
     : parts_(std::move(parts))
     , host_(parts_.registry, *parts_.body)
+    , reporter_(parts_.plan_text)
     , engine_(host_, std::move(program), [this] {
         parts_.options.on_goal = posh::OnGoal::Stop;
         return parts_.options;
@@ -96,6 +99,7 @@ void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
     if (!paused_ && !landing_)
         runCycle(tick, port);
     body.end(tick);
+    port.publish(PlanTrace{reporter_.takeTrace()});
     publishStatus(tick, port);
     body.sendDrive();
 }
@@ -117,11 +121,14 @@ void PoshBehavior::report(posh::Outcome outcome, CommandPort& port) {
     for (BehaviorEvent& event : reporter_.events)
         port.publish(std::move(event));
     reporter_.events.clear();
-    if (outcome != posh::Outcome::GoalSatisfied && outcome != posh::Outcome::Won)
+    std::optional<BehaviorFinished> end = parts_.body->ended();
+    if (!end && (outcome == posh::Outcome::GoalSatisfied || outcome == posh::Outcome::Won))
+        end = parts_.body->finished();
+    if (!end)
         return;
     finished_ = true;
     parts_.body->drive(parts_.body->safeCommand());
-    port.publish(parts_.body->finished());
+    port.publish(*std::move(end));
 }
 
 void PoshBehavior::publishStatus(const Tick& tick, CommandPort& port) {
@@ -162,6 +169,7 @@ void PoshBehavior::land(CommandPort& port) {
 posh::Findings PoshBehavior::replacePlan(const std::string& text) {
     PlanForRobot plan = bindPlan(text, parts_.registry);
     if (plan.program) {
+        reporter_.setPlanText(text);
         engine_.replace(std::move(plan.program));
         parts_.plan_text = text;
     }

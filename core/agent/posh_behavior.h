@@ -9,11 +9,13 @@
 
 #include "core/agent/posh_binding.h"
 #include "core/agent/posh_host.h"
+#include "core/posh/trace_encoder.h"
 
 namespace usar::agent {
 
 /// What a plan behavior is made of.
 struct PoshParts {
+    std::string plan_name; ///< of its file, for messages
     std::string plan_text;
     PoshRegistry registry;
     std::unique_ptr<PoshBody> body;
@@ -23,7 +25,8 @@ struct PoshParts {
 /// One cycle a tick, on the robot's own clock in whole milliseconds. An act that throws, a plan that spends its budget
 /// of acts or a drive that starves is reported by its path, and the robot gets its safe command in that cycle; when no
 /// drive is ready it gets it once. Orders that the body does not see to: pause and resume keep the plan where it is;
-/// landing stops the plan and gives the safe command. The plan's goal finishes the behavior.
+/// landing stops the plan and gives the safe command. The plan's goal finishes the behavior. What happens is published
+/// as PlanTrace at every tick.
 class PoshBehavior final : public Behavior {
 public:
     /// A plan that cannot be read, or does not fit the robot, is an error that lists all that is wrong with it.
@@ -45,12 +48,16 @@ public:
     void watch(posh::TraceObserver* observer);
 
 private:
-    /// Hears what goes wrong, and passes everything on.
+    /// Hears what goes wrong, keeps the trace, and passes everything on.
     class Reporter final : public posh::TraceObserver {
     public:
+        explicit Reporter(std::string plan_text) : encoder_(std::move(plan_text)) {}
         void takeProgram(const std::shared_ptr<const posh::Program>& program) override;
         void take(const posh::TraceRecord& record, std::string_view text) override;
         void watch(posh::TraceObserver* observer);
+
+        void setPlanText(std::string text) { encoder_.setPlanText(std::move(text)); }
+        std::string takeTrace() { return encoder_.takeBytes(); }
 
         bool needs_safety = false; ///< in this cycle
         std::vector<BehaviorEvent> events;
@@ -58,6 +65,7 @@ private:
     private:
         void report(const posh::TraceRecord& record, std::string_view text);
 
+        posh::TraceEncoder encoder_;
         posh::TraceObserver* next_ = nullptr;
         std::shared_ptr<const posh::Program> program_;
         std::set<std::pair<posh::Index, std::string>> reported_; ///< once each

@@ -15,16 +15,16 @@ const posh::Value& PoshBody::read(const std::string& key) const {
     return found == blackboard_.end() ? nil : found->second;
 }
 
-void PoshBody::drive(protocol::Command command) {
+void PoshBody::drive(protocol::Command command, std::string_view why) {
     note(posh::TraceEvent::Command, engine_ && engine_->watched() ? protocol::write(command) : std::string());
     drive_ = std::move(command);
-    drive_source_ = source();
+    drive_source_ = source(why);
 }
 
-void PoshBody::send(protocol::Command command) {
+void PoshBody::send(protocol::Command command, std::string_view why) {
     note(posh::TraceEvent::Command, engine_ && engine_->watched() ? protocol::write(command) : std::string());
     if (port_)
-        port_->send(std::move(command), source());
+        port_->send(std::move(command), source(why));
 }
 
 void PoshBody::publish(Published value) {
@@ -46,8 +46,11 @@ void PoshBody::note(posh::TraceEvent event, std::string_view text) {
         engine_->note(event, place_, text);
 }
 
-std::string PoshBody::source() const {
-    return engine_ ? posh::namePathOf(*engine_->program(), place_) : std::string("plan");
+std::string PoshBody::source(std::string_view why) const {
+    std::string source = engine_ ? posh::namePathOf(*engine_->program(), place_) : std::string("plan");
+    if (!why.empty())
+        source.append(": ").append(why);
+    return source;
 }
 
 PoshBody::Opening::Opening(PoshBody& body, const Tick& tick, CommandPort& port) : body_(body) {

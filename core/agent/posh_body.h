@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/agent/behavior.h"
 #include "core/posh/engine.h"
@@ -27,8 +28,9 @@ public:
     /// For acts. At most one drive command leaves in a cycle: the last. Others leave as they come. Outside of a tick
     /// nobody listens.
     modules::RobotModules& modules() { return *modules_; }
-    void drive(protocol::Command command);
-    void send(protocol::Command command);
+    /// `why` follows the path of the act in the cause of the command: "scanning lane 1 of 4".
+    void drive(protocol::Command command, std::string_view why = {});
+    void send(protocol::Command command, std::string_view why = {});
     void publish(Published value);
     /// Plan state that views show and traces keep.
     void write(const std::string& key, posh::Value value);
@@ -43,6 +45,8 @@ public:
     virtual void setParameters(const ParameterSet&) {}
     /// Completes what the status strip shows; time and the path of the current act are there already.
     virtual void describe(BehaviorStatus&) const {}
+    /// The robot's own end, which ends the behavior whatever the plan says; asked after each cycle.
+    virtual std::optional<BehaviorFinished> ended() const { return std::nullopt; }
     /// What is said when the plan's goal holds.
     virtual BehaviorFinished finished() const { return {true, "The goal of the plan is reached."}; }
     virtual protocol::Command safeCommand() const = 0;
@@ -52,7 +56,7 @@ private:
     friend class PoshHost;
 
     void note(posh::TraceEvent event, std::string_view text);
-    std::string source() const;
+    std::string source(std::string_view why) const;
     void sendDrive();
 
     /// While it lives, the tick's data are at hand and somebody listens.

@@ -12,4 +12,11 @@ const PoshPrimitive* PoshRegistry::find(std::string_view name) const {
     return found == primitives_.end() ? nullptr : &found->second;
 }
 
+std::vector<PrimitiveDescription> PoshRegistry::descriptions() const {
+    std::vector<PrimitiveDescription> all;
+    for (const auto& [name, primitive] : primitives_)
+        all.push_back(primitive.description);
+    return all;
+}
+
 } // namespace usar::agent

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/agent/posh_arguments.h"
 #include "core/agent/posh_body.h"
@@ -51,6 +52,8 @@ public:
     Entry add(PoshPrimitive primitive);
     const PoshPrimitive* find(std::string_view name) const;
     const std::map<std::string, PoshPrimitive, std::less<>>& all() const { return primitives_; }
+    /// In the order of their names.
+    std::vector<PrimitiveDescription> descriptions() const;
 
 private:
     std::map<std::string, PoshPrimitive, std::less<>> primitives_;
@@ -81,12 +84,12 @@ public:
         return registry_.add(std::move(primitive));
     }
 
-    /// `act(Body&, const PoshArguments&)` or `act(Body&)`, done in one call. Answers with an ActResult; true or nothing
+    /// `code(Body&, const PoshArguments&)` or `code(Body&)`, done in one call. Answers with an ActResult; true or nothing
     /// means RunningOnce, false Failed.
     template <class Act>
-    PoshRegistry::Entry act(std::string name, Act act) {
+    PoshRegistry::Entry act(std::string name, Act code) {
         PoshPrimitive primitive = actNamed(std::move(name));
-        primitive.make_act = [act = std::move(act)] { return std::make_unique<FunctionAct<Act>>(act); };
+        primitive.make_act = [code = std::move(code)] { return std::make_unique<FunctionAct<Act>>(code); };
         return registry_.add(std::move(primitive));
     }
 

@@ -95,7 +95,14 @@ struct BehaviorFinished {
     bool operator==(const BehaviorFinished&) const = default;
 };
 
+/// What a POSH plan did since the last one, as a piece of a trace file (core/posh/trace_file.h): put together, the
+/// pieces of a run are such a file, with the text of the plan in it.
+struct PlanTrace {
+    std::string bytes;
+    bool operator==(const PlanTrace&) const = default;
+};
+
 using Published = std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal,
-                               SonarZones, BehaviorEvent, BehaviorFinished>;
+                               SonarZones, BehaviorEvent, BehaviorFinished, PlanTrace>;
 
 } // namespace usar::agent

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "core/agent/behavior.h"
 #include "core/agent/parameters.h"
+#include "core/agent/posh_primitive.h"
 
 namespace usar::agent {
 
@@ -19,6 +21,8 @@ struct BehaviorDescription {
     std::string help;
     bool needs_area = false;
     std::vector<ParameterSpec> parameters;
+    std::string plan_name = {}; ///< of a behavior that a POSH plan decides: "airrobot.lap"; empty for all others
+    std::string plan_text = {}; ///< the plan that comes with the robot
 };
 
 struct RobotDescription {
@@ -26,12 +30,22 @@ struct RobotDescription {
     std::string name;                        ///< "AirRobot"
     std::vector<std::string> sensors_needed; ///< types on the wire
     std::vector<BehaviorDescription> behaviors;
+    std::vector<PrimitiveDescription> primitives =
+        {}; ///< what plans may ask of it and have it do; empty where no plan can decide
+};
+
+/// A POSH plan as a person wrote it.
+struct PlanText {
+    std::string name; ///< of the file, for messages
+    std::string text;
+    bool operator==(const PlanText&) const = default;
 };
 
 /// What a new behavior is given once.
 struct BehaviorContext {
     Task task;
     ParameterSet parameters;
+    std::optional<PlanText> plan = {}; ///< in place of the one that comes with the robot
 };
 
 /// What a task would come to, shown before it starts: the path over the ground and its cost without obstacles.
@@ -46,7 +60,7 @@ class RobotPlugin {
 public:
     virtual ~RobotPlugin() = default;
     virtual RobotDescription description() const = 0;
-    /// An id that `description` does not list is an error.
+    /// An id that `description` does not list is an error, and so is a plan that cannot run on this robot.
     virtual Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const = 0;
     /// Quick: called while a person drags the area. An area without size is an error.
     virtual Result<TaskPreview> preview(const std::string& id, const BehaviorContext& context) const;
@@ -58,5 +72,5 @@ inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const Behavi
 
 } // namespace usar::agent
 
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/2"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/3"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

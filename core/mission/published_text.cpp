@@ -85,6 +85,10 @@ public:
         word("finished");
         (add(int{finished.success}), add(finished.reason));
     }
+    void operator()(const agent::PlanTrace& trace) {
+        word("trace");
+        add(trace.bytes);
+    }
 
 private:
     std::string& text_;
@@ -191,6 +195,9 @@ void read(Fields& fields, agent::BehaviorEvent& event) {
 void read(Fields& fields, agent::BehaviorFinished& finished) {
     (fields.take(finished.success), fields.take(finished.reason));
 }
+void read(Fields& fields, agent::PlanTrace& trace) {
+    fields.take(trace.bytes);
+}
 
 template <class Value>
 std::optional<agent::Published> readAs(Fields& fields) {
@@ -215,7 +222,8 @@ std::optional<agent::Published> readPublished(std::string_view text) {
                                                                  {"goal", readAs<agent::CurrentGoal>},
                                                                  {"zones", readAs<agent::SonarZones>},
                                                                  {"event", readAs<agent::BehaviorEvent>},
-                                                                 {"finished", readAs<agent::BehaviorFinished>}};
+                                                                 {"finished", readAs<agent::BehaviorFinished>},
+                                                                 {"trace", readAs<agent::PlanTrace>}};
     Fields fields(text);
     const std::string_view word = fields.word();
     for (const auto& [known, reader] : readers)

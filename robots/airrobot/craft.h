@@ -45,6 +45,8 @@ public:
     void look(const Leg& leg);
     /// There is a high risk, or a low one on the way.
     bool threatMatters() const { return evasion_.threatMatters(); }
+    /// There is a high risk, and a way out of it.
+    bool escapeOpen() const { return Evasion::escape_rad(senses, threats, obstacles_).has_value(); }
     bool climbingOver() const { return climb_over_.active(); }
     bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
     /// Something is in the way, or was a moment ago.

@@ -2,12 +2,14 @@
 
 #include "core/mapping/coverage_path.h"
 #include "robots/airrobot/survey_behavior.h"
+#include "robots/airrobot/survey_plan.h"
 
 namespace usar::airrobot {
 
 namespace {
 const char* const survey_id = "airrobot/cpp";
-}
+const char* const planned_survey_id = "airrobot/posh";
+} // namespace
 
 agent::RobotDescription describeAirRobot() {
     agent::BehaviorDescription survey;
@@ -17,12 +19,26 @@ agent::RobotDescription describeAirRobot() {
                   "charges at its base and lands there at the end.";
     survey.needs_area = true;
     survey.parameters = parameterSpecs();
-    return {"USARBot.AirRobot", "AirRobot", {"INS", "GroundTruth", "RangeScanner", "Sonar"}, {std::move(survey)}};
+    agent::BehaviorDescription planned = survey;
+    planned.id = planned_survey_id;
+    planned.name = "Terrain survey (POSH)";
+    planned.help += " Decided by a POSH plan, which can be read and changed.";
+    const agent::PlanText plan = surveyPlan();
+    planned.plan_name = plan.name;
+    planned.plan_text = plan.text;
+    return {"USARBot.AirRobot",
+            "AirRobot",
+            {"INS", "GroundTruth", "RangeScanner", "Sonar"},
+            {std::move(survey), std::move(planned)},
+            surveyRegistry().descriptions()};
 }
 
 Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context) {
+    if (id == planned_survey_id)
+        return makePlannedSurvey(std::move(context));
     if (id != survey_id)
-        return failure("the AirRobot has no such behavior", "behavior " + id, std::string("Use ") + survey_id);
+        return failure("the AirRobot has no such behavior", "behavior " + id,
+                       std::string("Use ") + survey_id + " or " + planned_survey_id);
     return std::make_unique<SurveyBehavior>(std::move(context));
 }
 

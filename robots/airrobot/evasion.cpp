@@ -85,10 +85,17 @@ void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const 
         calm(senses.now, settings);
 }
 
+std::optional<double> Evasion::escape_rad(const Senses& senses, const ThreatPicture& picture,
+                                          std::span<const Obstacle> obstacles) {
+    if (picture.risk != agent::Risk::High)
+        return std::nullopt;
+    const double threat_rad = senses.base_in_map.yaw_rad + picture.zones[*picture.greatest].bearing_rad;
+    return escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m);
+}
+
 EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles) {
     EvasionDecision decision;
-    const double threat_rad = senses.base_in_map.yaw_rad + picture.zones[*picture.greatest].bearing_rad;
-    const auto escape = escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m);
+    const auto escape = escape_rad(senses, picture, obstacles);
     decision.mode = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
     decision.flee_bearing_rad = escape.value_or(0.0);
     decision.new_high_risk = last_risk_ != agent::Risk::High;

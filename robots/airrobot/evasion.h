@@ -54,6 +54,9 @@ public:
 
     EvasionDecision decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                            const Settings& settings);
+    /// Map bearing away from the greatest threat that is a high risk; nothing without one, or without a way.
+    static std::optional<double> escape_rad(const Senses& senses, const ThreatPicture& picture,
+                                            std::span<const Obstacle> obstacles);
     void reset() { *this = {}; }
 
 private:

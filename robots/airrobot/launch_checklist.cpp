@@ -53,6 +53,10 @@ std::string wordsFor(const Question& question) {
 
 } // namespace
 
+bool LaunchChecklist::geometryKnown() const {
+    return question_ == questions.size();
+}
+
 bool LaunchChecklist::answered(modules::RobotModules& robot, agent::CommandPort& port) {
     while (question_ < questions.size()) {
         const Question& question = questions[question_];
@@ -96,6 +100,7 @@ LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, age
         return failed ? LaunchState::Failed : LaunchState::Waiting;
     }
     words_ = "ready";
+    ready_ = true;
     return LaunchState::Ready;
 }
 

@@ -19,6 +19,11 @@ class LaunchChecklist {
 public:
     LaunchState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port);
     const SensorLayout& layout() const { return layout_; }
+    /// The robot's configuration was answered for, one way or the other; then all geometry and limits; then there was
+    /// a first reading of every sensor.
+    bool configurationKnown() const { return question_ > 0; }
+    bool geometryKnown() const;
+    bool ready() const { return ready_; }
     /// What is waited for, or what failed: "waiting for sonar geometry".
     const std::string& words() const { return words_; }
 
@@ -29,6 +34,7 @@ private:
     SensorLayout layout_ = stockLayout();
     std::size_t question_ = 0;
     std::optional<Seconds> asked_all_;
+    bool ready_ = false;
     std::string words_ = "starting";
 };
 

@@ -16,7 +16,21 @@ void SurveyBehavior::tick(const agent::Tick& tick, agent::CommandPort& port) {
         flight_.awaitSensors(port);
     else
         act(tick, port);
-    flight_.publishStatus(port);
+    publishEnd(port);
+}
+
+void SurveyBehavior::publishEnd(agent::CommandPort& port) {
+    port.publish(flight_.status());
+    if (flight_.ending())
+        port.publish(*flight_.ending());
+}
+
+void SurveyBehavior::order(agent::Order order, agent::CommandPort& port) {
+    if (flight_.finished())
+        return;
+    flight_.order(order, port);
+    if (flight_.ending())
+        port.publish(*flight_.ending());
 }
 
 void SurveyBehavior::launch(const agent::Tick& tick, agent::CommandPort& port) {

@@ -16,13 +16,14 @@ public:
     explicit SurveyBehavior(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
     void tick(const agent::Tick& tick, agent::CommandPort& port) override;
-    void order(agent::Order order, agent::CommandPort& port) override { flight_.order(order, port); }
+    void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     protocol::Command safeCommand() const override;
 
     Phase phase() const { return flight_.phase(); }
 
 private:
+    void publishEnd(agent::CommandPort& port);
     void launch(const agent::Tick& tick, agent::CommandPort& port);
     void act(const agent::Tick& tick, agent::CommandPort& port);
     void watchBattery(agent::CommandPort& port);

@@ -78,6 +78,8 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     goal_distance_m_.reset();
     if (phase_ != Phase::Launch)
         noteSilence(port);
+    if (inTheAir() && phase_ != Phase::Landing && !silent_ && robotBatteryLow())
+        endPause("the robot's own battery runs out", port);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
 }
@@ -246,7 +248,6 @@ void SurveyFlight::abortScan(agent::CommandPort& port) {
 }
 
 void SurveyFlight::obeyRobotBattery(agent::CommandPort& port) {
-    endPause("the robot's own battery runs out", port);
     if (phase_ == Phase::Home)
         return;
     end_reason_ = "The robot's own battery runs out, and the simulator cannot charge it; raise its battery life.";
@@ -267,6 +268,7 @@ void SurveyFlight::landHere(agent::CommandPort& port) {
     port.publish(agent::BehaviorEvent{Severity::Error, "The way home is blocked; the robot lands where it is."});
     end_reason_ = "The way home was blocked.";
     errand_ = Errand::GivenUp;
+    craft_.startAnew();
     landAt(craft_.senses.position2_m());
 }
 
@@ -322,7 +324,7 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
 void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port) {
     phase_ = Phase::Finished;
     craft_.rest(port, "finished");
-    port.publish(agent::BehaviorFinished{success, reason});
+    ending_ = agent::BehaviorFinished{success, reason};
 }
 
 } // namespace usar::airrobot

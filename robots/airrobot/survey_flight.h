@@ -17,19 +17,21 @@ namespace usar::airrobot {
 enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
 /// Owned by one behavior. Each tick: `perceive`, then the acts that were decided on (one of them commands the robot),
-/// then `publishStatus`.
+/// and at its end `status` and `ending` are to be published.
 class SurveyFlight {
 public:
     explicit SurveyFlight(agent::BehaviorContext context);
 
     void perceive(const agent::Tick& tick, agent::CommandPort& port);
-    void publishStatus(agent::CommandPort& port) const;
+    agent::BehaviorStatus status() const;
     void setParameters(const agent::ParameterSet& parameters);
     /// Pause and resume are remembered; for LandNow the place to land is here.
     void order(agent::Order order, agent::CommandPort& port);
 
     Phase phase() const { return phase_; }
-    bool finished() const { return phase_ == Phase::Finished; }
+    bool finished() const { return ending_.has_value(); }
+    /// The last word.
+    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     bool paused() const { return paused_; }
     bool inTheAir() const;
     /// A sensor that the flight needs has been silent for longer than its time-out.
@@ -132,6 +134,7 @@ private:
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;
+    std::optional<agent::BehaviorFinished> ending_;
     bool paused_ = false;
     bool silent_ = false;
     bool launched_ = false;

@@ -49,7 +49,7 @@ std::optional<Seconds> SurveyFlight::timeLeft() const {
     return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
 }
 
-void SurveyFlight::publishStatus(agent::CommandPort& port) const {
+agent::BehaviorStatus SurveyFlight::status() const {
     agent::BehaviorStatus status;
     status.time = craft_.senses.now;
     status.elapsed = craft_.senses.now - *started_;
@@ -62,7 +62,7 @@ void SurveyFlight::publishStatus(agent::CommandPort& port) const {
     status.distance_flown_m = craft_.battery.flown_m();
     status.charges = craft_.battery.charges();
     status.paused = paused_;
-    port.publish(status);
+    return status;
 }
 
 } // namespace usar::airrobot

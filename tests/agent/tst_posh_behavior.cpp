@@ -3,6 +3,7 @@
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/posh_behavior.h"
+#include "core/posh/trace_file.h"
 #include "core/posh/trace_text.h"
 #include "tests/agent/toy_rover.h"
 
@@ -21,7 +22,7 @@ public:
     explicit Run(const std::string& plan) {
         auto body = std::make_unique<ToyRover>();
         rover = body.get();
-        auto made = PoshBehavior::make({plan, test::toyRegistry(), std::move(body), {}});
+        auto made = PoshBehavior::make({"rover.lap", plan, test::toyRegistry(), std::move(body), {}});
         if (!made)
             throw std::runtime_error(made.error().text());
         behavior = made->get();
@@ -76,6 +77,7 @@ private slots:
     void aBadPlanChangesNothing();
     void aPlanThatDoesNotFitIsRefusedWithAllItsErrors();
     void theBlackboardIsTraced();
+    void publishedTracesMakeATraceFile();
     void theEndOfTheBehaviorEndsItsAct();
 };
 
@@ -201,8 +203,9 @@ void tst_PoshBehavior::aBadPlanChangesNothing() {
 
 void tst_PoshBehavior::aPlanThatDoesNotFitIsRefusedWithAllItsErrors() {
     const auto made = PoshBehavior::make(
-        {"((DC d (drives ((a Fly)) ((b Swim)))))", test::toyRegistry(), std::make_unique<ToyRover>(), {}});
+        {"rover.lap", "((DC d (drives ((a Fly)) ((b Swim)))))", test::toyRegistry(), std::make_unique<ToyRover>(), {}});
     QVERIFY(!made);
+    QVERIFY(made.error().text().find("plan rover.lap") != std::string::npos);
     QVERIFY(made.error().text().find("Fly") != std::string::npos);
     QVERIFY(made.error().text().find("Swim") != std::string::npos);
 }
@@ -217,6 +220,20 @@ void tst_PoshBehavior::theBlackboardIsTraced() {
     QVERIFY(text.contains("count: 2 -> 3"));
     QVERIFY(text.contains("init /P:0/DC:0/DE:1/A:0 Halt"));
     run.behavior->watch(nullptr);
+}
+
+void tst_PoshBehavior::publishedTracesMakeATraceFile() {
+    Run run(drive_on);
+    std::string bytes;
+    for (int i = 0; i < 20; ++i)
+        for (const PlanTrace& piece : published<PlanTrace>(run.tick()))
+            bytes += piece.bytes;
+    const auto file = posh::TraceFile::open(bytes);
+    QVERIFY(file);
+    QCOMPARE(file->damage(), std::string());
+    QCOMPARE(file->planText(0), drive_on);
+    // An encoder says what a cycle was when the next begins, so the last may be on its way.
+    QVERIFY(file->cycleCount() >= 19);
 }
 
 void tst_PoshBehavior::theEndOfTheBehaviorEndsItsAct() {

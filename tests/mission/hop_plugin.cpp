@@ -44,7 +44,7 @@ private:
 
 class HopPlugin : public QObject, public RobotPlugin {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/2" FILE "hop_plugin.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/3" FILE "hop_plugin.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 public:
     RobotDescription description() const override {

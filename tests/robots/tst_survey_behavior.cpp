@@ -9,6 +9,9 @@ using namespace usar::tests;
 
 namespace {
 
+/// Who decides: every test runs with each of them.
+std::string decider = "airrobot/cpp";
+
 const Task field_task{"R1", Pose{}, {Vec2(5, 5), Vec2(45, 35)}};
 
 ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
@@ -16,7 +19,7 @@ ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
                  Seconds battery = Seconds(1e5), std::optional<Pose> standing_in_map = {}) {
     const auto parameters = ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters, values);
     Q_ASSERT(parameters);
-    auto behavior = airrobot::makeBehavior("airrobot/cpp", {task, *parameters});
+    auto behavior = airrobot::makeBehavior(decider, {task, *parameters});
     Q_ASSERT(behavior);
     return {ToyAirRobot(world, standing_in_map.value_or(task.start_in_map), faults, battery), std::move(*behavior)};
 }
@@ -60,6 +63,16 @@ class TestSurveyBehavior : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase_data() {
+        QTest::addColumn<QByteArray>("behavior");
+        QTest::newRow("state machine") << QByteArray("airrobot/cpp");
+        QTest::newRow("POSH plan") << QByteArray("airrobot/posh");
+    }
+    void init() {
+        QFETCH_GLOBAL(QByteArray, behavior);
+        decider = behavior.toStdString();
+    }
+
     void scansAFieldLaneByLaneAndLandsAtItsBase() {
         ToyFlight toy = flight({});
         toy.run(Seconds(1000));

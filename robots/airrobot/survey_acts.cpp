@@ -1,0 +1,180 @@
+#include <string>
+#include <utility>
+
+#include "robots/airrobot/survey_body.h"
+
+namespace usar::airrobot {
+
+namespace {
+
+using agent::PoshArguments;
+using posh::ActResult;
+
+/// Takes no time.
+template <class Do>
+void addNote(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
+    primitives
+        .act(std::move(name),
+             [act](SurveyBody& body) {
+                 body.with(act);
+                 return ActResult::Finished;
+             })
+        .describe(std::move(help));
+}
+
+/// A step of control each cycle, decided anew at the next.
+template <class Do>
+void addStep(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
+    primitives.act(std::move(name), [act](SurveyBody& body) { body.with(act); }).describe(std::move(help));
+}
+
+/// Goes on until the flight is where it should be.
+template <class Do>
+agent::PoshRegistry::Entry addTask(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
+    return primitives
+        .act(std::move(name),
+             [act](SurveyBody& body) { return body.with(act) ? ActResult::RunningOnce : ActResult::Running; })
+        .describe(std::move(help));
+}
+
+/// Steps the launch checklist until it is past this point of it.
+template <class Known>
+void addQuery(SurveyPrimitives& primitives, std::string name, std::string help, Known known) {
+    primitives
+        .act(std::move(name),
+             [known](SurveyBody& body) {
+                 const LaunchState state = body.with([&body](SurveyFlight& flight, agent::CommandPort& port) {
+                     return flight.checkLaunch(body.tick(), port);
+                 });
+                 if (state == LaunchState::Failed)
+                     return ActResult::Failed;
+                 return known(body.flight().checklist()) ? ActResult::Finished : ActResult::Running;
+             })
+        .describe(std::move(help));
+}
+
+class ResetIns {
+public:
+    void init(SurveyBody& body, const PoshArguments&) {
+        body.with([](SurveyFlight& flight, agent::CommandPort&) { flight.beginReset(); });
+    }
+    ActResult run(SurveyBody& body, const PoshArguments&) {
+        const ResetState state = body.with(
+            [&body](SurveyFlight& flight, agent::CommandPort& port) { return flight.stepReset(body.tick(), port); });
+        return state == ResetState::Done || state == ResetState::Failed ? ActResult::RunningOnce : ActResult::Running;
+    }
+};
+
+class LandAtBase {
+public:
+    void init(SurveyBody& body, const PoshArguments&) {
+        body.with([](SurveyFlight& flight, agent::CommandPort&) {
+            if (!flight.landing())
+                flight.beginLanding();
+        });
+    }
+    ActResult run(SurveyBody& body, const PoshArguments&) {
+        const bool down = body.with([](SurveyFlight& flight, agent::CommandPort& port) { return flight.land(port); });
+        return down ? ActResult::RunningOnce : ActResult::Running;
+    }
+};
+
+ActResult climbTo(SurveyBody& body, const PoshArguments& arguments) {
+    const double asked_m = arguments.real("altitude");
+    const double altitude_m = asked_m > 0.0 ? asked_m : body.flight().craft().settings.scan_altitude_m;
+    const bool there = body.with(
+        [altitude_m](SurveyFlight& flight, agent::CommandPort& port) { return flight.climb(altitude_m, port); });
+    return there ? ActResult::RunningOnce : ActResult::Running;
+}
+
+ActResult markLaunchReady(SurveyBody& body) {
+    if (body.flight().paused())
+        return ActResult::Running;
+    body.with([](SurveyFlight& flight, agent::CommandPort&) { flight.setOut(); });
+    return ActResult::Finished;
+}
+
+void addLaunchActs(SurveyPrimitives& primitives) {
+    addQuery(primitives, "QueryRobotConf", "Asks the server for the robot's configuration.",
+             [](const LaunchChecklist& list) { return list.configurationKnown(); });
+    addQuery(primitives, "QuerySonarGeo", "Asks the server for geometry and limits of sonars and range scanner.",
+             [](const LaunchChecklist& list) { return list.geometryKnown(); });
+    addQuery(primitives, "WaitForSensors", "Waits for a first reading of INS, sonars and range scanner.",
+             [](const LaunchChecklist& list) { return list.ready(); });
+    addNote(primitives, "InitPreview", "Plans the lanes over the area.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.planSurvey(port); });
+    primitives.act<ResetIns>("ResetIns").describe("Rests, then sets the INS from ground truth.");
+    primitives.act("MarkLaunchReady", markLaunchReady)
+        .describe("Notes that the launch is complete; waits while the robot is paused.");
+}
+
+void addFlightActs(SurveyPrimitives& primitives) {
+    primitives.act("ClimbTo", climbTo)
+        .describe("Climbs straight up.")
+        .takes(agent::PoshParameter::number("altitude", 0.0, "m", 0.0, 30.0,
+                                            "Above where it stood; 0 for the scan altitude of the mission."));
+    addNote(primitives, "MarkAirborne", "Notes that the scan altitude is reached.",
+            [](SurveyFlight& flight, agent::CommandPort&) { flight.beginWork(); });
+    const auto cruise = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Cruise, port); };
+    const auto avoid = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Avoid, port); };
+    addStep(primitives, "FlyToGoal", "Flies toward the present goal of the survey.", cruise);
+    addStep(primitives, "FlyToBase", "Flies toward the base.", cruise);
+    addStep(primitives, "KeepCourse", "Goes on as if nothing were in the way.", cruise);
+    addStep(primitives, "EvadeOpposite", "A sudden move away from the greatest threat.", avoid);
+    addNote(primitives, "PlotDiversion",
+            "Chooses the greatest threat, sums the sonars to its left and right, and sets a point on the freer side.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.decide(port); });
+    addStep(primitives, "FollowDiversion", "Flies to the point set, or waits where there is no way.", avoid);
+    addStep(primitives, "ClimbOver", "Backs away from the obstacle, climbs until the way is free, and crosses.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::ClimbOver, port); });
+    addStep(primitives, "HoldPlace", "Waits where it was when it was paused.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.holdPlace(port); });
+    addStep(primitives, "WaitForData", "Stops, and gives up when a sensor stays silent for 15 s.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.awaitSensors(port); });
+    addStep(primitives, "Hover", "Stops for a cycle.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "hovering"); });
+}
+
+void addGoalActs(SurveyPrimitives& primitives) {
+    addNote(primitives, "NextGoal", "Takes the next goal: along the lane, the next lane or quadrant, or home.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.nextGoal(port); });
+    addNote(primitives, "SkipGoal", "Declares the goal unreachable and takes the next.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.skipGoal(port); });
+    const auto return_home = [](SurveyFlight& flight, agent::CommandPort& port) { flight.returnToCharge(port); };
+    addNote(primitives, "StoreGoalAndReturn", "Remembers where the lane was left, and makes the base the goal.",
+            return_home);
+    addNote(primitives, "StoreOuterGoalAndReturn",
+            "The same in a diversion, which is forgotten: the lane is the goal behind it.", return_home);
+    addNote(primitives, "AbortScan", "No more goals; the base is the goal, and the scan ends there.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.abortScan(port); });
+    addNote(primitives, "GiveUpAndReturn", "The robot's own battery runs out: home, and the scan ends there.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.obeyRobotBattery(port); });
+    addNote(primitives, "LandHere", "The way home is blocked: the robot lands where it is, and the scan ends there.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.landHere(port); });
+}
+
+void addGroundActs(SurveyPrimitives& primitives) {
+    primitives.act<LandAtBase>("LandAtBase")
+        .describe("Sinks onto a free place at the base until it touches the ground.");
+    addTask(primitives, "HoldOnGround", "Stands for as long as charging takes, and while the robot is paused.",
+            [](SurveyFlight& flight, agent::CommandPort&) { return flight.charged() && !flight.paused(); });
+    addNote(primitives, "Recharge", "Fills the simulated battery.",
+            [](SurveyFlight& flight, agent::CommandPort&) { flight.recharge(); });
+    addNote(primitives, "ResumeScan", "Takes the lane up where it was left, and allows the start.",
+            [](SurveyFlight& flight, agent::CommandPort&) { flight.setOut(); });
+    addNote(primitives, "StopRotors", "Zero DRIVE.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "rotors off"); });
+    addNote(primitives, "MarkFinished", "Says how the scan ended; its files are written then.",
+            [](SurveyFlight& flight, agent::CommandPort& port) { flight.conclude(port); });
+}
+
+} // namespace
+
+void addSurveyActs(SurveyPrimitives& primitives) {
+    addLaunchActs(primitives);
+    addFlightActs(primitives);
+    addGoalActs(primitives);
+    addGroundActs(primitives);
+}
+
+} // namespace usar::airrobot
