@@ -48,6 +48,7 @@ void tst_PublishedText::readsBackWhatItWrote_data() {
     QTest::newRow("zones") << agent::Published(
         agent::SonarZones{{{"F1", 0.5, 4.0, 5.0, 2.0, 1.0, agent::Risk::Low}, {"a b", -0.5, 1, 5, 2, 1, {}}}});
     QTest::newRow("event") << agent::Published(agent::BehaviorEvent{Severity::Error, "The wind,\nthe wind"});
+    QTest::newRow("trace") << agent::Published(agent::PlanTrace{std::string("USAR\0\xff\n\"", 8)});
     QTest::newRow("finished") << agent::Published(agent::BehaviorFinished{true, "Landed."});
 }
 
