@@ -203,7 +203,11 @@ void sortByPlace(Findings& findings) {
 
 PlanReading readPlan(std::string_view text) {
     if (text.size() > longest_plan_bytes)
-        return {{}, {{Code::NotAPlan, {1, 1, 0, 0}, "the text is too long for a plan; give a smaller file", {}}}};
+        return {{},
+                {{Code::NotAPlan,
+                  {1, 1, 0, 0},
+                  "the text is longer than 64 MiB, which no plan is; give another file",
+                  {}}}};
     TokenList tokens = tokenize(text);
     PlanReader reader(text, tokens);
     PlanReading reading{reader.run(), std::move(tokens.warnings)};

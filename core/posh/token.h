@@ -52,7 +52,7 @@ struct TokenList {
 };
 
 /// The longest text that is read; what is longer is no plan.
-constexpr std::size_t longest_plan_bytes = std::size_t{1} << 30U;
+constexpr std::size_t longest_plan_bytes = std::size_t{64} << 20U;
 
 /// `text` must not be longer than longest_plan_bytes.
 TokenList tokenize(std::string_view text);

@@ -1,4 +1,5 @@
 #include <QBuffer>
+#include <QFile>
 #include <QJsonDocument>
 #include <QTest>
 
@@ -36,6 +37,7 @@ private slots:
     void aFindingHasItsCodePlaceAndFile();
     void aWarningLeavesThePlanSound();
     void anOpenParenthesisIsNamed();
+    void aFileWithoutEndIsNoPlan();
     void aFullDiskIsAnError();
 };
 
@@ -73,6 +75,17 @@ void tst_PlanReport::anOpenParenthesisIsNamed() {
     QCOMPARE(report.findings[0]["code"].toString(), QString("E203"));
     QCOMPARE(report.findings[0]["line"].toInt(), 3);
     QCOMPARE(report.findings[0]["opener"].toObject(), (QJsonObject{{"line", 2}, {"column", 2}}));
+}
+
+void tst_PlanReport::aFileWithoutEndIsNoPlan() {
+    QFile endless("/dev/zero");
+    if (!endless.open(QIODevice::ReadOnly))
+        QSKIP("no /dev/zero here");
+    QByteArray printed;
+    QBuffer output(&printed);
+    QVERIFY(output.open(QIODevice::WriteOnly));
+    QCOMPARE(reportPlan(endless, "zero", output), Result<bool>(false));
+    QVERIFY2(printed.contains("longer than 64 MiB"), printed);
 }
 
 void tst_PlanReport::aFullDiskIsAnError() {
