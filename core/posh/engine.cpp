@@ -41,7 +41,8 @@ void Engine::load() {
 
 Outcome Engine::cycle(Milliseconds now) {
     const std::int64_t begin_ns = profiler_.now();
-    tracer_.setCycle(tracer_.cycle() + 1, std::max(now, tracer_.now()));
+    const bool is_first = tracer_.cycle() == 0; // a clock may begin below zero
+    tracer_.setCycle(tracer_.cycle() + 1, is_first ? now : std::max(now, tracer_.now()));
     tracer_.note(TraceEvent::CycleBegin, 0);
     acts_ = 0;
     Outcome outcome = Outcome::Won;

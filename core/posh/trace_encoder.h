@@ -49,7 +49,6 @@ private:
     std::size_t texts_written_ = 0;
     std::uint64_t run_ = 0; ///< events that are as before and not yet written
     int until_key_ = 0;
-    std::uint64_t cycle_ = 0;
     std::int64_t time_ms_ = 0;
     std::int64_t step_ms_ = 0;
     bool in_cycle_ = false;

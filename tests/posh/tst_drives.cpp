@@ -21,6 +21,7 @@ private slots:
     void aDriveWithFrequencyWaitsForItsInterval();
     void aSwitchedOffDriveIsNeverReady();
     void timeNeverGoesBack();
+    void aClockMayBeginBelowZero();
     void theFrequencyIsAskedBeforeTheTrigger();
     void theIntervalCountsFromTheStartNotTheEnd();
     void anInterruptedDriveWaitsForItsIntervalToo();
@@ -87,6 +88,13 @@ void tst_Drives::timeNeverGoesBack() {
     trial.cycle(5000);
     QCOMPARE(trial.cycle(100), "skip frequency; end Idle");
     QVERIFY(trial.cycle(6000).startsWith("start beat"));
+}
+
+void tst_Drives::aClockMayBeginBelowZero() {
+    Trial trial("((DC d (drives ((beat drum (seconds 1))))))");
+    trial.cycle(-5000);
+    QCOMPARE(trial.cycle(-4500), "skip frequency; end Idle");
+    QVERIFY(trial.cycle(-4000).startsWith("start beat"));
 }
 
 void tst_Drives::theFrequencyIsAskedBeforeTheTrigger() {
