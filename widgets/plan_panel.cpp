@@ -1,12 +1,16 @@
 #include "widgets/plan_panel.h"
 
-#include <QKeyEvent>
+#include <algorithm>
+#include <iterator>
+
 #include <QResizeEvent>
+#include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "widgets/icons.h"
+#include "widgets/models/plan_places.h"
 #include "widgets/models/plan_reasons.h"
 #include "widgets/theme.h"
 #include "widgets/tool_button.h"
@@ -74,9 +78,11 @@ PlanPanel::PlanPanel(QWidget* parent)
     head_->setSpacing(gap::tiny);
     head_->addLayout(makeSearchRow(), 1);
     head_->addLayout(makeButtonRow());
+    side_ = makeSide();
+    body_->addWidget(makeText());
     body_->addWidget(view_);
-    body_->addWidget(makeSide());
-    body_->setStretchFactor(0, 1);
+    body_->addWidget(side_);
+    body_->setStretchFactor(1, 1);
     body_->setHandleWidth(gap::small);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
@@ -88,13 +94,18 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
-    QWidget* const side = body_->widget(1);
-    connect(view_, &PlanView::treeChanged, this, [this, side] {
-        side->setVisible(!view_->tree().empty());
+    connect(view_, &PlanView::treeChanged, this, [this] {
+        side_->setVisible(!view_->tree().empty());
         showRunning();
         search(search_->text());
     });
-    connect(view_, &PlanView::activated, this, [this](int node) { emit textRequested(view_->tree()[node].at); });
+    connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunningLines);
+    connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showTextPlace);
+    connect(view_, &PlanView::activated, this, [this](int node) {
+        if (text_shown_->isEnabled())
+            text_shown_->setChecked(true);
+        emit textRequested(view_->tree()[node].at);
+    });
     connect(robots_, &QComboBox::textActivated, this, &PlanPanel::robotChosen);
     auto* to_search = new QShortcut(QKeySequence::Find, this);
     to_search->setContext(Qt::WidgetWithChildrenShortcut);
@@ -102,7 +113,7 @@ PlanPanel::PlanPanel(QWidget* parent)
         search_->setFocus(Qt::ShortcutFocusReason);
         search_->selectAll();
     });
-    side->hide();
+    side_->hide();
     setRobots({}, {});
     showFound();
     showRunning();
@@ -151,6 +162,9 @@ QToolButton* PlanPanel::addButton(QBoxLayout* row, const QString& icon_name, con
 QBoxLayout* PlanPanel::makeButtonRow() {
     auto* row = new QHBoxLayout;
     row->setSpacing(gap::tiny);
+    text_shown_ = addButton(row, QStringLiteral("text"), tr("Shows the plan's text beside the drawing"));
+    text_shown_->setCheckable(true);
+    text_shown_->setEnabled(false);
     expanded_ = addButton(row, QStringLiteral("branches"),
                           tr("Draws parts that are used at several places at each of them; else once, with links"));
     expanded_->setCheckable(true);
@@ -175,6 +189,28 @@ QBoxLayout* PlanPanel::makeButtonRow() {
     connect(save, &QToolButton::clicked, this, &PlanPanel::exportRequested);
     row->addStretch(1);
     return row;
+}
+
+QWidget* PlanPanel::makeText() {
+    auto* pane = new QWidget(this);
+    auto* column = new QVBoxLayout(pane);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap::tiny);
+    text_ = new PlanTextEdit(pane);
+    finding_ = new QLabel(pane);
+    finding_->setWordWrap(true);
+    finding_->hide();
+    column->addWidget(text_, 1);
+    column->addWidget(finding_);
+    pane->hide();
+    connect(text_shown_, &QToolButton::toggled, pane, &QWidget::setVisible);
+    connect(text_, &PlanTextEdit::placeEntered, this, [this](int line, int column_number) {
+        const QScopedValueRollback from_text(from_text_, true);
+        if (const int node = nodeAtPlace(view_->tree(), line, column_number); node >= 0)
+            view_->select(node);
+        showFinding();
+    });
+    return pane;
 }
 
 QWidget* PlanPanel::makeSide() {
@@ -212,6 +248,51 @@ void PlanPanel::setRobots(const QStringList& names, const QString& shown) {
     robots_->addItems(names);
     robots_->setCurrentText(shown);
     robots_->setVisible(names.size() > 1);
+}
+
+void PlanPanel::setPlanText(std::string_view text, const posh::Findings& findings) {
+    text_->setPlanText(text, findings);
+    text_shown_->setEnabled(true);
+    if (posh::hasErrors(findings))
+        text_shown_->setChecked(true);
+    showRunningLines();
+    showTextPlace();
+    showFinding();
+}
+
+void PlanPanel::clear() {
+    view_->clear();
+    text_->setPlanText({}, {});
+    text_shown_->setChecked(false);
+    text_shown_->setEnabled(false);
+}
+
+void PlanPanel::showTextPlace() {
+    const int node = view_->selected();
+    if (!from_text_)
+        text_->showPlace(node < 0 ? posh::Spot() : view_->tree()[node].at);
+}
+
+void PlanPanel::showRunningLines() {
+    std::set<int> lines;
+    for (const int node : view_->states().running(view_->tree()))
+        if (const auto line = view_->tree()[node].at.line; line > 0)
+            lines.insert(static_cast<int>(line));
+    text_->setRunningLines(lines);
+}
+
+/// That of the cursor's line, else how many there are.
+void PlanPanel::showFinding() {
+    const posh::Findings& all = text_->findings();
+    const auto errors = std::count_if(all.begin(), all.end(), [](const posh::Finding& finding) {
+        return severityOf(finding.code) == Severity::Error;
+    });
+    const auto warnings = std::ssize(all) - errors;
+    finding_->setVisible(!all.empty());
+    if (const posh::Finding* const finding = text_->findingAtCursor())
+        finding_->setText(QString::fromStdString(posh::toText(*finding)));
+    else
+        finding_->setText(tr("Errors: %1, warnings: %2. F8 in the text goes to the next.").arg(errors).arg(warnings));
 }
 
 void PlanPanel::search(const QString& words) {
@@ -268,7 +349,8 @@ void PlanPanel::arrange() {
     narrow_ = narrow;
     head_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     body_->setOrientation(narrow ? Qt::Vertical : Qt::Horizontal);
-    body_->setSizes(narrow ? QList<int>{height() * 2 / 3, height() / 3} : QList<int>{width() - 280, 280});
+    body_->setSizes(narrow ? QList<int>{height() / 3, height() * 2 / 3, height() / 3}
+                           : QList<int>{width() / 3, width() - 280, 280});
 }
 
 void PlanPanel::resizeEvent(QResizeEvent* event) {

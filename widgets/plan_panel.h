@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "widgets/plan_text_edit.h"
 #include "widgets/plan_view.h"
 
 namespace usar::widgets {
@@ -22,7 +23,11 @@ public:
     PlanView& view() { return *view_; }
     void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
     void setSnapshot(PlanSnapshot snapshot) { view_->setSnapshot(std::move(snapshot)); }
-    void clear() { view_->clear(); }
+    /// The text that the plan was read from, beside the drawing and in step with it, and what is wrong with it: the
+    /// findings of its reader. To be called after setPlan; without it the button that shows the text is off.
+    void setPlanText(std::string_view text, const posh::Findings& findings);
+    void clear();
+    PlanTextEdit& textEdit() { return *text_; }
     /// Silent. Fewer than two leave nothing to choose: the box is hidden.
     void setRobots(const QStringList& names, const QString& shown);
     QString shownRobot() const { return robots_->currentText(); }
@@ -32,7 +37,7 @@ public:
 
 signals:
     void robotChosen(const QString& name);
-    /// The person wants to see where a part stands in the plan's text.
+    /// The person wants to see where a part stands in the plan's text; the panel shows it if it has the text.
     void textRequested(const usar::posh::Spot& at);
     /// As a picture in a file.
     void exportRequested();
@@ -44,6 +49,7 @@ protected:
 private:
     QBoxLayout* makeSearchRow();
     QBoxLayout* makeButtonRow();
+    QWidget* makeText();
     QWidget* makeSide();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
@@ -52,6 +58,9 @@ private:
     void showFound();
     void showRunning();
     void showReasons();
+    void showTextPlace();
+    void showRunningLines();
+    void showFinding();
     void jumpTo(const QListWidgetItem* item);
 
     PlanView* view_;
@@ -60,14 +69,19 @@ private:
     QLabel* found_;
     QToolButton* previous_;
     QToolButton* next_;
+    QToolButton* text_shown_;
     QToolButton* expanded_;
     QBoxLayout* head_;
     QSplitter* body_;
+    PlanTextEdit* text_;
+    QLabel* finding_;
+    QWidget* side_;
     QLabel* running_title_;
     QListWidget* running_;
     QLabel* verdict_;
     QListWidget* reasons_;
-    int narrow_ = -1; ///< not yet arranged
+    bool from_text_ = false; ///< the selection follows the text's cursor
+    int narrow_ = -1;        ///< not yet arranged
 };
 
 } // namespace usar::widgets

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QLabel>
@@ -5,6 +7,7 @@
 #include <QListWidget>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextBlock>
 
 #include "tests/widgets/plan_samples.h"
 #include "widgets/plan_panel.h"
@@ -46,6 +49,8 @@ private slots:
     void sharedPartsAreSwitched();
     void buttonsFoldAndUnfold();
     void textIsAskedForByDoubleClick();
+    void textAndDrawingGoTogether();
+    void errorsOpenTheText();
     void narrowPanelStacks();
     void buttonsHaveNames();
     void newsKeepsTheChosenRow();
@@ -197,6 +202,38 @@ void tst_PlanPanel::textIsAskedForByDoubleClick() {
     QTest::keyClick(&panel_->view(), Qt::Key_Return);
     QCOMPARE(asked.count(), 1);
     QCOMPARE(static_cast<int>(asked[0][0].value<posh::Spot>().line), 14);
+}
+
+void tst_PlanPanel::textAndDrawingGoTogether() {
+    auto* shown = button(QStringLiteral("text beside"));
+    QVERIFY(!shown->isEnabled());
+    panel_->setPlanText(courier_plan, {});
+    QVERIFY(!panel_->textEdit().isVisible());
+    QTest::keyClick(&panel_->view(), Qt::Key_Home, Qt::NoModifier);
+    QTest::keyClick(&panel_->view(), Qt::Key_Return);
+    QVERIFY(panel_->textEdit().isVisible() && shown->isChecked());
+    panel_->view().selectPath(root + "/DE:1");
+    QCOMPARE(panel_->textEdit().textCursor().blockNumber() + 1, 14);
+    QTextCursor cursor(panel_->textEdit().document()->findBlockByNumber(4));
+    panel_->textEdit().setTextCursor(cursor);
+    QTest::keyClick(&panel_->textEdit(), Qt::Key_End);
+    QCOMPARE(panel_->view().tree()[panel_->view().selected()].name, QStringLiteral("CloseGripper"));
+    QCOMPARE(panel_->textEdit().textCursor().blockNumber() + 1, 5);
+    panel_->clear();
+    QVERIFY(!panel_->textEdit().isVisible() && !shown->isEnabled());
+}
+
+void tst_PlanPanel::errorsOpenTheText() {
+    const std::string_view text = "((DC d (drives ((e Act)))) (AP x ()))";
+    const auto reading = posh::readPlan(text);
+    panel_->setPlan(reading.plan);
+    panel_->setPlanText(text, reading.findings);
+    QVERIFY(panel_->textEdit().isVisible());
+    panel_->textEdit().nextFinding();
+    const auto labels = panel_->findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text().contains(QStringLiteral("E218"));
+    }));
 }
 
 void tst_PlanPanel::narrowPanelStacks() {

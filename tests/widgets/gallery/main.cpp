@@ -46,6 +46,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("narrow_plan"), gallery::narrowPlanPage},
     {QStringLiteral("docked_plan"), gallery::dockedPlanPage},
     {QStringLiteral("whole_plan"), gallery::wholePlanPage},
+    {QStringLiteral("plan_text"), gallery::planTextPage},
     {QStringLiteral("empty_plan"), gallery::emptyPlanPage},
 };
 

@@ -32,6 +32,7 @@ std::unique_ptr<QWidget> planPage();
 std::unique_ptr<QWidget> narrowPlanPage();
 std::unique_ptr<QWidget> dockedPlanPage();
 std::unique_ptr<QWidget> wholePlanPage();
+std::unique_ptr<QWidget> planTextPage();
 std::unique_ptr<QWidget> emptyPlanPage();
 
 } // namespace usar::gallery

@@ -141,6 +141,17 @@ std::unique_ptr<QWidget> wholePlanPage() {
     return page;
 }
 
+std::unique_ptr<QWidget> planTextPage() {
+    auto page = panel({1280, 640});
+    std::string text(survey);
+    text.insert(text.find("(AP rise"), "(AP spare (Hover (hours)))\n  ; what is left over\n  (AP broken ())\n  ");
+    page->setPlan(posh::readPlan(text).plan);
+    page->setPlanText(text, posh::readPlan(text).findings);
+    page->setSnapshot(midFlight());
+    page->view().selectPath("/P:0/DC:0/DE:3");
+    return page;
+}
+
 std::unique_ptr<QWidget> emptyPlanPage() {
     auto page = std::make_unique<PlanPanel>();
     page->resize(900, 360);
