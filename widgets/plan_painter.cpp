@@ -373,14 +373,19 @@ void PlanPainter::frame(const QRectF& box, const QColor& color, double width, Qt
     painter_.drawRoundedRect(box.adjusted(-1.0, -1.0, 1.0, 1.0), corner_px, corner_px);
 }
 
-/// Cut with an ellipsis where it does not fit.
+/// Cut with an ellipsis where it does not fit. Placed by hand: QPainter's own alignment costs as much as the text.
 void PlanPainter::text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align) {
-    painter_.setPen(color);
     const QFontMetricsF metrics(painter_.font());
-    const QString shown = metrics.horizontalAdvance(words) <= place.width() + 0.5
-                              ? words
-                              : metrics.elidedText(words, Qt::ElideRight, place.width());
-    painter_.drawText(place, Qt::TextSingleLine | Qt::AlignVCenter | align, shown);
+    QString shown = words;
+    double width = metrics.horizontalAdvance(words);
+    if (width > place.width() + 0.5) {
+        shown = metrics.elidedText(words, Qt::ElideRight, place.width());
+        width = metrics.horizontalAdvance(shown);
+    }
+    const double room = place.width() - width;
+    const double x = place.left() + (align & Qt::AlignRight ? room : align & Qt::AlignHCenter ? room / 2.0 : 0.0);
+    painter_.setPen(color);
+    painter_.drawText(QPointF(x, place.center().y() + (metrics.ascent() - metrics.descent()) / 2.0), shown);
 }
 
 } // namespace usar::widgets

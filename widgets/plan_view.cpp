@@ -9,6 +9,7 @@
 #include "widgets/empty_state.h"
 #include "widgets/models/plan_reasons.h"
 #include "widgets/plan_painter.h"
+#include "widgets/sheet.h"
 
 namespace usar::widgets {
 
@@ -311,6 +312,14 @@ QString PlanView::nodeText(int node) const {
     return lines.join(u'\n');
 }
 
+QString PlanView::reservation() const {
+    if (states_.strangers() > 0)
+        return tr("Parts of what runs that are not in this plan: %1. Load the plan anew").arg(states_.strangers());
+    if (tree_.truncated())
+        return tr("More than %1 parts: some shared ones are links").arg(PlanTree::most_nodes);
+    return {};
+}
+
 /// For screen readers: what is selected, else the keys.
 void PlanView::describe() {
     setAccessibleDescription(
@@ -341,8 +350,10 @@ void PlanView::paintEvent(QPaintEvent* event) {
     painter.translate(-corner_);
     const PlanScene scene{tree_, layout_, folds_, states_, tokens(), found_marks_, selected_, hot_, hasFocus()};
     PlanPainter(painter, scene, scale_).paint(area.adjusted(-8.0, -8.0, 8.0, 8.0));
+    painter.resetTransform();
+    if (const QString note = reservation(); !note.isEmpty())
+        paintSheetNote(painter, {double(gap::small), double(height() - gap::small)}, note);
     if (hasFocus()) {
-        painter.resetTransform();
         painter.setPen(QPen(tokens().accent, 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

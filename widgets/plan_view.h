@@ -62,6 +62,8 @@ public:
     void showBeginning();
     /// What it would say of a node under the mouse, and to a screen reader.
     QString nodeText(int node) const;
+    /// What keeps the drawing from being the whole truth; empty where nothing does.
+    QString reservation() const;
     /// How often news was taken: hidden views take none.
     int newsTaken() const { return news_taken_; }
 

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/protocol/reader.h"
+#include "tests/widgets/plan_samples.h"
 #include "widgets/area_form.h"
 #include "widgets/behavior_panel.h"
 #include "widgets/command_palette.h"
@@ -21,6 +22,7 @@
 #include "widgets/message_list.h"
 #include "widgets/notification_center.h"
 #include "widgets/parameter_form.h"
+#include "widgets/plan_panel.h"
 #include "widgets/plot_canvas.h"
 #include "widgets/plot_view.h"
 #include "widgets/robot_list.h"
@@ -57,6 +59,15 @@ std::unique_ptr<QWidget> filledPlot() {
     auto plot = std::make_unique<PlotView>();
     plot->addSeries(QStringLiteral("SEN Sonar/F1/range"));
     return plot;
+}
+
+std::unique_ptr<QWidget> filledPlan() {
+    auto panel = std::make_unique<PlanPanel>();
+    panel->setRobots({QStringLiteral("R1"), QStringLiteral("R2")}, QStringLiteral("R1"));
+    panel->setPlan(planOf(courier_plan));
+    panel->setPlanText(courier_plan, {});
+    panel->view().find(QStringLiteral("a"));
+    return panel;
 }
 
 std::unique_ptr<QWidget> filledRobots() {
@@ -199,6 +210,7 @@ void tst_PanelReach::panels() {
     QTest::newRow("robots") << Maker(filledRobots);
     QTest::newRow("notifications") << Maker(filledNotifications);
     QTest::newRow("messages") << Maker(filledMessages);
+    QTest::newRow("plan") << Maker(filledPlan);
 }
 
 void tst_PanelReach::everything() {

@@ -79,6 +79,7 @@ private slots:
     void smallScaleShowsBlocksWithNames();
     void selectionAndFoldsOutliveAnEdit();
     void otherSharingKeepsSelectionAndNews();
+    void newsOfAnotherPlanIsSaid();
     void narrowViewIsAnOutline();
     void textsAreForScreenReadersToo();
     void drawingIsPaintedWholeForPaper();
@@ -425,6 +426,17 @@ void tst_PlanView::otherSharingKeepsSelectionAndNews() {
     view_->setSharing(PlanSharing::Once);
     QCOMPARE(view_->selected(), node(root + "/DE:0/A:0/AP:1/A:1"));
     QVERIFY(view_->states()[view_->selected()].running);
+}
+
+void tst_PlanView::newsOfAnotherPlanIsSaid() {
+    view_->setSnapshot(running({root, fetch}));
+    QTRY_COMPARE(view_->newsTaken(), 1);
+    QVERIFY(view_->reservation().isEmpty());
+    const QImage before = view_->grab().toImage();
+    view_->setSnapshot(running({root, fetch, root + "/DE:9"}));
+    QTRY_COMPARE(view_->newsTaken(), 2);
+    QVERIFY(view_->reservation().contains(QStringLiteral("not in this plan")));
+    QVERIFY(view_->grab().toImage() != before);
 }
 
 void tst_PlanView::narrowViewIsAnOutline() {
