@@ -50,6 +50,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireReplay();
     wireLoading();
     wireFaults();
+    wirePlan();
     wireCamera();
     wireObjects();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
@@ -247,6 +248,7 @@ void MainWindow::wirePanels() {
     connect(views_.robots, &widgets::RobotList::removeRequested, &control_, &MissionControl::remove);
     connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
         const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId());
+        views_.spawn_card->preferBehavior(QString::fromStdString(views_.behavior->behaviorId()));
         views_.parameters->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
         const TaskDraft& draft = drafts_[selected_];
         if (draft.behavior_id == views_.behavior->behaviorId())

@@ -90,6 +90,7 @@ private:
     void registerMessageCommands();
     void registerReplayCommands();
     void registerFaultCommands();
+    void registerPlanCommands();
     void registerCameraCommands();
     void registerTraceCommands();
     void registerRadioCommands();
@@ -103,6 +104,7 @@ private:
     void wireMessages();
     void wireReplay();
     void wireFaults();
+    void wirePlan();
     void injectFault();
     /// Whether there is a simulator, and whom a fault can be meant for.
     void showFaultChoices();
@@ -149,6 +151,7 @@ private:
     void exportFailed(const QString& reason);
     void chooseImagePort();
     void chooseWhereToSavePicture();
+    void chooseWhereToSavePlan();
     void chooseMissionFile();
     void chooseWhereToSaveMission();
     /// Of the start pose that the selected robot was spawned on, or the first one.
@@ -160,7 +163,7 @@ private:
     void pauseTime(bool paused);
     void setSpeed(double speed);
 
-    static constexpr int layout_version = 2; ///< a layout saved by an older set of docks is not restored
+    static constexpr int layout_version = 3; ///< a layout saved by an older set of docks is not restored
 
     Options options_;
     MissionControl control_;

@@ -41,6 +41,7 @@ void MainWindow::registerCommands() {
     registerMessageCommands();
     registerReplayCommands();
     registerFaultCommands();
+    registerPlanCommands();
     registerCameraCommands();
     registerTraceCommands();
     world_.registerCommands();

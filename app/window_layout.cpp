@@ -92,6 +92,13 @@ void MainWindow::registerLayoutCommands() {
                    "message",
                    {QKeySequence("Ctrl+F3")}},
                   [this](bool) { arrange("messages", 0.6); });
+    commands_.add({"view.plan",
+                   tr("Layout: plan"),
+                   tr("View"),
+                   tr("The plan of the selected robot large, below a small map"),
+                   "",
+                   {QKeySequence("Ctrl+F4")}},
+                  [this](bool) { arrange("plan", 0.6); });
     for (QDockWidget* dock : views_.docks) {
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
             if (shown)

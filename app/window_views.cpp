@@ -121,7 +121,10 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     behavior->raise();
     auto* radio =
         addDock(window, views, "radio", QObject::tr("Radio"), Qt::BottomDockWidgetArea, views.radio = new RadioView);
-    window.tabifyDockWidget(plots, messages);
+    auto* plan =
+        addDock(window, views, "plan", QObject::tr("Plan"), Qt::BottomDockWidgetArea, views.plan = new PlanPanel);
+    window.tabifyDockWidget(plots, plan);
+    window.tabifyDockWidget(plan, messages);
     window.tabifyDockWidget(messages, views.notifications_dock);
     window.tabifyDockWidget(views.notifications_dock, radio);
     plots->raise();

@@ -19,6 +19,7 @@
 #include "widgets/message_list.h"
 #include "widgets/notification_center.h"
 #include "widgets/parameter_form.h"
+#include "widgets/plan_panel.h"
 #include "widgets/plot_view.h"
 #include "widgets/progress_strip.h"
 #include "widgets/radio_view.h"
@@ -58,6 +59,7 @@ struct WindowViews {
     widgets::SensorPanel* sensors = nullptr;
     widgets::CameraView* camera = nullptr;
     widgets::PlotView* plots = nullptr;
+    widgets::PlanPanel* plan = nullptr;
     widgets::MessageList* messages = nullptr;
     widgets::CommandBox* command_box = nullptr;
     QLabel* message_count = nullptr;

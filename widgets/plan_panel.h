@@ -33,7 +33,7 @@ public:
     QString shownRobot() const { return robots_->currentText(); }
 
     QSize sizeHint() const override { return {1100, 420}; }
-    QSize minimumSizeHint() const override { return {240, 260}; }
+    QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
     void robotChosen(const QString& name);

@@ -89,6 +89,13 @@ void SpawnCard::listBehaviors() {
             behavior_->setItemData(behavior_->count() - 1, QString::fromStdString(behavior.help), Qt::ToolTipRole);
         }
     behavior_->addItem(tr("None"), QString());
+    preferBehavior(preferred_behavior_);
+}
+
+void SpawnCard::preferBehavior(const QString& id) {
+    preferred_behavior_ = id;
+    if (const int row = id.isEmpty() ? -1 : behavior_->findData(id); row >= 0)
+        behavior_->setCurrentIndex(row);
 }
 
 void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at) {

@@ -33,6 +33,8 @@ public:
     /// What can be spawned, with the behaviors that plugins have for it; the class that is chosen stays so if it is
     /// among them. Keeps no pointer into the list.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
+    /// The behavior that is set up: chosen where the class has it.
+    void preferBehavior(const QString& id);
     /// Beside `at` (global), within the widget that it lies over.
     void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);
     /// As the card stands now, valid or not.
@@ -55,6 +57,7 @@ private:
 
     /// What the class box lists, row by row.
     std::vector<agent::RobotDescription> robots_;
+    QString preferred_behavior_;
     int start_pose_ = 0;
     QLabel* title_;
     QComboBox* class_;

@@ -26,6 +26,7 @@ private slots:
     void init();
     void cleanup();
     void returnSpawnsWhatIsChosen();
+    void theBehaviorThatIsSetUpIsChosen();
     void behaviorsFollowTheRobot();
     void refusesNamesThatTheWireCannotCarry();
     void escapeCloses();
@@ -66,6 +67,13 @@ void tst_Spawning::returnSpawnsWhatIsChosen() {
     QCOMPARE(spawned[0][0].value<SpawnChoice>(), (SpawnChoice{1, QStringLiteral("USARBot.AirRobot"),
                                                               QStringLiteral("R3"), QStringLiteral("airrobot/cpp")}));
     QVERIFY(card_->isHidden());
+}
+
+void tst_Spawning::theBehaviorThatIsSetUpIsChosen() {
+    card_->preferBehavior("airrobot/posh");
+    QCOMPARE(card_->choice().behavior_id, QString("airrobot/posh"));
+    card_->preferBehavior("p2dx/cpp"); // of another robot
+    QCOMPARE(card_->choice().behavior_id, QString("airrobot/posh"));
 }
 
 void tst_Spawning::behaviorsFollowTheRobot() {

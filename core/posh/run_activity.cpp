@@ -1,0 +1,99 @@
+#include "core/posh/run_activity.h"
+
+#include <bit>
+#include <utility>
+
+namespace usar::posh {
+
+namespace {
+
+/// "its frequency: 1.2 s left"
+std::string frequencyText(const Program& program, const TraceRecord& record) {
+    if (record.skip() == SkipReason::SwitchedOff)
+        return "switched off by hand";
+    const auto left = std::bit_cast<double>(record.payload);
+    const ProgramDrive& drive = program.drives[program.places[record.place].item];
+    if (drive.interval_cycles > 0.0)
+        return "its frequency: " + std::to_string(static_cast<std::int64_t>(left)) + " cycles left";
+    const auto tenths = static_cast<std::int64_t>(left / 100.0 + 0.5);
+    return "its frequency: " + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " s left";
+}
+
+} // namespace
+
+void RunActivity::start(std::shared_ptr<const Program> program) {
+    program_ = std::move(program);
+    places_.assign(program_ ? program_->places.size() : 0, {});
+    running_.clear();
+    held_.clear();
+}
+
+void RunActivity::beginCycle(std::int64_t now_ms) {
+    now_ms_ = now_ms;
+    for (const Index place : std::exchange(running_, {}))
+        places_[place].running = false;
+    for (const Index place : std::exchange(held_, {}))
+        places_[place].hold_back.clear();
+}
+
+void RunActivity::activate(Index place) {
+    for (Index at = place; at != nowhere; at = program_->places[at].parent) {
+        places_[at].last_active_ms = now_ms_;
+        if (!std::exchange(places_[at].running, true))
+            running_.push_back(at);
+    }
+}
+
+void RunActivity::holdBack(Index place, std::string why) {
+    ++places_[place].skipped;
+    places_[place].hold_back = std::move(why);
+    held_.push_back(place);
+}
+
+void RunActivity::answer(PlaceActivity& place, const TraceRecord& record, std::string_view text) const {
+    const bool holds = (record.flags & trace_holds) != 0;
+    const bool same = place.answer && place.answer->holds == holds;
+    place.answer =
+        PlaceAnswer{answerOf(record, text), holds, same ? place.answer->since_ms : record.time_ms, record.time_ms};
+}
+
+void RunActivity::take(const TraceRecord& record, std::string_view text) {
+    if (record.event == TraceEvent::CycleBegin)
+        return beginCycle(record.time_ms);
+    if (record.event == TraceEvent::CycleEnd || record.place >= places_.size())
+        return;
+    PlaceActivity& place = places_[record.place];
+    switch (record.event) {
+    case TraceEvent::SenseEval:
+        return answer(place, record, text);
+    case TraceEvent::DriveSkipped:
+        return holdBack(record.place, frequencyText(*program_, record));
+    case TraceEvent::ElementSkipped:
+        return holdBack(record.place, "its retries are used up");
+    case TraceEvent::DriveStarted:
+    case TraceEvent::ElementSelected:
+    case TraceEvent::Push:
+    case TraceEvent::ActInit:
+        ++place.started;
+        return activate(record.place);
+    case TraceEvent::ActRun:
+        return activate(record.place);
+    case TraceEvent::DriveSucceeded:
+    case TraceEvent::Goal:
+        ++place.succeeded;
+        return;
+    case TraceEvent::ActDone:
+        ++(record.reason() == DoneReason::Finished ? place.succeeded : place.failed);
+        return;
+    case TraceEvent::DriveFailed:
+    case TraceEvent::DriveInterrupted:
+    case TraceEvent::NoElement:
+    case TraceEvent::Timeout:
+        ++place.failed;
+        return;
+    default:
+        return;
+    }
+}
+
+} // namespace usar::posh

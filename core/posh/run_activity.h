@@ -1,0 +1,58 @@
+// What each place of a running plan does and has done, folded from its trace: for live views and "why not?".
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/posh/trace_event.h"
+
+namespace usar::posh {
+
+/// The newest answer of a sense at one place of the plan. Times are those of the engine.
+struct PlaceAnswer {
+    Value value;
+    bool holds = false;        ///< after the comparison
+    std::int64_t since_ms = 0; ///< the verdict has been this one
+    std::int64_t asked_ms = 0; ///< last
+};
+
+struct PlaceActivity {
+    bool running = false; ///< on the way from the root to what was done in the newest cycle
+    std::optional<std::int64_t> last_active_ms;
+    std::uint64_t started = 0;
+    std::uint64_t succeeded = 0;
+    std::uint64_t failed = 0;  ///< and interrupted
+    std::uint64_t skipped = 0; ///< held back by its frequency, its retries or by hand
+    std::string hold_back;     ///< why in the newest cycle: "its frequency: 1.2 s left"; empty where nothing does
+    std::optional<PlaceAnswer> answer;
+};
+
+/// Fed with every record in order; each costs the depth of its place at most.
+class RunActivity {
+public:
+    /// A program begins to run: nothing has happened yet.
+    void start(std::shared_ptr<const Program> program);
+    void take(const TraceRecord& record, std::string_view text);
+
+    const std::shared_ptr<const Program>& program() const { return program_; }
+    const std::vector<PlaceActivity>& places() const { return places_; }
+    std::int64_t now_ms() const { return now_ms_; }
+
+private:
+    void beginCycle(std::int64_t now_ms);
+    void answer(PlaceActivity& place, const TraceRecord& record, std::string_view text) const;
+    void holdBack(Index place, std::string why);
+    void activate(Index place);
+
+    std::shared_ptr<const Program> program_;
+    std::vector<PlaceActivity> places_;
+    std::vector<Index> running_; ///< places marked in this cycle
+    std::vector<Index> held_;
+    std::int64_t now_ms_ = 0;
+};
+
+} // namespace usar::posh
