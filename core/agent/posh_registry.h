@@ -84,8 +84,8 @@ public:
         return registry_.add(std::move(primitive));
     }
 
-    /// `code(Body&, const PoshArguments&)` or `code(Body&)`, done in one call. Answers with an ActResult; true or nothing
-    /// means RunningOnce, false Failed.
+    /// `code(Body&, const PoshArguments&)` or `code(Body&)`, done in one call. Answers with an ActResult; true or
+    /// nothing means RunningOnce, false Failed.
     template <class Act>
     PoshRegistry::Entry act(std::string name, Act code) {
         PoshPrimitive primitive = actNamed(std::move(name));
