@@ -67,7 +67,9 @@ void RunActivity::take(const TraceRecord& record, std::string_view text) {
     case TraceEvent::SenseEval:
         return answer(place, record, text);
     case TraceEvent::DriveSkipped:
-        return holdBack(record.place, frequencyText(*program_, record));
+        if (program_->places[record.place].kind == PlaceKind::Drive) // a trace may come from a damaged file
+            holdBack(record.place, frequencyText(*program_, record));
+        return;
     case TraceEvent::ElementSkipped:
         return holdBack(record.place, "its retries are used up");
     case TraceEvent::DriveStarted:

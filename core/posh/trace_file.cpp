@@ -235,8 +235,10 @@ void TraceFile::Cursor::readBehind() {
     for (auto frame = file_->frameAt(at_); frame && frame->kind == Frame::Between && at_ < file_->indexed_;
          frame = file_->frameAt(at_)) {
         Bytes bytes(frame->body);
-        if (!readEvents(bytes, cycle_.behind))
-            return;
+        std::vector<Entry> events;
+        if (!readEvents(bytes, events))
+            break; // of a damaged frame nothing is kept
+        cycle_.behind.insert(cycle_.behind.end(), events.begin(), events.end());
         at_ = frame->end;
     }
     stamp(cycle_.behind);

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/base/random.h"
+#include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
 #include "core/posh/trace_encoder.h"
 #include "core/posh/trace_file.h"
@@ -87,6 +88,7 @@ private slots:
     void quietCyclesCostLittle();
     void everyPrefixIsReadAsFarAsItGoes();
     void damagedBytesNeverCrash();
+    void aDamagedFrameBehindACycleIsLeftOut();
     void rejectsWhatIsNoTrace();
 };
 
@@ -221,6 +223,24 @@ void tst_TraceFile::damagedBytesNeverCrash() {
                 if (cycle->program)
                     appendLine(text, *cycle->program, entry.record, cycle->textOf(entry), TraceDetail::Full);
     }
+}
+
+void tst_TraceFile::aDamagedFrameBehindACycleIsLeftOut() {
+    const Plan plan = readPlan("((DC d (drives ((a walk)))))").plan;
+    const Recording sound = recorded(plan, 1, 5);
+    const std::size_t places = (*compile(plan))->places.size();
+    // Between two cycles, an event at place 66.
+    const std::string bytes = sound.bytes + std::string("\x0a"
+                                                        "B\x22\x0a\x42\x00\x00\x00\x00\x00\x00",
+                                                        11);
+    const auto file = TraceFile::open(bytes);
+    QVERIFY(file);
+    auto cursor = file->begin();
+    std::size_t cycles = 0;
+    for (const TracedCycle* cycle = cursor.next(); cycle; cycle = cursor.next(), ++cycles)
+        for (const trace_codec::Entry& entry : cycle->behind)
+            QVERIFY(entry.record.place < places);
+    QCOMPARE(cycles, std::size_t(5));
 }
 
 void tst_TraceFile::rejectsWhatIsNoTrace() {

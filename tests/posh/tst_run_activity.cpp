@@ -1,0 +1,118 @@
+#include <QtTest>
+
+#include "core/posh/engine.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/run_activity.h"
+#include "core/posh/stub_host.h"
+
+using namespace usar::posh;
+
+namespace {
+
+constexpr const char* plan = "((C work (elements ((near (trigger ((Distance 1.0 <))) Halt))"
+                             "                     ((far Drive 2))))"
+                             " (DC robot (drives ((rare (trigger ((Ready))) Beep (seconds 10)))"
+                             "                   ((usual work)))))";
+
+/// The activity of a run, kept while it goes on.
+class Run : public TraceObserver {
+public:
+    Run() : engine(host, *compile(readPlan(plan).plan)) {
+        host.setSense("Distance", 5.0);
+        engine.watch(this);
+    }
+    void takeProgram(const std::shared_ptr<const Program>& program) override { activity.start(program); }
+    void take(const TraceRecord& record, std::string_view text) override { activity.take(record, text); }
+
+    const PlaceActivity& at(const std::string& name) const {
+        const Program& program = *activity.program();
+        for (Index place = 0; place < program.places.size(); ++place)
+            if (nameOf(program, place) == name)
+                return activity.places()[place];
+        throw std::runtime_error("no place " + name);
+    }
+
+    StubHost host;
+    RunActivity activity;
+    Engine engine;
+};
+
+} // namespace
+
+class tst_RunActivity : public QObject {
+    Q_OBJECT
+private slots:
+    void whatRunsRunsFromTheRootDown();
+    void aSenseKeepsWhenItsVerdictChanged();
+    void whoIsHeldBackSaysWhy();
+    void endingsAreCounted();
+    void anotherProgramBeginsAnew();
+};
+
+void tst_RunActivity::whatRunsRunsFromTheRootDown() {
+    Run run;
+    run.engine.cycle(Milliseconds(0));
+    for (const char* name : {"robot", "usual", "work", "far", "Drive"})
+        QVERIFY2(run.at(name).running, name);
+    for (const char* name : {"rare", "near", "Halt"})
+        QVERIFY2(!run.at(name).running, name);
+    run.host.setSense("Distance", 0.5);
+    run.engine.cycle(Milliseconds(200));
+    QVERIFY(run.at("Halt").running && !run.at("Drive").running);
+    QCOMPARE(*run.at("Drive").last_active_ms, 0);
+    QCOMPARE(*run.at("Halt").last_active_ms, 200);
+}
+
+void tst_RunActivity::aSenseKeepsWhenItsVerdictChanged() {
+    Run run;
+    run.engine.cycle(Milliseconds(0));
+    run.host.setSense("Distance", 4.0);
+    run.engine.cycle(Milliseconds(200));
+    const PlaceAnswer far = *run.at("Distance").answer;
+    QVERIFY(!far.holds);
+    QCOMPARE(std::get<double>(far.value), 4.0);
+    QCOMPARE(far.since_ms, 0);
+    QCOMPARE(far.asked_ms, 200);
+    run.host.setSense("Distance", 0.5);
+    run.engine.cycle(Milliseconds(400));
+    QVERIFY(run.at("Distance").answer->holds);
+    QCOMPARE(run.at("Distance").answer->since_ms, 400);
+}
+
+void tst_RunActivity::whoIsHeldBackSaysWhy() {
+    Run run;
+    run.host.setSense("Ready", true);
+    run.engine.cycle(Milliseconds(0)); // beeps
+    run.engine.cycle(Milliseconds(1500));
+    QCOMPARE(run.at("rare").hold_back, std::string("its frequency: 8.5 s left"));
+    QCOMPARE(run.at("rare").skipped, std::uint64_t(1));
+    run.engine.cycle(Milliseconds(1700));
+    run.engine.cycle(Milliseconds(1900));
+    QCOMPARE(run.at("far").hold_back, std::string("its retries are used up"));
+    run.engine.cycle(Milliseconds(12'000));
+    QCOMPARE(run.at("rare").hold_back, std::string());
+}
+
+void tst_RunActivity::endingsAreCounted() {
+    Run run;
+    run.engine.cycle(Milliseconds(0));
+    run.host.setResult("Drive", ActResult::Failed);
+    run.engine.cycle(Milliseconds(200));
+    QCOMPARE(run.at("Drive").started, std::uint64_t(2));
+    QCOMPARE(run.at("Drive").succeeded, std::uint64_t(1));
+    QCOMPARE(run.at("Drive").failed, std::uint64_t(1));
+    QCOMPARE(run.at("usual").succeeded, std::uint64_t(1));
+    QCOMPARE(run.at("usual").failed, std::uint64_t(1));
+}
+
+void tst_RunActivity::anotherProgramBeginsAnew() {
+    Run run;
+    run.engine.cycle(Milliseconds(0));
+    run.engine.replace(*compile(readPlan("((DC robot (drives ((only Drive)))))").plan));
+    QCOMPARE(run.at("Drive").started, std::uint64_t(0));
+    run.engine.cycle(Milliseconds(200));
+    QVERIFY(run.at("only").running);
+}
+
+QTEST_APPLESS_MAIN(tst_RunActivity)
+#include "tst_run_activity.moc"
