@@ -35,7 +35,7 @@ build() {
     log=$root/build/$preset.log
     mkdir -p "$root/build"
     say "Building $preset (the first time takes a few minutes) …"
-    (cd "$root" && cmake --preset "$preset" -DUSAR_PRECOMPILE=ON "$@" && cmake --build --preset "$preset") >"$log" 2>&1 || {
+    (cd "$root" && cmake --preset "$preset" "$@" && cmake --build --preset "$preset") >"$log" 2>&1 || {
         grep -E 'error|warning|Error' "$log" | head -n 40 >&2
         say "The build failed; all of it is in ${log#"$root"/}."
         exit 1
