@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QJsonDocument>
 
@@ -88,6 +89,10 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         plan.behavior = options.behavior.toStdString();
         plan.places.erase("behavior"); // it is not the file that would be wrong
     }
+    if (!options.plan.isEmpty()) {
+        plan.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
+        plan.places.erase("plan");
+    }
     agent::PluginLoader plugins;
     plugins.scan(app::pluginFolders());
     std::unique_ptr<app::HeadlessSimulator> simulator;
@@ -106,6 +111,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         mission::RunSummary known = knownOf(options);
         known.mission = plan.name;
         known.behavior = plan.behavior;
+        known.plan = plan.plan;
         auto faults = faultsOf(options, plan);
         if (!faults)
             return refuse(faults.error(), known);

@@ -178,12 +178,16 @@ Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_i
     return failure("no loaded plugin has this behavior", "behavior " + behavior_id, mend);
 }
 
-const BehaviorDescription* PluginLoader::behavior(const std::string& behavior_id) const {
+const RobotDescription* PluginLoader::robotOf(const std::string& behavior_id) const {
     for (const RobotDescription& robot : robots_)
-        for (const BehaviorDescription& behavior : robot.behaviors)
-            if (behavior.id == behavior_id)
-                return &behavior;
+        if (std::ranges::find(robot.behaviors, behavior_id, &BehaviorDescription::id) != robot.behaviors.end())
+            return &robot;
     return nullptr;
+}
+
+const BehaviorDescription* PluginLoader::behavior(const std::string& behavior_id) const {
+    const RobotDescription* const robot = robotOf(behavior_id);
+    return robot ? &*std::ranges::find(robot->behaviors, behavior_id, &BehaviorDescription::id) : nullptr;
 }
 
 } // namespace usar::agent

@@ -45,6 +45,8 @@ public:
     Result<const RobotPlugin*> pluginFor(const std::string& behavior_id) const;
     /// Its description; nullptr where no loaded plugin has it.
     const BehaviorDescription* behavior(const std::string& behavior_id) const;
+    /// The robot that it belongs to; nullptr likewise.
+    const RobotDescription* robotOf(const std::string& behavior_id) const;
     /// Descriptions of all loaded plugins.
     const std::vector<RobotDescription>& robots() const { return robots_; }
 

@@ -6,15 +6,6 @@ namespace usar::agent {
 
 namespace {
 
-Error refusal(const std::string& plan_name, const posh::Findings& findings) {
-    std::string list;
-    std::size_t errors = 0;
-    for (const posh::Finding& finding : findings)
-        if (posh::severityOf(finding.code) == Severity::Error)
-            list += (errors++ == 0 ? "" : "; ") + posh::toText(finding);
-    return {"it cannot be used: " + list, "plan " + plan_name, "Mend the plan"};
-}
-
 posh::Milliseconds wholeMilliseconds(Seconds time) {
     return posh::Milliseconds(std::llround(time.count() * 1000.0));
 }
@@ -56,9 +47,9 @@ void PoshBehavior::Reporter::report(const posh::TraceRecord& record, std::string
 }
 
 Result<std::unique_ptr<PoshBehavior>> PoshBehavior::make(PoshParts parts) {
-    PlanForRobot plan = bindPlan(parts.plan_text, parts.registry);
+    PlanForRobot plan = bindPlan(parts.plan_text, parts.registry.descriptions());
     if (!plan.program)
-        return tl::unexpected(refusal(parts.plan_name, plan.findings));
+        return tl::unexpected(planRefusal(parts.plan_name, plan.findings));
     return std::unique_ptr<PoshBehavior>(new PoshBehavior(std::move(parts), std::move(plan.program)));
 }
 
@@ -167,7 +158,7 @@ void PoshBehavior::land(CommandPort& port) {
 }
 
 posh::Findings PoshBehavior::replacePlan(const std::string& text) {
-    PlanForRobot plan = bindPlan(text, parts_.registry);
+    PlanForRobot plan = bindPlan(text, parts_.registry.descriptions());
     if (plan.program) {
         reporter_.setPlanText(text);
         engine_.replace(std::move(plan.program));

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "core/agent/posh_arguments.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/plan_reader.h"
@@ -29,9 +30,16 @@ bool isBuiltIn(std::string_view name, PrimitiveKind kind) {
     return kind == PrimitiveKind::Sense ? std::ranges::find(senses, name) != senses.end() : name == "doNothing";
 }
 
+const PrimitiveDescription* find(const std::vector<PrimitiveDescription>& primitives, std::string_view name) {
+    const auto found = std::ranges::find(primitives, name, &PrimitiveDescription::name);
+    return found == primitives.end() ? nullptr : &*found;
+}
+
 class Checker {
 public:
-    Checker(const posh::Plan& plan, const PoshRegistry& registry) : plan_(plan), registry_(registry) {}
+    Checker(const posh::Plan& plan, const std::vector<PrimitiveDescription>& primitives)
+        : plan_(plan)
+        , primitives_(primitives) {}
 
     posh::Findings check();
 
@@ -45,7 +53,7 @@ private:
     }
 
     const posh::Plan& plan_;
-    const PoshRegistry& registry_;
+    const std::vector<PrimitiveDescription>& primitives_;
     std::set<std::string, std::less<>> forms_;
     posh::Findings findings_;
 };
@@ -68,9 +76,9 @@ posh::Findings Checker::check() {
 void Checker::checkName(const posh::Form& form) {
     const posh::Name& name = posh::nameOf(form);
     forms_.insert(name.text);
-    if (const PoshPrimitive* const primitive = registry_.find(name.text))
+    if (const PrimitiveDescription* const primitive = find(primitives_, name.text))
         complain(Code::PrimitiveNamedAsForm, name.at,
-                 name.text + " is " + (primitive->sense ? "a sense" : "an act") +
+                 name.text + " is " + (primitive->kind == PrimitiveKind::Sense ? "a sense" : "an act") +
                      " of the robot; give this form another name");
 }
 
@@ -83,19 +91,19 @@ void Checker::checkCall(const Call& call, PrimitiveKind kind) {
                      name + " is a form of the plan, and here a sense is asked; name one");
         return;
     }
-    const PoshPrimitive* const primitive = registry_.find(name);
+    const PrimitiveDescription* const primitive = find(primitives_, name);
     if (!primitive && isBuiltIn(name, kind))
         return;
     if (!primitive)
         return complain(Code::UnknownPrimitive, call.name.at,
                         "the robot has no " + std::string(wants_sense ? "sense " : "act ") + posh::inQuotes(name) +
                             "; " + similarTo(name, kind));
-    if (primitive->description.kind != kind)
+    if (primitive->kind != kind)
         return complain(
             Code::WrongUse, call.name.at,
             name + (wants_sense ? " is an act, and here a sense is asked" : " is a sense, and here an act is asked") +
                 "; " + similarTo(name, kind));
-    checkArguments(call, primitive->description);
+    checkArguments(call, *primitive);
 }
 
 void Checker::checkArguments(const Call& call, const PrimitiveDescription& primitive) {
@@ -120,9 +128,9 @@ void Checker::checkArguments(const Call& call, const PrimitiveDescription& primi
 /// "did you mean A, B or C?".
 std::string Checker::similarTo(const std::string& name, PrimitiveKind kind) const {
     std::vector<std::pair<std::size_t, std::string>> near;
-    for (const auto& [known, primitive] : registry_.all())
-        if (primitive.description.kind == kind)
-            near.emplace_back(editDistance(lowerCase(name), lowerCase(known)), known);
+    for (const PrimitiveDescription& primitive : primitives_)
+        if (primitive.kind == kind)
+            near.emplace_back(editDistance(lowerCase(name), lowerCase(primitive.name)), primitive.name);
     std::ranges::sort(near);
     std::erase_if(near, [&name](const auto& pair) { return pair.first > std::max<std::size_t>(3, name.size() / 2); });
     near.resize(std::min(near.size(), most_similar));
@@ -136,33 +144,33 @@ std::string Checker::similarTo(const std::string& name, PrimitiveKind kind) cons
 
 } // namespace
 
-posh::Findings checkBinding(const posh::Plan& plan, const PoshRegistry& registry) {
-    return Checker(plan, registry).check();
+posh::Findings checkBinding(const posh::Plan& plan, const std::vector<PrimitiveDescription>& primitives) {
+    return Checker(plan, primitives).check();
 }
 
 namespace {
 
 /// Arguments that come from parameters of forms: known since the plan is expanded.
-void checkExpanded(const std::vector<posh::ProgramCall>& calls, const PoshRegistry& registry,
+void checkExpanded(const std::vector<posh::ProgramCall>& calls, const std::vector<PrimitiveDescription>& primitives,
                    posh::Findings& findings) {
     for (const posh::ProgramCall& call : calls) {
-        const PoshPrimitive* const primitive = registry.find(call.name);
+        const PrimitiveDescription* const primitive = find(primitives, call.name);
         if (!primitive)
             continue;
-        if (const auto arguments = PoshArguments::make(primitive->description, call.arguments); !arguments)
+        if (const auto arguments = PoshArguments::make(*primitive, call.arguments); !arguments)
             findings.push_back({Code::WrongUse, call.at, arguments.error() + "; write another value", {}});
     }
 }
 
 } // namespace
 
-PlanForRobot bindPlan(std::string_view text, const PoshRegistry& registry) {
+PlanForRobot bindPlan(std::string_view text, const std::vector<PrimitiveDescription>& primitives) {
     PlanForRobot made;
     posh::PlanReading reading = posh::readPlan(text);
     made.findings = std::move(reading.findings);
     if (posh::hasErrors(made.findings))
         return made;
-    for (posh::Finding& finding : checkBinding(reading.plan, registry))
+    for (posh::Finding& finding : checkBinding(reading.plan, primitives))
         made.findings.push_back(std::move(finding));
     if (posh::hasErrors(made.findings))
         return made;
@@ -171,11 +179,19 @@ PlanForRobot bindPlan(std::string_view text, const PoshRegistry& registry) {
         made.findings.push_back({Code::ReferenceCycle, {}, program.error().text(), {}});
         return made;
     }
-    checkExpanded((*program)->sense_calls, registry, made.findings);
-    checkExpanded((*program)->act_calls, registry, made.findings);
+    checkExpanded((*program)->sense_calls, primitives, made.findings);
+    checkExpanded((*program)->act_calls, primitives, made.findings);
     if (!posh::hasErrors(made.findings))
         made.program = *std::move(program);
     return made;
+}
+
+Error planRefusal(const std::string& plan_name, const posh::Findings& findings) {
+    std::string list;
+    for (const posh::Finding& finding : findings)
+        if (posh::severityOf(finding.code) == Severity::Error)
+            list += (list.empty() ? "" : "; ") + posh::toText(finding);
+    return {"it cannot be used: " + list, "plan " + plan_name, "Mend the plan"};
 }
 
 } // namespace usar::agent

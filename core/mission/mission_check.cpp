@@ -7,8 +7,10 @@
 #include <QDir>
 #include <QTemporaryFile>
 
+#include "core/agent/posh_binding.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/mission/plan_file.h"
 
 namespace usar::mission {
 
@@ -46,7 +48,32 @@ Result<void> checkParameters(const Mission& mission, const std::vector<agent::Pa
     return {};
 }
 
+/// "Choose airrobot/posh, or leave the plan out".
+std::string whoTakesPlans(const agent::RobotDescription& robot) {
+    for (const agent::BehaviorDescription& behavior : robot.behaviors)
+        if (!behavior.plan_name.empty())
+            return "Choose " + behavior.id + ", or leave the plan out";
+    return "Leave the plan out";
+}
+
 } // namespace
+
+Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const std::string& behavior_id,
+                                                   const agent::PluginLoader& plugins) {
+    if (path.isEmpty())
+        return std::nullopt;
+    const agent::RobotDescription* const robot = plugins.robotOf(behavior_id);
+    if (!robot)
+        return tl::unexpected(plugins.pluginFor(behavior_id).error());
+    if (plugins.behavior(behavior_id)->plan_name.empty())
+        return failure("no plan decides in this behavior", behavior_id, whoTakesPlans(*robot));
+    auto plan = readPlanFile(path);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    if (const auto bound = agent::bindPlan(plan->text, robot->primitives); !bound.program)
+        return tl::unexpected(agent::planRefusal(plan->name, bound.findings));
+    return *std::move(plan);
+}
 
 Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins) {
     const auto plugin = plugins.pluginFor(mission.behavior);
@@ -60,9 +87,13 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
     if (!parameters)
         return tl::unexpected(parameters.error());
     if (description->needs_area && mission.area_in_map.empty())
-        return failure("the mission area has no size (" + inWords(mission.area_in_map) + ")", mission.name,
-                       "Give area a width and a height above zero");
-    return PreparedBehavior{*plugin, *std::move(parameters)};
+        return tl::unexpected(atValue(mission, "behavior",
+                                      {"it needs a mission area", mission.behavior,
+                                       "Add \"area\" with x, y, width and height in metres to the mission"}));
+    auto plan = readOwnPlan(QString::fromStdString(mission.plan), mission.behavior, plugins);
+    if (!plan)
+        return tl::unexpected(atValue(mission, "plan", plan.error()));
+    return PreparedBehavior{*plugin, *std::move(parameters), *std::move(plan)};
 }
 
 Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -18,8 +20,8 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start", "behavior",
-                                            "area", "parameters", "cell_size_m", "faults"};
+const std::vector<std::string> mission_keys{"name", "world", "robot",      "start",       "behavior",
+                                            "plan", "area",  "parameters", "cell_size_m", "faults"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
@@ -68,10 +70,8 @@ public:
     }
 
     /// False, with an error, where the value is there but is no object.
-    bool isObject(const QJsonObject& object, const QString& key, bool required) {
-        if (object[key].isUndefined() && required)
-            failMissing(key, {});
-        else if (!object[key].isUndefined() && !object[key].isObject())
+    bool isObject(const QJsonObject& object, const QString& key) {
+        if (!object[key].isUndefined() && !object[key].isObject())
             failAt(key, QString("\"%1\" is not an object").arg(key), "write it in braces");
         return object[key].isObject();
     }
@@ -133,7 +133,7 @@ private:
 };
 
 void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map) {
-    if (!reading.isObject(root, "area", true))
+    if (!reading.isObject(root, "area"))
         return;
     const QJsonObject object = root["area"].toObject();
     Vec2 size_m = Vec2::Zero();
@@ -152,7 +152,7 @@ void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map)
 }
 
 void readParameters(Reading& reading, const QJsonObject& root, Mission& mission) {
-    if (!reading.isObject(root, "parameters", false))
+    if (!reading.isObject(root, "parameters"))
         return;
     const QJsonObject object = root["parameters"].toObject();
     for (auto it = object.begin(); it != object.end(); ++it) {
@@ -183,6 +183,10 @@ void readFaults(Reading& reading, const QJsonObject& root, std::vector<std::stri
     }
 }
 
+QString beside(const QString& file_name, const QString& path) {
+    return QDir::cleanPath(QFileInfo(file_name).dir().filePath(path));
+}
+
 } // namespace
 
 Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
@@ -205,6 +209,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     reading.text(root, "robot", mission.robot_class);
     reading.text(root, "start", mission.start);
     reading.text(root, "behavior", mission.behavior);
+    reading.text(root, "plan", mission.plan);
     readArea(reading, root, mission.area_in_map);
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
@@ -214,6 +219,8 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     if (reading.error())
         return tl::unexpected(*reading.error());
     mission.places = reading.places();
+    if (!mission.plan.empty())
+        mission.plan = beside(file_name, QString::fromStdString(mission.plan)).toStdString();
     return mission;
 }
 

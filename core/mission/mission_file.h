@@ -21,17 +21,20 @@ struct KeyPlace {
     bool operator==(const KeyPlace&) const = default;
 };
 
-/// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, area {x, y, width, height}
-/// (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m,
+/// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan in
+/// place of the one that comes with the robot; a relative path begins at the mission's folder), area {x, y, width,
+/// height} (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m,
 /// faults [] (texts, as the simulator's --fault takes them; their times count from the beginning of the mission). Only
-/// name and area must be there. Angles in the file are degrees where the parameter's unit is rad.
+/// the name must be there, and an area where the behavior needs one. Angles in the file are degrees where the
+/// parameter's unit is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
     std::string robot_class = "USARBot.AirRobot";
     std::string start = "PlayerStart"; ///< name of a start pose
     std::string behavior = "airrobot/cpp";
-    Rectangle area_in_map;
+    std::string plan;                                        ///< path; empty: the robot's own
+    Rectangle area_in_map;                                   ///< empty: none
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
     double cell_size_m = 0.25;                               ///< 0.02 .. 10
     std::vector<std::string> faults;                         ///< of the embedded simulator

@@ -12,6 +12,8 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
     const std::string where = name.toStdString() + " " + value.toStdString();
     if (name == "--behavior") {
         options.behavior = value;
+    } else if (name == "--plan") {
+        options.plan = value;
     } else if (name == "--out") {
         options.result_folder = value;
     } else if (name == "--record") {
@@ -93,6 +95,8 @@ QString missionHelp() {
                "Flies one mission without a window and writes its results.\n"
                "\n"
                "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
+               "  --plan FILE          a POSH plan of your own for a behavior that a plan decides, such as "
+               "airrobot/posh\n"
                "  --seed N             noise and drift of the embedded simulator (1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
@@ -104,17 +108,19 @@ QString missionHelp() {
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
            replayHelp() +
-           QStringLiteral("\n"
-                          "usar-mission lines FILE\n"
-                          "\n"
-                          "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
-                          "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
-                          "\n"
-                          "usar-mission check-plan FILE...\n"
-                          "\n"
-                          "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
-                          "FILE is -: code, severity, line, column, message, file.\n"
-                          "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n");
+           QStringLiteral(
+               "\n"
+               "usar-mission lines FILE\n"
+               "\n"
+               "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
+               "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
+               "\n"
+               "usar-mission check-plan [--robot NAME] FILE...\n"
+               "\n"
+               "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
+               "FILE is -: code, severity, line, column, message, file. With the name of a robot (AirRobot)\n"
+               "also for what does not fit its senses and acts.\n"
+               "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n");
 }
 
 } // namespace usar::mission

@@ -21,6 +21,7 @@ struct ServerAddress {
 struct MissionOptions {
     QString mission_file;
     QString behavior; ///< empty: the file's
+    QString plan;     ///< file of a POSH plan; empty: the mission's, or the robot's own
     std::uint64_t seed = 1;
     std::optional<double> speed_x;       ///< absent: as fast as it can
     std::optional<ServerAddress> server; ///< absent: the embedded simulator

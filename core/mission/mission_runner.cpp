@@ -118,7 +118,7 @@ void MissionRunner::Private::takeRobot() {
     if (phase != Phase::Spawning)
         return;
     const agent::Task task{robot_name, start_in_map, mission.area_in_map};
-    auto made = agent::makeBehavior(*behavior->plugin, mission.behavior, {task, behavior->parameters});
+    auto made = agent::makeBehavior(*behavior->plugin, mission.behavior, {task, behavior->parameters, behavior->plan});
     if (!made) {
         conclude(false, made.error().text(), BadInput);
         return;
@@ -210,6 +210,7 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     RunSummary figures;
     figures.mission = mission.name;
     figures.behavior = mission.behavior;
+    figures.plan = mission.plan;
     figures.seed = options.seed;
     figures.duration = flightTime();
     figures.wall = elapsedOn(since_flight);

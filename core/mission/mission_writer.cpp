@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -28,9 +30,16 @@ QJsonValue written(const agent::ParameterValue& value, bool is_angle) {
     return QString::fromStdString(std::get<std::string>(value));
 }
 
+/// Relative to the folder where it lies in it, so that both can be moved together.
+QString planPath(const QString& plan, const QString& folder) {
+    const QString absolute = QFileInfo(plan).absoluteFilePath();
+    const QString relative = folder.isEmpty() ? absolute : QDir(folder).relativeFilePath(absolute);
+    return relative.startsWith("..") ? absolute : relative;
+}
+
 } // namespace
 
-QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs) {
+QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs, const QString& folder) {
     QJsonObject parameters;
     for (const auto& [id, value] : mission.parameters) {
         const bool is_angle = std::ranges::any_of(
@@ -50,6 +59,10 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
                     {"area", area},
                     {"parameters", parameters},
                     {"cell_size_m", mission.cell_size_m}};
+    if (!mission.plan.empty())
+        all["plan"] = planPath(QString::fromStdString(mission.plan), folder);
+    if (mission.area_in_map.empty())
+        all.remove("area");
     QJsonArray faults;
     for (const std::string& fault : mission.faults)
         faults.append(QString::fromStdString(fault));
@@ -61,7 +74,7 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
 Result<void> writeMissionFile(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
                               const QString& path) {
     QSaveFile file(path);
-    const QByteArray json = writeMission(mission, specs);
+    const QByteArray json = writeMission(mission, specs, QFileInfo(path).absolutePath());
     if (file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit())
         return {};
     return failure("the mission is not saved: " + file.errorString().toStdString(), path.toStdString(),

@@ -1,28 +1,17 @@
 #include "core/mission/plan_report.h"
 
-#include <algorithm>
-#include <string_view>
-
 #include <QJsonDocument>
 
+#include "core/agent/posh_binding.h"
+#include "core/mission/plan_file.h"
 #include "core/posh/plan_reader.h"
-#include "core/posh/token.h"
 
 namespace usar::mission {
 
 namespace {
 
-/// Not more than shows that it is too long: a device may never end.
-QByteArray readPlanText(QIODevice& input) {
-    constexpr qsizetype most = static_cast<qsizetype>(posh::longest_plan_bytes) + 1;
-    QByteArray text;
-    while (text.size() < most) {
-        const QByteArray piece = input.read(std::min<qsizetype>(most - text.size(), 1 << 20));
-        if (piece.isEmpty())
-            break;
-        text += piece;
-    }
-    return text;
+posh::Findings findingsIn(const std::string& text, const std::vector<agent::PrimitiveDescription>* primitives) {
+    return primitives ? agent::bindPlan(text, *primitives).findings : posh::readPlan(text).findings;
 }
 
 } // namespace
@@ -49,13 +38,12 @@ Result<void> reportFindings(const posh::Findings& findings, const QString& file,
     return {};
 }
 
-Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output) {
-    const QByteArray bytes = readPlanText(input);
-    const posh::PlanReading reading =
-        posh::readPlan(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
-    if (auto reported = reportFindings(reading.findings, file, output); !reported)
+Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output,
+                        const std::vector<agent::PrimitiveDescription>* primitives) {
+    const posh::Findings findings = findingsIn(readPlanText(input), primitives);
+    if (auto reported = reportFindings(findings, file, output); !reported)
         return tl::unexpected(reported.error());
-    return !posh::hasErrors(reading.findings);
+    return !posh::hasErrors(findings);
 }
 
 } // namespace usar::mission

@@ -1,10 +1,13 @@
 // What is wrong with a POSH plan as JSON lines, for scripts and editors: what `usar-mission check-plan` prints.
 #pragma once
 
+#include <vector>
+
 #include <QIODevice>
 #include <QJsonObject>
 #include <QString>
 
+#include "core/agent/posh_primitive.h"
 #include "core/base/result.h"
 #include "core/posh/finding.h"
 
@@ -18,7 +21,9 @@ QJsonObject toJson(const posh::Finding& finding, const QString& file);
 /// when `output` takes no more.
 Result<void> reportFindings(const posh::Findings& findings, const QString& file, QIODevice& output);
 
-/// Reads the plan that `input` holds and reports on it. True where it has no errors.
-Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output);
+/// Reads the plan that `input` holds and reports on it; with the senses and acts of a robot also on what does not fit
+/// that robot. True where it has no errors.
+Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output,
+                        const std::vector<agent::PrimitiveDescription>* primitives = nullptr);
 
 } // namespace usar::mission

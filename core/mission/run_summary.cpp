@@ -37,6 +37,7 @@ QJsonObject toJson(const RunSummary& summary) {
             {"reason", QString::fromStdString(summary.reason)},
             {"mission", text(summary.mission)},
             {"behavior", text(summary.behavior)},
+            {"plan", text(summary.plan)},
             {"seed", seedOf(summary)},
             {"duration_s", number(summary.duration.count(), 2)},
             {"wall_s", number(wall_s, 3)},

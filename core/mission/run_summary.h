@@ -20,6 +20,7 @@ struct RunSummary {
     std::string reason;
     std::string mission;  ///< empty: unknown
     std::string behavior; ///< empty: unknown
+    std::string plan;     ///< path of a person's own; empty: none
     std::optional<std::uint64_t> seed;
     Seconds duration{0.0}; ///< of the behavior, protocol clock; key duration_s
     Seconds wall{0.0};     ///< the same by the clock on the wall; key wall_s

@@ -61,7 +61,7 @@ void tst_PoshBinding::findsWhatDoesNotFit() {
     QFETCH(QByteArray, plan);
     QFETCH(QString, finding);
     QFETCH(QString, says);
-    const PlanForRobot bound = bindPlan(plan.toStdString(), test::toyRegistry());
+    const PlanForRobot bound = bindPlan(plan.toStdString(), test::toyRegistry().descriptions());
     QVERIFY(!bound.program);
     QString errors;
     for (const posh::Finding& found : bound.findings)
@@ -72,8 +72,8 @@ void tst_PoshBinding::findsWhatDoesNotFit() {
 }
 
 void tst_PoshBinding::listsAllUnknownNamesAtOnce() {
-    const PlanForRobot bound =
-        bindPlan("((DC d (drives ((a (trigger ((One) (Two))) Three)) ((b Three)))))", test::toyRegistry());
+    const PlanForRobot bound = bindPlan("((DC d (drives ((a (trigger ((One) (Two))) Three)) ((b Three)))))",
+                                        test::toyRegistry().descriptions());
     QCOMPARE(bound.findings.size(), std::size_t(4));
 }
 
@@ -92,7 +92,7 @@ void tst_PoshBinding::plansThatFitGiveAProgram_data() {
 
 void tst_PoshBinding::plansThatFitGiveAProgram() {
     QFETCH(QByteArray, plan);
-    const PlanForRobot bound = bindPlan(plan.toStdString(), test::toyRegistry());
+    const PlanForRobot bound = bindPlan(plan.toStdString(), test::toyRegistry().descriptions());
     for (const posh::Finding& found : bound.findings)
         qInfo("%s", posh::toText(found).c_str());
     QVERIFY(bound.program);

@@ -42,12 +42,17 @@ void tst_CheckPlan::exitsByTheWorstOfItsFiles_data() {
     QTest::addColumn<int>("exit_code");
     QTest::addColumn<QString>("complaint");
     const QString sound = plans + "valid/tour.lap";
+    const QString survey = QString(USAR_SOURCE_DIR) + "/resources/plans/airrobot.lap";
     const QString broken = plans + "malformed/bare-unit.lap";
     QTest::newRow("a sound plan") << QStringList{sound} << 0 << "";
     QTest::newRow("a broken plan among sound ones") << QStringList{sound, broken, sound} << 1 << "";
     QTest::newRow("a file that is not there") << QStringList{plans + "none.lap", broken} << 2 << "none.lap";
     QTest::newRow("a folder") << QStringList{plans} << 2 << "tests/data/posh";
     QTest::newRow("no file") << QStringList{} << 2 << "usar-mission check-plan FILE";
+    QTest::newRow("a plan of another robot") << QStringList{"--robot", "AirRobot", sound} << 1 << "";
+    QTest::newRow("a plan of the robot") << QStringList{"--robot=airrobot/posh", survey} << 0 << "";
+    QTest::newRow("an unknown robot") << QStringList{"--robot", "AirRobt", sound} << 2 << "Say one of AirRobot";
+    QTest::newRow("a robot without a name") << QStringList{sound, "--robot"} << 2 << "usar-mission check-plan FILE";
     QTest::newRow("an unknown option") << QStringList{"--colour", sound} << 2 << "usar-mission check-plan FILE";
 }
 

@@ -3,7 +3,9 @@
 
 #include <QObject>
 
+#include "core/agent/posh_behavior.h"
 #include "core/agent/robot_plugin.h"
+#include "tests/agent/toy_rover.h"
 
 namespace {
 
@@ -42,6 +44,14 @@ private:
     long long ticks_ = 0;
 };
 
+Result<std::unique_ptr<Behavior>> plannedBehavior(BehaviorContext context) {
+    const PlanText plan = context.plan.value_or(PlanText{"toy.lap", "((DC toy (drives ((rest Halt)))))"});
+    auto made = PoshBehavior::make({plan.name, plan.text, test::toyRegistry(), std::make_unique<test::ToyRover>(), {}});
+    if (!made)
+        return tl::unexpected(made.error());
+    return *std::move(made);
+}
+
 class HopPlugin : public QObject, public RobotPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/3" FILE "hop_plugin.json")
@@ -56,9 +66,16 @@ public:
                           {"lean_rad", "Lean", "", "rad", 0.0, 0.0, pi / 4, "Only to be checked.", {}},
                           {"throws", "Throws", "", "", false, 0, 0, "Instead of being made.", {}},
                           {"succeeds", "Succeeds", "", "", true, 0, 0, "How it ends.", {}}};
-        return {"USARBot.AirRobot", "Hopper", {}, {hop}};
+        BehaviorDescription planned;
+        planned.id = "test/planned";
+        planned.name = "Planned";
+        planned.plan_name = "toy.lap";
+        planned.plan_text = "((DC toy (drives ((rest Halt)))))";
+        return {"USARBot.AirRobot", "Hopper", {}, {hop, planned}, test::toyRegistry().descriptions()};
     }
     Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const override {
+        if (id == "test/planned")
+            return plannedBehavior(std::move(context));
         if (id != "test/hop")
             return failure("no such behavior", id);
         if (context.parameters.flag("throws"))

@@ -1,3 +1,4 @@
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/mission/mission_check.h"
@@ -17,6 +18,10 @@ private slots:
     void aWorldOfUnknownSizeHasRoomForAll();
     void rejectsAnUnknownStartPoseWithItsPlace();
     void aMissionThatIsNoFileNamesTheThingItself();
+    void takesAPersonsOwnPlan();
+    void refusesAPlanBeforeAnythingMoves_data();
+    void refusesAPlanBeforeAnythingMoves();
+    void aBehaviorThatNeedsAnAreaSaysSo();
 
 private:
     static Mission read(const QByteArray& members);
@@ -27,6 +32,13 @@ private:
 namespace {
 
 const Rectangle world{{-10.0, -10.0}, {10.0, 10.0}};
+
+QString fileIn(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        qWarning("cannot write %s", qPrintable(name));
+    return file.fileName();
+}
 
 } // namespace
 
@@ -112,6 +124,51 @@ void tst_MissionCheck::aMissionThatIsNoFileNamesTheThingItself() {
     QCOMPARE(prepareBehavior(mission, plugins_).error().where, std::string("parameter ticks"));
     mission.behavior = "test/hip";
     QCOMPARE(prepareBehavior(mission, plugins_).error().where, std::string("behavior test/hip"));
+}
+
+void tst_MissionCheck::takesAPersonsOwnPlan() {
+    QTemporaryDir folder;
+    const QByteArray text = "((DC own (drives ((first Tick)))))";
+    const QString path = fileIn(folder, "own.lap", text);
+    const Mission mission = read(R"("behavior": "test/planned", "plan": ")" + path.toUtf8() + '"');
+    const auto prepared = prepareBehavior(mission, plugins_);
+    QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
+    QVERIFY(prepared->plan == (agent::PlanText{path.toStdString(), text.toStdString()}));
+    QVERIFY(!prepareBehavior(read(R"("behavior": "test/planned")"), plugins_)->plan);
+}
+
+void tst_MissionCheck::refusesAPlanBeforeAnythingMoves_data() {
+    QTest::addColumn<QByteArray>("behavior");
+    QTest::addColumn<QByteArray>("text"); // of the plan; empty: no such file
+    QTest::addColumn<QString>("says");
+    const QByteArray planned = "test/planned";
+    QTest::newRow("no such file") << planned << QByteArray() << "cannot read the plan";
+    QTest::newRow("not a plan") << planned << QByteArray("((DC d (drives ((a Halt))))") << "1:28: error E203";
+    QTest::newRow("not of this robot") << planned << QByteArray("((DC d (drives ((a Hlat)))))") << "1:20: error E304";
+    QTest::newRow("nothing that a plan decides") << QByteArray("test/hop") << QByteArray("((DC d (drives ((a Halt)))))")
+                                                 << "no plan decides in this behavior. Choose test/planned";
+}
+
+void tst_MissionCheck::refusesAPlanBeforeAnythingMoves() {
+    QFETCH(QByteArray, behavior);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, says);
+    QTemporaryDir folder;
+    const QString path = text.isEmpty() ? folder.filePath("none.lap") : fileIn(folder, "own.lap", text);
+    const auto prepared = prepareBehavior(read("\"behavior\": \"" + behavior + "\", \"plan\": \"" + path.toUtf8() +
+                                               R"(", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
+                                          plugins_);
+    QVERIFY(!prepared.has_value());
+    const QString said = QString::fromStdString(prepared.error().text());
+    QVERIFY2(said.startsWith("m.json:3:") && said.contains(says), qPrintable(said));
+}
+
+void tst_MissionCheck::aBehaviorThatNeedsAnAreaSaysSo() {
+    const auto prepared = prepareBehavior(read(R"("behavior": "test/hop")"), plugins_);
+    QVERIFY(!prepared.has_value());
+    QCOMPARE(QString::fromStdString(prepared.error().text()),
+             QString("m.json:3:13: test/hop: it needs a mission area. Add \"area\" with x, y, width and height in "
+                     "metres to the mission."));
 }
 
 QTEST_GUILESS_MAIN(tst_MissionCheck)

@@ -31,20 +31,21 @@ void tst_MissionOptions::readsTheCommandLine_data() {
     QTest::newRow("full speed is the default") << QStringList{"run", "a.json", "--speed", "max"} << plain;
     MissionOptions full = plain;
     full.behavior = "airrobot/posh";
+    full.plan = "own.lap";
     full.seed = 7;
     full.speed_x = 2.5;
     full.server = ServerAddress{"10.0.0.5", 3001};
     full.result_folder = "/data/scans";
     full.recording = "r.usarrec";
     full.faults = QStringList{"wind speed=4", "link_delay by=0.2"};
-    QTest::newRow("all options") << QStringList{"run",           "a.json",    "--behavior",
-                                                "airrobot/posh", "--seed",    "7",
-                                                "--speed",       "2.5",       "--out",
-                                                "/data/scans",   "--connect", "10.0.0.5:3001",
-                                                "--record",      "r.usarrec", "--fault",
-                                                "wind speed=4",  "--fault",   "link_delay by=0.2"}
+    QTest::newRow("all options") << QStringList{"run",       "a.json",        "--behavior", "airrobot/posh",
+                                                "--plan",    "own.lap",       "--seed",     "7",
+                                                "--speed",   "2.5",           "--out",      "/data/scans",
+                                                "--connect", "10.0.0.5:3001", "--record",   "r.usarrec",
+                                                "--fault",   "wind speed=4",  "--fault",    "link_delay by=0.2"}
                                  << full;
     QTest::newRow("equals signs, options first") << QStringList{"--behavior=airrobot/posh",
+                                                                "--plan=own.lap",
                                                                 "--seed=7",
                                                                 "--speed=2.5",
                                                                 "--out=/data/scans",

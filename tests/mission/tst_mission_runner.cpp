@@ -20,6 +20,7 @@ private slots:
     void cleanup();
 
     void fliesAMissionAndWritesItsResults();
+    void aPersonsOwnPlanDecides();
     void failsWhenTheBehaviorFails();
     void aPluginThatThrowsFailsTheMission();
     void tellsProgress();
@@ -123,6 +124,20 @@ void tst_MissionRunner::fliesAMissionAndWritesItsResults() {
     QVERIFY2(server_->heardOf("DRIVE").last().contains("{AltitudeVelocity 0}"), server_->heardOf("DRIVE").last());
 }
 
+void tst_MissionRunner::aPersonsOwnPlanDecides() {
+    const QString path = folder_->filePath("own.lap");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("((DC own (goal ((Count 3))) (drives ((count Tick)))))");
+    file.close();
+    Mission mission;
+    mission.name = "Own";
+    mission.behavior = "test/planned";
+    mission.plan = path.toStdString();
+    QCOMPARE(run(mission), 0);
+    QCOMPARE(runner_->summary()["plan"].toString(), path);
+}
+
 void tst_MissionRunner::failsWhenTheBehaviorFails() {
     Mission mission = hop();
     mission.parameters["succeeds"] = false;
@@ -174,7 +189,7 @@ void tst_MissionRunner::refusesBeforeAnythingMoves_data() {
     QTest::newRow("parameter out of range") << "range"
                                             << "ticks";
     QTest::newRow("area without size") << "empty"
-                                       << "the mission area has no size";
+                                       << "it needs a mission area";
     QTest::newRow("area outside the world") << "outside"
                                             << "reaches outside the world";
 }

@@ -49,6 +49,8 @@ class tst_MissionWriter : public QObject {
 private slots:
     void whatIsWrittenIsReadBack();
     void anglesAreWrittenAsAPersonTypedThem();
+    void aPlanInTheMissionsFolderMovesWithIt();
+    void aMissionWithoutAnAreaStaysWithoutOne();
     void aFolderThatIsNotThereIsNamed();
 };
 
@@ -78,6 +80,24 @@ void tst_MissionWriter::anglesAreWrittenAsAPersonTypedThem() {
     mission.parameters["turn_rad"] = radians(33.3);
     const QByteArray json = writeMission(mission, specs);
     QVERIFY2(json.contains("\"turn_rad\": 33.3\n"), json);
+}
+
+void tst_MissionWriter::aPlanInTheMissionsFolderMovesWithIt() {
+    Mission mission;
+    mission.name = "Field";
+    mission.plan = "/data/field/plans/own.lap";
+    QVERIFY(writeMission(mission, specs, "/data/field").contains("\"plan\": \"plans/own.lap\""));
+    QVERIFY(writeMission(mission, specs, "/data/other").contains("\"plan\": \"/data/field/plans/own.lap\""));
+    QCOMPARE(readMission(writeMission(mission, specs, "/data/field"), "/moved/m.json")->plan,
+             std::string("/moved/plans/own.lap"));
+}
+
+void tst_MissionWriter::aMissionWithoutAnAreaStaysWithoutOne() {
+    Mission mission;
+    mission.name = "Field";
+    const auto back = readMission(writeMission(mission, specs), "back.json");
+    QVERIFY2(back.has_value(), back ? "" : back.error().text().c_str());
+    QVERIFY(back->area_in_map.empty());
 }
 
 void tst_MissionWriter::aFolderThatIsNotThereIsNamed() {
