@@ -86,7 +86,7 @@ void MainWindow::begin() {
         views_.connection->setAddress(server.host, server.port);
     connectTo(views_.connection->server(), server.host, server.port);
     if (!options_.mission_file.isEmpty())
-        openMission(options_.mission_file);
+        openFile(options_.mission_file);
 }
 
 void MainWindow::wireControl() {
@@ -253,6 +253,8 @@ void MainWindow::wirePanels() {
         const TaskDraft& draft = drafts_[selected_];
         if (draft.behavior_id == views_.behavior->behaviorId())
             views_.parameters->setValues(draft.values);
+        if (draft.behavior_id == views_.behavior->behaviorId())
+            views_.behavior->plan().choose(draft.plan_path);
         showPlan();
     });
     connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, [this](const Rectangle& area) {

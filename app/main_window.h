@@ -20,6 +20,7 @@ namespace usar::app {
 /// What a person has set up for a robot and may not have started yet.
 struct TaskDraft {
     std::string behavior_id;
+    QString plan_path; ///< of a person's own; empty: the robot's
     std::optional<Rectangle> area_in_map;
     std::map<std::string, agent::ParameterValue> values;
     double cell_size_m = mission::Mission{}.cell_size_m;
@@ -45,6 +46,8 @@ public:
 public slots:
     void selectRobot(int id);
     void openMission(const QString& path);
+    /// It decides from the next start on.
+    void openPlan(const QString& path);
     void openRecording(const QString& path) { control_.openRecording(path); }
     /// The embedded simulator goes on from there.
     void openSnapshot(const QString& path);
@@ -54,7 +57,8 @@ public slots:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    /// A mission, a recording, a snapshot, a world's folder or a robot file may be dropped anywhere on the window.
+    /// A mission, a plan, a recording, a snapshot, a world's folder or a robot file may be dropped anywhere on the
+    /// window.
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -152,10 +156,14 @@ private:
     void chooseImagePort();
     void chooseWhereToSavePicture();
     void chooseWhereToSavePlan();
+    void choosePlanFile();
+    std::string plannedBehavior() const;
     void chooseMissionFile();
     void chooseWhereToSaveMission();
     /// Of the start pose that the selected robot was spawned on, or the first one.
     std::string startName() const;
+    /// There is a behavior, and an area if it needs one.
+    bool mayBeSaved() const;
     bool chooseResultFolder();
     /// One of the built-in layouts: the first one, with the bottom dock `raised` and this part of the height given to
     /// the bottom docks.

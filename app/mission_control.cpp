@@ -245,7 +245,8 @@ Result<void> MissionControl::checkArea(const Rectangle& area_in_map) const {
 }
 
 Result<void> MissionControl::startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
-                                           const std::map<std::string, agent::ParameterValue>& values) {
+                                           const std::map<std::string, agent::ParameterValue>& values,
+                                           const QString& plan_path) {
     Robot* robot = this->robot(id);
     if (!robot)
         return failure("there is no such robot", std::to_string(id), "Spawn one on a start pose first");
@@ -259,7 +260,10 @@ Result<void> MissionControl::startBehavior(int id, const std::string& behavior_i
     const auto parameters = agent::ParameterSet::make(description->parameters, values);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters);
+    const auto plan = mission::readOwnPlan(plan_path, behavior_id, plugins_);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters, *plan);
 }
 
 Result<void> MissionControl::addFaults(const QStringList& texts) {

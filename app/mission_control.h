@@ -61,8 +61,9 @@ public:
     void remove(int id);
     /// For a robot that never came, or went with a lost link: INIT anew, as it was asked for the first time.
     void spawnAgain(int id);
+    /// `plan_path`: of a person's own POSH plan; empty: the robot's.
     Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
-                               const std::map<std::string, agent::ParameterValue>& values);
+                               const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path);
     /// Whether this mission can be flown here: plugin, parameters, area within the world, world. The parameters as the
     /// behavior takes them.
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const mission::Mission& mission) const;

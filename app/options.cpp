@@ -68,8 +68,9 @@ Result<Options> readOptions(const QStringList& arguments) {
          {"out", "Folder for results.", "folder"},
          {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
          {"theme", "light or dark.", "theme"}});
-    parser.addPositionalArgument("file", "A mission to open, a recording to replay, or a snapshot to go on from.",
-                                 "[MISSION.json | RECORDING.usarrec | SNAPSHOT.usarsnap]");
+    parser.addPositionalArgument("file",
+                                 "A mission or a plan to open, a recording to replay, or a snapshot to go on from.",
+                                 "[MISSION.json | PLAN.lap | RECORDING.usarrec | SNAPSHOT.usarsnap]");
     if (!parser.parse(arguments))
         return failure(parser.errorText().toStdString(), "", "Try --help");
     if (parser.isSet("help"))

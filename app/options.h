@@ -16,7 +16,7 @@ struct Options {
     QString result_folder;               ///< empty: the default
     std::optional<widgets::Theme> theme; ///< none: the one used last
     QStringList plugin_folders;          ///< empty: those that come with the program
-    QString mission_file;                ///< opened at the start, if any
+    QString mission_file;                ///< or a plan; opened at the start, if any
     QString recording;                   ///< the same; then no server is connected to
 };
 

@@ -82,12 +82,13 @@ void Robot::spawn(int id, const mission::SpawnRequest& request) {
 }
 
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
-                                  const Rectangle& area_in_map, const agent::ParameterSet& parameters) {
+                                  const Rectangle& area_in_map, const agent::ParameterSet& parameters,
+                                  const std::optional<agent::PlanText>& plan) {
     const auto plugin = plugins.pluginFor(behavior_id);
     if (!plugin)
         return tl::unexpected(plugin.error());
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
-    auto behavior = agent::makeBehavior(**plugin, behavior_id, {task, parameters});
+    auto behavior = agent::makeBehavior(**plugin, behavior_id, {task, parameters, plan});
     if (!behavior)
         return tl::unexpected(behavior.error());
     auto host = std::make_shared<agent::BehaviorHost>(*std::move(behavior), behavior_id);

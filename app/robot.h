@@ -60,7 +60,8 @@ public:
     void spawn(int id, const mission::SpawnRequest& request);
     /// Plugins are code of other people: what they throw or refuse comes back as an error.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
-                               const Rectangle& area_in_map, const agent::ParameterSet& parameters);
+                               const Rectangle& area_in_map, const agent::ParameterSet& parameters,
+                               const std::optional<agent::PlanText>& plan);
     /// True where the cells change by it. A map that has heights keeps its cells; a notice says so.
     bool setCellSize(double cell_size_m);
     void order(agent::Order order);

@@ -85,7 +85,11 @@ void MainWindow::spawn(const widgets::SpawnChoice& choice) {
 
 /// A robot's settings go with it: a new robot takes over what was set up before it came.
 void MainWindow::keepDraft() {
-    drafts_[selected_] = {views_.behavior->behaviorId(), views_.map->area(), views_.parameters->values(), cell_size_m_,
+    drafts_[selected_] = {views_.behavior->behaviorId(),
+                          views_.behavior->plan().path(),
+                          views_.map->area(),
+                          views_.parameters->values(),
+                          cell_size_m_,
                           mission_faults_};
 }
 
@@ -95,8 +99,10 @@ void MainWindow::showDraft() {
         return keepDraft();
     const TaskDraft shown = draft->second;
     views_.behavior->chooseBehavior(shown.behavior_id);
-    if (views_.behavior->behaviorId() == shown.behavior_id)
+    if (views_.behavior->behaviorId() == shown.behavior_id) {
         views_.parameters->setValues(shown.values);
+        views_.behavior->plan().choose(shown.plan_path);
+    }
     views_.behavior->setArea(shown.area_in_map);
     views_.map->setArea(shown.area_in_map);
     cell_size_m_ = shown.cell_size_m;
@@ -134,7 +140,7 @@ void MainWindow::showPlan() {
         return; // then the behavior itself says what it flies
     views_.hint->setDone(1, !area.empty());
     views_.map->setLanes(std::vector<Vec2>{});
-    if (area.empty() || views_.behavior->behaviorId().empty()) {
+    if (area.empty() || !views_.behavior->needsArea() || views_.behavior->behaviorId().empty()) {
         views_.map->setAreaSummary({});
         return views_.behavior->setPlanSummary({}); // the area form says what to do
     }
@@ -153,7 +159,7 @@ void MainWindow::start() {
     if (Robot* robot = control_.robot(selected_); robot && robot->setCellSize(cell_size_m_))
         views_.map->clearHeights(cell_size_m_);
     const auto started = control_.startBehavior(selected_, views_.behavior->behaviorId(), views_.behavior->area(),
-                                                views_.parameters->values());
+                                                views_.parameters->values(), views_.behavior->plan().path());
     if (!started)
         return complain("start", started.error());
     control_.cure("start");
@@ -259,6 +265,7 @@ void MainWindow::openMission(const QString& path) {
         return complain("mission", {"the selected robot cannot fly this mission", mission->behavior,
                                     "Select or spawn a " + mission->robot_class + " first, then open it again"});
     views_.parameters->setValues(*prepared);
+    views_.behavior->plan().choose(QString::fromStdString(mission->plan));
     views_.behavior->setArea(mission->area_in_map);
     views_.map->setArea(mission->area_in_map);
     views_.map->fit();
@@ -288,10 +295,14 @@ std::string MainWindow::startName() const {
     return start_poses_.empty() ? mission::Mission{}.start : start_poses_.front().name;
 }
 
+bool MainWindow::mayBeSaved() const {
+    return !views_.behavior->behaviorId().empty() && !(views_.behavior->needsArea() && views_.behavior->area().empty());
+}
+
 void MainWindow::saveMission(const QString& path) {
     const std::string behavior_id = views_.behavior->behaviorId();
     const auto* behavior = control_.plugins().behavior(behavior_id);
-    if (!behavior || views_.behavior->area().empty())
+    if (!mayBeSaved())
         return say(Severity::Warning, "mission", tr("There is no mission area to save. Draw one on the map first."));
     mission::Mission mission;
     mission.name = QFileInfo(path).completeBaseName().toStdString();
@@ -302,6 +313,7 @@ void MainWindow::saveMission(const QString& path) {
         mission.faults.push_back(fault.toStdString());
     mission.start = startName();
     mission.behavior = behavior_id;
+    mission.plan = views_.behavior->plan().path().toStdString();
     mission.area_in_map = views_.behavior->area();
     mission.parameters = views_.parameters->values();
     mission.cell_size_m = cell_size_m_;

@@ -63,7 +63,7 @@ void MainWindow::registerFileCommands() {
          tr("Area, behavior and parameters of the selected robot as a mission file"),
          "",
          {QKeySequence::SaveAs}},
-        [this](bool) { chooseWhereToSaveMission(); }, [this] { return !views_.behavior->area().empty(); });
+        [this](bool) { chooseWhereToSaveMission(); }, [this] { return mayBeSaved(); });
     commands_.add(
         {"file.export",
          tr("Save results now"),
@@ -239,8 +239,8 @@ void MainWindow::registerViewCommands() {
 
 void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
-                   {"file.open", "file.save", "-", "file.record", "file.open_recording", "-", "file.export",
-                    "file.folder", "file.show_folder", "-", "file.quit"});
+                   {"file.open", "file.save", "plan.open", "-", "file.record", "file.open_recording", "-",
+                    "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
     commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),

@@ -19,7 +19,7 @@ QString fileOf(const QMimeData& data) {
         return {};
     const QString path = data.urls().first().toLocalFile();
     const bool known = path.endsWith(".usarrec") || path.endsWith(".usarsnap") || path.endsWith(".json") ||
-                       path.endsWith(".sdf") || QFileInfo(path + "/world.sdf").isFile();
+                       path.endsWith(".sdf") || path.endsWith(".lap") || QFileInfo(path + "/world.sdf").isFile();
     return known ? path : QString();
 }
 
@@ -175,6 +175,8 @@ void MainWindow::openFile(const QString& path) {
         chooseWorld(file.isDir() ? path : file.absolutePath());
     else if (path.endsWith(".sdf"))
         openRobotFile(path);
+    else if (path.endsWith(".lap"))
+        openPlan(path);
     else
         openMission(path);
 }

@@ -33,6 +33,8 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     , robot_label_(new QLabel)
     , behavior_box_(new QComboBox)
     , help_label_(mutedLabel())
+    , plan_(new PlanChoice)
+    , area_box_(new QWidget)
     , area_form_(new AreaForm)
     , area_tool_(new QToolButton)
     , summary_label_(mutedLabel())
@@ -51,21 +53,22 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     layout->addWidget(robot_label_);
     layout->addWidget(behavior_box_);
     layout->addWidget(help_label_);
-    layout->addWidget(makeAreaBox());
+    layout->addWidget(plan_);
+    makeAreaBox();
+    layout->addWidget(area_box_);
     layout->addWidget(summary_label_);
     summary_label_->hide();
     layout->addWidget(parameter_form, 1);
     layout->addWidget(makeButtons());
-    connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this](int index) {
-        help_label_->setText(behavior_box_->itemData(index, Qt::ToolTipRole).toString());
+    connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this] {
+        showBehavior();
         emit behaviorChosen(QString::fromStdString(behaviorId()));
     });
     setRunState(RunState::NoRobot, {});
 }
 
-QWidget* BehaviorPanel::makeAreaBox() {
-    auto* box = new QWidget;
-    auto* layout = new QVBoxLayout(box);
+void BehaviorPanel::makeAreaBox() {
+    auto* layout = new QVBoxLayout(area_box_);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(gap::tiny);
     auto* row = new QHBoxLayout;
@@ -83,7 +86,6 @@ QWidget* BehaviorPanel::makeAreaBox() {
     layout->addWidget(area_form_);
     connect(area_tool_, &QToolButton::clicked, this, &BehaviorPanel::areaToolToggled);
     connect(area_form_, &AreaForm::areaChanged, this, &BehaviorPanel::areaTyped);
-    return box;
 }
 
 QWidget* BehaviorPanel::makeButtons() {
@@ -180,27 +182,42 @@ bool BehaviorPanel::mayPress(const QPushButton* button) const {
 
 void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors) {
     const std::string chosen = behaviorId();
+    behaviors_ = behaviors;
     {
         const QSignalBlocker blocker(behavior_box_);
         behavior_box_->clear();
-        for (const agent::BehaviorDescription& behavior : behaviors) {
+        for (const agent::BehaviorDescription& behavior : behaviors_) {
             behavior_box_->addItem(QString::fromStdString(behavior.name), QString::fromStdString(behavior.id));
             behavior_box_->setItemData(behavior_box_->count() - 1, QString::fromStdString(behavior.help),
                                        Qt::ToolTipRole);
         }
-    }
-    const int index = behavior_box_->findData(QString::fromStdString(chosen));
-    {
-        const QSignalBlocker blocker(behavior_box_);
+        const int index = behavior_box_->findData(QString::fromStdString(chosen));
         behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
     }
-    behavior_box_->setEnabled(!busy() && !behaviors.empty());
-    help_label_->setText(behaviors.empty()
-                             ? tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
-                                  "command drives it.")
-                             : behavior_box_->currentData(Qt::ToolTipRole).toString());
+    behavior_box_->setEnabled(!busy() && !behaviors_.empty());
+    if (behaviors_.empty() || behaviorId() != chosen)
+        showBehavior();
     if (behaviorId() != chosen)
         emit behaviorChosen(QString::fromStdString(behaviorId()));
+}
+
+/// What only the chosen behavior has: its help, its plan, its area.
+void BehaviorPanel::showBehavior() {
+    const int row = behavior_box_->currentIndex();
+    area_box_->setVisible(needsArea());
+    if (row < 0) {
+        help_label_->setText(tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
+                                "command drives it."));
+        return plan_->setBehavior({}, {});
+    }
+    const agent::BehaviorDescription& shown = behaviors_[static_cast<std::size_t>(row)];
+    help_label_->setText(QString::fromStdString(shown.help));
+    plan_->setBehavior(shown.id, QString::fromStdString(shown.plan_name));
+}
+
+bool BehaviorPanel::needsArea() const {
+    const int row = behavior_box_->currentIndex();
+    return row < 0 || behaviors_[static_cast<std::size_t>(row)].needs_area;
 }
 
 bool BehaviorPanel::busy() const {

@@ -11,6 +11,7 @@
 #include "core/agent/robot_plugin.h"
 #include "core/base/geometry.h"
 #include "widgets/area_form.h"
+#include "widgets/plan_choice.h"
 
 class QAction;
 class QComboBox;
@@ -37,7 +38,12 @@ public:
     /// Empty when there is none.
     std::string behaviorId() const;
 
-    /// Nothing: not drawn yet.
+    /// Of the chosen behavior; hidden where no plan decides.
+    PlanChoice& plan() { return *plan_; }
+    const PlanChoice& plan() const { return *plan_; }
+    bool needsArea() const;
+
+    /// Nothing: not drawn yet. A behavior that needs no area hides it.
     void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
     void setAreaLimits(const Rectangle& world_in_map) { area_form_->setLimits(world_in_map); }
     /// The extent of a real server's world is not known.
@@ -67,7 +73,8 @@ signals:
     void stopRequested();
 
 private:
-    QWidget* makeAreaBox();
+    void showBehavior();
+    void makeAreaBox();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const;
     void press(QPushButton* button);
@@ -76,9 +83,12 @@ private:
     void enable(QPushButton* button, bool on);
     bool busy() const;
 
+    std::vector<agent::BehaviorDescription> behaviors_; ///< row by row
     QLabel* robot_label_;
     QComboBox* behavior_box_;
     QLabel* help_label_;
+    PlanChoice* plan_;
+    QWidget* area_box_;
     AreaForm* area_form_;
     QToolButton* area_tool_;
     QLabel* summary_label_;

@@ -29,15 +29,16 @@ private:
     widgets::PlanPanel* panel_;
 };
 
+QString fileIn(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? file.fileName() : QString();
+}
+
 /// A small scan that the plan decides.
 QString missionFile(const QTemporaryDir& folder) {
-    const QString path = folder.filePath("planned.json");
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return {};
-    file.write(R"({ "name": "Planned", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
+    return fileIn(folder, "planned.json",
+                  R"({ "name": "Planned", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
         "behavior": "airrobot/posh", "area": { "x": -10, "y": -10, "width": 20, "height": 20 } })");
-    return path;
 }
 
 } // namespace
@@ -49,6 +50,9 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aPlanIsSeenWhileItFlies();
     void aRobotWithoutAPlanHasNoneToShow();
+    void aPersonsOwnPlanDecides();
+    void aPlanThatDoesNotFitIsRefused_data();
+    void aPlanThatDoesNotFitIsRefused();
 };
 
 void tst_WindowPlan::aPlanIsSeenWhileItFlies() {
@@ -80,6 +84,45 @@ void tst_WindowPlan::aRobotWithoutAPlanHasNoneToShow() {
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->status, soon_ms);
     QVERIFY(dock.isEmpty());
+}
+
+void tst_WindowPlan::aPersonsOwnPlanDecides() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    const PlanDock dock(page);
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    const QString path = fileIn(folder, "lookout.lap", "((DC lookout (drives ((stay Hover)))))");
+    QVERIFY(page.dropFile(path));
+    QCOMPARE(page.window().views().behavior->plan().path(), path);
+    page.press("Start");
+    page.pressKey(Qt::Key_F4, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(dock.says("Hover"), soon_ms);
+    page.press("Stop");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
+    const QString mission = folder.filePath("saved.json");
+    page.window().saveMission(mission);
+    QFile saved(mission);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("\"plan\": \"lookout.lap\""));
+}
+
+void tst_WindowPlan::aPlanThatDoesNotFitIsRefused_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("not a plan") << QByteArray("((DC lookout (drives ((stay Hover))))") << "1:38: error E203";
+    QTest::newRow("of another robot") << QByteArray("((DC lookout (drives ((stay Hoover)))))") << "did you mean Hover";
+}
+
+void tst_WindowPlan::aPlanThatDoesNotFitIsRefused() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, says);
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    QVERIFY(page.dropFile(fileIn(folder, "own.lap", text)));
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("own.lap").contains(says), soon_ms);
+    QVERIFY(page.window().views().behavior->plan().path().isEmpty());
 }
 
 USAR_E2E_MAIN(tst_WindowPlan)

@@ -40,6 +40,8 @@ private slots:
     void buttonsFollowTheirActions();
     void tooltipsNameTheShortcutsOfTheActions();
     void pauseShowsWhatTheRobotDoes();
+    void aPlanIsChosenWhereOneDecides();
+    void anAreaIsAskedForWhereOneIsNeeded();
 
 private:
     QPushButton* button(const QString& text) const;
@@ -175,6 +177,42 @@ void tst_BehaviorPanel::pauseShowsWhatTheRobotDoes() {
     QVERIFY(!button(QStringLiteral("Pause"))->isChecked());
     panel_->setRunState(RunState::Paused, QStringLiteral("R1"));
     QVERIFY(button(QStringLiteral("Resume"))->isChecked());
+}
+
+void tst_BehaviorPanel::aPlanIsChosenWhereOneDecides() {
+    agent::BehaviorDescription planned = behavior("rover/posh");
+    planned.plan_name = "rover.lap";
+    panel_->setBehaviors({behavior("rover/cpp"), planned});
+    QVERIFY(!panel_->plan().isVisible());
+    panel_->chooseBehavior("rover/posh");
+    QVERIFY(panel_->plan().isVisible());
+    QVERIFY(panel_->plan().path().isEmpty()); // the robot's own
+    panel_->plan().choose("/data/own.lap");
+    QCOMPARE(panel_->plan().path(), QString("/data/own.lap"));
+
+    auto* const box = panel_->plan().findChild<QComboBox*>();
+    QSignalSpy chosen(&panel_->plan(), &PlanChoice::chosen);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Up);
+    QCOMPARE(chosen.size(), 1);
+    QVERIFY(panel_->plan().path().isEmpty());
+
+    panel_->chooseBehavior("rover/cpp");
+    QVERIFY(panel_->plan().path().isEmpty());
+    panel_->chooseBehavior("rover/posh");
+    QCOMPARE(box->count(), 2); // it is still in the list
+    QCOMPARE(chosen.size(), 1);
+}
+
+void tst_BehaviorPanel::anAreaIsAskedForWhereOneIsNeeded() {
+    agent::BehaviorDescription survey = behavior("air/survey");
+    survey.needs_area = true;
+    panel_->setBehaviors({survey, behavior("rover/cpp")});
+    const auto* const form = panel_->findChild<AreaForm*>();
+    QVERIFY(form->isVisible());
+    panel_->chooseBehavior("rover/cpp");
+    QVERIFY(!form->isVisible());
+    QVERIFY(!panel_->needsArea());
 }
 
 QTEST_MAIN(tst_BehaviorPanel)
