@@ -23,6 +23,10 @@ Severity severityOf(Code code) {
     return static_cast<int>(code) < 400 ? Severity::Error : Severity::Warning;
 }
 
+bool isUnreadable(Code code) {
+    return static_cast<int>(code) < 300;
+}
+
 std::string inQuotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string text = "\"";

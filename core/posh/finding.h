@@ -65,6 +65,8 @@ enum class Code : std::uint16_t {
 /// "E203", "W405".
 std::string toText(Code code);
 Severity severityOf(Code code);
+/// Of characters or grammar: where it stands, a form is missing from the plan.
+bool isUnreadable(Code code);
 
 struct Finding {
     Code code = Code::UnexpectedToken;

@@ -151,7 +151,9 @@ bool sayTheSame(Plan a, Plan b) {
 
 std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
     const PlanReading old = readPlan(text);
-    if (hasErrors(old.findings) || old.plan.remarks != plan.remarks || old.plan.closing_remarks != plan.closing_remarks)
+    const bool is_readable = std::none_of(old.findings.begin(), old.findings.end(),
+                                          [](const Finding& finding) { return isUnreadable(finding.code); });
+    if (!is_readable || old.plan.remarks != plan.remarks || old.plan.closing_remarks != plan.closing_remarks)
         return writePlan(plan);
     if (old.plan == plan)
         return std::string(text);

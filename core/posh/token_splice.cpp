@@ -59,8 +59,15 @@ std::optional<Splice> spliceTokens(std::string_view text, const TokenList& token
         ++back;
     if (front == 0 || back == 0)
         return std::nullopt; // not even the parentheses around it
-    const std::size_t old_end = old.size() - back;
-    const std::size_t new_end = all.size() - back;
+    std::size_t old_end = old.size() - back;
+    std::size_t new_end = all.size() - back;
+    const bool inserts_end_of_list = front == old_end && front > 1 && front < new_end &&
+                                     old[front - 1].kind == TokenKind::Open && all[new_end - 1].kind == TokenKind::Open;
+    if (inserts_end_of_list) { // a whole list before the one that stands there, not into its parenthesis
+        --front;
+        --old_end;
+        --new_end;
+    }
     const bool replaces = front < old_end && front < new_end;
     Splice splice;
     splice.begin = replaces ? old[front].at.offset : endOf(old[front - 1]);
@@ -69,7 +76,8 @@ std::optional<Splice> spliceTokens(std::string_view text, const TokenList& token
         const std::size_t from = replaces ? all[front].at.offset : endOf(all[front - 1]);
         splice.text = wanted.substr(from, endOf(all[new_end - 1]) - from);
     }
-    if (!replaces && splice.end == old[old_end].at.offset && isWord(old[old_end]))
+    const Token& before_rest = front < new_end ? all[new_end - 1] : old[front - 1];
+    if (!replaces && splice.end == old[old_end].at.offset && isWord(old[old_end]) && isWord(before_rest))
         splice.text += ' '; // or two words would become one
     if (hasCommentWithin(tokens, splice.begin, splice.end))
         return std::nullopt;

@@ -1,0 +1,78 @@
+// Thinks of mends for one finding; whether they help is tried by its user.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/posh/plan_edits.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/quick_fixes.h"
+#include "core/posh/token.h"
+
+namespace usar::posh {
+
+/// Used once; everything given must outlive it.
+class FixFinder {
+public:
+    FixFinder(std::string_view text, const Finding& finding, const Vocabulary& vocabulary);
+    std::vector<QuickFix> run();
+
+private:
+    // in text_fixes.cpp
+    void fixCharacters();
+    void fixOpenString();
+    void fixWord();
+    void fixUnexpected();
+    void fixParentheses();
+    void fixDocumentation();
+    void fixUnit();
+    void fixNumber();
+    void fixPredicate();
+    void fixBareName();
+    void fixArgumentPlace();
+    void fixParameter();
+    void fixEmptyList();
+    void closeBeforeNextForm();
+    void fixTextAfterPlan();
+    // in plan_fixes.cpp
+    void fixPlan();
+    void fixDuplicate();
+    void fixUnknownName();
+    void fixWrongUse();
+    void fixVariable();
+    void fixUndeclared();
+    void fixUnreached();
+    void fixFindingNothing();
+    void fixName();
+    void addCollection();
+
+    void replace(std::string title, std::size_t begin, std::size_t end, std::string words);
+    void insert(std::string title, std::size_t at, std::string words) {
+        replace(std::move(title), at, at, std::move(words));
+    }
+    void add(std::string title, std::vector<Splice> edits);
+    void add(std::string title, const Result<PlanEdit>& edit);
+    void takeOut(std::size_t first_token, std::size_t last_token);
+    void writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most);
+
+    const Token& token(std::size_t index) const { return tokens_.tokens[std::min(index, tokens_.tokens.size() - 1)]; }
+    std::string_view word(std::size_t index) const { return textOf(text_, token(index).at); }
+    std::size_t beginOf(std::size_t index) const { return token(index).at.offset; }
+    std::size_t endOf(std::size_t index) const { return beginOf(index) + token(index).at.length; }
+    /// Of the parenthesis that closes or opens; the last token, or the first, where there is none.
+    std::size_t closing(std::size_t open) const;
+    std::size_t opening(std::size_t inside) const;
+    std::string_view found() const { return textOf(text_, finding_.at); }
+
+    std::string_view text_;
+    const Finding& finding_;
+    const Vocabulary& vocabulary_;
+    TokenList tokens_;
+    PlanReading reading_;
+    std::size_t here_ = 0; ///< the token at the finding
+    std::vector<QuickFix> fixes_;
+};
+
+} // namespace usar::posh

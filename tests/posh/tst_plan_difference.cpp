@@ -1,0 +1,128 @@
+#include <QTest>
+
+#include "core/base/random.h"
+#include "core/posh/plan_difference.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/plan_writer.h"
+#include "random_plan.h"
+
+using namespace usar;
+using namespace usar::posh;
+
+namespace {
+
+const std::string source = R"((
+  (C pick (goal ((holding)))
+    (elements
+      ((grab (trigger ((near))) close 3))
+      ((look (trigger ((lost))) turn))
+      ((go   drive))))
+  (AP wave (up down up))
+  (AD rest ((goal ((rested))) (sleep)))
+  (DC me
+    (drives
+      ((safe (trigger ((bumped))) wave (seconds 2)))
+      ((work pick)))))
+)";
+
+std::string with(std::string text, const std::string& old, const std::string& wanted) {
+    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + wanted.size()))
+        text.replace(at, old.size(), wanted);
+    return text;
+}
+
+QString linesOf(const std::vector<PlanChange>& changes) {
+    QStringList lines;
+    for (const PlanChange& change : changes)
+        lines << QString::fromStdString(change.line);
+    return lines.join('\n');
+}
+
+} // namespace
+
+class tst_PlanDifference : public QObject {
+    Q_OBJECT
+private slots:
+    void changesAreToldInALineEach_data();
+    void changesAreToldInALineEach();
+    void placesAreThoseOfBothTexts();
+    void layoutIsNoDifference();
+    void noPlanDiffersFromItself();
+};
+
+void tst_PlanDifference::changesAreToldInALineEach_data() {
+    QTest::addColumn<QString>("after");
+    QTest::addColumn<QString>("lines");
+    const auto row = [](const char* name, const std::string& after, const char* lines) {
+        QTest::newRow(name) << QString::fromStdString(after) << QString::fromUtf8(lines);
+    };
+    row("nothing", source, "");
+    row("trigger", with(source, "((near))", "((near 2 <))"),
+        "element \"grab\" of \"pick\": trigger was ((near)), is ((near 2 <))");
+    row("trigger taken away", with(source, "(trigger ((lost))) ", ""),
+        "element \"look\" of \"pick\": trigger was ((lost)), is none");
+    row("act and frequency", with(source, "wave (seconds 2)", "hop"),
+        "drive \"safe\": act was wave, is hop\ndrive \"safe\": frequency was (seconds 2), is none");
+    row("starts", with(source, "close 3", "close 4"), "element \"grab\" of \"pick\": starts was 3, is 4");
+    row("goal", with(source, "holding", "held"), "competence \"pick\": goal was ((holding)), is ((held))");
+    row("kind of the collection", with(source, "(DC", "(RDC"), "collection \"me\": kind was DC, is RDC");
+    row("form renamed, with its calls", with(source, "wave", "greet"), "pattern \"wave\" renamed to \"greet\"");
+    row("element renamed", with(source, "(look", "(search"), "element \"look\" of \"pick\" renamed to \"search\"");
+    row("element added", with(source, "((go ", "((new x))\n((go "), "element \"new\" of \"pick\" added");
+    row("element removed", with(source, "((look (trigger ((lost))) turn))", ""),
+        "element \"look\" of \"pick\" removed");
+    row("form added", with(source, "(AP wave", "(AP hop (jump)) (AP wave"), "pattern \"hop\" added");
+    row("form removed", with(source, "(AD rest ((goal ((rested))) (sleep)))", ""), "adopt \"rest\" removed");
+    row("adopted", with(source, "sleep", "doze"), "adopt \"rest\": act was sleep, is doze");
+    row("elements in another order", with(with(source, "((go   drive))", ""), "((grab", "((go   drive)) ((grab"),
+        "element \"go\" of \"pick\" moved from place 3 to place 1");
+    row("a step moved", with(source, "up down up", "up up down"),
+        "pattern \"wave\": step up moved from place 3 to place 2");
+    row("steps", with(source, "up down up", "up left up"),
+        "pattern \"wave\": step left added\npattern \"wave\": step down removed");
+    row("an element among the drives",
+        with(with(source, "((look (trigger ((lost))) turn))", ""), "((work", "((look (trigger ((lost))) turn)) ((work"),
+        "drive \"look\" moved from \"pick\" to \"me\"");
+    row("equals", with(source, "((work pick))", "((work pick) (play wave))"),
+        "drive \"work\" has equals now\ndrive \"play\" added");
+    row("documentation", with(source, "(C pick", "(documentation \"a\" \"b\" \"c\") (C pick"), "documentation added");
+}
+
+void tst_PlanDifference::changesAreToldInALineEach() {
+    QFETCH(QString, after);
+    QFETCH(QString, lines);
+    const PlanReading reading = readPlan(after.toStdString());
+    QVERIFY2(!hasErrors(reading.findings), reading.findings.empty() ? "" : toText(reading.findings.front()).c_str());
+    QCOMPARE(linesOf(planDifference(readPlan(source).plan, reading.plan)), lines);
+}
+
+void tst_PlanDifference::placesAreThoseOfBothTexts() {
+    const std::string after = with(source, "((go ", "((new x))\n((go ");
+    const auto changes = planDifference(readPlan(source).plan, readPlan(after).plan);
+    QCOMPARE(changes.size(), std::size_t(1));
+    QCOMPARE(changes[0].before_at.line, 0U);
+    QCOMPARE(changes[0].after_at.line, 6U);
+    QCOMPARE(changes[0].after, std::optional(memberPart(0, 2, 0)));
+    QCOMPARE(summaryOf(changes), std::string("1 added"));
+    QCOMPARE(summaryOf({}), std::string("no difference"));
+}
+
+void tst_PlanDifference::layoutIsNoDifference() {
+    const Plan plan = readPlan(source).plan;
+    QVERIFY(planDifference(plan, readPlan("; said\n" + writePlan(plan)).plan).empty());
+}
+
+void tst_PlanDifference::noPlanDiffersFromItself() {
+    doubles::RandomPlanOptions options;
+    options.with_decoration = true;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        Random random = seeded(seed, 7);
+        const Plan plan = readPlan(writePlan(doubles::randomPlan(random, options))).plan;
+        const Plan other = readPlan(writePlan(doubles::randomPlan(random, options))).plan;
+        QCOMPARE(linesOf(planDifference(plan, plan)), QString());
+        planDifference(plan, other); // whatever it says, it says it
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_PlanDifference)
+#include "tst_plan_difference.moc"

@@ -1,0 +1,471 @@
+// Edits of a plan's text: each does what it says, keeps what it does not touch, and never leaves a text that cannot be
+// read.
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/base/random.h"
+#include "core/posh/plan_edits.h"
+#include "core/posh/plan_phrase.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/plan_templates.h"
+#include "core/posh/plan_writer.h"
+#include "core/posh/program.h"
+#include "core/posh/token.h"
+#include "random_plan.h"
+
+using namespace usar;
+using namespace usar::posh;
+
+namespace {
+
+using Edit = std::function<Result<PlanEdit>()>;
+
+const std::string source = "; mine\n(\n"
+                           "  ;; picks it up\n"
+                           "  (C pick (goal ((holding))) ; header\n"
+                           "    (elements\n"
+                           "      ; when near\n"
+                           "      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n"
+                           "      ((look  (trigger ((lost)))        turn))\n"
+                           "      ((go    drive(2.5)))))\n"
+                           "  (AP wave   (up   down up))  ; by hand\n"
+                           "  (AD rest vars($long=3) ((goal ((rested))) (sleep($long))))\n"
+                           "  (DC me\n"
+                           "    (drives\n"
+                           "      ((safe  (trigger ((bumped))) wave (seconds 2)))\n"
+                           "      ( (work (trigger ((near)))   pick)\n"
+                           "        (play (trigger ((calm)))   wave))\n"
+                           "      ((idle  rest)))))\n";
+
+/// Of the n-th place where the words stand in the source.
+std::size_t offsetOf(const std::string& words, int n = 1) {
+    std::size_t at = source.find(words);
+    while (--n > 0 && at != std::string::npos)
+        at = source.find(words, at + 1);
+    return at;
+}
+
+PlanPart part(const std::string& words, int n = 1) {
+    const auto found = partAt(readPlan(source).plan, offsetOf(words, n));
+    return found ? *found : PlanPart{PartKind::Whole, 99};
+}
+
+Call call(const std::string& words) {
+    return readCallPhrase(words).value();
+}
+
+Senses senses(const std::string& words) {
+    return readSensesPhrase(words).value();
+}
+
+/// The source with the first `old` replaced, and the next pair in what comes out.
+std::string with(std::string text, std::initializer_list<std::pair<std::string, std::string>> changes) {
+    for (const auto& [old, wanted] : changes) {
+        const std::size_t at = text.find(old);
+        if (at == std::string::npos)
+            return "there is no " + old;
+        text.replace(at, old.size(), wanted);
+    }
+    return text;
+}
+
+std::size_t lettersOfComments(const std::string& text) {
+    std::size_t letters = 0;
+    for (const Comment& comment : tokenize(text).comments)
+        for (const char c : text.substr(comment.offset, comment.length))
+            letters += c == ' ' || c == '\r' ? 0 : 1;
+    return letters;
+}
+
+bool isReadable(const std::string& text) {
+    const Findings findings = readPlan(text).findings;
+    return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return isUnreadable(f.code); });
+}
+
+/// Any edit of any part, with what may well not fit.
+class RandomEdit {
+public:
+    RandomEdit(const std::string& text, Random& random) : text_(text), plan_(readPlan(text).plan), random_(random) {
+        parts_ = partsOf(plan_);
+    }
+
+    Result<PlanEdit> run() {
+        if (parts_.empty())
+            return addForm(text_, FormKind::Ap, "first", call("a"));
+        const PlanPart one = any();
+        const PlanPart other = any();
+        const int by = random_() % 2 == 0 ? 1 : -1;
+        switch (random_() % 17) {
+        case 0:
+            return renamePart(text_, one, word());
+        case 1:
+            return swapParts(text_, one, other);
+        case 2:
+            return moveMember(text_, one, place(other));
+        case 3:
+            return moveStep(text_, one, other.form, random_() % 4);
+        case 4:
+            return shiftPart(text_, one, by);
+        case 5:
+            return joinLevel(text_, one, by);
+        case 6:
+            return addMember(text_, place(one), call("act(1)"), senses("(s 3 <)"));
+        case 7:
+            return addStep(text_, one.form, random_() % 4, call("act"));
+        case 8:
+            return addSense(text_, one, readSensePhrase("s 0.5 >").value());
+        case 9:
+            return addForm(text_, static_cast<FormKind>(random_() % 4), word(), call("act"));
+        case 10:
+            return duplicatePart(text_, one);
+        case 11:
+            return removePart(text_, one);
+        case 12:
+            return replaceCall(text_, one, nameOf(plan_, other) ? Call{*nameOf(plan_, other), {}} : call("act"));
+        case 13:
+            return setSenses(text_, one, senses(random_() % 2 == 0 ? "nil" : "(a) (b \"x\" !=)"));
+        case 14:
+            return setLimit(text_, one, random_() % 3 == 0 ? "" : random_() % 2 == 0 ? "3" : "seconds 2");
+        case 15:
+            return setComment(text_, one, "why \"not\"");
+        default:
+            return random_() % 2 == 0 ? wrapCall(text_, one, static_cast<FormKind>(random_() % 3))
+                                      : inlineCall(text_, one);
+        }
+    }
+
+private:
+    PlanPart any() { return parts_[random_() % parts_.size()].part; }
+    MemberPlace place(const PlanPart& near) {
+        MemberPlace to{near.form, random_() % 4};
+        if (random_() % 2 == 0)
+            to.beside = random_() % 3;
+        return to;
+    }
+    std::string word() {
+        const char* const words[] = {"fresh", "c0", "p1", "s1", "a2", "nil", "3x", "two words", "goal", "n1", "a.b"};
+        return words[random_() % std::size(words)];
+    }
+
+    const std::string& text_;
+    Plan plan_;
+    Random& random_;
+    std::vector<NamedPart> parts_;
+};
+
+} // namespace
+
+Q_DECLARE_METATYPE(Edit)
+
+class tst_PlanEdits : public QObject {
+    Q_OBJECT
+private slots:
+    void anEditDoesWhatItSays_data();
+    void anEditDoesWhatItSays();
+    void whatCannotBeIsRefusedWithAReason_data();
+    void whatCannotBeIsRefusedWithAReason();
+    void partsAreFoundByTheirPlace();
+    void usagesAreAllCallsOfAForm();
+    void swappingTwiceIsNothing();
+    void aTextWithErrorsIsNotTouched();
+    void anErrorOfThePlanKeepsTheLayout();
+    void phrasesAreOnePartOnly_data();
+    void phrasesAreOnePartOnly();
+    void templatesAreSoundAndRunAtOnce();
+    void noEditMakesATextThatCannotBeRead();
+    void renamingThereAndBackGivesTheSameBytes();
+};
+
+void tst_PlanEdits::anEditDoesWhatItSays_data() {
+    QTest::addColumn<Edit>("edit");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char* name, Edit edit,
+                        std::initializer_list<std::pair<std::string, std::string>> changes) {
+        QTest::newRow(name) << std::move(edit) << QString::fromStdString(with(source, changes));
+    };
+    row("a pattern with its calls is renamed", [] { return renamePart(source, part("wave"), "greet"); },
+        {{"AP wave", "AP greet"}, {"wave (sec", "greet (sec"}, {"  wave))", "  greet))"}});
+    row("a call renames its form", [] { return renamePart(source, part("pick)"), "take"); },
+        {{"C pick", "C take"}, {" pick)", " take)"}});
+    row("a sense is renamed in goals and triggers", [] { return renamePart(source, part("near) (calm"), "by.close"); },
+        {{"((near) (", "((by.close) ("}, {"((near))", "((by.close))"}});
+    row("an act is renamed", [] { return renamePart(source, part("up   "), "rise"); },
+        {{"(up ", "(rise "}, {"down up", "down rise"}});
+    row("a drive is renamed", [] { return renamePart(source, part("safe"), "rescue"); }, {{"(safe ", "(rescue "}});
+    row("two acts change places", [] { return swapParts(source, part("turn"), part("drive(")); },
+        {{" turn))", " drive(2.5)))"}, {"(go    drive(2.5))", "(go    turn)"}});
+    row("two references change places", [] { return swapParts(source, part("wave (sec"), part("rest)))")); },
+        {{"wave (sec", "rest (sec"}, {"idle  rest)", "idle  wave)"}});
+    row("two senses change places", [] { return swapParts(source, part("near) (c"), part("lost")); },
+        {{"((near) (calm))", "((lost) (calm))"}, {"(lost)))   ", "(near)))   "}});
+    row("two elements change places", [] { return swapParts(source, part("look"), part("go  ")); },
+        {{"      ((look  (trigger ((lost)))        turn))\n      ((go    drive(2.5)))))",
+          "      ((go    drive(2.5)))\n      ((look  (trigger ((lost)))        turn))))"}});
+    row("an element goes up with its comments", [] { return shiftPart(source, part("look"), -1); },
+        {{"      ; when near\n      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n"
+          "      ((look  (trigger ((lost)))        turn))\n",
+          "      ((look  (trigger ((lost)))        turn))\n"
+          "      ; when near\n      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n"}});
+    row("a step goes down", [] { return shiftPart(source, part("up   "), 1); }, {{"up   down up", "down up up"}});
+    row("a sense goes up", [] { return shiftPart(source, part("calm)))"), -1); },
+        {{"((near) (calm))", "((calm) (near))"}});
+    row("an equal gets a level of its own", [] { return shiftPart(source, part("play"), 1); },
+        {{"      ( (work (trigger ((near)))   pick)\n        (play (trigger ((calm)))   wave))\n",
+          "      ((work (trigger ((near))) pick))\n      ((play (trigger ((calm))) wave))\n"}});
+    row("a drive joins the level above", [] { return joinLevel(source, part("idle"), -1); },
+        {{"      ( (work (trigger ((near)))   pick)\n        (play (trigger ((calm)))   wave))\n      ((idle  rest))",
+          "      ( (work (trigger ((near))) pick)\n        (play (trigger ((calm))) wave)\n        (idle rest))"}});
+    row("a drive is added with a trigger",
+        [] {
+            return addMember(source, {3, 0}, call("flee(1)"), senses("(fire)"));
+        },
+        {{"(drives\n", "(drives\n      ((flee  (trigger ((fire))) flee(1)))\n"}});
+    row("an added element gets a free name",
+        [] {
+            return addMember(source, {0, 3}, call("go"), {});
+        },
+        {{"drive(2.5)))))", "drive(2.5)))\n      ((go-2 go))))"}});
+    row("a step is added", [] { return addStep(source, 1, 1, call("left")); }, {{"up   down up", "up left   down up"}});
+    row("a sense is added to a trigger",
+        [] { return addSense(source, part("look"), readSensePhrase("x 3 <").value()); },
+        {{"((lost))", "((lost) (x 3 <))"}});
+    row("a pattern is added before the drives", [] { return addForm(source, FormKind::Ap, "hop", call("jump")); },
+        {{"  (DC me", "  (AP hop (jump))\n  (DC me"}});
+    row("an element is taken away with its comments", [] { return removePart(source, part("grab")); },
+        {{"      ; when near\n      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n", ""}});
+    row("what is done becomes nothing", [] { return removePart(source, part("turn")); }, {{"turn", "doNothing"}});
+    row("a sense is taken away", [] { return removePart(source, part("near) (calm")); },
+        {{"((near) (calm))", "((calm))"}});
+    row("a call is put in place of another", [] { return replaceCall(source, part("turn"), call("wave")); },
+        {{"turn", "wave"}});
+    row("a sense gets a value",
+        [] { return replaceSense(source, part("lost"), readSensePhrase("lost 2.0 >").value()); },
+        {{"((lost))", "((lost 2.0 >))"}});
+    row("a trigger is taken away", [] { return setSenses(source, part("look"), {}); },
+        {{"(trigger ((lost)))        turn", "      turn"}});
+    row("a goal is set", [] { return setSenses(source, part("me\n"), senses("(over)")); },
+        {{"(DC me", "(DC me (goal ((over)))"}});
+    row("a frequency is set", [] { return setLimit(source, part("safe"), "hz 5"); }, {{"seconds 2", "hz 5"}});
+    row("retries are taken away", [] { return setLimit(source, part("grab"), ""); }, {{"close 3", "close"}});
+    row("a time is set", [] { return setLimit(source, part("wave"), "minutes 1"); },
+        {{"wave   (", "wave (minutes 1)   ("}});
+    row("a comment is written", [] { return setComment(source, part("look"), "a \"b\""); },
+        {{"turn)", "turn \"a \\\"b\\\"\")"}});
+    row("an act is wrapped in a competence", [] { return wrapCall(source, part("turn"), FormKind::C); },
+        {{"  ;; picks it up\n", "  (C choose-turn\n    (elements\n      ((turn turn))))\n  ;; picks it up\n"},
+         {"        turn))", "        choose-turn))"}});
+    row("what is wrapped keeps its parameters", [] { return wrapCall(source, part("sleep"), FormKind::Ap); },
+        {{"  (AD rest", "  (AP do-sleep vars($long=3) (sleep($long)))\n  (AD rest"},
+         {"((rested))) (sleep($long)", "((rested))) (do-sleep($long=$long)"}});
+    row("a drive is duplicated", [] { return duplicatePart(source, part("idle")); },
+        {{"((idle  rest))", "((idle  rest))\n      ((idle-2 rest))"}});
+}
+
+void tst_PlanEdits::anEditDoesWhatItSays() {
+    QFETCH(Edit, edit);
+    QFETCH(QString, expected);
+    const auto edited = edit();
+    QVERIFY2(edited.has_value(), edited ? "" : edited.error().text().c_str());
+    const QStringList got = QString::fromStdString(edited->text).split('\n');
+    const QStringList wanted = expected.split('\n');
+    for (int i = 0; i < std::min(got.size(), wanted.size()); ++i)
+        QCOMPARE(got[i], wanted[i]);
+    QCOMPARE(got.size(), wanted.size());
+    QVERIFY(nameOf(readPlan(edited->text).plan, edited->part));
+}
+
+void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
+    QTest::addColumn<Edit>("edit");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char* name, Edit edit, const char* reason) {
+        QTest::newRow(name) << std::move(edit) << QString::fromUtf8(reason);
+    };
+    row(
+        "a name that is taken", [] { return renamePart(source, part("wave"), "pick"); }, "taken by the competence");
+    row(
+        "a name that an act has", [] { return renamePart(source, part("wave"), "turn"); }, "taken by the act");
+    row(
+        "an act that would become a call", [] { return renamePart(source, part("turn"), "wave"); }, "has this name");
+    row(
+        "a name beside its like", [] { return renamePart(source, part("look"), "go"); }, "has this name");
+    row(
+        "a name with a blank", [] { return renamePart(source, part("wave"), "a b"); }, "no name");
+    row(
+        "a word of the language", [] { return renamePart(source, part("wave"), "Trigger"); }, "word of the language");
+    row(
+        "no name", [] { return renamePart(source, part("wave"), ""); }, "no name");
+    row(
+        "a circle of references", [] { return replaceCall(source, part("turn"), call("pick")); }, "E302");
+    row(
+        "a parameter that is not declared", [] { return replaceCall(source, part("turn"), call("x($y)")); }, "E306");
+    row(
+        "a sense and an act", [] { return swapParts(source, part("lost"), part("turn")); }, "different kinds");
+    row(
+        "a drive and an element", [] { return swapParts(source, part("look"), part("idle")); }, "change places");
+    row(
+        "a form that is called", [] { return removePart(source, part("wave")); }, "called in line 14, 16");
+    row(
+        "the first goes no farther up", [] { return shiftPart(source, part("grab"), -1); }, "first already");
+    row(
+        "the last goes no farther down", [] { return shiftPart(source, part("idle"), 1); }, "last already");
+    row(
+        "a drive with a frequency into a competence",
+        [] {
+            return moveMember(source, part("safe"), {0, 0});
+        },
+        "frequency");
+    row(
+        "an element with retries among the drives",
+        [] {
+            return moveMember(source, part("grab"), {3, 0});
+        },
+        "retries");
+    row(
+        "a limit that is none", [] { return setLimit(source, part("look"), "often"); }, "often");
+    row(
+        "a second collection", [] { return addForm(source, FormKind::Dc, "two", call("x")); }, "one drive coll");
+    row(
+        "a part that is not there",
+        [] {
+            return removePart(source, {PartKind::Whole, 77});
+        },
+        "no such part");
+    row(
+        "more than can stand there", [] { return inlineCall(source, part("pick)")); }, "more than can stand here");
+}
+
+void tst_PlanEdits::whatCannotBeIsRefusedWithAReason() {
+    QFETCH(Edit, edit);
+    QFETCH(QString, reason);
+    const auto edited = edit();
+    QVERIFY(!edited.has_value());
+    const QString said = QString::fromStdString(edited.error().text());
+    QVERIFY2(said.contains(reason), qPrintable(said));
+}
+
+void tst_PlanEdits::partsAreFoundByTheirPlace() {
+    const Plan plan = readPlan(source).plan;
+    QCOMPARE(part("grab"), memberPart(0, 0, 0));
+    QCOMPARE(part("3)) ;"), memberPart(0, 0, 0)); // what is in it and has no name
+    QCOMPARE(part("close"), actionPart(0, 0, 0));
+    QCOMPARE(part("calm)))   wave").kind, PartKind::Sense);
+    QCOMPARE(part("holding"), (PlanPart{PartKind::Sense, 0}));
+    QCOMPARE(part("down"), (PlanPart{PartKind::Action, 1, 0, 0, 1}));
+    QVERIFY(isStep(plan, part("down")) && !isStep(plan, part("close")));
+    QVERIFY(!partAt(plan, 0));
+    QCOMPARE(describe(plan, part("bumped")), std::string("the sense \"bumped\""));
+}
+
+void tst_PlanEdits::usagesAreAllCallsOfAForm() {
+    const Plan plan = readPlan(source).plan;
+    QCOMPARE(usagesOf(plan, part("wave")).size(), std::size_t(3));
+    QCOMPARE(usagesOf(plan, part("wave (sec")), usagesOf(plan, part("wave")));
+    QCOMPARE(usagesOf(plan, part("near")).size(), std::size_t(2));
+    QCOMPARE(usagesOf(plan, part("safe")).size(), std::size_t(1));
+    QCOMPARE(usagesOf(plan, part("me\n")).size(), std::size_t(1));
+}
+
+void tst_PlanEdits::swappingTwiceIsNothing() {
+    for (const auto& [a, b] : {std::pair(part("grab"), part("go  ")), std::pair(part("turn"), part("drive(")),
+                               std::pair(part("wave"), part("pick (")), std::pair(part("up "), part("down"))}) {
+        const auto once = swapParts(source, a, b);
+        QVERIFY(once && once->text != source);
+        const auto twice = swapParts(once->text, a, b);
+        QVERIFY(twice && readPlan(twice->text).plan == readPlan(source).plan);
+    }
+}
+
+void tst_PlanEdits::aTextWithErrorsIsNotTouched() {
+    const std::string broken = "((AP a (b))\n (AP c ())\n (DC d (drives ((e a)))))";
+    const auto edited = renamePart(broken, formPart(0), "fresh");
+    QVERIFY(!edited);
+    QVERIFY2(edited.error().text().find("line 2") != std::string::npos, edited.error().text().c_str());
+}
+
+void tst_PlanEdits::anErrorOfThePlanKeepsTheLayout() {
+    const std::string doubled = with(source, {{"AP wave   (up", "AP pick   (up"}});
+    const auto edited = setLimit(doubled, part("look"), "4");
+    QVERIFY(edited);
+    QCOMPARE(QString::fromStdString(edited->text), QString::fromStdString(with(doubled, {{"turn", "turn 4"}})));
+}
+
+void tst_PlanEdits::phrasesAreOnePartOnly_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<bool>("sense");
+    QTest::addColumn<bool>("call");
+    QTest::newRow("a name") << "fly" << true << true;
+    QTest::newRow("with arguments") << "fly(2, $at=\"x\")" << true << true;
+    QTest::newRow("with a value") << "fly 2 <" << true << false;
+    QTest::newRow("in parentheses") << "(fly 2 <)" << true << false;
+    QTest::newRow("with retries") << "fly 2" << true << false;
+    QTest::newRow("two") << "fly land" << true << false; // a sense with a symbol
+    QTest::newRow("a way out") << "a))) ((b c" << false << false;
+    QTest::newRow("another way out") << "a)) (e2 (trigger ((b)" << false << false;
+    QTest::newRow("a comment") << "a ; b" << false << false;
+    QTest::newRow("nothing") << "" << false << false;
+    QTest::newRow("a number") << "3" << false << false;
+}
+
+void tst_PlanEdits::phrasesAreOnePartOnly() {
+    QFETCH(QString, words);
+    QTEST(readSensePhrase(words.toStdString()).has_value(), "sense");
+    QTEST(readCallPhrase(words.toStdString()).has_value(), "call");
+}
+
+void tst_PlanEdits::templatesAreSoundAndRunAtOnce() {
+    for (const PlanTemplate& pattern : planTemplates()) {
+        const PlanReading reading = readPlan(pattern.text);
+        QVERIFY2(reading.findings.empty(), pattern.title.c_str());
+        QVERIFY(compile(reading.plan).has_value());
+        for (const NamedPart& named : partsOf(reading.plan))
+            if (named.part.kind == PartKind::Action || named.part.kind == PartKind::Sense) {
+                const std::string& name = named.name->text;
+                const bool is_form = usagesOf(reading.plan, named.part).front().kind == PartKind::Whole;
+                QVERIFY2(is_form || name == "doNothing" || name == "fail" || name == "succeed", name.c_str());
+            }
+    }
+}
+
+void tst_PlanEdits::noEditMakesATextThatCannotBeRead() {
+    doubles::RandomPlanOptions options;
+    options.with_decoration = true;
+    int done = 0;
+    int refused = 0;
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+        Random random = seeded(seed, 5);
+        std::string text = writePlan(doubles::randomPlan(random, options));
+        for (int i = 0; i < 6; ++i) {
+            const auto edited = RandomEdit(text, random).run();
+            ++(edited ? done : refused);
+            if (!edited)
+                continue;
+            if (!isReadable(edited->text) || edited->text.empty())
+                QFAIL((std::to_string(seed) + ":\n" + text + "\nbecame\n" + edited->text).c_str());
+            text = edited->text;
+        }
+    }
+    QVERIFY2(done > 2000 && refused > 500, qPrintable(QStringLiteral("%1 done, %2 refused").arg(done).arg(refused)));
+}
+
+void tst_PlanEdits::renamingThereAndBackGivesTheSameBytes() {
+    doubles::RandomPlanOptions options;
+    options.with_decoration = true;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random = seeded(seed, 6);
+        const std::string text = writePlan(doubles::randomPlan(random, options));
+        const Plan plan = readPlan(text).plan;
+        for (const NamedPart& named : partsOf(plan)) {
+            const auto there = renamePart(text, named.part, "quite-fresh");
+            QVERIFY2(there.has_value(), there ? "" : there.error().text().c_str());
+            QCOMPARE(lettersOfComments(there->text), lettersOfComments(text));
+            const auto back = renamePart(there->text, named.part, named.name->text);
+            if (back) // odd names may not be given anew
+                QCOMPARE(QString::fromStdString(back->text), QString::fromStdString(text));
+        }
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_PlanEdits)
+#include "tst_plan_edits.moc"

@@ -1,0 +1,242 @@
+// Mends of what is wrong: each is put into the text, and then the finding is gone.
+#include <QTest>
+
+#include <algorithm>
+
+#include "core/base/spelling.h"
+#include "core/posh/plan_part.h"
+#include "core/posh/plan_reader.h"
+#include "core/posh/quick_fixes.h"
+#include "plan_corpus.h"
+
+using namespace usar;
+using namespace usar::posh;
+
+namespace {
+
+const Vocabulary robot{{"Bumped", "Battery", "Near"}, {"Stop", "Drive", "Beep"}};
+
+/// A binding to the robot above: unknown names and misused ones.
+Findings bind(std::string_view text) {
+    PlanReading reading = readPlan(text);
+    Findings findings = std::move(reading.findings);
+    const auto knows = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!collectionOf(reading.plan))
+        findings.push_back({Code::NoCollection, {}, "no drives", {}});
+    for (const NamedPart& named : partsOf(reading.plan)) {
+        const std::string& name = named.name->text;
+        const bool is_sense = named.part.kind == PartKind::Sense;
+        if (named.part.kind == PartKind::Whole && (knows(robot.acts, name) || knows(robot.senses, name)))
+            findings.push_back({Code::PrimitiveNamedAsForm, named.name->at, name + " is of the robot", {}});
+        if (named.part.kind != PartKind::Action && !is_sense)
+            continue;
+        const bool is_form = usagesOf(reading.plan, named.part).front().kind == PartKind::Whole;
+        if (is_form || name == "doNothing" || name == "fail")
+            continue;
+        if (knows(is_sense ? robot.acts : robot.senses, name))
+            findings.push_back({Code::WrongUse, named.name->at, name + " is no such thing", {}});
+        else if (!knows(is_sense ? robot.senses : robot.acts, name))
+            findings.push_back({Code::UnknownPrimitive, named.name->at, "there is no " + name, {}});
+        else if (!callOf(reading.plan, named.part)->arguments.empty())
+            findings.push_back({Code::WrongUse, named.name->at, name + " takes no arguments", {}});
+    }
+    return findings;
+}
+
+const Finding* findingOf(const Findings& findings, const std::string& code) {
+    const auto found =
+        std::find_if(findings.begin(), findings.end(), [&code](const Finding& f) { return toText(f.code) == code; });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+std::string titlesOf(const std::vector<QuickFix>& fixes) {
+    std::string titles;
+    for (const QuickFix& fix : fixes)
+        titles += fix.title + '\n';
+    return titles;
+}
+
+} // namespace
+
+class tst_QuickFixes : public QObject {
+    Q_OBJECT
+private slots:
+    void aMendIsOfferedAndHelps_data();
+    void aMendIsOfferedAndHelps();
+    void everyOfferedMendHelps();
+    void differenceIsShortAndWhole_data();
+    void differenceIsShortAndWhole();
+};
+
+void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("title");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char* name, const char* code, const char* text, const char* title, const char* expected) {
+        QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(code) << QString::fromUtf8(title)
+                            << QString::fromUtf8(expected);
+    };
+    row("illegal character", "E101", "((DC d (drives ((e St@op)))))", "Take out \"@\"", "((DC d (drives ((e Stop)))))");
+    row("open string", "E102", "((DC d (drives ((e Stop \"why))))\n)", "Close the string before the parentheses",
+        "((DC d (drives ((e Stop \"why\"))))\n)");
+    row("unknown escape", "E103", "((DC d (drives ((e Stop \"a\\q\")))))", "Write a backslash",
+        "((DC d (drives ((e Stop \"a\\\\q\")))))");
+    row("malformed number", "E104", "((C c (minutes 1.2.3) (elements ((e Stop)))) (DC d (drives ((e c)))))",
+        "Write 1.2", "((C c (minutes 1.2) (elements ((e Stop)))) (DC d (drives ((e c)))))");
+    row("quote without symbol", "E105", "((DC d (drives ((e (trigger ((Near ' ==))) Stop)))))", "Take out \"'\"", "");
+    row("malformed name", "E107", "((DC d (drives ((e Stop.)))))", "Write Stop", "((DC d (drives ((e Stop)))))");
+    row("no parenthesis first", "E201", "DC d (drives ((e Stop)))", "Put parentheses", "");
+    row("misspelt trigger", "E202", "((DC d (drives ((e (triger ((Near))) Stop)))))", "Write trigger",
+        "((DC d (drives ((e (trigger ((Near))) Stop)))))");
+    row("no level", "E202", "((DC d (drives (e Stop))))", "Put parentheses around it", "((DC d (drives ((e Stop)))))");
+    row("a trigger without its list", "E202", "((DC d (drives ((e (trigger (Near 3 <)) Stop)))))",
+        "Put parentheses around it", "((DC d (drives ((e (trigger ((Near 3 <))) Stop)))))");
+    row("not closed at the end", "E203", "((DC d (drives ((e Stop)", "Close 4 parentheses at the end",
+        "((DC d (drives ((e Stop)))))");
+    row("a form not closed", "E202", "(\n (AP a (Stop)\n (DC d (drives ((e a))))\n)", "Close a parenthesis before",
+        "(\n (AP a (Stop))\n (DC d (drives ((e a))))\n)");
+    row("one too many at the end", "E204", "((DC d (drives ((e Stop))))))", "Take out \")\"",
+        "((DC d (drives ((e Stop)))))");
+    row("closed too early", "E204", "((AP a (Stop)))\n (DC d (drives ((e a)))))", "Take out the ) before it",
+        "((AP a (Stop))\n (DC d (drives ((e a)))))");
+    row("unknown form", "E205", "((XP a (Stop)) (DC d (drives ((e a)))))", "Write AP",
+        "((AP a (Stop)) (DC d (drives ((e a)))))");
+    row("late documentation", "E206", "((DC d (drives ((e Stop)))) (documentation \"a\" \"b\" \"c\"))",
+        "Move it to the front", "(\n  (documentation \"a\" \"b\" \"c\")(DC d (drives ((e Stop)))) )");
+    row("two strings of documentation", "E207", "((documentation \"a\" \"b\") (DC d (drives ((e Stop)))))",
+        "Write empty texts", "((documentation \"a\" \"b\" \"\") (DC d (drives ((e Stop)))))");
+    row("four strings", "E207", "((documentation \"a\" \"b\" \"c\" \"d\") (DC d (drives ((e Stop)))))", "Take out",
+        "((documentation \"a\" \"b\" \"c\") (DC d (drives ((e Stop)))))");
+    row("second collection", "E208", "((DC d (drives ((e Stop)))) (DC f (drives ((e Stop)))))", "Take out",
+        "((DC d (drives ((e Stop)))))");
+    row("unknown unit", "E209", "((DC d (drives ((e Stop (sec 2))))))", "Write seconds",
+        "((DC d (drives ((e Stop (seconds 2))))))");
+    row("no number", "E210", "((C c (minutes) (elements ((e Stop)))) (DC d (drives ((e c)))))", "Write 1",
+        "((C c (minutes 1) (elements ((e Stop)))) (DC d (drives ((e c)))))");
+    row("negative number", "E211", "((C c (minutes -2) (elements ((e Stop)))) (DC d (drives ((e c)))))", "Write 2",
+        "((C c (minutes 2) (elements ((e Stop)))) (DC d (drives ((e c)))))");
+    row("predicate first", "E212", "((DC d (drives ((e (trigger ((Near < 3))) Stop)))))", "Write 3 <",
+        "((DC d (drives ((e (trigger ((Near 3 <))) Stop)))))");
+    row("bare name as a value", "E213", "((DC d (drives ((e Stop(fast))))))", "Write 'fast",
+        "((DC d (drives ((e Stop('fast))))))");
+    row("positional after named", "E214", "((AP a (Stop($x=1, 2))) (DC d (drives ((e a)))))", "Move it to the front",
+        "((AP a (Stop(2, $x=1))) (DC d (drives ((e a)))))");
+    row("argument twice", "E215", "((AP a (Stop($x=1, $x=2))) (DC d (drives ((e a)))))", "Take out the argument",
+        "((AP a (Stop($x=1))) (DC d (drives ((e a)))))");
+    row("parameter twice", "E216", "((AP a vars($x=1, $x=2) (Stop)) (DC d (drives ((e a)))))", "Take out the second",
+        "((AP a vars($x=1) (Stop)) (DC d (drives ((e a)))))");
+    row("parameter without default", "E217", "((AP a vars($x) (Stop)) (DC d (drives ((e a)))))", "Give it the value 0",
+        "((AP a vars($x=0) (Stop)) (DC d (drives ((e a)))))");
+    row("no steps", "E218", "((AP a ()) (DC d (drives ((e a)))))", "Add a step",
+        "((AP a (doNothing)) (DC d (drives ((e a)))))");
+    row("no drives", "E218", "((DC d (drives)))", "Add a drive", "((DC d (drives ((idle doNothing)))))");
+    row("half a start", "E219", "((C c (elements ((e Stop 2.7)))) (DC d (drives ((e c)))))", "Write 3",
+        "((C c (elements ((e Stop 3)))) (DC d (drives ((e c)))))");
+    row("name twice", "E301", "((AP a (Stop)) (AP a (Beep)) (DC d (drives ((e a)))))", "Name it a-2",
+        "((AP a (Stop)) (AP a-2 (Beep)) (DC d (drives ((e a)))))");
+    row("circle", "E302", "((AP a (a)) (DC d (drives ((e a)))))", "Do nothing here",
+        "((AP a (doNothing)) (DC d (drives ((e a)))))");
+    row("no collection", "E303", "((AP a (Stop)))", "Add a drive collection", "");
+    row("unknown act", "E304", "((DC d (drives ((e Dirve)))))", "Write Drive", "((DC d (drives ((e Drive)))))");
+    row("unknown act everywhere", "E304", "((AP a (Stpo Stpo)) (DC d (drives ((e a)))))", "Write Stop everywhere", "");
+    row("an act to be made", "E304", "((DC d (drives ((e dance)))))", "Make a pattern dance", "");
+    row("unknown sense", "E304", "((DC d (drives ((e (trigger ((bumpd))) Stop)))))", "Write Bumped",
+        "((DC d (drives ((e (trigger ((Bumped))) Stop)))))");
+    row("form named as an act", "E305", "((AP Stop (Beep)) (DC d (drives ((e Stop)))))", "Name it Stop-plan",
+        "((AP Stop-plan (Beep)) (DC d (drives ((e Stop-plan)))))");
+    row("unknown parameter", "E306", "((AP a vars($speed=1) (x($sped))) (DC d (drives ((e a)))))", "Write $speed",
+        "((AP a vars($speed=1) (x($speed))) (DC d (drives ((e a)))))");
+    row("parameter to declare", "E306", "((AP a (x($y))) (DC d (drives ((e a)))))", "Declare $y",
+        "((AP a vars($y=0) (x($y))) (DC d (drives ((e a)))))");
+    row("arguments that it does not take", "E307", "((DC d (drives ((e Stop(3))))))", "Take the arguments out",
+        "((DC d (drives ((e Stop)))))");
+    row("a sense done", "E307", "((DC d (drives ((e Near)))))", "Write Beep", "");
+    row("fragment", "W401", "((AP a (Stop)))", "Add a drive collection", "");
+    row("drive twice", "W402", "((DC d (drives ((e (trigger ((Near))) Stop)) ((e Stop)))))", "Name it e-2",
+        "((DC d (drives ((e (trigger ((Near))) Stop)) ((e-2 Stop)))))");
+    row("never used", "W404", "((AP a (Stop)) (DC d (drives ((e Stop)))))", "Take it away", "");
+    row("odd blank", "W405", "((DC d (drives ((e\xc2\xa0Stop)))))", "Write an ordinary blank",
+        "((DC d (drives ((e Stop)))))");
+    row("name with a digit first", "W406", "((AP 3a (Stop)) (DC d (drives ((e 3a)))))", "Name it n3a",
+        "((AP n3a (Stop)) (DC d (drives ((e n3a)))))");
+    row("word of the language", "W407", "((AP goal (Stop)) (DC d (drives ((e goal)))))", "Name it my-goal",
+        "((AP my-goal (Stop)) (DC d (drives ((e my-goal)))))");
+    row("no elements", "W408", "((C c (elements)) (DC d (drives ((e c)))))", "Add an element", "");
+    row("zero starts", "W409", "((C c (elements ((e Stop 0)))) (DC d (drives ((e c)))))", "Take the number out",
+        "((C c (elements ((e Stop)))) (DC d (drives ((e c)))))");
+    row("never reached", "W410", "((DC d (drives ((e Stop)) ((f (trigger ((Near))) Beep)))))", "Move \"e\" to the end",
+        "");
+    row("may find nothing", "W411", "((C c (elements ((e (trigger ((Near))) Stop)))) (DC d (drives ((e c)))))",
+        "Add a last element", "");
+    row("argument too many", "W412", "((AP a (Stop)) (DC d (drives ((e a(3))))))", "Take the argument out",
+        "((AP a (Stop)) (DC d (drives ((e a)))))");
+}
+
+void tst_QuickFixes::aMendIsOfferedAndHelps() {
+    QFETCH(QString, text);
+    QFETCH(QString, code);
+    QFETCH(QString, title);
+    QFETCH(QString, expected);
+    const std::string source = text.toStdString();
+    const bool binds = code == "E303" || code == "E304" || code == "E305" || code == "E307";
+    const auto check = [binds](std::string_view any) { return binds ? bind(any) : readPlan(any).findings; };
+    const Findings findings = check(source);
+    const Finding* const finding = findingOf(findings, code.toStdString());
+    QVERIFY2(finding, findings.empty() ? "nothing is wrong" : toText(findings.front()).c_str());
+    const std::vector<QuickFix> fixes = quickFixes(source, *finding, robot, check);
+    const auto fix = std::find_if(fixes.begin(), fixes.end(), [&title](const QuickFix& candidate) {
+        return QString::fromStdString(candidate.title).contains(title);
+    });
+    QVERIFY2(fix != fixes.end(), titlesOf(fixes).c_str());
+    const std::string mended = withFix(source, *fix);
+    QVERIFY2(!findingOf(check(mended), code.toStdString()), mended.c_str());
+    if (!expected.isEmpty())
+        QCOMPARE(QString::fromStdString(mended), expected);
+}
+
+void tst_QuickFixes::everyOfferedMendHelps() {
+    int mended = 0;
+    int files = 0;
+    for (const corpus::PlanFile& file : corpus::planFiles()) {
+        const Findings findings = readPlan(file.text).findings;
+        if (findings.empty() || file.text.size() > 20000)
+            continue;
+        ++files;
+        const std::vector<QuickFix> fixes = quickFixes(file.text, findings.front());
+        mended += fixes.empty() ? 0 : 1;
+        for (const QuickFix& fix : fixes)
+            QVERIFY2(readPlan(withFix(file.text, fix)).findings != findings, (file.name + ": " + fix.title).c_str());
+    }
+    qInfo("%d of %d files with findings have a mend for the first of them", mended, files);
+    QVERIFY(mended * 10 >= files * 8);
+}
+
+void tst_QuickFixes::differenceIsShortAndWhole_data() {
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("after");
+    QTest::addColumn<QByteArray>("piece");
+    QTest::newRow("nothing") << QByteArray("abc") << QByteArray("abc") << QByteArray();
+    QTest::newRow("in the middle") << QByteArray("abcd") << QByteArray("aXYd") << QByteArray("XY");
+    QTest::newRow("more of the same") << QByteArray("aaa") << QByteArray("aaaa") << QByteArray("a");
+    QTest::newRow("less") << QByteArray("abcbcd") << QByteArray("abcd") << QByteArray("");
+    QTest::newRow("characters are not cut")
+        << QByteArray("\xc3\xa4") << QByteArray("\xc3\xb6") << QByteArray("\xc3\xb6");
+    QTest::newRow("from nothing") << QByteArray() << QByteArray("x") << QByteArray("x");
+}
+
+void tst_QuickFixes::differenceIsShortAndWhole() {
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, after);
+    QFETCH(QByteArray, piece);
+    const std::vector<Splice> edits = difference(before.toStdString(), after.toStdString());
+    QCOMPARE(edits.empty(), before == after);
+    QCOMPARE(QByteArray::fromStdString(withFix(before.toStdString(), {"", edits})), after);
+    if (!edits.empty())
+        QCOMPARE(QByteArray::fromStdString(edits.front().text), piece);
+}
+
+QTEST_APPLESS_MAIN(tst_QuickFixes)
+#include "tst_quick_fixes.moc"
