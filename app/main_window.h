@@ -4,6 +4,8 @@
 #include <memory>
 
 #include <QMainWindow>
+#include <QSettings>
+#include <QThreadPool>
 
 #include "app/camera_desk.h"
 #include "app/mission_control.h"
@@ -126,9 +128,9 @@ private:
     void chooseRecording();
     void setRecording(bool on);
     void restoreSettings();
-    void saveSettings() const;
+    void saveSettings();
     void restoreMessages();
-    void saveMessages() const;
+    void saveMessages(QSettings& settings) const;
     void keepDraft();
     void showDraft();
 
@@ -194,6 +196,7 @@ private:
     link::LinkState link_state_ = link::LinkState::Disconnected;
     bool asking_ = false; ///< where else the scan should go
     bool may_close_ = false;
+    QThreadPool disk_; ///< writes the settings; waited for at the end
 };
 
 } // namespace usar::app

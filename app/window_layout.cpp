@@ -1,6 +1,7 @@
 // Link, time and layout commands of the window, and what it remembers between starts.
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <QSettings>
 
@@ -139,19 +140,23 @@ void MainWindow::restoreSettings() {
         control_.setResultFolder(settings.value("result_folder").toString());
 }
 
-void MainWindow::saveSettings() const {
-    QSettings settings;
+/// Written by a thread of the pool: a busy disk takes seconds for it.
+void MainWindow::saveSettings() {
+    auto written = std::make_shared<QSettings>();
+    QSettings& settings = *written;
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
-    saveMessages();
+    saveMessages(settings);
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());
     settings.setValue("record", control_.recording());
     if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
+    written->moveToThread(nullptr); // whoever deletes it writes it
+    disk_.start([written = std::move(written)]() mutable { written.reset(); });
 }
 
 } // namespace usar::app

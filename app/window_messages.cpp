@@ -120,8 +120,7 @@ void MainWindow::restoreMessages() {
     views_.messages->actions().all_robots->setChecked(settings.value("messages/all_robots").toBool());
 }
 
-void MainWindow::saveMessages() const {
-    QSettings settings;
+void MainWindow::saveMessages(QSettings& settings) const {
     settings.setValue("messages/history", views_.command_box->history());
     settings.setValue("messages/details", views_.messages->actions().details->isChecked());
     settings.setValue("messages/all_robots", views_.messages->actions().all_robots->isChecked());
