@@ -1,5 +1,7 @@
 #include "app/headless_simulator.h"
 
+#include <algorithm>
+
 #include "app/simulator_files.h"
 
 namespace usar::app {
@@ -63,16 +65,19 @@ mission::Truth HeadlessSimulator::truth() const {
             .ground_m = [this](const Vec2& point_m) { return simulation_->world().terrain.height_m(point_m); }};
 }
 
-std::optional<int> HeadlessSimulator::collisions() const {
-    int hits = 0;
+std::optional<mission::TrueFigures> HeadlessSimulator::figures() const {
+    mission::TrueFigures sum;
     const bool asked = QMetaObject::invokeMethod(
         worker_,
-        [this, &hits] {
-            for (const sim::RobotTruth& robot : simulation_->robots())
-                hits += robot.collisions;
+        [this, &sum] {
+            for (const sim::RobotTruth& robot : simulation_->robots()) {
+                sum.collisions += robot.collisions;
+                sum.distance_m += robot.distance_m;
+                sum.longest_stay = std::max(sum.longest_stay, robot.longest_stay);
+            }
         },
         Qt::BlockingQueuedConnection);
-    return asked ? std::optional(hits) : std::nullopt;
+    return asked ? std::optional(sum) : std::nullopt;
 }
 
 } // namespace usar::app

@@ -14,6 +14,7 @@
 #include "core/base/result.h"
 #include "core/link/simulator_server.h"
 #include "core/mission/mission_score.h"
+#include "core/mission/run_summary.h"
 #include "core/sim/ray_caster.h"
 #include "core/sim/simulation.h"
 
@@ -40,8 +41,8 @@ public:
     mission::Truth truth() const;
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
-    /// Hits of all robots that are there now.
-    std::optional<int> collisions() const;
+    /// Of all robots that are there now: what they hit and drove together, and the longest stay of one.
+    std::optional<mission::TrueFigures> figures() const;
 
 private:
     HeadlessSimulator() = default;

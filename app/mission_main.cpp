@@ -124,7 +124,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         run_options.port = simulator->port();
         run_options.truth = simulator->truth();
         run_options.world_extent = simulator->extent();
-        run_options.collisions = [&] { return simulator->collisions(); };
+        run_options.true_figures = [&] { return simulator->figures(); };
     }
     mission::MissionRunner runner(std::move(plan), plugins, std::move(run_options));
     ProgressBar bar;

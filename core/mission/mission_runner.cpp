@@ -12,7 +12,6 @@
 #include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
 #include "core/mission/result_writer.h"
-#include "core/mission/run_summary.h"
 
 namespace usar::mission {
 
@@ -216,7 +215,7 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     figures.wall = elapsedOn(since_flight);
     figures.distance_m = record.status.distance_flown_m;
     figures.charges = record.status.charges;
-    figures.collisions = flew && options.collisions ? options.collisions() : std::nullopt;
+    figures.truth = flew && options.true_figures ? options.true_figures() : std::nullopt;
     figures.score = score(record.raster, mission.area_in_map, options.truth ? &*options.truth : nullptr);
     figures.cells = knownCellCount(record);
     figures.lines_received = session_figures.lines_received;

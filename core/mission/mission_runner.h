@@ -14,6 +14,7 @@
 #include "core/mission/mission_file.h"
 #include "core/mission/mission_score.h"
 #include "core/mission/robot_session.h"
+#include "core/mission/run_summary.h"
 
 namespace usar::mission {
 
@@ -38,7 +39,8 @@ struct RunOptions {
     // What only the maker of an embedded simulator knows; absent on a real server.
     std::optional<Truth> truth;
     std::optional<Rectangle> world_extent;
-    std::function<std::optional<int>()> collisions; ///< of our robot so far; asked once, before the connection closes
+    /// Of our robot so far; asked once, before the connection closes.
+    std::function<std::optional<TrueFigures>()> true_figures;
 };
 
 struct Progress {

@@ -16,9 +16,8 @@ QJsonValue number(double value, int decimals) {
     return std::round(value * scale) / scale;
 }
 
-template <class Value>
-QJsonValue number(const std::optional<Value>& value, int decimals) {
-    return value ? number(static_cast<double>(*value), decimals) : QJsonValue(QJsonValue::Null);
+QJsonValue number(const std::optional<double>& value, int decimals) {
+    return value ? number(*value, decimals) : QJsonValue(QJsonValue::Null);
 }
 
 QJsonValue text(const std::string& text) {
@@ -33,6 +32,7 @@ QJsonValue seedOf(const RunSummary& summary) {
 
 QJsonObject toJson(const RunSummary& summary) {
     const double wall_s = summary.wall.count();
+    const std::optional<TrueFigures>& truth = summary.truth;
     return {{"success", summary.success},
             {"reason", QString::fromStdString(summary.reason)},
             {"mission", text(summary.mission)},
@@ -44,7 +44,9 @@ QJsonObject toJson(const RunSummary& summary) {
             {"speed_x", wall_s > 0.0 ? number(summary.duration.count() / wall_s, 1) : QJsonValue(QJsonValue::Null)},
             {"distance_m", number(summary.distance_m, 2)},
             {"charges", summary.charges},
-            {"collisions", number(summary.collisions, 0)},
+            {"collisions", truth ? QJsonValue(truth->collisions) : QJsonValue(QJsonValue::Null)},
+            {"true_distance_m", truth ? number(truth->distance_m, 2) : QJsonValue(QJsonValue::Null)},
+            {"longest_stay_s", truth ? number(truth->longest_stay.count(), 1) : QJsonValue(QJsonValue::Null)},
             {"coverage_pct", number(summary.score.coverage_pct, 2)},
             {"rmse_m", number(summary.score.rmse_m, 4)},
             {"rmse_surface_m", number(summary.score.rmse_surface_m, 4)},

@@ -13,6 +13,13 @@
 
 namespace usar::mission {
 
+/// What only a simulator can count; of our robot.
+struct TrueFigures {
+    int collisions = 0;
+    double distance_m = 0.0;   ///< path length; key true_distance_m
+    Seconds longest_stay{0.0}; ///< within a meter; key longest_stay_s
+};
+
 /// Keys of the JSON are the field names, every one of them there however the run ended; what is unknown is null.
 /// `speed_x` is protocol seconds a wall second. As it is made it is a run that was refused before it began.
 struct RunSummary {
@@ -26,7 +33,7 @@ struct RunSummary {
     Seconds wall{0.0};     ///< the same by the clock on the wall; key wall_s
     double distance_m = 0.0;
     int charges = 0;
-    std::optional<int> collisions;
+    std::optional<TrueFigures> truth;
     Score score; ///< keys coverage_pct, rmse_m, rmse_surface_m
     std::size_t cells = 0;
     std::uint64_t lines_received = 0;

@@ -54,7 +54,8 @@ struct RobotTruth {
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     bool broken = false;
     int collisions = 0;
-    double distance_m = 0.0; ///< true path length
+    double distance_m = 0.0;   ///< true path length
+    Seconds longest_stay{0.0}; ///< see StayWatch
 };
 
 struct TraceMark;

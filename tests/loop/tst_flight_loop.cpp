@@ -56,7 +56,8 @@ Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeou
     QObject::connect(&session, &RobotSession::spawned, &session, [&] { session.startBehavior(hostOf(script), {}); });
     QObject::connect(&session, &RobotSession::behaviorFinished, &session, [&](bool success) {
         flight.success = success;
-        flight.collisions = simulator.collisions();
+        if (const auto figures = simulator.figures())
+            flight.collisions = figures->collisions;
         flight.path_m = session.record().path_m;
     });
     session.open("127.0.0.1", port, lockstep);

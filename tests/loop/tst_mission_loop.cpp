@@ -44,7 +44,7 @@ tst_MissionLoop::Outcome tst_MissionLoop::run(HeadlessSimulator& simulator, cons
     options.result_folder = folder.path();
     options.truth = simulator.truth();
     options.world_extent = simulator.extent();
-    options.collisions = [&] { return simulator.collisions(); };
+    options.true_figures = [&] { return simulator.figures(); };
     MissionRunner runner(mission, plugins_, options);
     QSignalSpy finished(&runner, &MissionRunner::finished);
     runner.start();

@@ -341,11 +341,13 @@ void tst_MissionRunner::anInterruptBeforeTheFlightEndsTheRunToo() {
 
 void tst_MissionRunner::scoresAgainstTheTruthAndAsksForCollisions() {
     options_.truth = Truth{[](const Vec2&) { return 2.5; }, [](const Vec2&) { return 2.5; }};
-    options_.collisions = [] { return std::optional(3); };
+    options_.true_figures = [] { return std::optional(TrueFigures{3, 12.5, Seconds(4.0)}); };
     QCOMPARE(run(hop()), 0); // the fake robot sees ground 2 m below its scanner at 5 m: half a metre off
     QVERIFY2(std::abs(runner_->summary()["rmse_m"].toDouble() - 0.5) < 0.05,
              qPrintable(QString::number(runner_->summary()["rmse_m"].toDouble())));
     QCOMPARE(runner_->summary()["collisions"].toInt(), 3);
+    QCOMPARE(runner_->summary()["true_distance_m"].toDouble(), 12.5);
+    QCOMPARE(runner_->summary()["longest_stay_s"].toDouble(), 4.0);
 }
 
 QTEST_MAIN(tst_MissionRunner)

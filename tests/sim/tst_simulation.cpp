@@ -72,6 +72,19 @@ private slots:
         }
     }
 
+    void knowsHowFarARobotCameAndHowLongItStayed() {
+        const auto simulation = simulationOf(startWorld());
+        Talker talker(*simulation);
+        talker.say(init_p2dx);
+        steps(*simulation, 25);
+        talker.say("DRIVE {Left 5} {Right 5}");
+        steps(*simulation, 50);
+        const RobotTruth truth = simulation->robots().front();
+        QCOMPARE(truth.collisions, 0);
+        QVERIFY(std::abs(truth.distance_m - 10.0 * 5.0 * 0.097) < 0.4);
+        QVERIFY(truth.longest_stay > Seconds{6.0} && truth.longest_stay < Seconds{8.0}); // and the first metre
+    }
+
     void writesTimeWithTheDecimalsOfEachType() {
         const auto simulation = simulationOf(startWorld());
         Talker talker(*simulation);

@@ -111,6 +111,32 @@ private slots:
         QVERIFY(robot.drive->idle());
     }
 
+    void countsWhatItRunsInto_data() {
+        QTest::addColumn<bool>("tree");
+        QTest::addColumn<double>("aside_m");
+        QTest::addColumn<bool>("hits");
+        QTest::newRow("a wall") << false << 0.0 << true;
+        QTest::newRow("a tree") << true << 0.0 << true;
+        QTest::newRow("the ground alone") << true << 5.0 << false;
+    }
+    void countsWhatItRunsInto() {
+        QFETCH(bool, tree);
+        QFETCH(double, aside_m);
+        QFETCH(bool, hits);
+        World world = flatWorld();
+        if (tree)
+            world.plants.push_back({{2.5, 0.13 + aside_m, 0.0}, 0.3, 3.0, CrownShape::Sphere, 1.0});
+        else
+            world.boxes.push_back({Pose{{2.5, 0.0, 0.5}}, {1.0, 4.0, 1.0}});
+        DrivenRobot robot(std::move(world), robots, "P2DX", 0.1, 0.13);
+        robot.drive->obey(protocol::SkidDrive{4.0, 4.0});
+        robot.run(Seconds{3.0});
+        QCOMPARE(robot.drive->collisions(), 0);
+        robot.run(Seconds{7.0});
+        QCOMPARE(robot.drive->collisions() > 0, hits);
+        QVERIFY(robot.drive->collisions() < 4); // pressing on is no new collision
+    }
+
     void stopsWithinItsBrakingDistance() {
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         robot.drive->obey(protocol::SkidDrive{10.0, 10.0});

@@ -6,6 +6,9 @@ namespace usar::sim {
 
 namespace {
 
+/// What presses from below, at most 45 degrees aside, is stood on.
+constexpr double standing_normal_z = 0.7;
+
 std::optional<double> figure(const RobotModel& model, std::string_view key) {
     const auto found = model.drive.numbers.find(key);
     return found == model.drive.numbers.end() ? std::nullopt : std::optional(found->second);
@@ -42,6 +45,13 @@ void WheeledDrive::beforeStep(Seconds dt) {
         may_sleep_ = idle();
         physics_.letSleep(body_, may_sleep_);
     }
+}
+
+void WheeledDrive::afterStep(Seconds dt) {
+    collisions_.pass(dt);
+    for (const Contact& contact : physics_.contacts(body_))
+        if (contact.surface != Surface::Ground && contact.normal_in_map.z() < standing_normal_z)
+            collisions_.touch();
 }
 
 void WheeledDrive::switchOff() {

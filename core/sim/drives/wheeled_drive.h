@@ -3,17 +3,21 @@
 
 #include "core/base/result.h"
 #include "core/sim/drives/driven_wheels.h"
+#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
 /// Settings of the model's drive: `wheel_radius`, `wheel_separation` and `wheel_base` (m) for GEO, `acceleration` of a
 /// wheel's spin (rad/s2; unlimited where it is absent). What a wheel can do (torque, speed) are its joint's limits.
-/// Joints other than the wheels, flippers say, obey commands to single joints. It may sleep while its wheels brake.
+/// Joints other than the wheels, flippers say, obey commands to single joints. It may sleep while its wheels brake. A
+/// touch of a plant, a building or another body counts as a collision unless the robot stands on what it touches.
 class WheeledDrive : public Drive {
 public:
     void beforeStep(Seconds dt) override;
+    void afterStep(Seconds dt) override;
     void switchOff() override;
+    int collisions() const override { return collisions_.count(); }
     bool idle() const override { return off_ || (wheels_.braking() && !others_moving_); }
 
     using Drive::addTo;
@@ -44,6 +48,7 @@ private:
     std::optional<double> wheel_radius_m_;
     std::optional<double> wheel_separation_m_;
     std::optional<double> wheel_base_m_;
+    CollisionCounter collisions_;
     bool off_ = false;
     bool may_sleep_ = false;
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest

@@ -15,7 +15,6 @@ constexpr Seconds spooling_time{0.8};
 constexpr double settling_share = 0.2;
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
-constexpr Seconds between_collisions{0.5};
 constexpr double rest_m_s = 0.01;
 constexpr double rest_rad_s = 0.01;
 
@@ -95,7 +94,7 @@ void AirRobotBody::afterStep(Seconds dt) {
     last_position_m_ = now.position_m;
     in_state_ += dt;
     since_gear_ += dt;
-    since_collision_ += dt;
+    collisions_.pass(dt);
     battery_left_ = std::max(Seconds{0.0}, battery_left_ - dt);
     if (battery_left_ <= Seconds{0.0} && !ended())
         enter(MotorState::Dead);
@@ -120,7 +119,7 @@ void AirRobotBody::feelContacts() {
     }
     broke |= impulse_n_s > parameters_.breaking_impulse_n_s;
     if ((collided || broke) && !broken())
-        countCollision();
+        collisions_.touch();
     if (broke && !broken())
         enter(MotorState::Broken);
 }
@@ -128,12 +127,6 @@ void AirRobotBody::feelContacts() {
 bool AirRobotBody::isTouchdown(const Contact& contact) const {
     const bool on_floor = contact.surface == Surface::Ground || contact.surface == Surface::Building;
     return on_floor && partAt(parameters_, contact.point_in_body_m) == AirRobotPart::Gear;
-}
-
-void AirRobotBody::countCollision() {
-    if (since_collision_ > between_collisions)
-        ++collisions_;
-    since_collision_ = Seconds{0.0};
 }
 
 void AirRobotBody::touchDown() {

@@ -4,6 +4,7 @@
 #include "core/protocol/command.h"
 #include "core/sim/physics.h"
 #include "core/sim/robots/air_robot_parameters.h"
+#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/flight_controller.h"
 #include "core/sim/robots/rotors.h"
 
@@ -54,7 +55,7 @@ public:
     /// Standing or lying still, motors off.
     bool atRest() const;
     Seconds batteryLeft() const { return battery_left_; }
-    int collisions() const { return collisions_; }
+    int collisions() const { return collisions_.count(); }
     double distance_m() const { return distance_m_; }
 
 private:
@@ -63,7 +64,6 @@ private:
     bool isTouchdown(const Contact& contact) const;
     void touchDown();
     void leaveGround();
-    void countCollision();
     void enter(MotorState motors);
     bool ended() const { return motors_ == MotorState::Broken || motors_ == MotorState::Dead; }
 
@@ -79,11 +79,10 @@ private:
     bool landing_itself_ = false;
     Seconds in_state_{0.0};
     Seconds since_gear_{1e9};
-    Seconds since_collision_{1e9};
     Seconds battery_left_;
     Vec3 last_position_m_;
     double distance_m_ = 0.0;
-    int collisions_ = 0;
+    CollisionCounter collisions_;
 };
 
 } // namespace usar::sim

@@ -48,6 +48,7 @@ Result<std::unique_ptr<Robot>> Robot::spawn(const RobotModel& model, const Robot
 
 Robot::Robot(const RobotModel& model, const RobotSurroundings& surroundings, const RobotOptions& options)
     : body_(surroundings.physics, model, options.base_in_map)
+    , stay_(options.base_in_map.position_m)
     , rays_(surroundings.caster, surroundings.physics, body_.id())
     , world_(surroundings.world)
     , scene_(surroundings.scene)
@@ -97,6 +98,7 @@ void Robot::beforeStep(Seconds dt) {
 
 void Robot::afterStep(Seconds dt) {
     body_.afterStep();
+    stay_.step(dt, body_.base_in_map().position_m);
     drive_->afterStep(dt);
     discharge(dt);
 }
@@ -212,8 +214,8 @@ bool Robot::atRest() const {
 }
 
 RobotFigures Robot::figures() const {
-    return {body_.base_in_map(), body_.velocity_in_map_m_s(), drive_->broken(), drive_->collisions(),
-            body_.distance_m()};
+    return {body_.base_in_map(),  body_.velocity_in_map_m_s(), drive_->broken(),
+            drive_->collisions(), body_.distance_m(),          stay_.longest()};
 }
 
 } // namespace usar::sim

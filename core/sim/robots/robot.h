@@ -17,6 +17,7 @@
 #include "core/sim/robots/mission_package.h"
 #include "core/sim/robots/robot_body.h"
 #include "core/sim/robots/sensor_suite.h"
+#include "core/sim/robots/stay_watch.h"
 
 namespace usar::sim {
 
@@ -45,6 +46,7 @@ struct RobotFigures {
     bool broken = false;
     int collisions = 0;
     double distance_m = 0.0;
+    Seconds longest_stay{0.0}; ///< see StayWatch
 };
 
 /// Owned by its client's session.
@@ -92,6 +94,7 @@ private:
     protocol::RobotState state(Seconds now) const;
 
     RobotBody body_;
+    StayWatch stay_;
     WorldRays rays_;
     const World& world_;
     Scene& scene_;

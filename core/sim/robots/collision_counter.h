@@ -1,0 +1,24 @@
+// Counts collisions: touches that follow one another closely are one.
+#pragma once
+
+#include "core/base/clock.h"
+
+namespace usar::sim {
+
+class CollisionCounter {
+public:
+    static constexpr Seconds apart{0.5};
+
+    void pass(Seconds dt) { since_ += dt; }
+    void touch() {
+        count_ += since_ > apart ? 1 : 0;
+        since_ = Seconds{0.0};
+    }
+    int count() const { return count_; }
+
+private:
+    Seconds since_{1e9};
+    int count_ = 0;
+};
+
+} // namespace usar::sim
