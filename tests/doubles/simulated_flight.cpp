@@ -5,11 +5,11 @@
 namespace usar::tests {
 
 SimulatedFlight::SimulatedFlight(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<agent::Behavior> behavior,
-                                 const Pose& start_in_map)
+                                 const Pose& start_in_map, const protocol::Token& robot_class)
     : simulation_(std::move(simulation))
     , client_(simulation_->connect())
-    , host_(std::move(behavior), "airrobot/cpp") {
-    const protocol::Init init{"USARBot.AirRobot", "R1", start_in_map};
+    , host_(std::move(behavior), "simulated") {
+    const protocol::Init init{robot_class, "R1", start_in_map};
     simulation_->receive(client_, protocol::write(init) + "\r\n");
 }
 

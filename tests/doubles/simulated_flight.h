@@ -19,11 +19,12 @@ namespace usar::tests {
 class SimulatedFlight {
 public:
     SimulatedFlight(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<agent::Behavior> behavior,
-                    const Pose& start_in_map);
+                    const Pose& start_in_map, const protocol::Token& robot_class = "USARBot.AirRobot");
 
     /// Until the behavior finishes, the robot breaks, or the protocol clock shows `limit`.
     void run(Seconds limit);
 
+    Seconds now() const { return simulation_->now(); }
     const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     const agent::BehaviorStatus& status() const { return status_; }
     const mapping::HeightMap& map() const { return map_; }
