@@ -23,6 +23,9 @@ std::string frequencyText(const Program& program, const TraceRecord& record) {
 
 void RunActivity::start(std::shared_ptr<const Program> program) {
     program_ = std::move(program);
+    statistics_ = {};
+    if (program_)
+        statistics_.takeProgram(program_);
     places_.assign(program_ ? program_->places.size() : 0, {});
     running_.clear();
     held_.clear();
@@ -45,7 +48,6 @@ void RunActivity::activate(Index place) {
 }
 
 void RunActivity::holdBack(Index place, std::string why) {
-    ++places_[place].skipped;
     places_[place].hold_back = std::move(why);
     held_.push_back(place);
 }
@@ -58,11 +60,17 @@ void RunActivity::answer(PlaceActivity& place, const TraceRecord& record, std::s
 }
 
 void RunActivity::take(const TraceRecord& record, std::string_view text) {
+    statistics_.take(record, text);
     if (record.event == TraceEvent::CycleBegin)
         return beginCycle(record.time_ms);
     if (record.event == TraceEvent::CycleEnd || record.place >= places_.size())
         return;
     PlaceActivity& place = places_[record.place];
+    const PlaceCounts& counts = statistics_.at(record.place);
+    place.started = counts.started;
+    place.succeeded = counts.succeeded;
+    place.failed = counts.failed + counts.interrupted;
+    place.skipped = counts.skipped;
     switch (record.event) {
     case TraceEvent::SenseEval:
         return answer(place, record, text);
@@ -76,23 +84,8 @@ void RunActivity::take(const TraceRecord& record, std::string_view text) {
     case TraceEvent::ElementSelected:
     case TraceEvent::Push:
     case TraceEvent::ActInit:
-        ++place.started;
-        return activate(record.place);
     case TraceEvent::ActRun:
         return activate(record.place);
-    case TraceEvent::DriveSucceeded:
-    case TraceEvent::Goal:
-        ++place.succeeded;
-        return;
-    case TraceEvent::ActDone:
-        ++(record.reason() == DoneReason::Finished ? place.succeeded : place.failed);
-        return;
-    case TraceEvent::DriveFailed:
-    case TraceEvent::DriveInterrupted:
-    case TraceEvent::NoElement:
-    case TraceEvent::Timeout:
-        ++place.failed;
-        return;
     default:
         return;
     }

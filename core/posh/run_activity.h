@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/posh/trace_event.h"
+#include "core/posh/run_statistics.h"
 
 namespace usar::posh {
 
@@ -23,7 +23,7 @@ struct PlaceAnswer {
 struct PlaceActivity {
     bool running = false; ///< on the way from the root to what was done in the newest cycle
     std::optional<std::int64_t> last_active_ms;
-    std::uint64_t started = 0;
+    std::uint64_t started = 0; ///< this and the next three as RunStatistics counts them
     std::uint64_t succeeded = 0;
     std::uint64_t failed = 0;  ///< and interrupted
     std::uint64_t skipped = 0; ///< held back by its frequency, its retries or by hand
@@ -40,6 +40,8 @@ public:
 
     const std::shared_ptr<const Program>& program() const { return program_; }
     const std::vector<PlaceActivity>& places() const { return places_; }
+    /// Of this run, for its report.
+    const RunStatistics& statistics() const { return statistics_; }
     std::int64_t now_ms() const { return now_ms_; }
 
 private:
@@ -49,6 +51,7 @@ private:
     void activate(Index place);
 
     std::shared_ptr<const Program> program_;
+    RunStatistics statistics_;
     std::vector<PlaceActivity> places_;
     std::vector<Index> running_; ///< places marked in this cycle
     std::vector<Index> held_;

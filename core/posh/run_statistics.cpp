@@ -20,6 +20,7 @@ void RunStatistics::takeProgram(const std::shared_ptr<const Program>& program) {
     const bool goes_on = program_ && samePlaces(*program_, *program);
     program_ = program;
     winner_ = nowhere;
+    acting_ = nowhere;
     switches_.clear();
     if (goes_on)
         return;
@@ -31,14 +32,13 @@ void RunStatistics::takeProgram(const std::shared_ptr<const Program>& program) {
 }
 
 void RunStatistics::take(const TraceRecord& record, std::string_view) {
-    if (record.event == TraceEvent::CycleEnd)
+    if (record.event == TraceEvent::CycleEnd || record.place >= counts_.size())
         return;
     PlaceCounts& counts = counts_[record.place];
     counts.last_cycle = record.cycle;
     switch (record.event) {
     case TraceEvent::CycleBegin:
-        ++cycles_;
-        return;
+        return beginCycle(record.time_ms);
     case TraceEvent::SenseEval:
         ++counts.asked;
         counts.held += record.flags & trace_holds ? 1 : 0;
@@ -90,16 +90,23 @@ void RunStatistics::countDrive(const TraceRecord& record, PlaceCounts& counts) {
     }
 }
 
+/// The act that ran last in a cycle is what went on until the next.
+void RunStatistics::beginCycle(std::int64_t now_ms) {
+    ++cycles_;
+    const std::int64_t passed_ms = now_ms - std::exchange(now_ms_, now_ms);
+    for (Index at = std::exchange(acting_, nowhere); at != nowhere; at = program_->places[at].parent)
+        counts_[at].active_ms += passed_ms;
+}
+
 void RunStatistics::countAct(const TraceRecord& record, PlaceCounts& counts) {
     if (record.event == TraceEvent::ActInit) {
         ++counts.started;
-        act_began_ms_ = record.time_ms;
     } else if (record.event == TraceEvent::ActRun) {
         ++counts.runs;
+        acting_ = record.place;
         counts.spent_ns += record.payload;
         counts.longest_ns = std::max(counts.longest_ns, record.payload);
     } else {
-        counts.active_ms += record.time_ms - act_began_ms_;
         const DoneReason reason = record.reason();
         ++(reason == DoneReason::Finished ? counts.succeeded
            : reason == DoneReason::Failed ? counts.failed

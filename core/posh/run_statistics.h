@@ -17,9 +17,11 @@ struct PlaceCounts {
     std::uint64_t succeeded = 0;
     std::uint64_t failed = 0;
     std::uint64_t interrupted = 0;
-    std::uint64_t skipped = 0;  ///< by frequency or retries
-    std::uint64_t runs = 0;     ///< of an act: cycles that it ran in
-    std::int64_t active_ms = 0; ///< of an act from init to done
+    std::uint64_t skipped = 0; ///< by frequency or retries
+    std::uint64_t runs = 0;    ///< of an act: cycles that it ran in
+    /// That passed from cycles in which it was run last to the cycles after them; of all above an act the sum of what
+    /// is below.
+    std::int64_t active_ms = 0;
     std::uint64_t spent_ns = 0; ///< of an act in its runs, where somebody measured
     std::uint64_t longest_ns = 0;
     std::uint64_t last_cycle = 0; ///< that counted anything here
@@ -33,7 +35,8 @@ struct Alternation {
     bool operator==(const Alternation&) const = default;
 };
 
-/// Counts while it watches. Runs of one plan add up; another plan begins anew.
+/// Counts while it watches. Runs of one plan add up; another plan begins anew. Records of places that the plan has not,
+/// as a damaged file may hold, are passed over.
 class RunStatistics final : public TraceObserver {
 public:
     /// Switches that lie further apart are no alternation.
@@ -63,6 +66,7 @@ private:
     void countAct(const TraceRecord& record, PlaceCounts& counts);
     void countWarning(const TraceRecord& record);
     void noteWinner(const TraceRecord& record);
+    void beginCycle(std::int64_t now_ms);
 
     std::shared_ptr<const Program> program_;
     std::vector<PlaceCounts> counts_; ///< by place
@@ -72,7 +76,8 @@ private:
     std::map<Index, std::uint64_t> spun_;
     std::vector<Switch> switches_; ///< of the last moments
     Index winner_ = nowhere;       ///< place of the drive that started last
-    std::int64_t act_began_ms_ = 0;
+    Index acting_ = nowhere;       ///< place of the act that was run last in this cycle
+    std::int64_t now_ms_ = 0;      ///< when this cycle began
 };
 
 } // namespace usar::posh
