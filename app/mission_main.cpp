@@ -13,6 +13,7 @@
 #include "app/headless_simulator.h"
 #include "app/lines_verb.h"
 #include "app/locations.h"
+#include "app/plan_report_verb.h"
 #include "app/quit_signals.h"
 #include "app/replay_verbs.h"
 #include "app/simulator_files.h"
@@ -152,6 +153,8 @@ int main(int argc, char** argv) {
         return app::runLinesVerb(QCoreApplication::arguments().mid(1));
     if (QCoreApplication::arguments().value(1) == "check-plan")
         return app::runCheckPlanVerb(QCoreApplication::arguments().mid(1));
+    if (QCoreApplication::arguments().value(1) == "plan-report")
+        return app::runPlanReportVerb(QCoreApplication::arguments().mid(1));
     if (mission::isReplayVerb(QCoreApplication::arguments().value(1)))
         return app::runReplayVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));

@@ -120,7 +120,13 @@ QString missionHelp() {
                "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
                "FILE is -: code, severity, line, column, message, file. With the name of a robot (AirRobot)\n"
                "also for what does not fit its senses and acts.\n"
-               "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n");
+               "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n"
+               "\n"
+               "usar-mission plan-report [--json] FILE...\n"
+               "\n"
+               "What the runs of POSH plans in recordings and traces came to, plan by plan: what never\n"
+               "happened, what never was otherwise, what could not settle, and where the time went.\n"
+               "Exit code 0: all files were read; 2: one cannot be read.\n");
 }
 
 } // namespace usar::mission
