@@ -13,6 +13,9 @@
 #include "core/posh/stub_host.h"
 #include "core/posh/trace_text.h"
 
+inline constexpr auto running = usar::posh::ActResult::Running;
+inline constexpr auto failed = usar::posh::ActResult::Failed;
+
 /// As the stub, with acts and senses that can be told to throw; writes down what is called.
 class TrialHost final : public usar::posh::StubHost {
 public:

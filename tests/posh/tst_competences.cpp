@@ -5,13 +5,6 @@
 
 using namespace usar::posh;
 
-namespace {
-
-const auto running = ActResult::Running;
-const auto failed = ActResult::Failed;
-
-} // namespace
-
 class tst_Competences : public QObject {
     Q_OBJECT
 private slots:

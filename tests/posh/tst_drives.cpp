@@ -5,12 +5,6 @@
 
 using namespace usar::posh;
 
-namespace {
-
-const auto running = ActResult::Running;
-
-} // namespace
-
 class tst_Drives : public QObject {
     Q_OBJECT
 private slots:
