@@ -131,14 +131,18 @@ PlanTextEdit::PlanTextEdit(QWidget* parent) : QPlainTextEdit(parent), gutter_(ne
 
 void PlanTextEdit::setPlanText(std::string_view text, const posh::Findings& findings) {
     const QScopedValueRollback quiet(quiet_, true);
+    running_lines_.clear();
+    shown_ = {};
+    setPlainText(editorText(text));
+    setFindings(findings);
+}
+
+void PlanTextEdit::setFindings(const posh::Findings& findings) {
     findings_ = findings;
     error_lines_.clear();
     warning_lines_.clear();
-    running_lines_.clear();
-    shown_ = {};
     for (const posh::Finding& finding : findings)
         (isError(finding) ? error_lines_ : warning_lines_).insert(static_cast<int>(finding.at.line));
-    setPlainText(editorText(text));
     setViewportMargins(gutterWidth(), 0, 0, 0);
     mark();
 }
@@ -168,7 +172,6 @@ void PlanTextEdit::scrollToShown() {
     ensureCursorVisible();
 }
 
-/// Selects the spot. What stands behind the end of the text is at its last line.
 QTextCursor PlanTextEdit::cursorAt(const posh::Spot& spot) const {
     const QTextBlock block = document()->findBlockByNumber(static_cast<int>(spot.line) - 1);
     QTextCursor cursor(block.isValid() ? block : document()->lastBlock());
@@ -201,6 +204,7 @@ void PlanTextEdit::mark() {
         format.setForeground(inkOn(tokens().accent));
         marks.append({cursorAt(shown_), format});
     }
+    addMarks(marks);
     setExtraSelections(marks);
     gutter_->update();
 }

@@ -1,4 +1,4 @@
-// The text of a plan for reading: line numbers, colors, what is wrong with it marked where it stands.
+// The text of a plan: line numbers, colors, what is wrong with it marked where it stands.
 #pragma once
 
 #include <set>
@@ -10,9 +10,9 @@
 
 namespace usar::widgets {
 
-/// Read-only. An error is underlined with a wave and has a cross beside its line, a warning a dotted line and a
-/// triangle; tooltips say both. Lines of what runs are tinted and have a bar. F8 and Shift+F8 go over the findings. GUI
-/// thread.
+/// For reading; see PlanCodeEdit for writing. An error is underlined with a wave and has a cross beside its line, a
+/// warning a dotted line and a triangle; tooltips say both. Lines of what runs are tinted and have a bar. F8 and
+/// Shift+F8 go over the findings. GUI thread.
 class PlanTextEdit : public QPlainTextEdit {
     Q_OBJECT
 public:
@@ -21,6 +21,8 @@ public:
     /// The findings are those of this text.
     void setPlanText(std::string_view text, const posh::Findings& findings);
     const posh::Findings& findings() const { return findings_; }
+    /// Of the text as it is now.
+    void setFindings(const posh::Findings& findings);
     /// Counted from 1.
     void setRunningLines(const std::set<int>& lines);
     /// Brings it into view and marks it; no signal. Line 0 marks nothing.
@@ -42,10 +44,17 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
-private:
+    /// Paints all marks anew.
     void mark();
-    void scrollToShown();
+    /// More marks, over those of findings.
+    virtual void addMarks(QList<QTextEdit::ExtraSelection>&) const {}
+    /// Selects the spot; what stands behind the end of the text is at its last line.
     QTextCursor cursorAt(const posh::Spot& spot) const;
+    /// The cursor is moved by the program: no signal.
+    bool& quiet() { return quiet_; }
+
+private:
+    void scrollToShown();
     void paintFindingMark(QPainter& painter, const QRectF& place, int line) const;
 
     posh::Findings findings_;

@@ -48,6 +48,9 @@ const std::vector<Page> pages = {
     {QStringLiteral("whole_plan"), gallery::wholePlanPage},
     {QStringLiteral("plan_text"), gallery::planTextPage},
     {QStringLiteral("empty_plan"), gallery::emptyPlanPage},
+    {QStringLiteral("plan_editor"), gallery::planEditorPage},
+    {QStringLiteral("narrow_plan_editor"), gallery::narrowPlanEditorPage},
+    {QStringLiteral("faulty_plan_editor"), gallery::faultyPlanEditorPage},
 };
 
 /// Lets workers deliver and layouts settle before the picture is taken.

@@ -34,5 +34,8 @@ std::unique_ptr<QWidget> dockedPlanPage();
 std::unique_ptr<QWidget> wholePlanPage();
 std::unique_ptr<QWidget> planTextPage();
 std::unique_ptr<QWidget> emptyPlanPage();
+std::unique_ptr<QWidget> planEditorPage();
+std::unique_ptr<QWidget> narrowPlanEditorPage();
+std::unique_ptr<QWidget> faultyPlanEditorPage();
 
 } // namespace usar::gallery

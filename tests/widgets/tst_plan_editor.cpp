@@ -1,0 +1,560 @@
+// The plan editor by mouse and keys: text and drawing in step, one history, findings and their mends, files.
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBlock>
+
+#include "tests/widgets/plan_samples.h"
+#include "widgets/plan_editor.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+std::vector<agent::PrimitiveDescription> courierPrimitives() {
+    using agent::AnswerType;
+    using agent::PoshParameter;
+    using agent::PrimitiveKind;
+    std::vector<agent::PrimitiveDescription> all;
+    const auto sense = [&all](const char* name, AnswerType answer) {
+        all.push_back({name, PrimitiveKind::Sense, {}, answer, {}, "Asks.", {}});
+    };
+    sense("Loaded", AnswerType::Boolean);
+    sense("Bumped", AnswerType::Boolean);
+    sense("Rested", AnswerType::Boolean);
+    sense("Delivered", AnswerType::Boolean);
+    sense("Distance", AnswerType::Real);
+    sense("Battery", AnswerType::Real);
+    for (const char* const name : {"CloseGripper", "Beep", "Slow", "Stop", "Brake", "Rest"})
+        all.push_back({name, PrimitiveKind::Act, {}, AnswerType::Any, {}, "Does it.", {}});
+    all.push_back({"DriveTo",
+                   PrimitiveKind::Act,
+                   {PoshParameter::text("goal", "home"), PoshParameter::number("speed", 1.0, "m/s", 0.0, 3.0)},
+                   AnswerType::Any,
+                   {},
+                   "Drives to a place.",
+                   {}});
+    return all;
+}
+
+} // namespace
+
+class tst_PlanEditor : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void aNewPlanIsSoundAndDrawn();
+    void typingIsDrawnAndUndone();
+    void errorsKeepTheDrawingAndRefuseEditsOfIt();
+    void oneHistoryForTextAndDrawing();
+    void historySurvivesSaving();
+    void renamingTakesAllReferencesAlong();
+    void keysMoveAddAndDelete();
+    void wordsAreChangedWhereTheyStand();
+    void whatFailsIsSaid();
+    void bindingIsCheckedAgainstTheRobot();
+    void aMendIsAppliedFromTheMenu();
+    void piecesAreAddedFromThePalette();
+    void dropsSwapAndInsert_data();
+    void dropsSwapAndInsert();
+    void paletteIsSearchedAndExplains();
+    void completionKnowsWhereSensesAreAsked();
+    void selectionsFollowEachOther();
+    void differencesAreListed();
+    void usagesAreListed();
+    void filesKeepTheirLineEnds();
+    void aChangeOnDiskIsOffered();
+    void unsavedTextIsKeptAndOffered();
+    void exportsSayWhatIsLost();
+    void applyingNeedsASoundPlan();
+    void narrowAndBothThemes();
+    void everyButtonHasAName();
+    void noRunOfEditsEndsInErrors();
+
+private:
+    int node(const QString& name) const;
+    void select(const QString& name) { editor_->canvas().select(node(name)); }
+    void run(const char* command) { editor_->action(QString::fromLatin1(command))->trigger(); }
+    QString said() const;
+    void drag(const QMimeData& data, int target, double share);
+    std::unique_ptr<PlanEditor> editor_;
+};
+
+void tst_PlanEditor::init() {
+    applyTheme(Theme::Dark);
+    editor_ = std::make_unique<PlanEditor>();
+    editor_->resize(1280, 720);
+    editor_->setText(std::string(courier_plan), QStringLiteral("courier.lap"));
+    editor_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
+}
+
+void tst_PlanEditor::cleanup() {
+    editor_.reset();
+}
+
+int tst_PlanEditor::node(const QString& name) const {
+    const PlanTree& tree = editor_->canvas().tree();
+    for (int i = 0; i < tree.size(); ++i)
+        if (tree[i].name == name && tree[i].link < 0)
+            return i;
+    return -1;
+}
+
+QString tst_PlanEditor::said() const {
+    for (const QLabel* const label : editor_->findChildren<QLabel*>())
+        if (label->property("role") == "danger" && label->isVisible())
+            return label->text();
+    return {};
+}
+
+/// As if a piece came from the palette: over the card, and let go at that share of its height.
+void tst_PlanEditor::drag(const QMimeData& data, int target, double share) {
+    PlanCanvas& canvas = editor_->canvas();
+    const QRectF box = canvas.layout().box(canvas.tree(), target);
+    const QPoint at = canvas.toScreen({box.left() + 30.0, box.top() + share * box.height()}).toPoint();
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&canvas, &enter);
+    QDragMoveEvent move(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&canvas, &move);
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&canvas, &drop);
+}
+
+void tst_PlanEditor::aNewPlanIsSoundAndDrawn() {
+    PlanEditor fresh;
+    QVERIFY(fresh.findings().empty());
+    QVERIFY(!fresh.isModified());
+    QVERIFY(!fresh.canvas().tree().empty());
+    fresh.setPrimitives(courierPrimitives());
+    QVERIFY(fresh.findings().empty());
+}
+
+void tst_PlanEditor::typingIsDrawnAndUndone() {
+    PlanCodeEdit& text = editor_->textEdit();
+    text.setCursorOffset(editor_->text().find("Beep") + 4);
+    QTest::keyClicks(&text, QStringLiteral("Twice"));
+    QTRY_VERIFY(node(QStringLiteral("BeepTwice")) >= 0);
+    QVERIFY(editor_->isModified());
+    run("undo");
+    QTRY_VERIFY(node(QStringLiteral("BeepTwice")) < 0);
+    QCOMPARE(QString::fromStdString(editor_->text()),
+             QString::fromUtf8(courier_plan.data(), qsizetype(courier_plan.size())));
+}
+
+void tst_PlanEditor::errorsKeepTheDrawingAndRefuseEditsOfIt() {
+    const int nodes = editor_->canvas().tree().size();
+    editor_->textEdit().applyText("((AP a (b)");
+    editor_->catchUp();
+    QVERIFY(posh::hasErrors(editor_->findings()));
+    QCOMPARE(editor_->canvas().tree().size(), nodes);
+    select(QStringLiteral("safety"));
+    run("delete");
+    QCOMPARE(editor_->text(), std::string("((AP a (b)"));
+    editor_->textEdit().applyText("((AP a (b)))");
+    editor_->catchUp();
+    QVERIFY(node(QStringLiteral("a")) >= 0);
+}
+
+void tst_PlanEditor::oneHistoryForTextAndDrawing() {
+    const std::string first = editor_->text();
+    select(QStringLiteral("work"));
+    run("move_up");
+    const std::string second = editor_->text();
+    QVERIFY(second != first);
+    QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("work")));
+    editor_->textEdit().setCursorOffset(2); // behind the first parentheses
+    QTest::keyClicks(&editor_->textEdit(), QStringLiteral("; x"));
+    const std::string third = editor_->text();
+    select(QStringLiteral("rest"));
+    editor_->catchUp();
+    run("duplicate");
+    run("undo");
+    QCOMPARE(editor_->text(), third);
+    run("undo");
+    QCOMPARE(editor_->text(), second);
+    run("undo");
+    QCOMPARE(editor_->text(), first);
+    run("redo");
+    QCOMPARE(editor_->text(), second);
+}
+
+void tst_PlanEditor::historySurvivesSaving() {
+    QTemporaryDir folder;
+    const std::string first = editor_->text();
+    for (int i = 0; i < 300; ++i) {
+        select(QStringLiteral("work"));
+        run(i % 2 == 0 ? "move_up" : "move_down");
+    }
+    QVERIFY(editor_->save(folder.filePath("a.lap")));
+    QVERIFY(!editor_->isModified());
+    for (int i = 0; i < 300; ++i)
+        run("undo");
+    QCOMPARE(editor_->text(), first);
+    QVERIFY(editor_->isModified());
+}
+
+void tst_PlanEditor::renamingTakesAllReferencesAlong() {
+    select(QStringLiteral("halt"));
+    run("rename");
+    QLineEdit* const line = editor_->canvas().openLine();
+    QVERIFY(line);
+    QCOMPARE(line->text(), QStringLiteral("halt"));
+    QTest::keyClicks(line, QStringLiteral("freeze"));
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(editor_->text().find("halt") == std::string::npos);
+    QVERIFY(editor_->text().find("(AP freeze (Stop Brake))") != std::string::npos);
+    QVERIFY(editor_->text().find("freeze (seconds 2)") != std::string::npos);
+    QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("freeze")));
+}
+
+void tst_PlanEditor::keysMoveAddAndDelete() {
+    PlanCanvas& canvas = editor_->canvas();
+    canvas.setFocus();
+    select(QStringLiteral("grab"));
+    QTest::keyClick(&canvas, Qt::Key_Delete);
+    QVERIFY(node(QStringLiteral("grab")) < 0);
+    select(QStringLiteral("safety"));
+    QTest::keyClick(&canvas, Qt::Key_Insert);
+    QVERIFY(canvas.openLine());
+    QTest::keyClicks(canvas.openLine(), QStringLiteral("Brake"));
+    QTest::keyClick(canvas.openLine(), Qt::Key_Return);
+    QVERIFY2(editor_->text().find("((doNothing (trigger ((fail))) Brake))") != std::string::npos,
+             editor_->text().c_str());
+}
+
+void tst_PlanEditor::wordsAreChangedWhereTheyStand() {
+    PlanCanvas& canvas = editor_->canvas();
+    const auto enter = [&](const QString& words) {
+        QVERIFY(canvas.openLine());
+        canvas.openLine()->selectAll();
+        QTest::keyClicks(canvas.openLine(), words);
+        QTest::keyClick(canvas.openLine(), Qt::Key_Return);
+    };
+    select(QStringLiteral("Bumped"));
+    run("edit");
+    enter(QStringLiteral("Distance 0.1 <"));
+    QVERIFY(editor_->text().find("(trigger ((Distance 0.1 <))) halt") != std::string::npos);
+    select(QStringLiteral("work"));
+    run("trigger");
+    QCOMPARE(canvas.openLine()->text(), QStringLiteral("(Battery 0.2 >) (Bumped false)"));
+    enter(QStringLiteral("(Battery 0.5 >)"));
+    QVERIFY(editor_->text().find("(trigger ((Battery 0.5 >))) fetch") != std::string::npos);
+    select(QStringLiteral("safety"));
+    run("limit");
+    QCOMPARE(canvas.openLine()->text(), QStringLiteral("seconds 2"));
+    enter(QStringLiteral("hz 4"));
+    QVERIFY(editor_->text().find("halt (hz 4)") != std::string::npos);
+    run("comment");
+    enter(QStringLiteral("first of all"));
+    QVERIFY(editor_->text().find("\"first of all\"") != std::string::npos);
+    run("edit");
+    QTest::keyClicks(canvas.openLine(), QStringLiteral("nothing of this"));
+    QTest::keyClick(canvas.openLine(), Qt::Key_Escape);
+    QVERIFY(node(QStringLiteral("safety")) >= 0);
+}
+
+void tst_PlanEditor::whatFailsIsSaid() {
+    select(QStringLiteral("halt"));
+    run("delete");
+    QVERIFY2(said().contains(QStringLiteral("called in line")), qPrintable(said()));
+    select(QStringLiteral("fetch"));
+    run("rename");
+    QTest::keyClicks(editor_->canvas().openLine(), QStringLiteral("halt"));
+    QTest::keyClick(editor_->canvas().openLine(), Qt::Key_Return);
+    QVERIFY2(said().contains(QStringLiteral("taken")), qPrintable(said()));
+}
+
+void tst_PlanEditor::bindingIsCheckedAgainstTheRobot() {
+    editor_->setPrimitives(courierPrimitives());
+    QVERIFY2(!posh::hasErrors(editor_->findings()),
+             editor_->findings().empty() ? "" : toText(editor_->findings().front()).c_str());
+    std::string other(courier_plan);
+    other.replace(other.find("Brake"), 5, "Broke");
+    editor_->textEdit().applyText(other);
+    editor_->catchUp();
+    QCOMPARE(editor_->findings().back().code, posh::Code::UnknownPrimitive);
+    int rows = 0;
+    for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
+        rows += list->accessibleName() == u"Findings" ? list->count() : 0;
+    QCOMPARE(std::size_t(rows), editor_->findings().size());
+}
+
+void tst_PlanEditor::aMendIsAppliedFromTheMenu() {
+    editor_->setPrimitives(courierPrimitives());
+    std::string other(courier_plan);
+    other.replace(other.find("Brake"), 5, "Broke");
+    editor_->textEdit().applyText(other);
+    editor_->textEdit().setCursorOffset(other.find("Broke"));
+    editor_->textEdit().setFocus();
+    QVERIFY(!editor_->mends().empty());
+    QTest::keyClick(&editor_->textEdit(), Qt::Key_Return, Qt::AltModifier);
+    QMenu* menu = nullptr;
+    for (QMenu* const candidate : editor_->textEdit().findChildren<QMenu*>())
+        menu = candidate->isVisible() ? candidate : menu;
+    QVERIFY(menu && menu->actions().front()->text() == QStringLiteral("Write Brake"));
+    menu->actions().front()->trigger();
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+    run("undo");
+    QCOMPARE(editor_->text(), other);
+}
+
+void tst_PlanEditor::piecesAreAddedFromThePalette() {
+    editor_->setPrimitives(courierPrimitives());
+    select(QStringLiteral("rest"));
+    emit editor_->palette().pieceRequested({true, QStringLiteral("Distance 0.0 >")});
+    QVERIFY2(editor_->text().find("((rest (trigger ((Distance 0.0 >))) wait))") != std::string::npos,
+             editor_->text().c_str());
+    select(QStringLiteral("halt"));
+    emit editor_->palette().pieceRequested({false, QStringLiteral("Beep")});
+    QVERIFY2(editor_->text().find("(AP halt (Stop Brake Beep))") != std::string::npos, editor_->text().c_str());
+    editor_->canvas().select(-1);
+    emit editor_->palette().pieceRequested({false, QStringLiteral("approach")});
+    QVERIFY(editor_->text().find("((approach approach))") != std::string::npos);
+    QVERIFY(!posh::hasErrors(editor_->findings()));
+}
+
+void tst_PlanEditor::dropsSwapAndInsert_data() {
+    QTest::addColumn<QString>("piece");
+    QTest::addColumn<QString>("target");
+    QTest::addColumn<double>("share");
+    QTest::addColumn<QString>("outcome");
+    QTest::newRow("an act before a drive") << "Beep"
+                                           << "work" << 0.05 << "((Beep   (trigger ((fail))) Beep))\n      ((work";
+    QTest::newRow("an act on a drive") << "Beep"
+                                       << "work" << 0.5 << "(Bumped false))) Beep)";
+    QTest::newRow("an act behind a step") << "Beep"
+                                          << "Stop" << 0.95 << "(AP halt (Stop Beep Brake))";
+    QTest::newRow("an act in place of a step") << "Beep"
+                                               << "Stop" << 0.5 << "(AP halt (Beep Brake))";
+    QTest::newRow("a sense on an element") << "sense:Bumped"
+                                           << "go" << 0.5 << "(go (trigger ((Bumped))) DriveTo";
+    QTest::newRow("a sense in place of one") << "sense:Loaded"
+                                             << "Bumped" << 0.5 << "(safety (trigger ((Loaded))) halt";
+    QTest::newRow("a drive behind another") << "node:safety"
+                                            << "work" << 0.95 << "(Bumped false))) fetch))\n      ((safety";
+    QTest::newRow("two drives") << "node:safety"
+                                << "work" << 0.5 << "(Bumped false))) fetch))\n      ((safety";
+    QTest::newRow("two acts") << "node:Stop"
+                              << "Brake" << 0.5 << "(AP halt (Brake Stop))";
+    QTest::newRow("an act of a pattern and one of an element") << "node:Stop"
+                                                               << "CloseGripper" << 0.5 << "(Loaded false))) Stop 3";
+    QTest::newRow("a sense moves to another") << "node:Bumped"
+                                              << "go" << 0.5 << "(go (trigger ((Bumped))) DriveTo";
+    QTest::newRow("an element into the collection") << "node:go"
+                                                    << "courier" << 0.5 << "((go     DriveTo(\"depot\", $speed=1.5)))";
+}
+
+void tst_PlanEditor::dropsSwapAndInsert() {
+    QFETCH(QString, piece);
+    QFETCH(QString, target);
+    QFETCH(double, share);
+    QFETCH(QString, outcome);
+    std::unique_ptr<QMimeData> data;
+    if (piece.startsWith(QStringLiteral("node:"))) {
+        data = std::make_unique<QMimeData>();
+        data->setData(QStringLiteral("application/x-usar-plan-node"), QByteArray::number(node(piece.mid(5))));
+    } else {
+        const bool is_sense = piece.startsWith(QStringLiteral("sense:"));
+        data.reset(mimeOf({is_sense, is_sense ? piece.mid(6) : piece}));
+    }
+    drag(*data, node(target), share);
+    QVERIFY2(editor_->text().find(outcome.toStdString()) != std::string::npos,
+             (editor_->text() + said().toStdString()).c_str());
+    QVERIFY(!posh::hasErrors(editor_->findings()));
+    run("undo");
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+}
+
+void tst_PlanEditor::paletteIsSearchedAndExplains() {
+    editor_->setPrimitives(courierPrimitives());
+    PlanPalette& palette = editor_->palette();
+    palette.setFilter(QStringLiteral("drives place"));
+    auto* const list = palette.findChild<QTreeWidget*>();
+    QStringList shown;
+    for (QTreeWidgetItemIterator item(list); *item; ++item)
+        if ((*item)->parent() && !(*item)->isHidden())
+            shown << (*item)->text(0);
+    QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
+    const QString help = helpText(courierPrimitives().back());
+    QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
+    palette.setFilter({});
+    QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
+    QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
+             QStringLiteral("Distance 0.0 >"));
+}
+
+void tst_PlanEditor::completionKnowsWhereSensesAreAsked() {
+    editor_->setPrimitives(courierPrimitives());
+    PlanCodeEdit& text = editor_->textEdit();
+    auto* const completer = text.findChild<QCompleter*>();
+    text.setFocus();
+    text.setCursorOffset(editor_->text().find("Bumped") + 2);
+    QTest::keyClick(&text, Qt::Key_Space, Qt::ControlModifier);
+    QCOMPARE(completer->currentCompletion(), QStringLiteral("Bumped"));
+    text.setCursorOffset(editor_->text().find("CloseGripper") + 2);
+    QTest::keyClick(&text, Qt::Key_Space, Qt::ControlModifier);
+    QCOMPARE(completer->currentCompletion(), QStringLiteral("CloseGripper"));
+}
+
+void tst_PlanEditor::selectionsFollowEachOther() {
+    PlanCodeEdit& text = editor_->textEdit();
+    text.setCursorOffset(editor_->text().find("safety") + 1);
+    QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("safety")));
+    QSignalSpy entered(&text, &PlanTextEdit::placeEntered);
+    select(QStringLiteral("go"));
+    QCOMPARE(text.textCursor().blockNumber(), 6);
+    QCOMPARE(entered.count(), 0);
+}
+
+void tst_PlanEditor::differencesAreListed() {
+    editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
+    select(QStringLiteral("grab"));
+    run("delete");
+    run("compare_running");
+    QStringList rows;
+    for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
+        for (int i = 0; list->accessibleName() == u"Differences" && i < list->count(); ++i)
+            rows << list->item(i)->text();
+    QCOMPARE(rows, QStringList{QStringLiteral("element \"grab\" of \"fetch\" removed")});
+}
+
+void tst_PlanEditor::usagesAreListed() {
+    select(QStringLiteral("halt"));
+    run("usages");
+    int rows = 0;
+    for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
+        rows += list->accessibleName() == u"Usages" ? list->count() : 0;
+    QCOMPARE(rows, 3);
+}
+
+void tst_PlanEditor::filesKeepTheirLineEnds() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("dos.lap"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const QByteArray bytes("\xef\xbb\xbf(\r\n  (DC d (drives ((e \"\xc2\xa0\" doNothing))))\r\n)\r\n");
+    QByteArray good = bytes;
+    good.replace("e \"\xc2\xa0\" doNothing", "e doNothing \"\xc2\xa0\"");
+    file.write(good);
+    file.close();
+    QVERIFY(editor_->open(path));
+    QVERIFY(editor_->findings().empty());
+    QVERIFY(editor_->text().find('\r') == std::string::npos);
+    QVERIFY(editor_->save(path));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), good);
+    QVERIFY(!editor_->open(folder.filePath(QStringLiteral("none.lap"))));
+    QVERIFY(!editor_->save(folder.filePath(QStringLiteral("no/such/folder.lap"))));
+}
+
+void tst_PlanEditor::aChangeOnDiskIsOffered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plan.lap"));
+    QVERIFY(editor_->save(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("((DC other (drives ((e doNothing)))))");
+    file.close();
+    QToolButton* take = nullptr;
+    QTRY_VERIFY([&] {
+        for (QToolButton* const button : editor_->findChildren<QToolButton*>())
+            take = button->isVisible() && button->text() == u"Take its text" ? button : take;
+        return take != nullptr;
+    }());
+    take->click();
+    QVERIFY(editor_->text().find("other") != std::string::npos);
+    run("undo");
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+}
+
+void tst_PlanEditor::unsavedTextIsKeptAndOffered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plan.lap"));
+    editor_->setKeepingFolder(folder.filePath(QStringLiteral("kept")));
+    QVERIFY(editor_->save(path));
+    select(QStringLiteral("grab"));
+    run("delete");
+    const std::string changed = editor_->text();
+    QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty(), 5000);
+    PlanEditor second;
+    second.setKeepingFolder(folder.filePath(QStringLiteral("kept")));
+    QVERIFY(second.open(path));
+    QCOMPARE(second.text(), std::string(courier_plan));
+    for (QToolButton* const button : second.findChildren<QToolButton*>())
+        if (button->text() == u"Restore them")
+            button->click();
+    QCOMPARE(second.text(), changed);
+    QVERIFY(second.save(path));
+    QVERIFY(QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty());
+}
+
+void tst_PlanEditor::exportsSayWhatIsLost() {
+    QTemporaryDir folder;
+    const auto losses = editor_->exportTo(folder.filePath(QStringLiteral("k.lap")), posh::Dialect::Classic);
+    QVERIFY(losses && !losses->isEmpty());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("k.lap"))));
+    QVERIFY(editor_->savePicture(folder.filePath(QStringLiteral("plan.svg"))));
+    editor_->textEdit().applyText("((");
+    QVERIFY(!editor_->exportTo(folder.filePath(QStringLiteral("x.lap")), posh::Dialect::Yaposh));
+}
+
+void tst_PlanEditor::applyingNeedsASoundPlan() {
+    QSignalSpy applied(editor_.get(), &PlanEditor::applyRequested);
+    QAction* const apply = editor_->action(QStringLiteral("apply"));
+    QVERIFY(!apply->isEnabled());
+    editor_->setApplicable(true);
+    QVERIFY(apply->isEnabled());
+    apply->trigger();
+    QCOMPARE(applied.count(), 1);
+    QCOMPARE(applied[0][1].toString(), QStringLiteral("courier.lap"));
+    editor_->textEdit().applyText("((AP a (b)))");
+    editor_->catchUp();
+    QVERIFY(!apply->isEnabled());
+}
+
+void tst_PlanEditor::narrowAndBothThemes() {
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+        applyTheme(theme);
+        for (const QSize size : {QSize(360, 700), QSize(1280, 720), QSize(300, 240)}) {
+            editor_->resize(size);
+            QVERIFY(!editor_->grab().isNull());
+            QCOMPARE(editor_->size(), size);
+        }
+    }
+}
+
+void tst_PlanEditor::everyButtonHasAName() {
+    for (const QAbstractButton* const button : editor_->findChildren<QAbstractButton*>())
+        if (button->isVisible() && !qobject_cast<QLineEdit*>(button->parent()))
+            QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(), qPrintable(button->toolTip()));
+}
+
+/// Whatever command is given at whatever part: the text can be read afterwards, and all of it can be undone.
+void tst_PlanEditor::noRunOfEditsEndsInErrors() {
+    const char* const commands[] = {"move_up",         "move_down",    "join_up",    "join_down", "duplicate", "delete",
+                                    "wrap_competence", "wrap_pattern", "wrap_adopt", "inline",    "undo"};
+    unsigned chance = 7;
+    for (int i = 0; i < 400; ++i) {
+        chance = chance * 1664525U + 1013904223U;
+        editor_->canvas().select(static_cast<int>((chance >> 8U) % unsigned(editor_->canvas().tree().size())));
+        run(commands[(chance >> 20U) % std::size(commands)]);
+        if (posh::hasErrors(editor_->findings()))
+            QFAIL((std::to_string(i) + ": " + editor_->text()).c_str());
+    }
+    while (editor_->action(QStringLiteral("undo"))->isEnabled())
+        run("undo");
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+}
+
+QTEST_MAIN(tst_PlanEditor)
+#include "tst_plan_editor.moc"

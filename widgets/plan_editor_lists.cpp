@@ -1,0 +1,133 @@
+// The lists below the plan: findings, differences, usages, and what an export lost.
+#include <algorithm>
+
+#include <QSaveFile>
+
+#include "widgets/icons.h"
+#include "widgets/plan_editor.h"
+#include "widgets/plan_picture.h"
+#include "widgets/theme.h"
+
+namespace usar::widgets {
+
+using posh::PlanPart;
+
+namespace {
+
+bool isReadable(const posh::Findings& findings) {
+    return std::ranges::none_of(findings, [](const posh::Finding& finding) { return isUnreadable(finding.code); });
+}
+
+QIcon iconOf(posh::Code code) {
+    return severityOf(code) == Severity::Error ? icon(QStringLiteral("error"), tokens().danger)
+                                               : icon(QStringLiteral("warning"), tokens().caution);
+}
+
+QIcon iconOf(posh::ChangeKind kind) {
+    switch (kind) {
+    case posh::ChangeKind::Added:
+        return icon(QStringLiteral("plus"), tokens().ok);
+    case posh::ChangeKind::Removed:
+        return icon(QStringLiteral("minus"), tokens().danger);
+    case posh::ChangeKind::Moved:
+        return icon(QStringLiteral("unfold"), tokens().accent);
+    default:
+        return icon(QStringLiteral("note"), tokens().caution);
+    }
+}
+
+QListWidgetItem* addRow(QListWidget& list, const QString& words, const posh::Spot& at, const QIcon& mark = {}) {
+    auto* item = new QListWidgetItem(mark, words, &list);
+    item->setData(Qt::UserRole, QVariantList{at.line, at.column, at.offset, at.length});
+    return item;
+}
+
+} // namespace
+
+void PlanEditor::showFindings() {
+    const int row = finding_list_->currentRow();
+    finding_list_->clear();
+    int errors = 0;
+    for (const posh::Finding& finding : findings_) {
+        addRow(*finding_list_, QString::fromStdString(posh::toText(finding)), finding.at, iconOf(finding.code));
+        errors += severityOf(finding.code) == Severity::Error ? 1 : 0;
+    }
+    finding_list_->setCurrentRow(std::min(row, finding_list_->count() - 1));
+    const int warnings = finding_list_->count() - errors;
+    lists_->setTabText(0, findings_.empty() ? tr("Findings") : tr("Findings (%1)").arg(findings_.size()));
+    if (const posh::Finding* const here = text_->findingAtCursor())
+        finding_->setText(QString::fromStdString(posh::toText(*here)));
+    else
+        finding_->setText(findings_.empty()
+                              ? (binds() ? tr("Nothing is wrong with the plan; it fits the robot.")
+                                         : tr("Nothing is wrong with the plan."))
+                              : tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
+    mend_->hide();
+    lamp_timer_.start();
+}
+
+Result<QStringList> PlanEditor::exportTo(const QString& path, posh::Dialect dialect) {
+    catchUp();
+    if (!isReadable(findings_))
+        return failure("the text cannot be read", name().toStdString(), "mend its errors first");
+    const posh::PlanExport made = posh::exportPlan(posh::readPlan(text_->planText()).plan, dialect);
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(made.text);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return failure("it cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                       "choose another place");
+    QStringList losses;
+    usage_list_->clear();
+    for (const posh::Loss& loss : made.losses) {
+        losses << QString::fromStdString(loss.message);
+        addRow(*usage_list_, losses.back(), loss.at, icon(QStringLiteral("warning"), tokens().caution));
+    }
+    if (!losses.isEmpty())
+        lists_->setCurrentWidget(usage_list_);
+    say(losses.isEmpty() ? tr("Written as %1; nothing was lost.").arg(path)
+                         : tr("Written as %1; %2 things have no place in that dialect.").arg(path).arg(losses.size()));
+    return losses;
+}
+
+Result<void> PlanEditor::savePicture(const QString& path) {
+    catchUp();
+    return savePlanPicture(*canvas_, path);
+}
+
+void PlanEditor::compareWith(const std::string& other, const QString& name) {
+    catchUp();
+    const posh::PlanReading before = posh::readPlan(other);
+    difference_list_->clear();
+    const std::vector<posh::PlanChange> changes = posh::planDifference(before.plan, checked_plan_);
+    for (const posh::PlanChange& change : changes)
+        addRow(*difference_list_, QString::fromStdString(change.line), change.after_at, iconOf(change.kind));
+    if (changes.empty())
+        addRow(*difference_list_, tr("No difference but in layout and comments"), {});
+    if (!isReadable(before.findings) || !isReadable(findings_))
+        addRow(*difference_list_, tr("Parts that cannot be read are left out"), {},
+               icon(QStringLiteral("warning"), tokens().caution));
+    lists_->setTabText(1, tr("Differences (%1)").arg(changes.size()));
+    lists_->setCurrentWidget(difference_list_);
+    lists_->show();
+    say(tr("Against %1: %2.").arg(name, QString::fromStdString(posh::summaryOf(changes))));
+}
+
+void PlanEditor::showUsages() {
+    const auto call = selectedCall();
+    const auto part = call ? call : selectedPart();
+    usage_list_->clear();
+    if (!part)
+        return;
+    for (const PlanPart& usage : posh::usagesOf(drawn_plan_, *part)) {
+        const PlanPart owner = posh::ownerOf(usage);
+        const posh::Spot& at = posh::nameOf(drawn_plan_, usage)->at;
+        const std::string words = usage.kind == posh::PartKind::Whole ? posh::describe(drawn_plan_, usage)
+                                                                      : "in " + posh::describe(drawn_plan_, owner);
+        addRow(*usage_list_, tr("Line %1: %2").arg(at.line).arg(QString::fromStdString(words)), at);
+    }
+    lists_->setTabText(2, tr("Usages (%1)").arg(usage_list_->count()));
+    lists_->setCurrentWidget(usage_list_);
+    lists_->show();
+}
+
+} // namespace usar::widgets
