@@ -21,10 +21,12 @@ inline Rectangle areaOf(DriveWorld where) {
                                      : Rectangle{{-36.0, -26.0}, {36.0, 26.0}};
 }
 
-/// Reports figures; demands no collision and no place in which it stayed for more than a minute.
+/// From the start poses of the room in turn, by the seed; on the meadow there is but one. Reports figures; demands no
+/// collision and no place in which it stayed for more than a minute.
 inline void tryDrive(DriveWorld where, const std::string& behavior_id, std::uint64_t seed, Seconds duration) {
     const sim::World world = where == DriveWorld::Room ? sim::makeVmacRoom(1) : sim::makeTallTest(1);
-    const Pose start_in_map = world.start_poses.front().pose_in_map;
+    const std::size_t starts = where == DriveWorld::Room ? world.start_poses.size() : 1;
+    const Pose start_in_map = world.start_poses[(seed - 1) % starts].pose_in_map;
     sim::SimulationOptions options;
     options.seed = seed;
     options.battery_life = duration * 2.0;

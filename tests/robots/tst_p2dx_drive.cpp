@@ -10,15 +10,19 @@ private slots:
     void exploresWithoutATouchOrATrap_data() {
         QTest::addColumn<int>("where");
         QTest::addColumn<QByteArray>("behavior");
+        QTest::addColumn<int>("seed");
         for (const char* behavior : {"p2dx/cpp", "p2dx/posh"}) {
-            QTest::addRow("%s in the room", behavior) << int(DriveWorld::Room) << QByteArray(behavior);
-            QTest::addRow("%s on the meadow", behavior) << int(DriveWorld::Meadow) << QByteArray(behavior);
+            QTest::addRow("%s in the room", behavior) << int(DriveWorld::Room) << QByteArray(behavior) << 1;
+            QTest::addRow("%s between shelves", behavior) << int(DriveWorld::Room) << QByteArray(behavior) << 5;
+            QTest::addRow("%s on the meadow", behavior) << int(DriveWorld::Meadow) << QByteArray(behavior) << 1;
         }
     }
     void exploresWithoutATouchOrATrap() {
         QFETCH(int, where);
         QFETCH(QByteArray, behavior);
-        tryDrive(static_cast<DriveWorld>(where), behavior.toStdString(), 1, Seconds(300.0));
+        QFETCH(int, seed);
+        tryDrive(static_cast<DriveWorld>(where), behavior.toStdString(), static_cast<std::uint64_t>(seed),
+                 Seconds(300.0));
     }
 };
 

@@ -98,7 +98,6 @@ void Robot::beforeStep(Seconds dt) {
 
 void Robot::afterStep(Seconds dt) {
     body_.afterStep();
-    stay_.step(dt, body_.base_in_map().position_m);
     drive_->afterStep(dt);
     discharge(dt);
 }
@@ -122,6 +121,7 @@ void Robot::switchOff() {
 }
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
+    stay_.step(tick_, body_.base_in_map().position_m);
     if (alive()) {
         sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
