@@ -62,6 +62,7 @@ private slots:
     void whatIsNeitherIsRefused_data();
     void whatIsNeitherIsRefused();
     void runsOfOnePlanAddUp();
+    void aPlanReplacedOnTheWayIsARunOfEach();
     void aDamagedTraceIsReadAsFarAsItGoes();
     void thePersonReadsFindingsAndWhereTheTimeWent();
     void theMachineReadsALineForEachThing();
@@ -135,6 +136,27 @@ void tst_RecordedRuns::runsOfOnePlanAddUp() {
     QCOMPARE(plans[0].runs, 2);
     QCOMPARE(plans[0].statistics.cycles(), std::uint64_t(12));
     QCOMPARE(plans[1].runs, 1);
+}
+
+void tst_RecordedRuns::aPlanReplacedOnTheWayIsARunOfEach() {
+    posh::StubHost host;
+    posh::TraceEncoder encoder(rover);
+    posh::Engine engine(host, *posh::compile(posh::readPlan(rover).plan));
+    engine.watch(&encoder);
+    for (int cycle = 1; cycle <= 7; ++cycle) {
+        if (cycle == 4) {
+            encoder.setPlanText(other);
+            engine.replace(*posh::compile(posh::readPlan(other).plan));
+        }
+        engine.cycle(posh::Milliseconds(200 * cycle));
+    }
+    engine.watch(nullptr);
+    std::vector<PlanRuns> plans;
+    QCOMPARE(addRuns(encoder.takeBytes(), plans), std::string());
+    QCOMPARE(plans.size(), std::size_t(2));
+    QCOMPARE(plans[0].statistics.program()->title, std::string("rover"));
+    QCOMPARE(plans[0].statistics.cycles(), std::uint64_t(3));
+    QCOMPARE(plans[1].statistics.cycles(), std::uint64_t(4));
 }
 
 void tst_RecordedRuns::aDamagedTraceIsReadAsFarAsItGoes() {
