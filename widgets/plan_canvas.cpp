@@ -21,6 +21,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr const char* node_mime_type = "application/x-usar-plan-node";
+constexpr int broad_px = 900;
 constexpr double edge_share = 0.3; ///< of a card's height, above and below, that means before and behind
 
 } // namespace
@@ -29,6 +30,7 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
     setAcceptDrops(true);
     setAccessibleName(tr("Drawing of the plan, to be edited"));
     line_->hide();
+    line_->setAccessibleName(tr("Words of the selected part"));
     line_->setFont(codeFont());
     line_->installEventFilter(this);
     connect(line_, &QLineEdit::returnPressed, this, [this] { closeLine(true); });
@@ -82,6 +84,12 @@ void PlanCanvas::mouseMoveEvent(QMouseEvent* event) {
 void PlanCanvas::mouseReleaseEvent(QMouseEvent* event) {
     taken_ = -1;
     PlanView::mouseReleaseEvent(event);
+}
+
+/// Beside a text there is more room below than at the side.
+void PlanCanvas::resizeEvent(QResizeEvent* event) {
+    setFlow(width() < broad_px ? PlanFlow::Down : PlanFlow::Across);
+    PlanView::resizeEvent(event);
 }
 
 /// The open line would stay behind.

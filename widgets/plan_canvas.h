@@ -14,7 +14,7 @@ namespace usar::widgets {
 
 /// Gestures in, deeds out; it changes nothing itself. A card is taken with the left button and dropped on the upper
 /// part of another one (before it), its lower part (behind it) or its middle (swap, put into); the words for what would
-/// happen stand beside the mouse. The background still pans. GUI thread.
+/// happen stand beside the mouse. The background still pans. An outline where it is not very broad. GUI thread.
 class PlanCanvas : public PlanView {
     Q_OBJECT
 public:
@@ -41,6 +41,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;

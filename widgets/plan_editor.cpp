@@ -113,6 +113,9 @@ void PlanEditor::connectAll() {
         });
     });
     text_->setWords(palette_->words());
+    for (QWidget* const child : findChildren<QWidget*>())
+        if (!qobject_cast<QLineEdit*>(child))
+            child->installEventFilter(this);
 }
 
 void PlanEditor::setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives) {
@@ -151,6 +154,20 @@ void PlanEditor::setText(const std::string& text, const QString& name) {
     emit titleChanged();
 }
 
+void PlanEditor::setKeepingFolder(const QString& folder) {
+    file_.setKeepingFolder(folder);
+    offerKept();
+}
+
+void PlanEditor::offerKept() {
+    if (const auto kept = file_.kept(); kept && *kept != text_->planText())
+        offer(tr("%1 had changes that were not saved when the program ended.").arg(name()), tr("Restore them"),
+              [this, text = *kept] {
+                  text_->applyText(text);
+                  catchUp();
+              });
+}
+
 Result<void> PlanEditor::open(const QString& path) {
     const auto text = file_.open(path);
     if (!text)
@@ -160,12 +177,7 @@ Result<void> PlanEditor::open(const QString& path) {
     catchUp();
     canvas_->select(-1);
     canvas_->showBeginning();
-    if (const auto kept = file_.kept())
-        offer(tr("%1 had changes that were not saved when the program ended.").arg(name()), tr("Restore them"),
-              [this, kept = *kept] {
-                  text_->applyText(kept);
-                  catchUp();
-              });
+    offerKept();
     showState();
     emit titleChanged();
     return {};
@@ -333,9 +345,7 @@ void PlanEditor::say(const QString& words, bool refused) {
 }
 
 void PlanEditor::followCursor(int line, int column) {
-    lamp_timer_.start();
-    mend_->hide();
-    showFindings();
+    showFindingAtCursor();
     if (!isDrawn())
         return;
     const QScopedValueRollback from_text(from_text_, true);

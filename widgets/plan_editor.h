@@ -48,8 +48,10 @@ public:
     void setApplicable(bool applicable, const QString& why_not = {});
     /// A plan that has no file yet; the history begins anew.
     void setText(const std::string& text, const QString& name);
-    /// Where unsaved texts are kept over a crash; none are without.
-    void setKeepingFolder(const QString& folder) { file_.setKeepingFolder(folder); }
+    /// Where unsaved texts are kept over a crash; none are without. A new plan that was kept is offered at once.
+    void setKeepingFolder(const QString& folder);
+    /// The changes are given up for good: nothing is offered again.
+    void forgetKept() { file_.forgetKept(); }
 
     Result<void> open(const QString& path);
     Result<void> save(const QString& path);
@@ -95,6 +97,7 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     enum class InPlace { Words, Rename, Trigger, Limit, Comment };
@@ -110,10 +113,10 @@ private:
     QToolButton* addButton(QBoxLayout* row, QAction* action);
     QToolButton* addMenuButton(QBoxLayout* row, const QString& help, const QString& icon_name, QMenu* menu);
     void arrange();
-    void dress();
 
     // in plan_editor_commands.cpp
     QAction* add(const Command& command, std::function<void()> run);
+    QAction* actionOf(const QKeyEvent& event, bool in_drawing) const;
     void makeFileCommands();
     void makeEditCommands();
     void makePartCommands();
@@ -129,6 +132,7 @@ private:
     posh::Findings check(std::string_view text, posh::Plan* plan) const;
     void draw();
     void showFindings();
+    void showFindingAtCursor();
     void showMends();
     void showState();
     void followCursor(int line, int column);
@@ -141,6 +145,8 @@ private:
     void addMemberAtSelection(bool before);
     void compareWith(const std::string& other, const QString& name);
     void showUsages();
+    void swapSelected();
+    void offerKept();
     void offer(const QString& words, const QString& accept, std::function<void()> run);
     void saveNow();
     void say(const QString& words, bool refused = false);
@@ -192,6 +198,8 @@ private:
     posh::Plan drawn_plan_;
     std::string drawn_text_;
     std::optional<PlanGestures> gestures_;
+    std::optional<posh::PlanPart> swap_first_; ///< remembered while the text is swap_text_
+    std::string swap_text_;
     QTimer check_timer_;
     QTimer draw_timer_;
     QTimer lamp_timer_;

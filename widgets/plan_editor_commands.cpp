@@ -1,5 +1,9 @@
 // The commands of the plan editor: made once, for buttons, menus and keys.
+#include <algorithm>
+#include <array>
 #include <cassert>
+
+#include <QKeyEvent>
 
 #include "core/posh/plan_phrase.h"
 #include "core/posh/plan_templates.h"
@@ -11,6 +15,21 @@ namespace usar::widgets {
 
 using posh::PlanEdit;
 using posh::PlanPart;
+
+namespace {
+
+constexpr const char* in_drawing_property = "in_drawing";
+
+/// Keys that the drawing itself knows, though a window may use them for its own.
+bool isKeyOfDrawing(const QKeyEvent& event) {
+    if (event.modifiers() & Qt::ControlModifier)
+        return event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
+    constexpr std::array keys{Qt::Key_F,    Qt::Key_N,     Qt::Key_Space, Qt::Key_Home,   Qt::Key_End,
+                              Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_Return, Qt::Key_Enter};
+    return std::ranges::find(keys, event.key()) != keys.end();
+}
+
+} // namespace
 
 struct PlanEditor::Command {
     const char* name;
@@ -27,14 +46,39 @@ QAction* PlanEditor::add(const Command& command, std::function<void()> run) {
     made->setToolTip(keys.isEmpty() ? command.help : command.help + QStringLiteral(" (") + keys + u')');
     if (command.icon[0] != '\0')
         made->setIcon(icon(QString::fromLatin1(command.icon)));
-    made->setData(QString::fromLatin1(command.icon));
     made->setShortcut(command.keys);
-    made->setShortcutContext(command.in_drawing ? Qt::WidgetShortcut : Qt::WidgetWithChildrenShortcut);
-    QWidget* const where = command.in_drawing ? static_cast<QWidget*>(canvas_) : this;
-    where->addAction(made);
+    made->setShortcutContext(Qt::WidgetShortcut); // for menus to show; see keyPressed
+    made->setProperty(in_drawing_property, command.in_drawing);
     connect(made, &QAction::triggered, this, std::move(run));
     actions_.emplace(QString::fromLatin1(command.name), made);
     return made;
+}
+
+/// Nothing where the keys mean nothing to the editor.
+QAction* PlanEditor::actionOf(const QKeyEvent& event, bool in_drawing) const {
+    const QKeySequence keys(QKeyCombination(event.modifiers() & ~Qt::KeypadModifier, Qt::Key(event.key())));
+    for (const auto& [name, candidate] : actions_)
+        if (candidate->shortcut() == keys && (in_drawing || !candidate->property(in_drawing_property).toBool()))
+            return candidate;
+    return nullptr;
+}
+
+/// A window around the editor has keys of its own, and some are the same: here those of the editor count.
+bool PlanEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    QAction* const meant = actionOf(key, watched == canvas_);
+    if (event->type() == QEvent::ShortcutOverride) {
+        if (meant || (watched == canvas_ && isKeyOfDrawing(key)))
+            event->accept();
+        return meant != nullptr;
+    }
+    if (!meant)
+        return QWidget::eventFilter(watched, event);
+    enableCommands();
+    meant->trigger();
+    return true;
 }
 
 QAction* PlanEditor::action(const QString& name) const {
@@ -130,6 +174,9 @@ void PlanEditor::makePartCommands() {
         [this] { addMemberAtSelection(true); });
     add({"add_after", tr("Add behind"), tr("A new one like it, behind it"), "plus", QKeySequence("Ins"), true},
         [this] { addMemberAtSelection(false); });
+    add({"swap", tr("Swap with…"), tr("Remembers it; the next one you swap with changes places with it"), "", Qt::Key_X,
+         true},
+        [this] { swapSelected(); });
     add({"duplicate", tr("Duplicate"), tr("The same once more, under another name"), "", QKeySequence("Ctrl+D"), true},
         [this] { perform(posh::duplicatePart); });
     add({"delete", tr("Delete"), tr("Takes it out of the plan"), "trash", QKeySequence::Delete, true},
@@ -188,7 +235,7 @@ void PlanEditor::makeMenus() {
     };
     fill({"edit", "rename", "trigger", "limit", "comment"});
     fill({"move_up", "move_down", "join_up", "join_down"});
-    fill({"add_before", "add_after", "duplicate", "delete"});
+    fill({"add_before", "add_after", "swap", "duplicate", "delete"});
     fill({"wrap_competence", "wrap_pattern", "wrap_adopt", "inline"});
     fill({"new_competence", "new_pattern", "new_adopt", "new_collection"});
     fill({"usages", "show_text"});
@@ -205,7 +252,7 @@ void PlanEditor::enableCommands() {
     const bool has_senses =
         is_member || (is_form && !std::holds_alternative<posh::Pattern>(drawn_plan_.forms[part->form]));
     const auto enable = [this](const char* name, bool on) { action(QString::fromLatin1(name))->setEnabled(on); };
-    for (const char* const name : {"edit", "rename", "move_up", "move_down", "delete", "usages", "show_text"})
+    for (const char* const name : {"edit", "rename", "swap", "move_up", "move_down", "delete", "usages", "show_text"})
         enable(name, part.has_value());
     enable("trigger", has_senses);
     enable("limit", is_member || is_form);
@@ -301,6 +348,21 @@ void PlanEditor::addMemberAtSelection(bool before) {
     const bool is_card = made >= 0 && !canvas_->tree().children(made).empty();
     canvas_->select(is_card ? canvas_->tree().children(made).front() : made);
     editInPlace(InPlace::Words);
+}
+
+/// The first one is remembered by its place in the text, and forgotten when the text changes.
+void PlanEditor::swapSelected() {
+    const int node = canvas_->selected();
+    const auto call = selectedCall();
+    const auto part = call ? call : selectedPart();
+    if (!gestures() || !part)
+        return;
+    const bool has_first = swap_first_ && swap_text_ == drawn_text_ && *swap_first_ != *part;
+    if (has_first)
+        return perform(posh::swapParts(drawn_text_, *std::exchange(swap_first_, std::nullopt), *part));
+    swap_first_ = part;
+    swap_text_ = drawn_text_;
+    say(tr("Now select what %1 is to change places with, and press X again.").arg(canvas_->tree()[node].name));
 }
 
 } // namespace usar::widgets

@@ -47,14 +47,18 @@ QListWidgetItem* addRow(QListWidget& list, const QString& words, const posh::Spo
 void PlanEditor::showFindings() {
     const int row = finding_list_->currentRow();
     finding_list_->clear();
-    int errors = 0;
-    for (const posh::Finding& finding : findings_) {
+    for (const posh::Finding& finding : findings_)
         addRow(*finding_list_, QString::fromStdString(posh::toText(finding)), finding.at, iconOf(finding.code));
-        errors += severityOf(finding.code) == Severity::Error ? 1 : 0;
-    }
     finding_list_->setCurrentRow(std::min(row, finding_list_->count() - 1));
-    const int warnings = finding_list_->count() - errors;
     lists_->setTabText(0, findings_.empty() ? tr("Findings") : tr("Findings (%1)").arg(findings_.size()));
+    showFindingAtCursor();
+}
+
+/// That of the cursor's line, else how many there are.
+void PlanEditor::showFindingAtCursor() {
+    const auto errors = std::ranges::count_if(
+        findings_, [](const posh::Finding& finding) { return severityOf(finding.code) == Severity::Error; });
+    const auto warnings = std::ssize(findings_) - errors;
     if (const posh::Finding* const here = text_->findingAtCursor())
         finding_->setText(QString::fromStdString(posh::toText(*here)));
     else

@@ -196,22 +196,14 @@ void PlanEditor::arrange() {
         column_->setSizes({600, 120});
 }
 
-void PlanEditor::dress() {
-    for (const auto& [name, made] : actions_)
-        if (const QString drawing = made->data().toString(); !drawing.isEmpty())
-            made->setIcon(icon(drawing));
-}
-
 void PlanEditor::resizeEvent(QResizeEvent* event) {
     arrange();
     QWidget::resizeEvent(event);
 }
 
 void PlanEditor::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && finding_list_) {
-        dress();
+    if (event->type() == QEvent::PaletteChange && finding_list_)
         showFindings();
-    }
     QWidget::changeEvent(event);
 }
 

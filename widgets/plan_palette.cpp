@@ -47,6 +47,7 @@ public:
         setDragEnabled(true);
         setDragDropMode(QAbstractItemView::DragOnly);
         setUniformRowHeights(true);
+        setIconSize({14, 14});
         setMinimumHeight(80);
     }
 
@@ -186,7 +187,7 @@ void PlanPalette::setPlan(const posh::Plan& plan) {
     rebuild();
 }
 
-QTreeWidgetItem* PlanPalette::group(const QString& title, const std::vector<Entry>& entries) {
+QTreeWidgetItem* PlanPalette::group(const QString& title, const char* icon_name, const std::vector<Entry>& entries) {
     auto* head = new QTreeWidgetItem(list_, {title});
     head->setFlags(Qt::ItemIsEnabled);
     QFont font = list_->font();
@@ -197,6 +198,7 @@ QTreeWidgetItem* PlanPalette::group(const QString& title, const std::vector<Entr
         item->setData(0, help_role, entry.help);
         item->setData(0, words_role, entry.piece.words);
         item->setData(0, sense_role, entry.piece.is_sense);
+        item->setIcon(0, icon(QString::fromLatin1(icon_name)));
         item->setToolTip(0, entry.help);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
     }
@@ -207,14 +209,14 @@ QTreeWidgetItem* PlanPalette::group(const QString& title, const std::vector<Entr
 void PlanPalette::rebuild() {
     const auto before = chosen();
     list_->clear();
-    group(tr("Senses"), senses_);
-    group(tr("Acts"), acts_);
+    group(tr("Senses"), "eye", senses_);
+    group(tr("Acts"), "play", acts_);
     if (!competences_.empty())
-        group(tr("Competences"), competences_);
+        group(tr("Competences"), "branches", competences_);
     if (!patterns_.empty())
-        group(tr("Action patterns"), patterns_);
+        group(tr("Action patterns"), "step", patterns_);
     if (!adopts_.empty())
-        group(tr("Adopts"), adopts_);
+        group(tr("Adopts"), "reset", adopts_);
     applyFilter();
     for (QTreeWidgetItemIterator item(list_); before && *item; ++item)
         if ((*item)->data(0, words_role).toString() == before->words)

@@ -56,7 +56,7 @@ private:
         QString help;
         PlanPiece piece;
     };
-    QTreeWidgetItem* group(const QString& title, const std::vector<Entry>& entries);
+    QTreeWidgetItem* group(const QString& title, const char* icon_name, const std::vector<Entry>& entries);
     void rebuild();
     void applyFilter();
     void explain();

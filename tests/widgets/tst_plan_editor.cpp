@@ -76,6 +76,9 @@ private slots:
     void unsavedTextIsKeptAndOffered();
     void exportsSayWhatIsLost();
     void applyingNeedsASoundPlan();
+    void keysOfAWindowAroundItDoNotGetInTheWay();
+    void twoAreSwappedByKeys();
+    void aLampShowsThatThereAreMends();
     void narrowAndBothThemes();
     void everyButtonHasAName();
     void noRunOfEditsEndsInErrors();
@@ -520,6 +523,68 @@ void tst_PlanEditor::applyingNeedsASoundPlan() {
     editor_->textEdit().applyText("((AP a (b)))");
     editor_->catchUp();
     QVERIFY(!apply->isEnabled());
+}
+
+void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {
+    QWidget window;
+    QStringList taken;
+    for (const char* const keys : {"Ctrl+Z", "Alt+Down", "L", "F8", "Ctrl+S", "F"}) {
+        auto* action = new QAction(&window);
+        action->setShortcut(QKeySequence(QString::fromLatin1(keys)));
+        connect(action, &QAction::triggered, &window, [&taken, keys] { taken << QString::fromLatin1(keys); });
+        window.addAction(action);
+    }
+    editor_->setParent(&window);
+    window.resize(1280, 720);
+    window.show();
+    editor_->show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QSignalSpy save_as(editor_.get(), &PlanEditor::saveAsRequested);
+    PlanCanvas& canvas = editor_->canvas();
+    canvas.setFocus();
+    select(QStringLiteral("safety"));
+    QTest::keyClick(&canvas, Qt::Key_Down, Qt::AltModifier);
+    QVERIFY(editor_->text() != std::string(courier_plan));
+    QTest::keyClick(&canvas, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+    select(QStringLiteral("safety"));
+    QTest::keyClick(&canvas, Qt::Key_F);
+    QTest::keyClick(&canvas, Qt::Key_L);
+    QVERIFY(canvas.openLine());
+    QTest::keyClick(canvas.openLine(), Qt::Key_Escape);
+    editor_->textEdit().setFocus();
+    QTest::keyClick(&editor_->textEdit(), Qt::Key_F8);
+    QTest::keyClick(&editor_->textEdit(), Qt::Key_S, Qt::ControlModifier);
+    QCOMPARE(save_as.count(), 1);
+    QCOMPARE(taken, QStringList());
+    editor_->setParent(nullptr);
+}
+
+void tst_PlanEditor::twoAreSwappedByKeys() {
+    PlanCanvas& canvas = editor_->canvas();
+    canvas.setFocus();
+    select(QStringLiteral("Stop"));
+    QTest::keyClick(&canvas, Qt::Key_X);
+    select(QStringLiteral("CloseGripper"));
+    QTest::keyClick(&canvas, Qt::Key_X);
+    QVERIFY2(editor_->text().find("(AP halt (CloseGripper Brake))") != std::string::npos, editor_->text().c_str());
+}
+
+void tst_PlanEditor::aLampShowsThatThereAreMends() {
+    PlanCodeEdit& text = editor_->textEdit();
+    std::string other(courier_plan);
+    other.replace(other.find("(trigger ((Bumped)))"), 8, "(triger");
+    text.applyText(other);
+    text.setCursorOffset(other.find("(triger"));
+    const auto lampIsOn = [&text] {
+        for (const QToolButton* const button : text.findChildren<QToolButton*>())
+            if (button->toolTip().contains(u"Alt+Return"))
+                return button->isVisible();
+        return false;
+    };
+    QTRY_VERIFY(lampIsOn());
+    text.setCursorOffset(0);
+    QVERIFY(!lampIsOn());
 }
 
 void tst_PlanEditor::narrowAndBothThemes() {

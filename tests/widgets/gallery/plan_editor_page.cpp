@@ -1,3 +1,5 @@
+#include <QTimer>
+
 #include "tests/widgets/gallery/pages.h"
 #include "widgets/plan_editor.h"
 
@@ -73,9 +75,11 @@ std::unique_ptr<PlanEditor> editor(QSize size, const std::string& text) {
 std::unique_ptr<QWidget> planEditorPage() {
     auto page = editor({1280, 760}, rover);
     page->setRunningPlan(QStringLiteral("the plan of R1"), rover);
-    page->canvas().selectPath("/P:0/DC:0/DE:1");
-    page->action(QStringLiteral("move_up"))->trigger();
-    page->action(QStringLiteral("compare_running"))->trigger();
+    QTimer::singleShot(50, page.get(), [editor = page.get()] {
+        editor->canvas().selectPath("/P:0/DC:0/DE:1");
+        editor->action(QStringLiteral("move_up"))->trigger();
+        editor->action(QStringLiteral("compare_running"))->trigger();
+    });
     return page;
 }
 
@@ -87,9 +91,12 @@ std::unique_ptr<QWidget> faultyPlanEditorPage() {
     std::string text(rover);
     text.replace(text.find("SteerCloser"), 11, "SteerClozer");
     auto page = editor({1280, 760}, text);
-    page->textEdit().setCursorOffset(page->text().find("SteerClozer"));
-    page->canvas().selectPath("/P:0/DC:0/DE:2/A:0/C:0/CE:1");
-    page->canvas().editInPlace(page->canvas().selected(), QStringLiteral("too-far"), 0);
+    QTimer::singleShot(50, page.get(), [editor = page.get()] {
+        editor->textEdit().setCursorOffset(editor->text().find("SteerClozer"));
+        editor->textEdit().setLamp(true);
+        editor->canvas().selectPath("/P:0/DC:0/DE:2/A:0/C:0/CE:1/S:0");
+        editor->action(QStringLiteral("edit"))->trigger();
+    });
     return page;
 }
 
