@@ -17,6 +17,8 @@ public:
 
     /// There must be no act.
     void load(const Program& program);
+    /// Keeps what it knows; the program has the same shape.
+    void retune(const Program& program) { program_ = &program; }
 
     /// In `acts`; nowhere for none.
     Index index() const { return act_; }

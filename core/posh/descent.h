@@ -23,6 +23,8 @@ public:
     explicit Descent(const Parts& parts) : parts_(parts) {}
 
     void load(const Program& program);
+    /// Keeps what it knows; the program has the same shape.
+    void retune(const Program& program) { program_ = &program; }
     /// What the act answered that the step ran; nothing if it ran none. The drive must be in progress.
     std::optional<ActResult> step(Index drive);
 

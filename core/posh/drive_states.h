@@ -24,6 +24,8 @@ public:
     explicit DriveStates(const Tracer& tracer) : tracer_(tracer) {}
 
     void load(const Program& program);
+    /// Keeps what it knows; the program has the same shape.
+    void retune(const Program& program) { program_ = &program; }
     DriveState& operator[](Index drive) { return states_[drive]; }
     const DriveState& operator[](Index drive) const { return states_[drive]; }
     /// The drive of the level whose activation ended last; nowhere when none has.

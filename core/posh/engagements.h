@@ -12,6 +12,8 @@ public:
     explicit Engagements(const Tracer& tracer) : tracer_(tracer) {}
 
     void load(const Program& program);
+    /// Keeps what it knows; the program has the same shape.
+    void retune(const Program& program) { program_ = &program; }
     /// Begins the engagement of a competence unless it has one.
     void visit(Index form);
     void end(Index form);

@@ -1,6 +1,7 @@
 #include "core/posh/engine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace usar::posh {
@@ -37,6 +38,7 @@ void Engine::load() {
     arbitration_.load(*program_);
     descent_.load(*program_);
     host_.bind(*program_);
+    bound_ = program_;
 }
 
 Outcome Engine::cycle(Milliseconds now) {
@@ -134,6 +136,18 @@ void Engine::replace(std::shared_ptr<const Program> program) {
     stop();
     const std::shared_ptr<const Program> old = std::exchange(program_, std::move(program));
     load();
+    tracer_.announce(program_);
+}
+
+void Engine::retune(std::shared_ptr<const Program> program) {
+    assert(sameShape(*program_, *program));
+    const std::shared_ptr<const Program> old = std::exchange(program_, std::move(program));
+    senses_.retune(*program_);
+    drives_.retune(*program_);
+    engagements_.retune(*program_);
+    act_.retune(*program_);
+    arbitration_.load(*program_);
+    descent_.retune(*program_);
     tracer_.announce(program_);
 }
 

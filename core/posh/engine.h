@@ -44,6 +44,9 @@ public:
     /// Between cycles: stops, then goes on with another program. Cycles count on.
     void replace(std::shared_ptr<const Program> program);
 
+    /// Between cycles: goes on where it is, with a program of the same shape (see sameShape).
+    void retune(std::shared_ptr<const Program> program);
+
     /// Nothing: nobody watches.
     void watch(TraceObserver* observer) { tracer_.watch(observer, program_); }
     bool watched() const { return tracer_.watched(); }
@@ -71,6 +74,7 @@ private:
     EngineOptions options_;
     Host& host_;
     std::shared_ptr<const Program> program_;
+    std::shared_ptr<const Program> bound_; ///< that the host knows: calls of this and `program_` are the same
     Tracer tracer_;
     Profiler profiler_;
     SenseMemo senses_;

@@ -34,6 +34,38 @@ bool isForm(PlaceKind kind) {
     return kind == PlaceKind::Competence || kind == PlaceKind::Pattern || kind == PlaceKind::Adopt;
 }
 
+bool alike(const Place& a, const Place& b) {
+    return a.kind == b.kind && a.parent == b.parent && a.item == b.item && a.position == b.position &&
+           a.reference == b.reference;
+}
+
+bool alike(const ProgramCall& a, const ProgramCall& b) {
+    return a.name == b.name && a.arguments == b.arguments;
+}
+
+bool alike(const ProgramTest& a, const ProgramTest& b) {
+    return a.place == b.place && a.call == b.call;
+}
+
+bool alike(const ProgramDrive& a, const ProgramDrive& b) {
+    return a.place == b.place && a.level == b.level && a.trigger == b.trigger && a.forms == b.forms &&
+           a.target == b.target;
+}
+
+bool alike(const ProgramForm& a, const ProgramForm& b) {
+    return a.kind == b.kind && a.place == b.place && a.parent == b.parent && a.below_end == b.below_end &&
+           a.goal == b.goal && a.items == b.items;
+}
+
+bool alike(const ProgramElement& a, const ProgramElement& b) {
+    return a.place == b.place && a.trigger == b.trigger && a.target == b.target;
+}
+
+template <class Item>
+bool alike(const std::vector<Item>& a, const std::vector<Item>& b) {
+    return std::ranges::equal(a, b, [](const Item& one, const Item& other) { return alike(one, other); });
+}
+
 } // namespace
 
 std::string pathOf(const Program& program, Index place) {
@@ -55,6 +87,26 @@ std::string namePathOf(const Program& program, Index place) {
     for (Index at = place; at != nowhere; at = program.places[at].parent)
         path = nameOf(program, at) + (path.empty() ? "" : " ▸ ") + path;
     return path;
+}
+
+Index findPlace(const Program& program, std::string_view path, std::string_view names) {
+    Index same_names = nowhere;
+    for (Index place = 0; place < program.places.size(); ++place) {
+        if (namePathOf(program, place) != names)
+            continue;
+        if (pathOf(program, place) == path)
+            return place;
+        if (same_names == nowhere)
+            same_names = place;
+    }
+    return same_names;
+}
+
+bool sameShape(const Program& one, const Program& other) {
+    return one.goal == other.goal && alike(one.places, other.places) && alike(one.sense_calls, other.sense_calls) &&
+           alike(one.act_calls, other.act_calls) && alike(one.tests, other.tests) && one.acts == other.acts &&
+           one.levels == other.levels && alike(one.drives, other.drives) && alike(one.forms, other.forms) &&
+           alike(one.elements, other.elements) && one.steps == other.steps;
 }
 
 const std::string& nameOf(const Program& program, Index place) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -64,12 +65,14 @@ struct ProgramAct {
     Index place = 0;
     Index call = 0;       ///< in act_calls
     Index form = nowhere; ///< that it stands in; nowhere below a drive
+    bool operator==(const ProgramAct&) const = default;
 };
 
 /// What a drive, element, step or adopt refers to.
 struct Target {
     bool is_act = false;
     Index index = nowhere; ///< in acts or forms
+    bool operator==(const Target&) const = default;
 };
 
 struct ProgramDrive {
@@ -86,6 +89,7 @@ struct ProgramDrive {
 /// Members of a level are equals. The range is of drives.
 struct ProgramLevel {
     Range drives;
+    bool operator==(const ProgramLevel&) const = default;
 };
 
 struct ProgramForm {
@@ -109,6 +113,7 @@ struct ProgramElement {
 struct ProgramStep {
     Index test = nowhere;
     Target target;
+    bool operator==(const ProgramStep&) const = default;
 };
 
 struct Program {
@@ -135,6 +140,13 @@ std::string namePathOf(const Program& program, Index place);
 const std::string& nameOf(const Program& program, Index place);
 /// Every call of a sense or act as a trace shows it at its place; empty for other places.
 const std::string& callTextAt(const Program& program, Index place);
+
+/// The place of that path if it has those names, else the first with those names, else nowhere.
+Index findPlace(const Program& program, std::string_view path, std::string_view names);
+
+/// They differ in operands, predicates, retries, limits, frequencies, names and layout at most: what runs of one can go
+/// on as the other.
+bool sameShape(const Program& one, const Program& other);
 
 /// More places than this are an error: forms that refer to others twice each double with every level.
 constexpr std::size_t most_places = 1'000'000;

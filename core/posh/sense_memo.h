@@ -17,6 +17,8 @@ public:
 
     /// Forgets everything; takes up all memory that a run will need.
     void load(const Program& program);
+    /// Keeps what it knows; the program has the same shape.
+    void retune(const Program& program) { program_ = &program; }
     /// Forgets all answers.
     void beginEpoch() { ++epoch_; }
 

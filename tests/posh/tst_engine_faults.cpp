@@ -33,6 +33,7 @@ private slots:
     void aRunOfStopEndsTheAct();
     void theEndOfTheEngineEndsTheAct();
     void aReplacedPlanBeginsAnew();
+    void aRetunedPlanGoesOnByItsNewNumbers();
     void aWonPlanStaysWonUntilItIsReplaced();
     void aHeldPlanGoesOn();
     void builtInsServeUnlessTheHostHasTheName();
@@ -139,6 +140,19 @@ void tst_EngineFaults::aReplacedPlanBeginsAnew() {
     QCOMPARE(trial.taken(), "done walk stopped");
     QCOMPARE(trial.cycle(1), "start b; init swim; run swim -> RunningOnce; done swim finished; succeeded b; end Fired");
     QCOMPARE(trial.engine.cycleNumber(), std::uint64_t(2));
+}
+
+void tst_EngineFaults::aRetunedPlanGoesOnByItsNewNumbers() {
+    Trial trial("((DC d (drives ((near (trigger ((distance 1 <))) stop)) ((a walk)))))");
+    trial.host.setResult("walk", ActResult::Running);
+    trial.host.setSense("distance", 2.0);
+    trial.cycle(0);
+    trial.engine.retune(programOf("((DC d (drives ((close (trigger ((distance 0.5 <))) stop)) ((a walk)))))"));
+    QCOMPARE(trial.taken(), "");
+    QCOMPARE(trial.cycle(1), "sense distance -> 2.0 F; run walk -> Running; end Fired");
+    trial.engine.retune(programOf("((DC d (drives ((far (trigger ((distance 3 <))) stop)) ((a walk)))))"));
+    QCOMPARE(trial.cycle(2), "sense distance -> 2.0 T; done walk interrupted; interrupt a; start far; init stop; "
+                             "run stop -> RunningOnce; done stop finished; succeeded far; end Fired");
 }
 
 void tst_EngineFaults::aWonPlanStaysWonUntilItIsReplaced() {

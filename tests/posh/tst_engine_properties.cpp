@@ -134,6 +134,9 @@ void renameMembers(Plan& plan) {
                 for (Drive& drive : level)
                     drive.name.text += "-renamed";
     }
+}
+
+void addUnusedForm(Plan& plan) {
     plan.forms.insert(plan.forms.begin(), Competence{{"unused", {}}, {}, {}, {}, {}, {}, {}, {}});
 }
 
@@ -206,6 +209,7 @@ private slots:
     void aRunIsAFunctionOfItsInputs();
     void namesAndUnusedFormsChangeNothing();
     void drivesThatAreNeverReadyChangeNothing();
+    void aRunGoesOnWithAPlanOfTheSameShape();
     void aPatternOfOneActIsTheAct();
     void writtenAndReadAgainAPlanRunsTheSame();
     void aRunReplayedWithItsAnswersIsTheSame();
@@ -275,6 +279,7 @@ void tst_EngineProperties::namesAndUnusedFormsChangeNothing() {
     onEveryPlan([](const Plan& plan, std::uint64_t seed) {
         Plan changed = plan;
         renameMembers(changed);
+        addUnusedForm(changed);
         QVERIFY(logOf(plan, seed).deeds() == logOf(changed, seed).deeds());
     });
 }
@@ -284,6 +289,27 @@ void tst_EngineProperties::drivesThatAreNeverReadyChangeNothing() {
         Plan changed = plan;
         insertIdleDrives(changed);
         QVERIFY(logOf(plan, seed).deeds() == logOf(changed, seed).deeds());
+    });
+}
+
+void tst_EngineProperties::aRunGoesOnWithAPlanOfTheSameShape() {
+    onEveryPlan([](const Plan& plan, std::uint64_t seed) {
+        Plan renamed = plan;
+        renameMembers(renamed);
+        ScriptedHost host({.seed = seed});
+        Log log;
+        {
+            Engine engine(host, compiled(plan), optionsFor(seed));
+            engine.watch(&log);
+            for (std::uint64_t cycle = 1; cycle <= cycles; ++cycle) {
+                if (cycle % 5 == 0) // again and again, and the one before is gone
+                    engine.retune(compiled(cycle % 2 ? plan : renamed));
+                host.begin(cycle);
+                engine.cycle(timeOf(cycle));
+            }
+            engine.watch(nullptr);
+        }
+        QVERIFY(log.entries == logOf(plan, seed).entries);
     });
 }
 

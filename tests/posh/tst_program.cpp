@@ -13,6 +13,9 @@ private slots:
     void undeclaredArgumentsReachNobody();
     void equalCallsAreOne();
     void everyPlaceHasItsPath();
+    void plansOfTheSameShape_data();
+    void plansOfTheSameShape();
+    void aPlaceIsFoundByPathOrNames();
 };
 
 void tst_Program::defaultsServeWhereArgumentsAreMissing() {
@@ -58,6 +61,58 @@ void tst_Program::everyPlaceHasItsPath() {
           "/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AD:0/A:0/AP:0/A:2 two"})
         QVERIFY2(paths.contains(expected), expected);
     QCOMPARE(namePathOf(*program, program->acts.back().place), std::string("d ▸ b ▸ c ▸ e2 ▸ k ▸ p ▸ two"));
+}
+
+void tst_Program::plansOfTheSameShape_data() {
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<bool>("same");
+    const auto row = [](const char* claim, const char* from, const char* to, bool same) {
+        QTest::newRow(claim) << QByteArray(from) << QByteArray(to) << same;
+    };
+    row("layout", "((a", "( ; slowly\n (a", true);
+    row("an operand", "0.3 <", "0.4 <", true);
+    row("a predicate", "0.3 <", "0.3 >=", true);
+    row("an operand less", "(near 0.3 <)", "(near)", true);
+    row("retries", "walk 3", "walk 5", true);
+    row("a time limit", "(C c", "(C c (seconds 3)", true);
+    row("a frequency", "(b c)", "(b c (hz 2))", true);
+    row("names of drives and elements", "(e walk", "(first walk", true);
+    row("another sense", "(near 0.3 <)", "(far 0.3 <)", false);
+    row("a sense more", "(near 0.3 <)", "(near 0.3 <) (far)", false);
+    row("another act", "walk 3", "run 3", false);
+    row("another argument", "fly(1)", "fly(2)", false);
+    row("another order", "((a (trigger ((near 0.3 <))) fly(1))) ((b c))",
+        "((b c)) ((a (trigger ((near 0.3 <))) fly(1)))", false);
+    row("equals", "fly(1))) ((b c))", "fly(1)) (b c))", false);
+    row("an element more", "((e walk 3))", "((e walk 3)) ((f rest))", false);
+    row("a goal", "(DC d", "(DC d (goal ((near)))", false);
+}
+
+void tst_Program::plansOfTheSameShape() {
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    QFETCH(bool, same);
+    const QByteArray plan =
+        "((C c (elements ((e walk 3)))) (DC d (drives ((a (trigger ((near 0.3 <))) fly(1))) ((b c)))))";
+    QByteArray changed = plan;
+    QCOMPARE(plan.count(from), 1);
+    changed.replace(from, to);
+    const auto one = programOf(plan.toStdString());
+    const auto other = programOf(changed.toStdString());
+    QCOMPARE(sameShape(*one, *other), same);
+    QCOMPARE(sameShape(*other, *one), same);
+}
+
+void tst_Program::aPlaceIsFoundByPathOrNames() {
+    const auto program = programOf("((DC d (drives ((a walk)) ((b run)) ((b sit)))))");
+    const auto pathFound = [&](const char* path, const char* names) {
+        const Index place = findPlace(*program, path, names);
+        return place == nowhere ? std::string("nowhere") : pathOf(*program, place);
+    };
+    QCOMPARE(pathFound("/P:0/DC:0/DE:2", "d ▸ b"), std::string("/P:0/DC:0/DE:2"));
+    QCOMPARE(pathFound("/P:0/DC:0/DE:0", "d ▸ b"), std::string("/P:0/DC:0/DE:1"));
+    QCOMPARE(pathFound("/P:0/DC:0/DE:0", "d ▸ c"), std::string("nowhere"));
 }
 
 QTEST_APPLESS_MAIN(tst_Program)
