@@ -224,4 +224,17 @@ PlanReading readPlan(std::string_view text) {
     return reading;
 }
 
+std::optional<Value> readValue(std::string_view text) {
+    const PlanReading reading =
+        readPlan("((DC value (drives ((of (trigger ((it " + std::string(text) + "\n))) doNothing)))))");
+    const Collection* const collection = collectionOf(reading.plan);
+    if (hasErrors(reading.findings) || !collection || collection->levels.size() != 1)
+        return std::nullopt;
+    const Senses& trigger = collection->levels.front().front().trigger;
+    if (collection->levels.front().size() != 1 || trigger.size() != 1 || !trigger.front().operand ||
+        trigger.front().predicate)
+        return std::nullopt;
+    return trigger.front().operand->value;
+}
+
 } // namespace usar::posh

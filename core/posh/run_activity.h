@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/posh/run_statistics.h"
@@ -18,6 +19,7 @@ struct PlaceAnswer {
     bool holds = false;        ///< after the comparison
     std::int64_t since_ms = 0; ///< the verdict has been this one
     std::int64_t asked_ms = 0; ///< last
+    bool operator==(const PlaceAnswer&) const = default;
 };
 
 struct PlaceActivity {
@@ -29,6 +31,7 @@ struct PlaceActivity {
     std::uint64_t skipped = 0; ///< held back by its frequency, its retries or by hand
     std::string hold_back;     ///< why in the newest cycle: "its frequency: 1.2 s left"; empty where nothing does
     std::optional<PlaceAnswer> answer;
+    bool operator==(const PlaceActivity&) const = default;
 };
 
 /// Fed with every record in order; each costs the depth of its place at most.
@@ -36,6 +39,8 @@ class RunActivity {
 public:
     /// A program begins to run: nothing has happened yet.
     void start(std::shared_ptr<const Program> program);
+    /// It goes on with a program of the same shape (see sameShape).
+    void retune(std::shared_ptr<const Program> program) { program_ = std::move(program); }
     void take(const TraceRecord& record, std::string_view text);
 
     const std::shared_ptr<const Program>& program() const { return program_; }

@@ -157,6 +157,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
                                                    static_cast<std::uint64_t>(step_ms_));
     }
     cycle_.program = plan_ == 0 ? nullptr : file_->plans_[plan_ - 1].program;
+    cycle_.plan = plan_ == 0 ? 0 : plan_ - 1;
     if (!readEvents(bytes, now_))
         return false;
     cycle_.events = now_;

@@ -17,6 +17,7 @@ struct TracedCycle {
     std::uint64_t number = 0;
     std::int64_t time_ms = 0;
     std::shared_ptr<const Program> program; ///< none where the plan in the file cannot be read
+    std::size_t plan = 0;                   ///< its number in the file
     std::vector<trace_codec::Entry> events;
     std::vector<trace_codec::Entry> behind; ///< after its end: a stop, a replacement
     std::vector<std::string> texts;         ///< by number, from 1

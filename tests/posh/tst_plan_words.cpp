@@ -51,6 +51,8 @@ private slots:
     void literalsHaveTheirValues();
     void valuesAreSpelledSoThatTheyReadBack_data();
     void valuesAreSpelledSoThatTheyReadBack();
+    void aValueIsReadAlone_data();
+    void aValueIsReadAlone();
     void theEndIsOnePastTheLastCharacter_data();
     void theEndIsOnePastTheLastCharacter();
 };
@@ -196,6 +198,34 @@ void tst_PlanWords::valuesAreSpelledSoThatTheyReadBack() {
     const PlanReading reading = readPlan("((AP p ((s " + spelled(value) + "))))");
     QVERIFY(!hasErrors(reading.findings));
     QVERIFY(std::get<SenseTest>(std::get<Pattern>(reading.plan.forms.at(0)).steps.at(0)).operand->value == value);
+}
+
+void tst_PlanWords::aValueIsReadAlone_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("spelling"); // empty: it is none
+    const auto row = [](const char* claim, const char* text, const char* spelling) {
+        QTest::newRow(claim) << QByteArray(text) << QString(spelling);
+    };
+    row("a number", " 0.50 ", "0.5");
+    row("nil", "nil", "nil");
+    row("a truth value", "true", "true");
+    row("a text", "\"a b\"", "\"a b\"");
+    row("a symbol", "'red", "'red");
+    row("a bare word", "red", "'red");
+    row("with a comment", "7 ; days", "7");
+    row("nothing", "", "");
+    row("two", "1 2", "");
+    row("a comparison", "1 <", "");
+    row("the end of the sense", "1) (other 2", "");
+    row("the end of the drive", "1))) walk) (b (trigger ((c 2", "");
+    row("half a text", "\"a", "");
+}
+
+void tst_PlanWords::aValueIsReadAlone() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, spelling);
+    const auto value = readValue(text.toStdString());
+    QCOMPARE(value ? QString::fromStdString(spelled(*value)) : QString(), spelling);
 }
 
 void tst_PlanWords::theEndIsOnePastTheLastCharacter_data() {
