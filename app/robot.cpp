@@ -54,6 +54,7 @@ void Robot::connectSession() {
     connect(session_, &mission::RobotSession::behaviorFinished, this, [this](bool success, const QString& reason) {
         view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
         view_.figures.behavior_running = view_.paused = false;
+        view_.halted.reset();
         emit behaviorFinished(success, reason);
     });
     connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
@@ -92,10 +93,14 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
     if (!behavior)
         return tl::unexpected(behavior.error());
     auto host = std::make_shared<agent::BehaviorHost>(*std::move(behavior), behavior_id);
-    later([=](mission::RobotSession& session) { session.startBehavior(host, task); });
+    later([=, breakpoints = breakpoints_](mission::RobotSession& session) {
+        session.startBehavior(host, task);
+        session.control(breakpoints);
+    });
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
+    view_.halted.reset();
     view_.paused = false;
     view_.covered_cells.clear();
     for (const auto& [index, tile] : view_.tiles)
@@ -121,6 +126,12 @@ void Robot::order(agent::Order order) {
 
 void Robot::setParameters(const agent::ParameterSet& parameters) {
     later([=](mission::RobotSession& session) { session.setParameters(parameters); });
+}
+
+void Robot::control(const agent::PlanControl& control) {
+    if (const auto* const breakpoints = std::get_if<agent::SetBreakpoints>(&control))
+        breakpoints_ = *breakpoints;
+    later([=](mission::RobotSession& session) { session.control(control); });
 }
 
 void Robot::stop() {
@@ -245,8 +256,12 @@ void Robot::take(const agent::Published& published) {
                           [this](const agent::MapMark& mark) { view_.marks.push_back(mark); },
                           [this](const agent::PlannedPath& path) { view_.planned_m = path.points_in_map_m; },
                           [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
-                          [this](const agent::BehaviorFinished& finished) { view_.finished = finished; },
-                          [](const auto&) {}},
+                          [this](const agent::BehaviorFinished& finished) {
+                              view_.finished = finished;
+                              view_.halted.reset();
+                          },
+                          [this](const agent::PlanHalted& halted) { view_.halted = halted; },
+                          [this](const agent::PlanResumed&) { view_.halted.reset(); }, [](const auto&) {}},
                published);
 }
 

@@ -36,6 +36,7 @@ struct RobotView {
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
     bool paused = false;                             ///< by the person, or until the behavior ends it
     bool unsaved = false;                            ///< scanned since the last export
+    std::optional<agent::PlanHalted> halted;         ///< the plan stands still
     QString recording;                               ///< the file that is replayed; empty: live
 };
 
@@ -66,6 +67,8 @@ public:
     bool setCellSize(double cell_size_m);
     void order(agent::Order order);
     void setParameters(const agent::ParameterSet& parameters);
+    /// For the plan that decides. Breakpoints are kept for behaviors that start later.
+    void control(const agent::PlanControl& control);
     void stop();
     void send(const protocol::Command& command, const std::string& source);
     void requestRecord();
@@ -103,6 +106,7 @@ private:
     mission::RobotSession* session_; ///< lives in thread_ and is deleted there
     RobotView view_;
     bool pause_confirmed_ = false; ///< the behavior has said that it pauses
+    agent::SetBreakpoints breakpoints_;
 };
 
 } // namespace usar::app

@@ -7,6 +7,7 @@
 
 #include "core/agent/command_port.h"
 #include "core/agent/parameters.h"
+#include "core/agent/plan_control.h"
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/modules/robot_modules.h"
@@ -43,8 +44,17 @@ public:
     virtual void order(Order order, CommandPort& port) = 0;
     /// New values while running; already checked against the specs.
     virtual void setParameters(const ParameterSet& parameters) = 0;
+    /// Of a behavior that a plan decides; others refuse a plan and have nothing to halt.
+    virtual void control(const PlanControl& control, CommandPort& port);
     /// The commands that make the robot safe at once (zero DRIVE); asked for at stop, at close and after a fault.
     virtual protocol::Command safeCommand() const = 0;
 };
+
+inline void Behavior::control(const PlanControl& control, CommandPort& port) {
+    if (const auto* const asked = std::get_if<ReplacePlan>(&control))
+        port.publish(PlanReplaced{.fate = PlanFate::Refused,
+                                  .plan_name = asked->plan.name,
+                                  .reason = "No plan decides what this behavior does."});
+}
 
 } // namespace usar::agent

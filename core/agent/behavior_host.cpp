@@ -69,6 +69,12 @@ BehaviorHost::Output BehaviorHost::order(Order order) {
     return takeOutput();
 }
 
+BehaviorHost::Output BehaviorHost::control(const PlanControl& control) {
+    port_.setTrigger(last_line_);
+    guarded([&] { behavior_->control(control, port_); });
+    return takeOutput();
+}
+
 void BehaviorHost::setParameters(const ParameterSet& parameters) {
     port_.setTrigger(last_line_);
     guarded([&] { behavior_->setParameters(parameters); });
@@ -92,9 +98,12 @@ BehaviorHost::Output BehaviorHost::takeOutput() {
     Output output{port_.takeCommands(), port_.takePublished()};
     for (CausedCommand& caused : output.commands)
         caused.cause.source.insert(0, behavior_id_ + ": ");
-    finished_ = finished_ || std::ranges::any_of(output.published, [](const Published& value) {
-                    return std::holds_alternative<BehaviorFinished>(value);
-                });
+    for (const Published& value : output.published) {
+        finished_ = finished_ || std::holds_alternative<BehaviorFinished>(value);
+        if (std::holds_alternative<PlanHalted>(value) || std::holds_alternative<PlanResumed>(value))
+            halted_ = std::holds_alternative<PlanHalted>(value);
+    }
+    halted_ = halted_ && !finished_;
     return output;
 }
 

@@ -26,6 +26,9 @@ public:
 
     Output receive(const protocol::InfoLine& line);
     Output order(Order order);
+    Output control(const PlanControl& control);
+    /// Its plan stands still: time should, too.
+    bool halted() const { return halted_; }
     /// What the behavior threw, if it did, comes out of the next call.
     void setParameters(const ParameterSet& parameters);
     /// The safe command, with `source` as its cause; a DRIVE of zeros, for a robot on the ground or in the air,
@@ -49,6 +52,7 @@ private:
     CommandPort port_;
     LineNumber last_line_;
     bool finished_ = false;
+    bool halted_ = false;
 };
 
 } // namespace usar::agent

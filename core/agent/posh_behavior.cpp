@@ -16,6 +16,7 @@ void PoshBehavior::Reporter::takeProgram(const std::shared_ptr<const posh::Progr
     program_ = program;
     reported_.clear();
     encoder_.takeProgram(program);
+    debugger_.takeProgram(program);
     if (next_)
         next_->takeProgram(program);
 }
@@ -24,6 +25,7 @@ void PoshBehavior::Reporter::take(const posh::TraceRecord& record, std::string_v
     if (record.event == posh::TraceEvent::Error || record.event == posh::TraceEvent::Warning)
         report(record, text);
     encoder_.take(record, text);
+    debugger_.take(record, text);
     if (next_)
         next_->take(record, text);
 }
@@ -56,8 +58,9 @@ Result<std::unique_ptr<PoshBehavior>> PoshBehavior::make(PoshParts parts) {
 PoshBehavior::PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program)
     : parts_(std::move(parts))
     , host_(parts_.registry, *parts_.body)
-    , reporter_(parts_.plan_text)
-    , engine_(host_, std::move(program), [this] {
+    , debugger_(host_)
+    , reporter_(parts_.plan_text, debugger_.observer())
+    , engine_(debugger_.host(), std::move(program), [this] {
         parts_.options.on_goal = posh::OnGoal::Stop;
         return parts_.options;
     }()) {
@@ -87,25 +90,35 @@ void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
     PoshBody& body = *parts_.body;
     const PoshBody::Opening opening(body, tick, port);
     body.begin(tick);
-    if (!paused_ && !landing_)
-        runCycle(tick, port);
+    std::optional<PlanHalted> halt;
+    if (!paused_ && !landing_ && !debugger_.halted())
+        halt = runCycle(tick, port);
     body.end(tick);
     port.publish(PlanTrace{reporter_.takeTrace()});
     publishStatus(tick, port);
+    if (body.drive_)
+        last_drive_ = {*body.drive_, {body.drive_source_, {}}};
+    if (halt)
+        return standStill(*std::move(halt), port);
     body.sendDrive();
 }
 
-void PoshBehavior::runCycle(const Tick& tick, CommandPort& port) {
+std::optional<PlanHalted> PoshBehavior::runCycle(const Tick& tick, CommandPort& port) {
     PoshBody& body = *parts_.body;
     reporter_.needs_safety = false;
     body.cycle_ = engine_.cycleNumber() + 1;
     const posh::Outcome outcome = engine_.cycle(wholeMilliseconds(tick.now));
     body.place_ = 0;
     const bool is_idle = outcome == posh::Outcome::Idle;
-    if (reporter_.needs_safety || (is_idle && !idle_))
+    const bool undriven = debugger_.takeActed() && !body.drive_; // it would go on as the act before told it
+    if (reporter_.needs_safety || (is_idle && !idle_) || undriven)
         body.drive(body.safeCommand());
     idle_ = is_idle;
     report(outcome, port);
+    std::optional<PlanHalted> halt = debugger_.afterCycle(engine_, tick.now);
+    if (finished_)
+        debugger_.release();
+    return finished_ ? std::nullopt : std::move(halt);
 }
 
 void PoshBehavior::report(posh::Outcome outcome, CommandPort& port) {
@@ -140,13 +153,19 @@ void PoshBehavior::publishStatus(const Tick& tick, CommandPort& port) {
 }
 
 void PoshBehavior::order(Order order, CommandPort& port) {
-    if (finished_ || parts_.body->order(order))
+    if (finished_)
+        return;
+    if (order == Order::LandNow)
+        goOn(port);
+    if (parts_.body->order(order))
         return;
     if (order == Order::LandNow)
         return land(port);
     paused_ = order == Order::Pause;
-    if (paused_)
-        port.send(safeCommand(), "paused");
+    if (!paused_)
+        return;
+    last_drive_.reset();
+    port.send(safeCommand(), "paused");
 }
 
 /// The robot's safe command is all that a body without an order of its own can do.
@@ -157,14 +176,75 @@ void PoshBehavior::land(CommandPort& port) {
     port.publish(BehaviorEvent{Severity::Warning, "The plan is stopped; this robot knows no way to land at once."});
 }
 
-posh::Findings PoshBehavior::replacePlan(const std::string& text) {
-    PlanForRobot plan = bindPlan(text, parts_.registry.descriptions());
-    if (plan.program) {
-        reporter_.setPlanText(text);
-        engine_.replace(std::move(plan.program));
-        parts_.plan_text = text;
+void PoshBehavior::control(const PlanControl& control, CommandPort& port) {
+    std::visit([&](const auto& asked) { obey(asked, port); }, control);
+}
+
+void PoshBehavior::obey(const ReplacePlan& asked, CommandPort& port) {
+    PlanReplaced news = replacePlan(asked.plan);
+    if (news.fate == PlanFate::Restarted && !debugger_.halted() && !paused_)
+        port.send(safeCommand(), "plan replaced"); // what its act wanted last is over
+    port.publish(std::move(news));
+}
+
+PlanReplaced PoshBehavior::replacePlan(const PlanText& plan) {
+    PlanReplaced news{.fate = PlanFate::Refused, .plan_name = plan.name, .cycle = engine_.cycleNumber()};
+    if (finished_ || landing_) {
+        news.reason = finished_ ? "The behavior has ended." : "The plan was stopped by the order to land.";
+        return news;
     }
-    return std::move(plan.findings);
+    PlanForRobot bound = bindPlan(plan.text, parts_.registry.descriptions());
+    news.findings = std::move(bound.findings);
+    if (!bound.program)
+        return news;
+    reporter_.setPlanText(plan.text);
+    parts_.plan_name = plan.name;
+    parts_.plan_text = plan.text;
+    if (posh::sameShape(*engine_.program(), *bound.program)) {
+        news.fate = PlanFate::Kept;
+        engine_.retune(std::move(bound.program));
+        return news;
+    }
+    news.fate = PlanFate::Restarted;
+    engine_.replace(std::move(bound.program));
+    debugger_.switchDrives(engine_);
+    last_drive_.reset();
+    idle_ = false;
+    return news;
+}
+
+void PoshBehavior::obey(const SetBreakpoints& asked, CommandPort& port) {
+    for (std::string& refused : debugger_.set(asked))
+        port.publish(BehaviorEvent{Severity::Warning, std::move(refused)});
+}
+
+void PoshBehavior::obey(const SetPins& asked, CommandPort&) {
+    debugger_.set(asked, engine_);
+}
+
+void PoshBehavior::obey(PlanStep step, CommandPort& port) {
+    if (finished_)
+        return;
+    if (step == PlanStep::Cycle || (step == PlanStep::Halt && !debugger_.halted()))
+        debugger_.haltSoon(step == PlanStep::Cycle);
+    if (step != PlanStep::Halt)
+        goOn(port);
+}
+
+/// `last_drive_` is not sent: the robot gets it when the plan goes on.
+void PoshBehavior::standStill(PlanHalted why, CommandPort& port) {
+    parts_.body->drive_.reset();
+    port.send(safeCommand(), "plan halted");
+    port.publish(std::move(why));
+}
+
+void PoshBehavior::goOn(CommandPort& port) {
+    if (!debugger_.halted())
+        return;
+    debugger_.release();
+    if (last_drive_)
+        port.send(last_drive_->command, last_drive_->cause.source);
+    port.publish(PlanResumed{});
 }
 
 } // namespace usar::agent

@@ -1,6 +1,7 @@
 // What a behavior tells the world besides commands. Values only: they cross threads and, one day, processes.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
 #include "core/base/geometry.h"
+#include "core/posh/finding.h"
 
 namespace usar::agent {
 
@@ -102,7 +104,37 @@ struct PlanTrace {
     bool operator==(const PlanTrace&) const = default;
 };
 
-using Published = std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal,
-                               SonarZones, BehaviorEvent, BehaviorFinished, PlanTrace>;
+/// A plan stands still behind a cycle, because a person wants it so; the robot has its safe command. A server that
+/// waits for each STEP gets none, so that its time stands still as well.
+struct PlanHalted {
+    std::uint64_t cycle = 0;         ///< the last that was run
+    Seconds time{0.0};               ///< of that cycle, protocol clock
+    std::optional<int> breakpoint{}; ///< by its id; none: a step is over
+    std::string path{};              ///< of what happened; empty for a step
+    std::string reason{};            ///< "before robot ▸ work": a part of a sentence
+    bool operator==(const PlanHalted&) const = default;
+};
+/// It goes on.
+struct PlanResumed {
+    bool operator==(const PlanResumed&) const = default;
+};
+
+/// Kept: what ran goes on where it was, with the new text. Restarted: the new plan begins at its root; body and
+/// blackboard are as they were. Refused: the old plan goes on as if nothing had been asked.
+enum class PlanFate { Kept, Restarted, Refused };
+
+/// What became of a plan that should take the place of the one that runs.
+struct PlanReplaced {
+    PlanFate fate = PlanFate::Refused;
+    std::string plan_name;     ///< of the new one
+    std::uint64_t cycle = 0;   ///< the last of the old one
+    std::string reason{};      ///< why it was refused, a sentence; empty where the findings say it
+    posh::Findings findings{}; ///< of the new one, warnings too
+    bool operator==(const PlanReplaced&) const = default;
+};
+
+using Published =
+    std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal, SonarZones,
+                 BehaviorEvent, BehaviorFinished, PlanTrace, PlanHalted, PlanResumed, PlanReplaced>;
 
 } // namespace usar::agent

@@ -34,13 +34,6 @@ struct RobotDescription {
         {}; ///< what plans may ask of it and have it do; empty where no plan can decide
 };
 
-/// A POSH plan as a person wrote it.
-struct PlanText {
-    std::string name; ///< of the file, for messages
-    std::string text;
-    bool operator==(const PlanText&) const = default;
-};
-
 /// What a new behavior is given once.
 struct BehaviorContext {
     Task task;
@@ -72,5 +65,5 @@ inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const Behavi
 
 } // namespace usar::agent
 
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/3"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/4"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

@@ -26,6 +26,11 @@ public:
     }
     void add(Seconds value) { add(value.count()); }
     void add(int value) { (text_ += ' ') += std::to_string(value); }
+    void add(std::uint64_t value) { (text_ += ' ') += std::to_string(value); }
+    void add(const posh::Spot& spot) {
+        for (const std::uint32_t number : {spot.line, spot.column, spot.offset, spot.length})
+            add(std::uint64_t{number});
+    }
     void add(LineNumber value) { (text_ += ' ') += std::to_string(value.value); }
     void add(const std::string& value) {
         text_ += ' ';
@@ -89,6 +94,17 @@ public:
         word("trace");
         add(trace.bytes);
     }
+    void operator()(const agent::PlanHalted& halted) {
+        word("halted");
+        (add(halted.cycle), add(halted.time), add(halted.breakpoint), add(halted.path), add(halted.reason));
+    }
+    void operator()(const agent::PlanResumed&) { word("resumed"); }
+    void operator()(const agent::PlanReplaced& replaced) {
+        word("replaced");
+        (add(static_cast<int>(replaced.fate)), add(replaced.plan_name), add(replaced.cycle), add(replaced.reason));
+        for (const posh::Finding& finding : replaced.findings)
+            (add(static_cast<int>(finding.code)), add(finding.at), add(finding.opener), add(finding.message));
+    }
 
 private:
     std::string& text_;
@@ -128,6 +144,11 @@ public:
         value = number != 0;
     }
     void take(int& value) { takeWhole(value); }
+    void take(std::uint64_t& value) { takeWhole(value); }
+    void take(posh::Spot& spot) {
+        for (std::uint32_t* const number : {&spot.line, &spot.column, &spot.offset, &spot.length})
+            takeWhole(*number);
+    }
     /// An enumerator, by its number.
     template <class Enum>
     void takeOneOf(Enum& value, Enum last) {
@@ -199,6 +220,21 @@ void read(Fields& fields, agent::PlanTrace& trace) {
     fields.take(trace.bytes);
 }
 
+void read(Fields& fields, agent::PlanHalted& halted) {
+    (fields.take(halted.cycle), fields.take(halted.time), fields.take(halted.breakpoint));
+    (fields.take(halted.path), fields.take(halted.reason));
+}
+void read(Fields&, agent::PlanResumed&) {}
+void read(Fields& fields, agent::PlanReplaced& replaced) {
+    fields.takeOneOf(replaced.fate, agent::PlanFate::Refused);
+    (fields.take(replaced.plan_name), fields.take(replaced.cycle), fields.take(replaced.reason));
+    while (!fields.done()) {
+        posh::Finding& finding = replaced.findings.emplace_back();
+        fields.takeOneOf(finding.code, posh::Code::UndeclaredArgument);
+        (fields.take(finding.at), fields.take(finding.opener), fields.take(finding.message));
+    }
+}
+
 template <class Value>
 std::optional<agent::Published> readAs(Fields& fields) {
     Value value;
@@ -223,7 +259,10 @@ std::optional<agent::Published> readPublished(std::string_view text) {
                                                                  {"zones", readAs<agent::SonarZones>},
                                                                  {"event", readAs<agent::BehaviorEvent>},
                                                                  {"finished", readAs<agent::BehaviorFinished>},
-                                                                 {"trace", readAs<agent::PlanTrace>}};
+                                                                 {"trace", readAs<agent::PlanTrace>},
+                                                                 {"halted", readAs<agent::PlanHalted>},
+                                                                 {"resumed", readAs<agent::PlanResumed>},
+                                                                 {"replaced", readAs<agent::PlanReplaced>}};
     Fields fields(text);
     const std::string_view word = fields.word();
     for (const auto& [known, reader] : readers)

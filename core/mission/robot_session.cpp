@@ -113,6 +113,23 @@ void RobotSession::order(agent::Order order) {
     agent::BehaviorHost::Output output = d_->host->order(order);
     d_->takeOutput(output, false);
     d_->sendDrive(false);
+    d_->stepOwed();
+    d_->link.flush();
+    d_->touched();
+}
+
+void RobotSession::control(const agent::PlanControl& control) {
+    if (!d_->host) {
+        if (const auto* const asked = std::get_if<agent::ReplacePlan>(&control))
+            d_->takePublished({agent::PlanReplaced{
+                .fate = agent::PlanFate::Refused, .plan_name = asked->plan.name, .reason = "No behavior runs."}});
+        return d_->touched();
+    }
+    const bool was_halted = d_->host->halted();
+    agent::BehaviorHost::Output output = d_->host->control(control);
+    d_->takeOutput(output, false);
+    d_->sendDrive(was_halted); // at the same moment of the protocol's time as the safe command before
+    d_->stepOwed();
     d_->link.flush();
     d_->touched();
 }

@@ -78,6 +78,9 @@ public slots:
     void startBehavior(std::shared_ptr<usar::agent::BehaviorHost> host, const usar::agent::Task& task);
     void order(usar::agent::Order order);
     void setParameters(const usar::agent::ParameterSet& parameters);
+    /// For the plan that decides; nothing without a behavior. Where it stands still, a server in lockstep gets no STEP
+    /// and so waits with its time.
+    void control(const usar::agent::PlanControl& control);
     /// Safe command at once; the behavior ends as stopped by the person.
     void stop();
     void sendCommand(const usar::protocol::Command& command, const std::string& source);

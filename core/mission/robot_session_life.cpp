@@ -57,7 +57,7 @@ void RobotSession::Private::beginConnection() {
     figures.dialect.reset();
     mapper.forgetScans();
     setSpawn(SpawnState::None);
-    start_poses_settled = silence_said = false;
+    start_poses_settled = silence_said = step_held = false;
     figures.lockstep = false;
     figures.now = figures.spawned_at = Seconds{0.0};
     figures.traffic = {};
@@ -227,8 +227,22 @@ void RobotSession::Private::endTick() {
 }
 
 void RobotSession::Private::step() {
+    step_held = host && host->halted();
+    if (step_held)
+        return;
     write({protocol::Step{}, {"session: lockstep", state->line()}});
     ++figures.steps_sent;
+}
+
+void RobotSession::Private::stepOwed() {
+    if (!step_held || (host && host->halted()))
+        return;
+    since_data.start(); // the silence was ours
+    step_held = false;
+    if (!connected() || !figures.lockstep)
+        return;
+    step();
+    link.flush();
 }
 
 Result<protocol::Init> RobotSession::Private::initOf(const SpawnRequest& asked) {
@@ -278,6 +292,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
     if (!is_published)
         noteForRecording("finished", (end.success ? "1 " : "0 ") + end.reason);
     host.reset();
+    stepOwed();
     figures.behavior_running = false;
     lookForObservers();
     if (observed) {

@@ -65,6 +65,8 @@ struct RobotSession::Private : link::ReplayTaker {
     void finishBehavior(const agent::BehaviorFinished& finished, bool is_published);
     void worthSaving();
     void step();
+    /// The STEP that a halted plan held back, if it goes on or is over.
+    void stepOwed();
     void makeSafe(const std::string& source);
     std::vector<protocol::Command> stops(const std::optional<protocol::Command>& safe) const;
     void send(const agent::CausedCommand& command);
@@ -144,6 +146,7 @@ struct RobotSession::Private : link::ReplayTaker {
     bool lockstep_wanted = false;
     bool start_poses_settled = false; ///< they came, or their absence was said
     bool silence_said = false;
+    bool step_held = false; ///< a plan stands still, and the server's time with it
     bool unplaced_said = false;
     bool observed = false; ///< somebody listens to `updated`; looked up at connect and once a frame
 };

@@ -55,19 +55,16 @@ Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::str
     return compile(reading.plan);
 }
 
+Result<void> Breakpoints::checkCondition(const std::string& text) {
+    if (text.empty())
+        return {};
+    if (const auto condition = readCondition(text); !condition)
+        return tl::unexpected(condition.error());
+    return {};
+}
+
 Index Breakpoints::find(const Breakpoint& breakpoint) const {
-    if (!program_)
-        return nowhere;
-    Index same_names = nowhere;
-    for (Index place = 0; place < program_->places.size(); ++place) {
-        if (namePathOf(*program_, place) != breakpoint.names)
-            continue;
-        if (pathOf(*program_, place) == breakpoint.path)
-            return place;
-        if (same_names == nowhere)
-            same_names = place;
-    }
-    return same_names;
+    return program_ ? findPlace(*program_, breakpoint.path, breakpoint.names) : nowhere;
 }
 
 void Breakpoints::takeProgram(const std::shared_ptr<const Program>& program) {

@@ -48,6 +48,8 @@ public:
     /// The number of the breakpoint. A condition that is no list of senses is an error; a place that the plan has not
     /// is none, as another plan may have it.
     Result<std::size_t> add(Breakpoint breakpoint);
+    /// Whether it is a list of senses, or empty.
+    static Result<void> checkCondition(const std::string& text);
     void remove(std::size_t number);
     /// By number; removed ones are missing.
     const std::map<std::size_t, Breakpoint>& all() const { return breakpoints_; }

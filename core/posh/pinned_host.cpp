@@ -20,6 +20,12 @@ void PinnedHost::release(const std::string& call) {
     findPins();
 }
 
+void PinnedHost::releaseAll() {
+    senses_.clear();
+    acts_.clear();
+    findPins();
+}
+
 void PinnedHost::bind(const Program& program) {
     program_ = &program;
     begun_ = false;
@@ -56,8 +62,10 @@ void PinnedHost::init(CallSite site) {
 }
 
 ActResult PinnedHost::run(CallSite site) {
-    if (const auto pinned = pinned_results_[site.call])
+    if (const auto pinned = pinned_results_[site.call]) {
+        acted_ = true;
         return *pinned;
+    }
     if (!std::exchange(begun_, true)) // released in the middle
         host_.init(site);
     return host_.run(site);

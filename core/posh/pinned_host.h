@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/posh/host.h"
@@ -22,6 +23,9 @@ public:
     void pinSense(const std::string& call, Value answer);
     void pinAct(const std::string& call, ActResult result);
     void release(const std::string& call);
+    void releaseAll();
+    /// Whether an act was answered for since the last call: the robot was not told what to do.
+    bool takeActed() { return std::exchange(acted_, false); }
     bool isPinned(std::string_view call) const { return senses_.contains(call) || acts_.contains(call); }
 
     bool hasSense(std::string_view name) const override { return host_.hasSense(name); }
@@ -42,6 +46,7 @@ private:
     std::vector<const Value*> pinned_senses_;              ///< by call; null: not pinned
     std::vector<std::optional<ActResult>> pinned_results_; ///< by call
     bool begun_ = false;                                   ///< the current act, on the robot
+    bool acted_ = false;
 };
 
 } // namespace usar::posh

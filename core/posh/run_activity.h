@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/posh/run_statistics.h"
@@ -40,7 +39,10 @@ public:
     /// A program begins to run: nothing has happened yet.
     void start(std::shared_ptr<const Program> program);
     /// It goes on with a program of the same shape (see sameShape).
-    void retune(std::shared_ptr<const Program> program) { program_ = std::move(program); }
+    void retune(const std::shared_ptr<const Program>& program) {
+        program_ = program;
+        statistics_.retune(program);
+    }
     void take(const TraceRecord& record, std::string_view text);
 
     const std::shared_ptr<const Program>& program() const { return program_; }

@@ -43,6 +43,8 @@ public:
     static constexpr std::int64_t alternation_within_ms = 10'000;
 
     void takeProgram(const std::shared_ptr<const Program>& program) override;
+    /// It goes on with a program of the same shape (see sameShape), whatever its names.
+    void retune(const std::shared_ptr<const Program>& program) { program_ = program; }
     void take(const TraceRecord& record, std::string_view text) override;
     /// Adds what was counted elsewhere; false, and nothing added, where that was of a plan with other places.
     bool add(const RunStatistics& other);

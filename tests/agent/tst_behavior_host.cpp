@@ -75,6 +75,33 @@ private slots:
         host = std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted");
     }
 
+    void aBehaviorWithoutAPlanRefusesOne() {
+        const auto output = host->control(ReplacePlan{{"new.lap", "((DC d (drives ((a b)))))"}});
+        QCOMPARE(output.published.size(), std::size_t(1));
+        const auto& news = std::get<PlanReplaced>(output.published.front());
+        QCOMPARE(news.fate, PlanFate::Refused);
+        QVERIFY(!news.reason.empty());
+        QVERIFY(host->control(PlanStep::Halt).published.empty());
+        QVERIFY(!host->halted());
+    }
+
+    void isHaltedUntilItsPlanGoesOnOrEnds() {
+        std::vector<Published> say;
+        script.on_tick = [&](const Tick&, CommandPort& port) {
+            for (const Published& value : say)
+                port.publish(value);
+        };
+        const auto haltedAfter = [&](std::uint64_t line, std::vector<Published> values) {
+            say = std::move(values);
+            host->receive(state(line, static_cast<double>(line)));
+            return host->halted();
+        };
+        QVERIFY(haltedAfter(1, {PlanHalted{}}));
+        QVERIFY(haltedAfter(2, {}));
+        QVERIFY(!haltedAfter(3, {PlanResumed{}}));
+        QVERIFY(!haltedAfter(4, {PlanHalted{}, BehaviorFinished{}}));
+    }
+
     void ticksOnEveryStateAndTellsEveryLineFirst() {
         host->receive(ins(1));
         host->receive(state(2, 10.0));

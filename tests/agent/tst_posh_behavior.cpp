@@ -55,6 +55,23 @@ std::vector<T> published(const BehaviorHost::Output& output) {
     return found;
 }
 
+/// The only one of its kind.
+template <class T>
+T thePublished(const BehaviorHost::Output& output) {
+    const auto all = published<T>(output);
+    return all.size() == 1 ? all.front() : throw std::runtime_error("not one but " + std::to_string(all.size()));
+}
+
+PlanReplaced replacedBy(Run& run, const std::string& text) {
+    return thePublished<PlanReplaced>(run.host->control(ReplacePlan{{"new.lap", text}}));
+}
+
+SetBreakpoints breakBefore(const std::string& names) {
+    posh::Breakpoint breakpoint;
+    breakpoint.names = names;
+    return {{{7, breakpoint}}};
+}
+
 std::size_t count(const std::vector<std::string>& calls, const std::string& what) {
     return static_cast<std::size_t>(std::ranges::count(calls, what));
 }
@@ -73,8 +90,20 @@ private slots:
     void withoutReadyDriveTheRobotIsSafe();
     void pauseHoldsThePlanAndResumeGoesOn();
     void landingStopsThePlanUnlessTheBodySeesToIt();
-    void anotherPlanTakesItsPlace();
-    void aBadPlanChangesNothing();
+    void anotherPlanRestartsAndTheRobotIsSafeMeanwhile();
+    void aPlanOfTheSameShapeIsKeptGoing();
+    void aBadPlanIsRefusedWithItsFindings();
+    void aPlanThatWasStoppedTakesNoOther();
+    void aBreakpointHaltsItWithASafeRobotOnce();
+    void whatGoesOnDoesAsItDidBefore();
+    void aStepIsOneCycle();
+    void haltsWhenAskedTo();
+    void landingLetsItGoOn();
+    void theSameBreakpointsKeepTheirCounts();
+    void aConditionThatIsNoneIsSaid();
+    void pinsAnswerForTheRobot();
+    void aRobotWhoseActIsPinnedStandsStill();
+    void aDriveThatIsOffIsNotTakenEvenFromAnotherPlan();
     void aPlanThatDoesNotFitIsRefusedWithAllItsErrors();
     void theBlackboardIsTraced();
     void publishedTracesMakeATraceFile();
@@ -183,22 +212,193 @@ void tst_PoshBehavior::landingStopsThePlanUnlessTheBodySeesToIt() {
     QVERIFY(run.tick().commands.empty());
 }
 
-void tst_PoshBehavior::anotherPlanTakesItsPlace() {
+void tst_PoshBehavior::anotherPlanRestartsAndTheRobotIsSafeMeanwhile() {
     Run run(drive_on);
     run.tick();
-    QVERIFY(!posh::hasErrors(run.behavior->replacePlan("((DC other (drives ((turn Turn)))))")));
+    const auto output = run.host->control(ReplacePlan{{"new.lap", "((DC other (drives ((turn Turn)))))"}});
+    const auto news = thePublished<PlanReplaced>(output);
+    QCOMPARE(news.fate, PlanFate::Restarted);
+    QCOMPARE(news.plan_name, std::string("new.lap"));
+    QCOMPARE(news.cycle, std::uint64_t(1));
+    QCOMPARE(output.commands.size(), std::size_t(1));
+    QCOMPARE(output.commands.front().command, wheels(0.0, 0.0));
     QCOMPARE(count(run.rover->calls, "done"), std::size_t(1));
     QCOMPARE(run.tick().commands.front().command, wheels(-1.0, 1.0));
 }
 
-void tst_PoshBehavior::aBadPlanChangesNothing() {
+void tst_PoshBehavior::aPlanOfTheSameShapeIsKeptGoing() {
     Run run(drive_on);
     run.tick();
-    QVERIFY(posh::hasErrors(run.behavior->replacePlan("((DC other (drives ((turn Trun)))))")));
-    QVERIFY(posh::hasErrors(run.behavior->replacePlan("((DC other")));
+    const std::string tuned = "((DC rover (goal ((Arrived))) ; slower to worry\n"
+                              "(drives ((danger (trigger ((Nearest 0.2 <))) Halt)) ((work DriveFor(10))))))";
+    QCOMPARE(replacedBy(run, tuned).fate, PlanFate::Restarted); // it asks another sense
+    run.tick();
+    const auto init = count(run.rover->calls, "init");
+    std::string softer = tuned;
+    softer.replace(softer.find("0.2"), 3, "5.0");
+    const auto output = run.host->control(ReplacePlan{{"softer.lap", softer}});
+    QCOMPARE(thePublished<PlanReplaced>(output).fate, PlanFate::Kept);
+    QVERIFY(output.commands.empty());
+    QCOMPARE(run.behavior->planText(), softer);
+    QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));
+    QCOMPARE(count(run.rover->calls, "init"), init);
+    run.rover->nearest_m = 4.0;
+    QCOMPARE(run.tick().commands.front().command, wheels(0.0, 0.0));
+}
+
+void tst_PoshBehavior::aBadPlanIsRefusedWithItsFindings() {
+    Run run(drive_on);
+    run.tick();
+    const auto unknown = replacedBy(run, "((DC other (drives ((turn Trun)))))");
+    QCOMPARE(unknown.fate, PlanFate::Refused);
+    QCOMPARE(unknown.findings.front().code, posh::Code::UnknownPrimitive);
+    QVERIFY(posh::hasErrors(replacedBy(run, "((DC other").findings));
     QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));
     QCOMPARE(count(run.rover->calls, "done"), std::size_t(0));
     QCOMPARE(run.behavior->planText(), drive_on);
+}
+
+void tst_PoshBehavior::aPlanThatWasStoppedTakesNoOther() {
+    Run run(drive_on);
+    run.tick();
+    run.host->order(Order::LandNow);
+    const auto news = replacedBy(run, "((DC other (drives ((turn Turn)))))");
+    QCOMPARE(news.fate, PlanFate::Refused);
+    QVERIFY(news.reason.find("land") != std::string::npos);
+}
+
+void tst_PoshBehavior::aBreakpointHaltsItWithASafeRobotOnce() {
+    Run run(drive_on);
+    run.host->control(breakBefore("rover ▸ danger ▸ Halt"));
+    QVERIFY(published<PlanHalted>(run.tick()).empty());
+    run.rover->nearest_m = 0.1;
+    run.tick();
+    run.rover->nearest_m = 10.0;
+    QVERIFY(run.host->halted());
+    for (int i = 0; i < 3; ++i) {
+        const auto output = run.tick();
+        QVERIFY(output.commands.empty());
+        QVERIFY(published<PlanHalted>(output).empty());
+    }
+    QCOMPARE(run.behavior->engine().cycleNumber(), std::uint64_t(2));
+    QCOMPARE(count(run.rover->calls, "begin"), std::size_t(5)); // the body looks on
+}
+
+void tst_PoshBehavior::whatGoesOnDoesAsItDidBefore() {
+    Run run(drive_on);
+    run.host->control(breakBefore("rover ▸ work ▸ DriveFor"));
+    auto output = run.tick();
+    const auto halted = thePublished<PlanHalted>(output);
+    QCOMPARE(halted.breakpoint, std::optional<int>(7));
+    QCOMPARE(halted.cycle, std::uint64_t(1));
+    QCOMPARE(halted.time, Seconds(0.2));
+    QCOMPARE(halted.path, std::string("/P:0/DC:0/DE:1/A:0"));
+    QCOMPARE(halted.reason, std::string("before rover ▸ work ▸ DriveFor"));
+    QCOMPARE(output.commands.size(), std::size_t(1));
+    QCOMPARE(output.commands.front().command, wheels(0.0, 0.0));
+    QCOMPARE(output.commands.front().cause.source, std::string("toy/posh: plan halted"));
+    output = run.host->control(PlanStep::Continue);
+    QCOMPARE(published<PlanResumed>(output).size(), std::size_t(1));
+    QCOMPARE(output.commands.size(), std::size_t(1));
+    QCOMPARE(output.commands.front().command, wheels(1.0, 1.0));
+    QCOMPARE(output.commands.front().cause.source, std::string("toy/posh: rover ▸ work ▸ DriveFor"));
+    QVERIFY(!run.host->halted());
+    QVERIFY(run.host->control(PlanStep::Continue).published.empty());
+    QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));
+    QCOMPARE(count(run.rover->calls, "init"), std::size_t(1));
+}
+
+void tst_PoshBehavior::aStepIsOneCycle() {
+    Run run(drive_on);
+    run.host->control(breakBefore("rover ▸ work ▸ DriveFor"));
+    run.tick();
+    for (std::uint64_t cycle = 2; cycle <= 4; ++cycle) {
+        run.host->control(PlanStep::Cycle);
+        const auto halted = thePublished<PlanHalted>(run.tick());
+        QCOMPARE(halted.cycle, cycle);
+        QVERIFY(!halted.breakpoint);
+        run.tick();
+        QCOMPARE(run.behavior->engine().cycleNumber(), cycle);
+    }
+}
+
+void tst_PoshBehavior::haltsWhenAskedTo() {
+    Run run(drive_on);
+    run.tick();
+    QVERIFY(run.host->control(PlanStep::Halt).commands.empty());
+    QCOMPARE(thePublished<PlanHalted>(run.tick()).reason, std::string("as asked"));
+    run.host->control(PlanStep::Halt); // it does already
+    run.host->control(PlanStep::Continue);
+    QVERIFY(published<PlanHalted>(run.tick()).empty());
+}
+
+void tst_PoshBehavior::landingLetsItGoOn() {
+    Run run(drive_on);
+    run.rover->lands = true; // by its plan, which must run
+    run.host->control(breakBefore("rover ▸ work"));
+    run.tick();
+    QVERIFY(run.host->halted());
+    run.host->order(Order::LandNow);
+    QVERIFY(!run.host->halted());
+    QVERIFY(!run.tick().commands.empty());
+}
+
+void tst_PoshBehavior::theSameBreakpointsKeepTheirCounts() {
+    Run run(drive_on);
+    SetBreakpoints all = breakBefore("rover ▸ danger ▸ Closer");
+    all.breakpoints.front().what.skip = 2;
+    run.host->control(all);
+    run.tick();
+    posh::Breakpoint other;
+    other.names = "rover ▸ nothing";
+    all.breakpoints.push_back({8, other});
+    run.host->control(all);
+    run.tick();
+    QVERIFY(!run.host->halted());
+    run.tick();
+    QVERIFY(run.host->halted());
+    run.host->control(PlanStep::Continue);
+    run.host->control(SetBreakpoints{});
+    run.tick();
+    QVERIFY(!run.host->halted());
+}
+
+void tst_PoshBehavior::aConditionThatIsNoneIsSaid() {
+    Run run(drive_on);
+    SetBreakpoints all = breakBefore("rover ▸ work");
+    all.breakpoints.front().what.condition = "(Nearest 1";
+    const auto event = thePublished<BehaviorEvent>(run.host->control(all));
+    QCOMPARE(event.severity, Severity::Warning);
+    QVERIFY(event.text.find("rover ▸ work") != std::string::npos);
+    run.tick();
+    QVERIFY(!run.host->halted());
+}
+
+void tst_PoshBehavior::pinsAnswerForTheRobot() {
+    Run run(drive_on);
+    run.host->control(SetPins{.senses = {{"Closer(0.5)", true}}, .acts = {}, .drives_off = {}});
+    QCOMPARE(run.tick().commands.front().command, wheels(0.0, 0.0));
+    run.host->control(SetPins{});
+    QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));
+}
+
+void tst_PoshBehavior::aRobotWhoseActIsPinnedStandsStill() {
+    Run run(drive_on);
+    run.tick();
+    run.host->control(SetPins{.senses = {}, .acts = {{"DriveFor(10)", posh::ActResult::Running}}, .drives_off = {}});
+    const auto output = run.tick();
+    QCOMPARE(output.commands.size(), std::size_t(1));
+    QCOMPARE(output.commands.front().command, wheels(0.0, 0.0));
+}
+
+void tst_PoshBehavior::aDriveThatIsOffIsNotTakenEvenFromAnotherPlan() {
+    Run run(drive_on);
+    run.host->control(SetPins{.senses = {}, .acts = {}, .drives_off = {{"/P:0/DC:0/DE:1", "rover ▸ work"}}});
+    QCOMPARE(run.tick().commands.front().command, wheels(0.0, 0.0)); // nothing is ready
+    QCOMPARE(replacedBy(run, "((DC rover (drives ((work DriveFor(3))))))").fate, PlanFate::Restarted);
+    QCOMPARE(run.tick().commands.front().command, wheels(0.0, 0.0));
+    run.host->control(SetPins{});
+    QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));
 }
 
 void tst_PoshBehavior::aPlanThatDoesNotFitIsRefusedWithAllItsErrors() {

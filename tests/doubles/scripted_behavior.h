@@ -15,6 +15,7 @@ struct Script {
     std::function<void(const agent::Tick&, agent::CommandPort&)> on_tick;
     std::function<void(const protocol::InfoLine&, agent::CommandPort&)> on_info;
     std::function<void(agent::Order, agent::CommandPort&)> on_order;
+    std::function<void(const agent::PlanControl&, agent::CommandPort&)> on_control;
     protocol::Command safe = protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
 
     int ticks = 0;
@@ -41,6 +42,10 @@ public:
         script_->orders.push_back(order);
         if (script_->on_order)
             script_->on_order(order, port);
+    }
+    void control(const agent::PlanControl& control, agent::CommandPort& port) override {
+        if (script_->on_control)
+            script_->on_control(control, port);
     }
     void setParameters(const agent::ParameterSet& parameters) override { script_->parameters.push_back(parameters); }
     protocol::Command safeCommand() const override { return script_->safe; }

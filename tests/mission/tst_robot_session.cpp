@@ -50,6 +50,9 @@ private slots:
     void drivesTheNewestOncePerTick();
     void lockstepAnswersEachStateWithCommandsThenStep();
     void realServersGetNoStep();
+    void aPlanThatStandsStillHoldsTheServersTime();
+    void aServerThatDoesNotWaitGetsTheSafeCommandAlone();
+    void aHaltedPlanThatIsStoppedLetsTimeGoOn();
     void placesTheScanOnTheMap();
     void keepsPathMarksAndStatus();
     void finishedBehaviorLeavesASafeRobot();
@@ -77,7 +80,26 @@ private:
     std::unique_ptr<SessionFixture> f;
     std::shared_ptr<Script> script;
     const agent::Task task = surveyTask();
+    void haltAt(int tick);
 };
+
+/// A behavior that says in that tick that its plan stands still, and goes on when it is told to.
+void tst_RobotSession::haltAt(int at_tick) {
+    script->on_tick = [this, at_tick](const agent::Tick&, agent::CommandPort& port) {
+        if (script->ticks < at_tick)
+            return port.send(protocol::AerialDrive{.climb_m_s = 1.0}, "rising");
+        if (script->ticks > at_tick)
+            return;
+        port.send(script->safe, "halted");
+        port.publish(agent::PlanHalted{.reason = "as asked"});
+    };
+    script->on_control = [](const agent::PlanControl& control, agent::CommandPort& port) {
+        if (!std::holds_alternative<agent::PlanStep>(control))
+            return;
+        port.send(protocol::AerialDrive{.climb_m_s = 1.0}, "rising again");
+        port.publish(agent::PlanResumed{});
+    };
+}
 
 void tst_RobotSession::init() {
     f = std::make_unique<SessionFixture>(SessionFixture::patientLimits());
@@ -201,6 +223,53 @@ void tst_RobotSession::realServersGetNoStep() {
     f->session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, "test");
     QTRY_COMPARE(f->server.heardOf("GETGEO").size(), 1);
     QVERIFY(f->server.heardOf("STEP").isEmpty());
+}
+
+void tst_RobotSession::aPlanThatStandsStillHoldsTheServersTime() {
+    f = std::make_unique<SessionFixture>(SessionFixture::quickLimits()); // it would say silence soon
+    haltAt(3);
+    connect(&f->session, &RobotSession::spawned, &f->session,
+            [this] { f->session.startBehavior(hostOf(script), task); });
+    f->server.ticks_on_step = true;
+    QVERIFY(f->spawnNow(true));
+    QTRY_COMPARE(script->ticks, 3);
+    const int ticks = f->server.tickCount();
+    QTest::qWait(500);
+    QCOMPARE(script->ticks, 3);
+    QCOMPARE(f->server.tickCount(), ticks);
+    QVERIFY(f->server.heard().back().startsWith("DRIVE {AltitudeVelocity 0"));
+    QVERIFY(!f->saidOn("silence"));
+    f->session.control(agent::PlanStep::Continue);
+    QTRY_VERIFY(script->ticks > 5);
+    const QList<QByteArray> heard = f->server.heard();
+    const auto safe = std::ranges::find_if(
+        heard, [](const QByteArray& line) { return line.startsWith("DRIVE {AltitudeVelocity 0"); });
+    QVERIFY(heard.end() - safe > 2);
+    QVERIFY2((safe + 1)->startsWith("DRIVE {AltitudeVelocity 1"), *(safe + 1)); // at the same moment, before its STEP
+    QCOMPARE(*(safe + 2), QByteArray("STEP"));
+}
+
+void tst_RobotSession::aServerThatDoesNotWaitGetsTheSafeCommandAlone() {
+    haltAt(2);
+    QVERIFY(f->spawnNow());
+    f->session.startBehavior(hostOf(script), task);
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(f->tickNow());
+    QTRY_VERIFY(f->server.heard().back().startsWith("DRIVE {AltitudeVelocity 0"));
+    QCOMPARE(f->server.heardOf("DRIVE").size(), 2);
+    QVERIFY(f->session.figures().behavior_running);
+}
+
+void tst_RobotSession::aHaltedPlanThatIsStoppedLetsTimeGoOn() {
+    haltAt(2);
+    connect(&f->session, &RobotSession::spawned, &f->session,
+            [this] { f->session.startBehavior(hostOf(script), task); });
+    f->server.ticks_on_step = true;
+    QVERIFY(f->spawnNow(true));
+    QTRY_COMPARE(script->ticks, 2);
+    const int ticks = f->server.tickCount();
+    f->session.stop();
+    QTRY_VERIFY(f->server.tickCount() > ticks + 2);
 }
 
 void tst_RobotSession::placesTheScanOnTheMap() {

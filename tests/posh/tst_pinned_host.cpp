@@ -16,7 +16,26 @@ private slots:
     void anActThatWasBegunOnTheRobotIsEndedThere();
     void anActReleasedInTheMiddleIsBegunOnTheRobot();
     void pinsOutliveThePlan();
+    void saysWhenAnActDidNotReachTheRobot();
 };
+
+void tst_PinnedHost::saysWhenAnActDidNotReachTheRobot() {
+    TrialHost robot;
+    PinnedHost host(robot);
+    Engine engine(host, programOf("((DC d (drives ((a (trigger ((near))) walk)) ((b swim)))))"));
+    host.pinSense("near", true);
+    engine.cycle(Milliseconds(0));
+    QVERIFY(!host.takeActed());
+    host.pinAct("walk", ActResult::Running);
+    engine.cycle(Milliseconds(1));
+    QVERIFY(host.takeActed());
+    QVERIFY(!host.takeActed());
+    host.releaseAll();
+    QVERIFY(!host.isPinned("walk") && !host.isPinned("near"));
+    engine.cycle(Milliseconds(2));
+    QVERIFY(!host.takeActed());
+    QCOMPARE(robot.calls.back(), std::string("done swim"));
+}
 
 void tst_PinnedHost::aPinnedSenseAnswersForTheRobot() {
     TrialHost robot;
