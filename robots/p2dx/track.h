@@ -37,12 +37,12 @@ public:
 
 private:
     struct Step {
-        Vec3 position_m;
-        double yaw_rad;
+        Vec3 position_m = Vec3::Zero();
+        double yaw_rad = 0.0;
     };
     struct Place {
-        Seconds at;
-        Vec2 position_m;
+        Seconds at{0.0};
+        Vec2 position_m = Vec2::Zero();
     };
     void correctYaw(const Vec3& step_m);
 

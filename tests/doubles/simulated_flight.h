@@ -24,7 +24,6 @@ public:
     /// Until the behavior finishes, the robot breaks, or the protocol clock shows `limit`.
     void run(Seconds limit);
 
-    Seconds now() const { return simulation_->now(); }
     const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     const agent::BehaviorStatus& status() const { return status_; }
     const mapping::HeightMap& map() const { return map_; }
