@@ -124,6 +124,7 @@ private:
     void makeMenus();
     void enableCommands();
     void showMenu(int node, const QPoint& global);
+    void showTextMenu(const QPoint& at);
 
     void connectAll();
     void edited();
@@ -166,6 +167,7 @@ private:
     QBoxLayout* head_ = nullptr;
     QLabel* title_ = nullptr;
     QToolButton* palette_shown_ = nullptr;
+    QToolButton* drawing_shown_ = nullptr;
     QPushButton* apply_ = nullptr;
     QSplitter* body_;
     QSplitter* column_;

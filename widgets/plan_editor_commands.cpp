@@ -152,7 +152,7 @@ void PlanEditor::makePartCommands() {
     add({"edit", tr("Change"), tr("Changes its name, call or sense where it stands"), "", Qt::Key_F2, true},
         [this] { editInPlace(InPlace::Words); });
     add({"rename", tr("Rename everywhere"), tr("Changes its name and all that refers to it"), "",
-         QKeySequence("Shift+F2"), true},
+         QKeySequence("Shift+F2")},
         [this] { editInPlace(InPlace::Rename); });
     add({"trigger", tr("Trigger or goal"), tr("Changes when it may run, or when it is done"), "", Qt::Key_T, true},
         [this] { editInPlace(InPlace::Trigger); });
@@ -205,7 +205,7 @@ void PlanEditor::makeListCommands() {
             if (const auto call = selectedCall(); call && gestures())
                 perform(posh::inlineCall(drawn_text_, *call));
         });
-    add({"usages", tr("Find usages"), tr("Lists all places that use it"), "search", QKeySequence("Shift+F12"), true},
+    add({"usages", tr("Find usages"), tr("Lists all places that use it"), "search", QKeySequence("Shift+F12")},
         [this] { showUsages(); });
     add({"show_text", tr("Show in the text"), tr("Goes to its place in the text"), "text", {}, true}, [this] {
         if (const int node = canvas_->selected(); node >= 0)
@@ -277,6 +277,17 @@ void PlanEditor::showMenu(int, const QPoint& global) {
     part_menu_->popup(global);
 }
 
+/// What any text offers, and what a plan's does.
+void PlanEditor::showTextMenu(const QPoint& at) {
+    enableCommands();
+    QMenu* const menu = text_->createStandardContextMenu(at);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSeparator();
+    for (const char* const name : {"mend", "next_finding", "rename", "usages"})
+        menu->addAction(action(QString::fromLatin1(name)));
+    menu->popup(text_->viewport()->mapToGlobal(at));
+}
+
 /// A name, a call or a sense as the plan writes it; the whole trigger; a limit.
 void PlanEditor::editInPlace(InPlace what) {
     const int node = canvas_->selected();
@@ -298,6 +309,7 @@ void PlanEditor::editInPlace(InPlace what) {
         words = QString::fromStdString(posh::limitPhrase(plan, *part));
     else if (what == InPlace::Comment)
         words = drawn.comment;
+    drawing_shown_->setChecked(true);
     canvas_->editInPlace(node, words, static_cast<int>(what));
 }
 

@@ -86,6 +86,7 @@ Result<QStringList> PlanEditor::exportTo(const QString& path, posh::Dialect dial
         losses << QString::fromStdString(loss.message);
         addRow(*usage_list_, losses.back(), loss.at, icon(QStringLiteral("warning"), tokens().caution));
     }
+    lists_->setTabText(2, tr("Lost in the export (%1)").arg(losses.size()));
     if (!losses.isEmpty())
         lists_->setCurrentWidget(usage_list_);
     say(losses.isEmpty() ? tr("Written as %1; nothing was lost.").arg(path)

@@ -69,7 +69,7 @@ QWidget* PlanEditor::makeHead() {
     };
     palette_shown_ = toggle(tr("Shows the pieces that plans are made of"), "pieces", palette_, true);
     toggle(tr("Shows the text"), "text", text_->parentWidget(), true);
-    toggle(tr("Shows the drawing"), "branches", canvas_->parentWidget(), true);
+    drawing_shown_ = toggle(tr("Shows the drawing"), "branches", canvas_->parentWidget(), true);
     toggle(tr("Shows findings, differences and usages"), "warning", lists_, true);
     shown->addStretch(1);
     apply_ = new QPushButton(action("apply")->text(), pane);
@@ -87,6 +87,8 @@ QWidget* PlanEditor::makeTextPane() {
     column->setSpacing(gap::tiny);
     text_ = new PlanCodeEdit(pane);
     text_->setMinimumSize(120, 80);
+    text_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(text_, &QWidget::customContextMenuRequested, this, &PlanEditor::showTextMenu);
     column->addWidget(text_, 1);
     auto* row = new QHBoxLayout;
     row->setSpacing(gap::tiny);

@@ -1,5 +1,4 @@
-// The plan editor by mouse and keys: text and drawing in step, one history, findings and their mends, files.
-#include <QFile>
+// The plan editor by mouse and keys: text and drawing in step, one history, findings and their mends.
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,42 +9,12 @@
 #include <QTest>
 #include <QTextBlock>
 
-#include "tests/widgets/plan_samples.h"
+#include "tests/widgets/plan_editor_samples.h"
 #include "widgets/plan_editor.h"
 #include "widgets/theme.h"
 
 using namespace usar;
 using namespace usar::widgets;
-
-namespace {
-
-std::vector<agent::PrimitiveDescription> courierPrimitives() {
-    using agent::AnswerType;
-    using agent::PoshParameter;
-    using agent::PrimitiveKind;
-    std::vector<agent::PrimitiveDescription> all;
-    const auto sense = [&all](const char* name, AnswerType answer) {
-        all.push_back({name, PrimitiveKind::Sense, {}, answer, {}, "Asks.", {}});
-    };
-    sense("Loaded", AnswerType::Boolean);
-    sense("Bumped", AnswerType::Boolean);
-    sense("Rested", AnswerType::Boolean);
-    sense("Delivered", AnswerType::Boolean);
-    sense("Distance", AnswerType::Real);
-    sense("Battery", AnswerType::Real);
-    for (const char* const name : {"CloseGripper", "Beep", "Slow", "Stop", "Brake", "Rest"})
-        all.push_back({name, PrimitiveKind::Act, {}, AnswerType::Any, {}, "Does it.", {}});
-    all.push_back({"DriveTo",
-                   PrimitiveKind::Act,
-                   {PoshParameter::text("goal", "home"), PoshParameter::number("speed", 1.0, "m/s", 0.0, 3.0)},
-                   AnswerType::Any,
-                   {},
-                   "Drives to a place.",
-                   {}});
-    return all;
-}
-
-} // namespace
 
 class tst_PlanEditor : public QObject {
     Q_OBJECT
@@ -66,21 +35,15 @@ private slots:
     void piecesAreAddedFromThePalette();
     void dropsSwapAndInsert_data();
     void dropsSwapAndInsert();
-    void paletteIsSearchedAndExplains();
+    void commandsThatMeanNothingAreOff();
     void completionKnowsWhereSensesAreAsked();
     void selectionsFollowEachOther();
     void differencesAreListed();
     void usagesAreListed();
-    void filesKeepTheirLineEnds();
-    void aChangeOnDiskIsOffered();
-    void unsavedTextIsKeptAndOffered();
-    void exportsSayWhatIsLost();
     void applyingNeedsASoundPlan();
     void keysOfAWindowAroundItDoNotGetInTheWay();
     void twoAreSwappedByKeys();
     void aLampShowsThatThereAreMends();
-    void narrowAndBothThemes();
-    void everyButtonHasAName();
     void noRunOfEditsEndsInErrors();
 
 private:
@@ -378,22 +341,18 @@ void tst_PlanEditor::dropsSwapAndInsert() {
     QCOMPARE(editor_->text(), std::string(courier_plan));
 }
 
-void tst_PlanEditor::paletteIsSearchedAndExplains() {
-    editor_->setPrimitives(courierPrimitives());
-    PlanPalette& palette = editor_->palette();
-    palette.setFilter(QStringLiteral("drives place"));
-    auto* const list = palette.findChild<QTreeWidget*>();
-    QStringList shown;
-    for (QTreeWidgetItemIterator item(list); *item; ++item)
-        if ((*item)->parent() && !(*item)->isHidden())
-            shown << (*item)->text(0);
-    QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
-    const QString help = helpText(courierPrimitives().back());
-    QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
-    palette.setFilter({});
-    QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
-    QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
-             QStringLiteral("Distance 0.0 >"));
+void tst_PlanEditor::commandsThatMeanNothingAreOff() {
+    const auto isOn = [this](const char* name) { return editor_->action(QString::fromLatin1(name))->isEnabled(); };
+    editor_->canvas().select(-1);
+    QVERIFY(!isOn("edit") && !isOn("delete") && !isOn("swap") && isOn("new_pattern") && !isOn("new_collection"));
+    select(QStringLiteral("safety"));
+    QVERIFY(isOn("edit") && isOn("trigger") && isOn("limit") && isOn("wrap_pattern") && isOn("join_down"));
+    QVERIFY(!isOn("inline"));
+    select(QStringLiteral("halt"));
+    QVERIFY(isOn("inline") && !isOn("trigger") && isOn("add_after"));
+    select(QStringLiteral("Bumped"));
+    QVERIFY(isOn("edit") && !isOn("limit") && !isOn("wrap_pattern"));
+    QVERIFY(!isOn("compare_running"));
 }
 
 void tst_PlanEditor::completionKnowsWhereSensesAreAsked() {
@@ -438,77 +397,6 @@ void tst_PlanEditor::usagesAreListed() {
     for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
         rows += list->accessibleName() == u"Usages" ? list->count() : 0;
     QCOMPARE(rows, 3);
-}
-
-void tst_PlanEditor::filesKeepTheirLineEnds() {
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("dos.lap"));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    const QByteArray bytes("\xef\xbb\xbf(\r\n  (DC d (drives ((e \"\xc2\xa0\" doNothing))))\r\n)\r\n");
-    QByteArray good = bytes;
-    good.replace("e \"\xc2\xa0\" doNothing", "e doNothing \"\xc2\xa0\"");
-    file.write(good);
-    file.close();
-    QVERIFY(editor_->open(path));
-    QVERIFY(editor_->findings().empty());
-    QVERIFY(editor_->text().find('\r') == std::string::npos);
-    QVERIFY(editor_->save(path));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), good);
-    QVERIFY(!editor_->open(folder.filePath(QStringLiteral("none.lap"))));
-    QVERIFY(!editor_->save(folder.filePath(QStringLiteral("no/such/folder.lap"))));
-}
-
-void tst_PlanEditor::aChangeOnDiskIsOffered() {
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("plan.lap"));
-    QVERIFY(editor_->save(path));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("((DC other (drives ((e doNothing)))))");
-    file.close();
-    QToolButton* take = nullptr;
-    QTRY_VERIFY([&] {
-        for (QToolButton* const button : editor_->findChildren<QToolButton*>())
-            take = button->isVisible() && button->text() == u"Take its text" ? button : take;
-        return take != nullptr;
-    }());
-    take->click();
-    QVERIFY(editor_->text().find("other") != std::string::npos);
-    run("undo");
-    QCOMPARE(editor_->text(), std::string(courier_plan));
-}
-
-void tst_PlanEditor::unsavedTextIsKeptAndOffered() {
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("plan.lap"));
-    editor_->setKeepingFolder(folder.filePath(QStringLiteral("kept")));
-    QVERIFY(editor_->save(path));
-    select(QStringLiteral("grab"));
-    run("delete");
-    const std::string changed = editor_->text();
-    QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty(), 5000);
-    PlanEditor second;
-    second.setKeepingFolder(folder.filePath(QStringLiteral("kept")));
-    QVERIFY(second.open(path));
-    QCOMPARE(second.text(), std::string(courier_plan));
-    for (QToolButton* const button : second.findChildren<QToolButton*>())
-        if (button->text() == u"Restore them")
-            button->click();
-    QCOMPARE(second.text(), changed);
-    QVERIFY(second.save(path));
-    QVERIFY(QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty());
-}
-
-void tst_PlanEditor::exportsSayWhatIsLost() {
-    QTemporaryDir folder;
-    const auto losses = editor_->exportTo(folder.filePath(QStringLiteral("k.lap")), posh::Dialect::Classic);
-    QVERIFY(losses && !losses->isEmpty());
-    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("k.lap"))));
-    QVERIFY(editor_->savePicture(folder.filePath(QStringLiteral("plan.svg"))));
-    editor_->textEdit().applyText("((");
-    QVERIFY(!editor_->exportTo(folder.filePath(QStringLiteral("x.lap")), posh::Dialect::Yaposh));
 }
 
 void tst_PlanEditor::applyingNeedsASoundPlan() {
@@ -585,23 +473,6 @@ void tst_PlanEditor::aLampShowsThatThereAreMends() {
     QTRY_VERIFY(lampIsOn());
     text.setCursorOffset(0);
     QVERIFY(!lampIsOn());
-}
-
-void tst_PlanEditor::narrowAndBothThemes() {
-    for (const Theme theme : {Theme::Light, Theme::Dark}) {
-        applyTheme(theme);
-        for (const QSize size : {QSize(360, 700), QSize(1280, 720), QSize(300, 240)}) {
-            editor_->resize(size);
-            QVERIFY(!editor_->grab().isNull());
-            QCOMPARE(editor_->size(), size);
-        }
-    }
-}
-
-void tst_PlanEditor::everyButtonHasAName() {
-    for (const QAbstractButton* const button : editor_->findChildren<QAbstractButton*>())
-        if (button->isVisible() && !qobject_cast<QLineEdit*>(button->parent()))
-            QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(), qPrintable(button->toolTip()));
 }
 
 /// Whatever command is given at whatever part: the text can be read afterwards, and all of it can be undone.

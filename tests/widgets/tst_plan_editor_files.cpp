@@ -1,0 +1,180 @@
+// The plan editor's files, exports and pieces, and what a drop of each would do; its looks.
+#include <QAbstractButton>
+#include <QDir>
+#include <QFile>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "tests/widgets/plan_editor_samples.h"
+#include "widgets/plan_editor.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using namespace usar::widgets;
+
+class tst_PlanEditorFiles : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void everyDropLeavesASoundPlanOrIsRefused();
+    void paletteIsSearchedAndExplains();
+    void filesKeepTheirLineEnds();
+    void aChangeOnDiskIsOffered();
+    void unsavedTextIsKeptAndOffered();
+    void exportsSayWhatIsLost();
+    void narrowAndBothThemes();
+    void everyButtonHasAName();
+
+private:
+    std::unique_ptr<PlanEditor> editor_;
+};
+
+void tst_PlanEditorFiles::init() {
+    editor_ = std::make_unique<PlanEditor>();
+    editor_->setText(std::string(courier_plan), QStringLiteral("courier.lap"));
+    editor_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
+}
+
+void tst_PlanEditorFiles::cleanup() {
+    editor_.reset();
+}
+
+/// Every part and every kind of piece, over every card, at every third of it.
+void tst_PlanEditorFiles::everyDropLeavesASoundPlanOrIsRefused() {
+    const std::string text(courier_plan);
+    const posh::Plan plan = posh::readPlan(text).plan;
+    const PlanTree tree(plan);
+    const PlanGestures gestures(text, plan, tree);
+    std::vector<std::variant<PlanPiece, int>> sources{PlanPiece{true, QStringLiteral("Distance 0.0 >")},
+                                                      PlanPiece{false, QStringLiteral("DriveTo(\"x\")")},
+                                                      PlanPiece{false, QStringLiteral("no act (")}};
+    for (int i = 0; i < tree.size(); ++i)
+        sources.emplace_back(i);
+    int done = 0;
+    for (const auto& source : sources)
+        for (int target = -1; target < tree.size(); ++target)
+            for (const DropZone zone : {DropZone::Before, DropZone::Onto, DropZone::After}) {
+                const auto deed = gestures.drop(source, target, zone);
+                const auto edit = deed ? deed->edit() : Result<posh::PlanEdit>();
+                if (!deed || !edit)
+                    continue;
+                ++done;
+                QVERIFY(!deed->words.isEmpty());
+                if (posh::hasErrors(posh::readPlan(edit->text).findings))
+                    QFAIL(qPrintable(deed->words + u'\n' + QString::fromStdString(edit->text)));
+            }
+    QVERIFY2(done > 500, qPrintable(QString::number(done)));
+}
+
+void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
+    editor_->setPrimitives(courierPrimitives());
+    PlanPalette& palette = editor_->palette();
+    palette.setFilter(QStringLiteral("drives place"));
+    auto* const list = palette.findChild<QTreeWidget*>();
+    QStringList shown;
+    for (QTreeWidgetItemIterator item(list); *item; ++item)
+        if ((*item)->parent() && !(*item)->isHidden())
+            shown << (*item)->text(0);
+    QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
+    const QString help = helpText(courierPrimitives().back());
+    QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
+    palette.setFilter({});
+    QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
+    QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
+             QStringLiteral("Distance 0.0 >"));
+}
+
+void tst_PlanEditorFiles::filesKeepTheirLineEnds() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("dos.lap"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const QByteArray bytes("\xef\xbb\xbf(\r\n  (DC d (drives ((e \"\xc2\xa0\" doNothing))))\r\n)\r\n");
+    QByteArray good = bytes;
+    good.replace("e \"\xc2\xa0\" doNothing", "e doNothing \"\xc2\xa0\"");
+    file.write(good);
+    file.close();
+    QVERIFY(editor_->open(path));
+    QVERIFY(editor_->findings().empty());
+    QVERIFY(editor_->text().find('\r') == std::string::npos);
+    QVERIFY(editor_->save(path));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), good);
+    QVERIFY(!editor_->open(folder.filePath(QStringLiteral("none.lap"))));
+    QVERIFY(!editor_->save(folder.filePath(QStringLiteral("no/such/folder.lap"))));
+}
+
+void tst_PlanEditorFiles::aChangeOnDiskIsOffered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plan.lap"));
+    QVERIFY(editor_->save(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("((DC other (drives ((e doNothing)))))");
+    file.close();
+    QToolButton* take = nullptr;
+    QTRY_VERIFY([&] {
+        for (QToolButton* const button : editor_->findChildren<QToolButton*>())
+            take = button->isVisible() && button->text() == u"Take its text" ? button : take;
+        return take != nullptr;
+    }());
+    take->click();
+    QVERIFY(editor_->text().find("other") != std::string::npos);
+    editor_->textEdit().undo();
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+}
+
+void tst_PlanEditorFiles::unsavedTextIsKeptAndOffered() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plan.lap"));
+    editor_->setKeepingFolder(folder.filePath(QStringLiteral("kept")));
+    QVERIFY(editor_->save(path));
+    editor_->textEdit().applyText("((DC other (drives ((e doNothing)))))");
+    const std::string changed = editor_->text();
+    QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty(), 5000);
+    PlanEditor second;
+    second.setKeepingFolder(folder.filePath(QStringLiteral("kept")));
+    QVERIFY(second.open(path));
+    QCOMPARE(second.text(), std::string(courier_plan));
+    for (QToolButton* const button : second.findChildren<QToolButton*>())
+        if (button->text() == u"Restore them")
+            button->click();
+    QCOMPARE(second.text(), changed);
+    QVERIFY(second.save(path));
+    QVERIFY(QDir(folder.filePath(QStringLiteral("kept"))).entryList(QDir::Files).isEmpty());
+}
+
+void tst_PlanEditorFiles::exportsSayWhatIsLost() {
+    QTemporaryDir folder;
+    const auto losses = editor_->exportTo(folder.filePath(QStringLiteral("k.lap")), posh::Dialect::Classic);
+    QVERIFY(losses && !losses->isEmpty());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("k.lap"))));
+    QVERIFY(editor_->savePicture(folder.filePath(QStringLiteral("plan.svg"))));
+    editor_->textEdit().applyText("((");
+    QVERIFY(!editor_->exportTo(folder.filePath(QStringLiteral("x.lap")), posh::Dialect::Yaposh));
+}
+
+void tst_PlanEditorFiles::narrowAndBothThemes() {
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+        applyTheme(theme);
+        for (const QSize size : {QSize(360, 700), QSize(1280, 720), QSize(300, 240)}) {
+            editor_->resize(size);
+            QVERIFY(!editor_->grab().isNull());
+            QCOMPARE(editor_->size(), size);
+        }
+    }
+}
+
+void tst_PlanEditorFiles::everyButtonHasAName() {
+    for (const QAbstractButton* const button : editor_->findChildren<QAbstractButton*>())
+        if (button->isVisible() && !qobject_cast<QLineEdit*>(button->parent()))
+            QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(), qPrintable(button->toolTip()));
+}
+
+QTEST_MAIN(tst_PlanEditorFiles)
+#include "tst_plan_editor_files.moc"
