@@ -175,6 +175,7 @@ void PlanCanvas::dropEvent(QDropEvent* event) {
         return event->ignore();
     const Hover hover = hoverAt(*source, event->position());
     event->accept();
+    setFocus(Qt::MouseFocusReason);
     if (hover.deed)
         emit deedRequested(*hover.deed);
     else

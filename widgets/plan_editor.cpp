@@ -266,6 +266,8 @@ void PlanEditor::draw() {
         drawn_text_ = readable ? text_->planText() : std::string();
         drawn_plan_ = checked_plan_;
         const QScopedValueRollback quiet(from_text_, true);
+        if (canvas_->isVisible() && !canvas_->tree().empty())
+            canvas_->holdStill();
         canvas_->setPlan(drawn_plan_);
         palette_->setPlan(drawn_plan_);
         if (readable)

@@ -228,17 +228,20 @@ void PlanEditor::makeListCommands() {
 void PlanEditor::makeMenus() {
     part_menu_ = new QMenu(canvas_);
     part_menu_->setToolTipsVisible(true);
-    const auto fill = [this](std::initializer_list<const char*> names) {
+    const auto fill = [this](QMenu* menu, std::initializer_list<const char*> names) {
         for (const char* const name : names)
-            part_menu_->addAction(action(QString::fromLatin1(name)));
-        part_menu_->addSeparator();
+            menu->addAction(action(QString::fromLatin1(name)));
     };
-    fill({"edit", "rename", "trigger", "limit", "comment"});
-    fill({"move_up", "move_down", "join_up", "join_down"});
-    fill({"add_before", "add_after", "swap", "duplicate", "delete"});
-    fill({"wrap_competence", "wrap_pattern", "wrap_adopt", "inline"});
-    fill({"new_competence", "new_pattern", "new_adopt", "new_collection"});
-    fill({"usages", "show_text"});
+    fill(part_menu_, {"edit", "rename", "trigger", "limit", "comment"});
+    part_menu_->addSeparator();
+    fill(part_menu_, {"move_up", "move_down", "join_up", "join_down", "swap"});
+    part_menu_->addSeparator();
+    fill(part_menu_, {"add_before", "add_after", "duplicate", "delete"});
+    part_menu_->addSeparator();
+    fill(part_menu_->addMenu(tr("Wrap or unwrap")), {"wrap_competence", "wrap_pattern", "wrap_adopt", "inline"});
+    fill(part_menu_->addMenu(tr("New form")), {"new_competence", "new_pattern", "new_adopt", "new_collection"});
+    part_menu_->addSeparator();
+    fill(part_menu_, {"usages", "show_text"});
 }
 
 /// What means nothing for the selected part is off.

@@ -60,6 +60,8 @@ public:
     QPointF toLayout(const QPointF& on_screen) const { return on_screen / scale_ + corner_; }
     /// At a size that can be read, from the beginning; smaller only as far as that helps.
     void showBeginning();
+    /// Scale and place stay as they are when another plan comes, until they are asked for again.
+    void holdStill() { framing_ = Framing::Own; }
     /// What it would say of a node under the mouse, and to a screen reader.
     QString nodeText(int node) const;
     /// What keeps the drawing from being the whole truth; empty where nothing does.

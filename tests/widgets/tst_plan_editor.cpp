@@ -36,11 +36,11 @@ private slots:
     void dropsSwapAndInsert_data();
     void dropsSwapAndInsert();
     void commandsThatMeanNothingAreOff();
+    void anEditLeavesTheDrawingWhereItIs();
     void completionKnowsWhereSensesAreAsked();
     void selectionsFollowEachOther();
     void differencesAreListed();
     void usagesAreListed();
-    void applyingNeedsASoundPlan();
     void keysOfAWindowAroundItDoNotGetInTheWay();
     void twoAreSwappedByKeys();
     void aLampShowsThatThereAreMends();
@@ -341,6 +341,16 @@ void tst_PlanEditor::dropsSwapAndInsert() {
     QCOMPARE(editor_->text(), std::string(courier_plan));
 }
 
+void tst_PlanEditor::anEditLeavesTheDrawingWhereItIs() {
+    PlanCanvas& canvas = editor_->canvas();
+    select(QStringLiteral("safety"));
+    const double scale = canvas.scale();
+    const QPointF corner = canvas.toLayout({0.0, 0.0});
+    run("duplicate");
+    QCOMPARE(canvas.scale(), scale);
+    QCOMPARE(canvas.toLayout({0.0, 0.0}), corner);
+}
+
 void tst_PlanEditor::commandsThatMeanNothingAreOff() {
     const auto isOn = [this](const char* name) { return editor_->action(QString::fromLatin1(name))->isEnabled(); };
     editor_->canvas().select(-1);
@@ -397,20 +407,6 @@ void tst_PlanEditor::usagesAreListed() {
     for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
         rows += list->accessibleName() == u"Usages" ? list->count() : 0;
     QCOMPARE(rows, 3);
-}
-
-void tst_PlanEditor::applyingNeedsASoundPlan() {
-    QSignalSpy applied(editor_.get(), &PlanEditor::applyRequested);
-    QAction* const apply = editor_->action(QStringLiteral("apply"));
-    QVERIFY(!apply->isEnabled());
-    editor_->setApplicable(true);
-    QVERIFY(apply->isEnabled());
-    apply->trigger();
-    QCOMPARE(applied.count(), 1);
-    QCOMPARE(applied[0][1].toString(), QStringLiteral("courier.lap"));
-    editor_->textEdit().applyText("((AP a (b)))");
-    editor_->catchUp();
-    QVERIFY(!apply->isEnabled());
 }
 
 void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -28,6 +29,7 @@ private slots:
     void exportsSayWhatIsLost();
     void narrowAndBothThemes();
     void everyButtonHasAName();
+    void applyingNeedsASoundPlan();
 
 private:
     std::unique_ptr<PlanEditor> editor_;
@@ -174,6 +176,20 @@ void tst_PlanEditorFiles::everyButtonHasAName() {
     for (const QAbstractButton* const button : editor_->findChildren<QAbstractButton*>())
         if (button->isVisible() && !qobject_cast<QLineEdit*>(button->parent()))
             QVERIFY2(!button->accessibleName().isEmpty() || !button->text().isEmpty(), qPrintable(button->toolTip()));
+}
+
+void tst_PlanEditorFiles::applyingNeedsASoundPlan() {
+    QSignalSpy applied(editor_.get(), &PlanEditor::applyRequested);
+    QAction* const apply = editor_->action(QStringLiteral("apply"));
+    QVERIFY(!apply->isEnabled());
+    editor_->setApplicable(true);
+    QVERIFY(apply->isEnabled());
+    apply->trigger();
+    QCOMPARE(applied.count(), 1);
+    QCOMPARE(applied[0][1].toString(), QStringLiteral("courier.lap"));
+    editor_->textEdit().applyText("((AP a (b)))");
+    editor_->catchUp();
+    QVERIFY(!apply->isEnabled());
 }
 
 QTEST_MAIN(tst_PlanEditorFiles)
