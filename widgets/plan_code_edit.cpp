@@ -38,6 +38,7 @@ QString fromUtf8(std::string_view text) {
 PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     : PlanTextEdit(parent)
     , completer_(new QCompleter(this))
+    , help_beside_(new CompletionDelegate(this))
     , senses_(new QStandardItemModel(this))
     , acts_(new QStandardItemModel(this))
     , lamp_(makeToolButton(tr("What can be done about this (Alt+Return)"), this, QStringLiteral("lamp"))) {
@@ -50,7 +51,6 @@ PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     completer_->setCaseSensitivity(Qt::CaseInsensitive);
     completer_->setFilterMode(Qt::MatchContains);
     completer_->setMaxVisibleItems(10);
-    completer_->popup()->setItemDelegate(new CompletionDelegate(completer_->popup()));
     connect(completer_, qOverload<const QString&>(&QCompleter::activated), this, &PlanCodeEdit::insertCompletion);
     lamp_->hide();
     lamp_->setFocusPolicy(Qt::NoFocus); // Alt+Return does the same
@@ -166,8 +166,10 @@ void PlanCodeEdit::complete(bool asked) {
     if (!asked && word.size() < letters_before_completion)
         return completer_->popup()->hide();
     QStandardItemModel* const model = asksSenses(cursorOffset()) ? senses_ : acts_;
-    if (completer_->model() != model)
+    if (completer_->model() != model) {
         completer_->setModel(model);
+        completer_->popup()->setItemDelegate(help_beside_); // a new model brings another one
+    }
     completer_->setCompletionPrefix(word);
     const bool is_whole = completer_->completionCount() == 1 && completer_->currentCompletion() == word;
     if (completer_->completionCount() == 0 || (is_whole && !asked))

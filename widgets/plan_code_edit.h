@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <QAbstractItemDelegate>
 #include <QCompleter>
 #include <QToolButton>
 
@@ -70,6 +71,7 @@ private:
     int positionOf(std::size_t offset) const;
 
     QCompleter* completer_;
+    QAbstractItemDelegate* help_beside_;
     QStandardItemModel* senses_;
     QStandardItemModel* acts_;
     QToolButton* lamp_;

@@ -138,9 +138,12 @@ void FixFinder::takeOut(std::size_t first_token, std::size_t last_token) {
 void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most) {
     std::vector<std::pair<std::size_t, std::string>> near;
     const std::string wanted = lowerCase(found());
-    for (const std::string& candidate : known)
-        if (const std::size_t distance = editDistance(wanted, lowerCase(candidate)); distance <= longest_distance)
+    for (const std::string& candidate : known) {
+        const bool is_start = wanted.size() > 1 && lowerCase(candidate).starts_with(wanted);
+        const std::size_t distance = is_start ? 1 : editDistance(wanted, lowerCase(candidate));
+        if (distance <= longest_distance)
             near.emplace_back(distance, candidate);
+    }
     std::sort(near.begin(), near.end());
     near.resize(std::min(near.size(), most));
     for (const auto& [distance, candidate] : near)

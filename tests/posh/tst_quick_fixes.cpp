@@ -141,6 +141,7 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
         "((AP a (doNothing)) (DC d (drives ((e a)))))");
     row("no collection", "E303", "((AP a (Stop)))", "Add a drive collection", "");
     row("unknown act", "E304", "((DC d (drives ((e Dirve)))))", "Write Drive", "((DC d (drives ((e Drive)))))");
+    row("an act begun", "E304", "((DC d (drives ((e Dr)))))", "Write Drive", "((DC d (drives ((e Drive)))))");
     row("unknown act everywhere", "E304", "((AP a (Stpo Stpo)) (DC d (drives ((e a)))))", "Write Stop everywhere", "");
     row("an act to be made", "E304", "((DC d (drives ((e dance)))))", "Make a pattern dance", "");
     row("unknown sense", "E304", "((DC d (drives ((e (trigger ((bumpd))) Stop)))))", "Write Bumped",

@@ -1,4 +1,5 @@
 // The plan editor by mouse and keys: text and drawing in step, one history, findings and their mends.
+#include <QAbstractItemView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,6 +11,7 @@
 #include <QTextBlock>
 
 #include "tests/widgets/plan_editor_samples.h"
+#include "widgets/completion_delegate.h"
 #include "widgets/plan_editor.h"
 #include "widgets/theme.h"
 
@@ -376,6 +378,10 @@ void tst_PlanEditor::completionKnowsWhereSensesAreAsked() {
     text.setCursorOffset(editor_->text().find("CloseGripper") + 2);
     QTest::keyClick(&text, Qt::Key_Space, Qt::ControlModifier);
     QCOMPARE(completer->currentCompletion(), QStringLiteral("CloseGripper"));
+    const auto* const beside = qobject_cast<const CompletionDelegate*>(completer->popup()->itemDelegate());
+    QVERIFY(beside); // paints the documentation
+    const QModelIndex first = completer->completionModel()->index(0, 0);
+    QCOMPARE(first.data(CompletionDelegate::help_role).toString(), QStringLiteral("Does it."));
 }
 
 void tst_PlanEditor::selectionsFollowEachOther() {
