@@ -33,7 +33,6 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
     line_->setAccessibleName(tr("Words of the selected part"));
     line_->setFont(codeFont());
     line_->installEventFilter(this);
-    connect(line_, &QLineEdit::returnPressed, this, [this] { closeLine(true); });
     connect(this, &PlanView::treeChanged, this, [this] {
         closeLine(false);
         hover_.reset();
@@ -250,14 +249,20 @@ bool PlanCanvas::eventFilter(QObject* watched, QEvent* event) {
     if (watched == line_ && event->type() == QEvent::FocusOut &&
         static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason)
         closeLine(true);
-    if (watched == line_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept();
-        if (event->type() == QEvent::KeyPress)
-            closeLine(false);
-        return true;
-    }
-    return PlanView::eventFilter(watched, event);
+    if (watched != line_ || (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride))
+        return PlanView::eventFilter(watched, event);
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    const bool is_return = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    const bool is_escape = key.key() == Qt::Key_Escape;
+    const bool means_the_drawing = key.key() == Qt::Key_Up || key.key() == Qt::Key_Down ||
+                                   (key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35) ||
+                                   key.modifiers() == Qt::AltModifier;
+    if (!is_return && !is_escape && !means_the_drawing)
+        return false;
+    event->accept(); // it must not come to the drawing below
+    if (event->type() == QEvent::KeyPress && !means_the_drawing)
+        closeLine(is_return);
+    return true;
 }
 
 } // namespace usar::widgets

@@ -78,7 +78,7 @@ void PlanEditor::connectAll() {
     connect(&check_timer_, &QTimer::timeout, this, qOverload<>(&PlanEditor::check));
     connect(&draw_timer_, &QTimer::timeout, this, &PlanEditor::draw);
     connect(&lamp_timer_, &QTimer::timeout, this, [this] {
-        const bool can = !mends().empty();
+        const bool can = text_->planText().size() < long_text && !mends().empty();
         text_->setLamp(can && text_->findingAtCursor());
         mend_->setVisible(can);
     });
@@ -144,7 +144,7 @@ void PlanEditor::setApplicable(bool applicable, const QString& why_not) {
 }
 
 void PlanEditor::setText(const std::string& text, const QString& name) {
-    file_.startNew(name);
+    file_.startNew(name, text);
     offer_->hide();
     text_->resetText(text);
     catchUp();
@@ -364,7 +364,7 @@ void PlanEditor::followSelection() {
 }
 
 void PlanEditor::jumpTo(const posh::Spot& at) {
-    text_->parentWidget()->show();
+    text_shown_->setChecked(true);
     text_->showPlace({});
     QTextCursor cursor(text_->document()->findBlockByNumber(static_cast<int>(at.line) - 1));
     if (cursor.isNull())

@@ -167,7 +167,9 @@ private:
     QBoxLayout* head_ = nullptr;
     QLabel* title_ = nullptr;
     QToolButton* palette_shown_ = nullptr;
+    QToolButton* text_shown_ = nullptr;
     QToolButton* drawing_shown_ = nullptr;
+    QToolButton* lists_shown_ = nullptr;
     QPushButton* apply_ = nullptr;
     QSplitter* body_;
     QSplitter* column_;

@@ -113,7 +113,7 @@ void PlanEditor::compareWith(const std::string& other, const QString& name) {
                icon(QStringLiteral("warning"), tokens().caution));
     lists_->setTabText(1, tr("Differences (%1)").arg(changes.size()));
     lists_->setCurrentWidget(difference_list_);
-    lists_->show();
+    lists_shown_->setChecked(true);
     say(tr("Against %1: %2.").arg(name, QString::fromStdString(posh::summaryOf(changes))));
 }
 
@@ -132,7 +132,7 @@ void PlanEditor::showUsages() {
     }
     lists_->setTabText(2, tr("Usages (%1)").arg(usage_list_->count()));
     lists_->setCurrentWidget(usage_list_);
-    lists_->show();
+    lists_shown_->setChecked(true);
 }
 
 } // namespace usar::widgets

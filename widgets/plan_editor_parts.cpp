@@ -68,9 +68,9 @@ QWidget* PlanEditor::makeHead() {
         return button;
     };
     palette_shown_ = toggle(tr("Shows the pieces that plans are made of"), "pieces", palette_, true);
-    toggle(tr("Shows the text"), "text", text_->parentWidget(), true);
+    text_shown_ = toggle(tr("Shows the text"), "text", text_->parentWidget(), true);
     drawing_shown_ = toggle(tr("Shows the drawing"), "branches", canvas_->parentWidget(), true);
-    toggle(tr("Shows findings, differences and usages"), "warning", lists_, true);
+    lists_shown_ = toggle(tr("Shows findings, differences and usages"), "warning", lists_, true);
     shown->addStretch(1);
     apply_ = new QPushButton(action("apply")->text(), pane);
     apply_->setProperty("role", "primary");

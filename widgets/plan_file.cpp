@@ -85,10 +85,10 @@ Result<void> PlanFile::save(const QString& path, std::string_view text) {
     return {};
 }
 
-void PlanFile::startNew(const QString& name) {
+void PlanFile::startNew(const QString& name, std::string_view text) {
     path_.clear();
     new_name_ = name;
-    saved_.clear();
+    saved_ = std::string(text);
     has_crlf_ = has_mark_ = false;
     keep_timer_.stop();
     watch();

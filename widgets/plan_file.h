@@ -23,8 +23,8 @@ public:
     Result<std::string> open(const QString& path);
     /// Replaced at once or not at all; this is the file from now on.
     Result<void> save(const QString& path, std::string_view text);
-    /// No file yet; a name for people all the same.
-    void startNew(const QString& name);
+    /// No file yet; a name for people all the same. The text counts as saved.
+    void startNew(const QString& name, std::string_view text);
     const QString& path() const { return path_; }
     /// Without its folder.
     QString name() const;

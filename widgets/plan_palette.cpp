@@ -167,13 +167,12 @@ void PlanPalette::setPlan(const posh::Plan& plan) {
     std::vector<Entry> adopts;
     for (const posh::Form& form : plan.forms) {
         const QString name = QString::fromStdString(posh::nameOf(form).text);
-        const posh::Spot& at = posh::nameOf(form).at;
         if (std::holds_alternative<posh::Competence>(form))
-            competences.push_back({name, tr("A competence of this plan, in line %1.").arg(at.line), {false, name}});
+            competences.push_back({name, tr("A competence of this plan."), {false, name}});
         else if (std::holds_alternative<posh::Pattern>(form))
-            patterns.push_back({name, tr("An action pattern of this plan, in line %1.").arg(at.line), {false, name}});
+            patterns.push_back({name, tr("An action pattern of this plan."), {false, name}});
         else if (std::holds_alternative<posh::Adopt>(form))
-            adopts.push_back({name, tr("An adopt of this plan, in line %1.").arg(at.line), {false, name}});
+            adopts.push_back({name, tr("An adopt of this plan."), {false, name}});
     }
     const auto same = [](const std::vector<Entry>& a, const std::vector<Entry>& b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end(),

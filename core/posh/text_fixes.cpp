@@ -15,6 +15,9 @@ namespace usar::posh {
 
 namespace {
 
+/// Comparing costs the product of the lengths.
+constexpr std::size_t longest_compared = 60;
+
 bool isNameCharacter(char c) {
     return isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
@@ -138,6 +141,8 @@ void FixFinder::takeOut(std::size_t first_token, std::size_t last_token) {
 void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most) {
     std::vector<std::pair<std::size_t, std::string>> near;
     const std::string wanted = lowerCase(found());
+    if (wanted.size() > longest_compared)
+        return;
     for (const std::string& candidate : known) {
         const bool is_start = wanted.size() > 1 && lowerCase(candidate).starts_with(wanted);
         const std::size_t distance = is_start ? 1 : editDistance(wanted, lowerCase(candidate));
@@ -324,7 +329,7 @@ void FixFinder::fixDocumentation() {
 }
 
 void FixFinder::fixUnit() {
-    const std::string wanted = lowerCase(word(here_));
+    const std::string wanted = lowerCase(word(here_).substr(0, longest_compared));
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const char* const unit : {"seconds", "minutes", "hours", "hz", "pm", "ticks"}) {
         const bool is_start =

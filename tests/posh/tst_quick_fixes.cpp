@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/spelling.h"
+#include "core/base/random.h"
 #include "core/posh/plan_part.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/quick_fixes.h"
@@ -66,6 +66,7 @@ private slots:
     void aMendIsOfferedAndHelps_data();
     void aMendIsOfferedAndHelps();
     void everyOfferedMendHelps();
+    void mendsOfDamagedTextsAreInOrderAndHelp();
     void differenceIsShortAndWhole_data();
     void differenceIsShortAndWhole();
 };
@@ -213,6 +214,40 @@ void tst_QuickFixes::everyOfferedMendHelps() {
     }
     qInfo("%d of %d files with findings have a mend for the first of them", mended, files);
     QVERIFY(mended * 10 >= files * 8);
+}
+
+/// Whatever a hand does to a text.
+void tst_QuickFixes::mendsOfDamagedTextsAreInOrderAndHelp() {
+    const std::string sound = "((documentation \"a\" \"b\" \"c\")\n"
+                              " (C c vars($x=1) (minutes 2) (goal ((Near 3 <)))\n"
+                              "  (elements ((e (trigger ((Bumped))) Drive($x, $y='z) 3 \"why\")) ((f Stop))))\n"
+                              " (AP p (Stop Beep(2) (Near)))\n"
+                              " (DC d (goal nil) (drives ((g (trigger ((Battery 0.5 >))) c (hz 2))) ((h p)))))\n";
+    const std::string pieces = "()\"'$;, .<=x1-\\\xc3\xa4\n";
+    int mended = 0;
+    for (std::uint64_t seed = 0; seed < 800; ++seed) {
+        Random random = seeded(seed, 9);
+        std::string text = sound;
+        for (std::uint64_t times = random() % 3 + 1; times > 0; --times) {
+            const std::size_t at = random() % (text.size() + 1);
+            if (random() % 2 == 0)
+                text.insert(at, 1, pieces[random() % pieces.size()]);
+            else
+                text.erase(at, random() % 6 + 1);
+        }
+        const Findings findings = readPlan(text).findings;
+        for (const Finding& finding : findings)
+            for (const QuickFix& fix : quickFixes(text, finding, robot)) {
+                std::size_t end = 0;
+                for (const Splice& edit : fix.edits) {
+                    QVERIFY2(edit.begin >= end && edit.end >= edit.begin && edit.end <= text.size(), fix.title.c_str());
+                    end = edit.end;
+                }
+                QVERIFY(withFix(text, fix) != text);
+                ++mended;
+            }
+    }
+    QVERIFY2(mended > 1000, qPrintable(QString::number(mended)));
 }
 
 void tst_QuickFixes::differenceIsShortAndWhole_data() {

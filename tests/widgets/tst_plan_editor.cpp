@@ -183,6 +183,7 @@ void tst_PlanEditor::renamingTakesAllReferencesAlong() {
     QVERIFY(editor_->text().find("(AP freeze (Stop Brake))") != std::string::npos);
     QVERIFY(editor_->text().find("freeze (seconds 2)") != std::string::npos);
     QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("freeze")));
+    QVERIFY(editor_->canvas().hasFocus()); // the key did not go on to the drawing
 }
 
 void tst_PlanEditor::keysMoveAddAndDelete() {
