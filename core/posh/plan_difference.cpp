@@ -25,7 +25,6 @@ struct MemberView {
     std::string comment;
     std::size_t place = 0; ///< in the order of priority, from 1
     std::size_t level = 0; ///< from 1
-    std::size_t equals = 0;
 
     std::string content() const { return trigger + '\n' + action + '\n' + limit; }
 };
@@ -100,7 +99,6 @@ std::vector<MemberView> membersOf(const Form& form, std::size_t number) {
                         view.part = memberPart(number, level, i);
                         view.place = found.size() + 1;
                         view.level = level + 1;
-                        view.equals = any.levels[level].size();
                         found.push_back(std::move(view));
                     }
         },
@@ -357,9 +355,14 @@ void Comparer::compareOrder(const std::vector<std::pair<MemberView, MemberView>>
         if (!stayed[i])
             tell(ChangeKind::Moved, was.part, is.part,
                  whose + " moved from place " + std::to_string(was.place) + " to place " + std::to_string(is.place));
-        else if ((was.equals > 1) != (is.equals > 1))
-            tell(ChangeKind::Moved, was.part, is.part,
-                 whose + (is.equals > 1 ? " has equals now" : " has no equals now"));
+    }
+    for (std::size_t i = 1; i < pairs.size(); ++i) { // who stands in one level with the one before it
+        const bool were_equal = pairs[i - 1].first.level == pairs[i].first.level;
+        const bool are_equal = pairs[i - 1].second.level == pairs[i].second.level;
+        if (were_equal != are_equal)
+            tell(ChangeKind::Moved, pairs[i].first.part, pairs[i].second.part,
+                 memberText(form, pairs[i].second) + (are_equal ? " is an equal of " : " is no equal of ") +
+                     inQuotes(pairs[i - 1].second.name->text) + " now");
     }
 }
 

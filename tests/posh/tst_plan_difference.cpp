@@ -1,7 +1,10 @@
 #include <QTest>
 
+#include <algorithm>
+
 #include "core/base/random.h"
 #include "core/posh/plan_difference.h"
+#include "core/posh/plan_edits.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
 #include "random_plan.h"
@@ -38,6 +41,47 @@ QString linesOf(const std::vector<PlanChange>& changes) {
     return lines.join('\n');
 }
 
+/// Without comments of lines, and with the forms in the order of their names.
+Plan bare(Plan plan) {
+    plan.remarks = {};
+    plan.closing_remarks.clear();
+    if (plan.documentation)
+        plan.documentation->remarks = {};
+    for (Form& form : plan.forms)
+        std::visit(
+            [](auto& any) {
+                any.remarks = {};
+                if constexpr (requires { any.levels; })
+                    for (auto& level : any.levels)
+                        for (auto& member : level)
+                            member.remarks = {};
+            },
+            form);
+    std::stable_sort(plan.forms.begin(), plan.forms.end(),
+                     [](const Form& a, const Form& b) { return nameOf(a).text < nameOf(b).text; });
+    return plan;
+}
+
+Result<PlanEdit> anyEdit(const std::string& text, Random& random) {
+    const Plan plan = readPlan(text).plan;
+    const std::vector<NamedPart> parts = partsOf(plan);
+    const PlanPart part = parts[random() % parts.size()].part;
+    switch (random() % 6) {
+    case 0:
+        return removePart(text, part);
+    case 1:
+        return duplicatePart(text, part);
+    case 2:
+        return shiftPart(text, part, random() % 2 == 0 ? 1 : -1);
+    case 3:
+        return renamePart(text, part, "quite-fresh");
+    case 4:
+        return joinLevel(text, part, -1);
+    default:
+        return setSenses(text, part, {SenseTest{Call{{"asked", {}}, {}}, std::nullopt, std::nullopt}});
+    }
+}
+
 } // namespace
 
 class tst_PlanDifference : public QObject {
@@ -48,6 +92,7 @@ private slots:
     void placesAreThoseOfBothTexts();
     void layoutIsNoDifference();
     void noPlanDiffersFromItself();
+    void everyEditIsTold();
 };
 
 void tst_PlanDifference::changesAreToldInALineEach_data() {
@@ -83,8 +128,9 @@ void tst_PlanDifference::changesAreToldInALineEach_data() {
     row("an element among the drives",
         with(with(source, "((look (trigger ((lost))) turn))", ""), "((work", "((look (trigger ((lost))) turn)) ((work"),
         "drive \"look\" moved from \"pick\" to \"me\"");
-    row("equals", with(source, "((work pick))", "((work pick) (play wave))"),
-        "drive \"work\" has equals now\ndrive \"play\" added");
+    row("an equal is added", with(source, "((work pick))", "((work pick) (play wave))"), "drive \"play\" added");
+    row("two become equals", with(source, "wave (seconds 2)))\n      ((work", "wave (seconds 2))\n      (work"),
+        "drive \"work\" is an equal of \"safe\" now");
     row("documentation", with(source, "(C pick", "(documentation \"a\" \"b\" \"c\") (C pick"), "documentation added");
 }
 
@@ -122,6 +168,26 @@ void tst_PlanDifference::noPlanDiffersFromItself() {
         QCOMPARE(linesOf(planDifference(plan, plan)), QString());
         planDifference(plan, other); // whatever it says, it says it
     }
+}
+
+void tst_PlanDifference::everyEditIsTold() {
+    doubles::RandomPlanOptions options;
+    options.with_decoration = true;
+    int told = 0;
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+        Random random = seeded(seed, 8);
+        const std::string text = writePlan(doubles::randomPlan(random, options));
+        const auto edited = anyEdit(text, random);
+        if (!edited)
+            continue;
+        const Plan before = readPlan(text).plan;
+        const Plan after = readPlan(edited->text).plan;
+        const bool is_told = !planDifference(before, after).empty();
+        if (is_told != (bare(before) != bare(after)))
+            QFAIL((std::to_string(seed) + ":\n" + text + "\nbecame\n" + edited->text).c_str());
+        told += is_told ? 1 : 0;
+    }
+    QVERIFY2(told > 500, qPrintable(QString::number(told)));
 }
 
 QTEST_APPLESS_MAIN(tst_PlanDifference)
