@@ -132,6 +132,7 @@ void MainWindow::wireControl() {
             [this](const auto& update) { presenter_.showLink(control_.connectionOf(0), *update, selected_ == 0); });
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
         presenter_.show(id, *update, id == selected_);
+        plan_.take(id, *update);
         if (id != selected_)
             return;
         views_.connection->setRate(update->figures.replay ? std::nullopt
@@ -203,7 +204,7 @@ void MainWindow::wireBars() {
     connect(views_.connection, &widgets::ConnectionBar::connectRequested, this, &MainWindow::connectTo);
     connect(views_.connection, &widgets::ConnectionBar::disconnectRequested, this, &MainWindow::disconnectFromServer);
     connect(views_.time, &widgets::TimeBar::pauseRequested, this, &MainWindow::pauseTime);
-    connect(views_.time, &widgets::TimeBar::stepRequested, &control_.simulator(), &SimulatorHost::stepOnce);
+    connect(views_.time, &widgets::TimeBar::stepRequested, this, &MainWindow::stepTime);
     connect(views_.time, &widgets::TimeBar::speedRequested, this, &MainWindow::setSpeed);
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
     connect(views_.hint, &widgets::HintStrip::dismissed, this, [this] { views_.hint->hide(); });

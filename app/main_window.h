@@ -10,6 +10,7 @@
 #include "app/camera_desk.h"
 #include "app/mission_control.h"
 #include "app/options.h"
+#include "app/plan_desk.h"
 #include "app/radio_presenter.h"
 #include "app/robot_presenter.h"
 #include "app/window_views.h"
@@ -171,6 +172,9 @@ private:
     /// the bottom docks.
     void arrange(const QString& raised, double bottom_part);
     void pauseTime(bool paused);
+    /// A plan stands still, or none does any more; what the person paused stays so.
+    void holdTime(bool hold);
+    void stepTime();
     void setSpeed(double speed);
 
     static constexpr int layout_version = 3; ///< a layout saved by an older set of docks is not restored
@@ -179,6 +183,7 @@ private:
     MissionControl control_;
     widgets::CommandRegistry commands_;
     WindowViews views_;
+    PlanDesk plan_{control_, views_, commands_, this};
     RobotPresenter presenter_;
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
     WorldEditor world_{control_, views_, commands_, this};
@@ -196,7 +201,8 @@ private:
     link::LinkState link_state_ = link::LinkState::Disconnected;
     bool asking_ = false; ///< where else the scan should go
     bool may_close_ = false;
-    QThreadPool disk_; ///< writes the settings; waited for at the end
+    bool held_by_plan_ = false; ///< time, not by the person
+    QThreadPool disk_;          ///< writes the settings; waited for at the end
 };
 
 } // namespace usar::app

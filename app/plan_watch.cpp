@@ -1,5 +1,7 @@
 #include "app/plan_watch.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/posh/value_text.h"
@@ -38,67 +40,152 @@ std::shared_ptr<const std::vector<std::string>> pathsOf(const posh::Program& pro
 
 } // namespace
 
-void PlanWatch::restart() {
-    cursor_.reset();
-    file_.reset();
-    bytes_.clear();
-    activity_.start(nullptr);
-    paths_.reset();
-}
-
 PlanWatch::News PlanWatch::take(const mission::SessionUpdate& update) {
-    if (update.rewound)
-        restart();
-    News news = update.rewound ? News::Plan : News::None;
-    for (const agent::Published& published : update.published)
-        if (const auto* const trace = std::get_if<agent::PlanTrace>(&published)) {
-            const bool other_plan = append(trace->bytes);
-            if (news != News::Plan)
-                news = other_plan ? News::Plan : News::Activity;
-        }
-    return news;
-}
-
-/// A trace that begins is another run. True where another plan begins.
-bool PlanWatch::append(const std::string& bytes) {
-    const bool begins = bytes.starts_with(posh::trace_codec::magic);
-    if (begins)
-        restart();
-    bytes_ += bytes;
-    if (file_)
-        file_->extend(bytes_);
-    else if (auto opened = posh::TraceFile::open(bytes_))
-        cursor_ = file_.emplace(*std::move(opened)).begin();
-    return readOn() || begins;
-}
-
-bool PlanWatch::readOn() {
-    bool other_plan = false;
-    while (cursor_) {
-        const posh::TracedCycle* const cycle = cursor_->next();
-        if (!cycle)
-            break;
-        if (cycle->program && cycle->program != activity_.program()) {
-            activity_.start(cycle->program);
-            paths_ = pathsOf(*cycle->program);
-            text_ = file_->planText(file_->planCount() - 1);
-            reading_ = posh::readPlan(text_);
-            other_plan = true;
-        }
-        for (const auto& entry : cycle->events)
-            activity_.take(entry.record, cycle->textOf(entry));
-        for (const auto& entry : cycle->behind)
-            activity_.take(entry.record, cycle->textOf(entry));
+    is_replay_ = update.figures.replay.has_value();
+    if (update.rewound) {
+        heard_ = 0;
+        all_heard_ = history_.bytes().empty();
+        moment_.reset();
+        epoch_.reset();
     }
-    return other_plan;
+    bool heard = update.rewound;
+    for (const agent::Published& published : update.published)
+        if (const auto* const trace = std::get_if<agent::PlanTrace>(&published); trace && !trace->bytes.empty()) {
+            hear(trace->bytes);
+            heard = true;
+        }
+    if (heard && moment_)
+        return News::Activity; // of the run; what is shown is as it was
+    return heard ? refresh() : News::None;
+}
+
+/// What a replay says again is known; what differs is another run.
+void PlanWatch::hear(const std::string& piece) {
+    const std::string_view known = std::string_view(history_.bytes()).substr(heard_, piece.size());
+    if (!known.empty() && known == piece) {
+        heard_ += piece.size();
+    } else {
+        if (!known.empty() || piece.starts_with(posh::trace_codec::magic)) {
+            history_.clear();
+            heard_ = 0;
+            moment_.reset();
+            epoch_.reset();
+        }
+        history_.append(piece);
+        heard_ += piece.size();
+    }
+    all_heard_ = heard_ == history_.bytes().size();
+}
+
+std::optional<std::size_t> PlanWatch::heardMoment() const {
+    const auto& moments = history_.moments();
+    const auto after = std::ranges::upper_bound(moments, heard_, {}, &posh::RunMoment::bytes);
+    return after == moments.begin() ? std::nullopt
+                                    : std::optional(static_cast<std::size_t>(after - moments.begin()) - 1);
+}
+
+PlanWatch::News PlanWatch::refresh() {
+    if (moment_ || !all_heard_) {
+        if (const auto moment = shownMoment())
+            shown_ = history_.at(*moment, epoch_);
+        else
+            shown_.start(nullptr);
+    }
+    if (activity().program() == program_)
+        return empty() ? News::None : News::Activity;
+    program_ = activity().program();
+    if (!program_) {
+        paths_.reset();
+        return News::Plan;
+    }
+    paths_ = pathsOf(*program_);
+    text_ = history_.planText(*shownMoment());
+    reading_ = posh::readPlan(text_);
+    return News::Plan;
+}
+
+const std::vector<std::string>& PlanWatch::paths() const {
+    static const std::vector<std::string> none;
+    return paths_ ? *paths_ : none;
+}
+
+widgets::PlanTime PlanWatch::time() const {
+    widgets::PlanTime time;
+    time.live = live();
+    time.replay = is_replay_;
+    const auto moment = shownMoment();
+    if (!moment)
+        return time;
+    const auto& moments = history_.moments();
+    time.begin = seconds(moments.front().time_ms);
+    time.end = seconds(moments.back().time_ms);
+    time.shown = seconds(moments[*moment].time_ms);
+    time.cycle = moments[*moment].cycle;
+    if (epoch_) {
+        time.epoch = *epoch_ + 1;
+        time.epochs = history_.epochCount(*moment);
+    }
+    return time;
+}
+
+PlanWatch::News PlanWatch::goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch) {
+    if (history_.moments().empty())
+        return News::None;
+    moment_ = moment;
+    epoch_ = epoch;
+    return refresh();
+}
+
+PlanWatch::News PlanWatch::goLive() {
+    return goToMoment(std::nullopt, std::nullopt);
+}
+
+PlanWatch::News PlanWatch::goTo(Seconds time) {
+    if (history_.moments().empty())
+        return News::None;
+    return goToMoment(history_.momentAt(std::llround(time.count() * 1000.0)), std::nullopt);
+}
+
+PlanWatch::News PlanWatch::step(int cycles) {
+    const auto shown = shownMoment();
+    if (!shown)
+        return News::None;
+    const auto wanted = static_cast<std::int64_t>(*shown) + cycles;
+    if (wanted + 1 >= std::ssize(history_.moments()))
+        return goLive();
+    return goToMoment(static_cast<std::size_t>(std::max<std::int64_t>(0, wanted)), std::nullopt);
+}
+
+PlanWatch::News PlanWatch::stepEpoch() {
+    if (!moment_ || !epoch_)
+        return News::None;
+    if (*epoch_ + 1 < history_.epochCount(*moment_))
+        return goToMoment(moment_, *epoch_ + 1);
+    return News::None;
+}
+
+PlanWatch::News PlanWatch::goToFirstEpoch() {
+    const auto newest = heardMoment();
+    if (!newest || history_.epochCount(*newest) < 2)
+        return News::None;
+    return goToMoment(newest, 0);
+}
+
+Seconds PlanWatch::timeOfStep(int cycles) const {
+    const auto shown = shownMoment();
+    if (!shown)
+        return Seconds{0.0};
+    const auto last = std::ssize(history_.moments()) - 1;
+    const auto wanted = std::clamp<std::int64_t>(static_cast<std::int64_t>(*shown) + cycles, 0, last);
+    return seconds(history_.moments()[static_cast<std::size_t>(wanted)].time_ms);
 }
 
 widgets::PlanSnapshot PlanWatch::snapshot() const {
     widgets::PlanSnapshot snapshot;
     snapshot.paths = paths_;
-    for (const posh::PlaceActivity& place : activity_.places())
+    for (const posh::PlaceActivity& place : activity().places())
         snapshot.activities.push_back(shown(place));
-    snapshot.now = seconds(activity_.now_ms());
+    snapshot.now = seconds(activity().now_ms());
     return snapshot;
 }
 

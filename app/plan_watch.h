@@ -1,43 +1,73 @@
-// The plan of one robot and what it does, put together from what the robot publishes.
+// The plan of one robot and what it does, put together from what the robot publishes: now, and at any moment before.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/mission/session_update.h"
 #include "core/posh/plan_reader.h"
-#include "core/posh/run_activity.h"
-#include "core/posh/trace_file.h"
+#include "core/posh/run_history.h"
 #include "widgets/models/plan_activity.h"
+#include "widgets/models/plan_time.h"
 
 namespace usar::app {
 
-/// Keeps the trace of the run: a few bytes for each tick. GUI thread.
+/// Keeps the trace of the run: a few bytes for each tick. Follows the run, or stands at a moment of it. A replay that
+/// is wound back does not forget what it has heard: it is at an earlier moment of it. GUI thread.
 class PlanWatch {
 public:
     PlanWatch() = default;
     PlanWatch(const PlanWatch&) = delete;
     PlanWatch& operator=(const PlanWatch&) = delete;
 
+    /// Of what is shown. Plan: another one, or another text of it.
     enum class News { None, Activity, Plan };
     News take(const mission::SessionUpdate& update);
 
     /// No plan has decided yet.
-    bool empty() const { return !activity_.program(); }
+    bool empty() const { return !activity().program(); }
     const posh::Plan& plan() const { return reading_.plan; }
     const std::string& planText() const { return text_; }
     const posh::Findings& findings() const { return reading_.findings; }
     widgets::PlanSnapshot snapshot() const;
+    /// What the shown state is of; null where it is empty.
+    const std::shared_ptr<const posh::Program>& program() const { return activity().program(); }
+    /// By place.
+    const std::vector<std::string>& paths() const;
+
+    widgets::PlanTime time() const;
+    bool live() const { return !moment_; }
+    News goLive();
+    /// To the cycle that was the newest at that time.
+    News goTo(Seconds time);
+    /// So many cycles on or back. Beyond the newest it follows the run.
+    News step(int cycles);
+    /// One epoch on, within the shown cycle; None where it was the last.
+    News stepEpoch();
+    /// To the first epoch of the newest cycle, unless it has but one.
+    News goToFirstEpoch();
+    /// Of the cycle that is so many behind the shown one, or of the last that is known.
+    Seconds timeOfStep(int cycles) const;
 
 private:
-    void restart();
-    bool append(const std::string& bytes);
-    bool readOn();
+    const posh::RunActivity& activity() const { return moment_ || !all_heard_ ? shown_ : history_.newest(); }
+    void hear(const std::string& piece);
+    News refresh();
+    /// The newest that has been heard (again); nothing has where there is none.
+    std::optional<std::size_t> heardMoment() const;
+    std::optional<std::size_t> shownMoment() const { return moment_ ? moment_ : heardMoment(); }
+    News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);
 
-    std::string bytes_;
-    std::optional<posh::TraceFile> file_; ///< over `bytes_`
-    std::optional<posh::TraceFile::Cursor> cursor_;
-    posh::RunActivity activity_;
+    posh::RunHistory history_;
+    std::size_t heard_ = 0; ///< bytes of it, since a replay was wound back last
+    bool all_heard_ = true;
+    std::optional<std::size_t> moment_; ///< nothing: it follows
+    std::optional<std::size_t> epoch_;  ///< of `moment_`
+    bool is_replay_ = false;
+    posh::RunActivity shown_; ///< unless it is the newest of all
+    std::shared_ptr<const posh::Program> program_;
     std::string text_;
     posh::PlanReading reading_;
     std::shared_ptr<const std::vector<std::string>> paths_;

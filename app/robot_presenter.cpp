@@ -71,10 +71,8 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
         for (const mission::TraceSpot& spot : spots)
             views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
-    const PlanWatch::News plan_news = plans_[view.connection].take(update);
     if (!selected)
         return;
-    showPlan(view.connection, plan_news);
     showTraffic(update.figures);
     noteHeard(update);
     showInstruments(view, update);
@@ -175,18 +173,6 @@ void RobotPresenter::showLinkState(int id) {
     views_.sensors->setLinked(!stale);
 }
 
-void RobotPresenter::showPlan(int connection, PlanWatch::News news) {
-    const PlanWatch& watch = plans_[connection];
-    if (news == PlanWatch::News::Plan) {
-        if (watch.empty())
-            return views_.plan->clear();
-        views_.plan->setPlan(watch.plan());
-        views_.plan->setPlanText(watch.planText(), watch.findings());
-    }
-    if (news != PlanWatch::News::None && !watch.empty())
-        views_.plan->setSnapshot(watch.snapshot());
-}
-
 void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
     if (newest<protocol::RangeScan>(update))
         scan_heard_ = update.figures.now;
@@ -245,11 +231,9 @@ void RobotPresenter::select(int id) {
     const Robot* robot = control_.robot(id);
     views_.map->clearHeights(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
-    views_.plan->clear();
     if (!robot)
         return views_.status->clear(QObject::tr("No robot yet"));
     const RobotView& view = robot->view();
-    showPlan(view.connection, PlanWatch::News::Plan);
     views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/mission_control.h"
-#include "app/plan_watch.h"
 #include "app/window_views.h"
 #include "core/mission/trace_watch.h"
 
@@ -36,13 +35,11 @@ private:
     void feedPanels(const mission::SessionUpdate& update);
     void feedMessages(int connection, const mission::SessionUpdate& update);
     void showTraffic(const mission::SessionFigures& figures);
-    void showPlan(int connection, PlanWatch::News news);
     void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     WindowViews& views_;
     std::map<int, mission::TraceWatch> traces_; ///< by connection
-    std::map<int, PlanWatch> plans_;            ///< by connection
     std::map<int, std::uint64_t> not_shown_;    ///< lines that were left out of updates so far, by connection
     // Of the selected robot:
     std::optional<Seconds> scan_heard_; ///< by the protocol's clock

@@ -121,6 +121,7 @@ void MainWindow::selectRobot(int id) {
                                                            : described->behaviors);
     showDraft();
     presenter_.select(selected_);
+    plan_.select(selected_);
     camera_->select(selected_);
     followConnection();
     views_.robots->selectRobot(selected_);
@@ -163,6 +164,7 @@ void MainWindow::start() {
     if (!started)
         return complain("start", started.error());
     control_.cure("start");
+    plan_.begin(selected_);
     beginMissionFaults();
     views_.hint->setDone(2, true);
     views_.map->setAreaSummary({}); // a plan's figures; the behavior says its own now
@@ -206,6 +208,9 @@ void MainWindow::applyParameters() {
 }
 
 void MainWindow::pauseTime(bool paused) {
+    held_by_plan_ = false;
+    if (!paused)
+        plan_.goOn(); // or it would hold its server's time
     views_.time->setPaused(paused);
     views_.sensors->setPaused(paused);
     world_.setPaused(paused);
@@ -214,6 +219,27 @@ void MainWindow::pauseTime(bool paused) {
     else
         setSpeed(views_.time->speed());
     commands_.refresh();
+}
+
+void MainWindow::holdTime(bool hold) {
+    if (!control_.simulator().running())
+        return;
+    if (hold && !views_.time->paused()) {
+        pauseTime(true);
+        held_by_plan_ = true;
+    } else if (!hold && held_by_plan_) {
+        pauseTime(false);
+    } else if (views_.time->paused()) {
+        control_.setPace(link::Pace::Paused, 1.0); // a step is over
+    }
+}
+
+/// A plan that stands still decides once more.
+void MainWindow::stepTime() {
+    if (plan_.anyHalted())
+        plan_.stepCycle();
+    else
+        control_.simulator().stepOnce();
 }
 
 void MainWindow::setSpeed(double speed) {

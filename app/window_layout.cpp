@@ -50,8 +50,7 @@ void MainWindow::registerTimeCommands() {
          tr("One tick of the simulator, while it is paused"),
          "step",
          {QKeySequence("F10")}},
-        [this](bool) { control_.simulator().stepOnce(); },
-        [this, steerable] { return steerable() && views_.time->paused(); });
+        [this](bool) { stepTime(); }, [this, steerable] { return steerable() && views_.time->paused(); });
     commands_.add(
         {"time.faster", tr("Faster"), tr("Time"), tr("The next speed up"), "", {QKeySequence("Ctrl+Shift+Up")}},
         [this](bool) { views_.time->changeSpeed(1); }, steerable);
@@ -136,6 +135,7 @@ void MainWindow::restoreSettings() {
     views_.connection->setAddress(settings.value("server/host", options_.server.host).toString(),
                                   quint16(settings.value("server/port", options_.server.port).toUInt()));
     setRecording(settings.value("record", true).toBool());
+    plan_.restore(settings);
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }
@@ -153,6 +153,7 @@ void MainWindow::saveSettings() {
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());
     settings.setValue("record", control_.recording());
+    plan_.save(settings);
     if (options_.result_folder.isEmpty() && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
     written->moveToThread(nullptr); // whoever deletes it writes it

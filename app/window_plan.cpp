@@ -1,4 +1,6 @@
 // The plan's part of MainWindow: its commands and wires.
+#include <cmath>
+
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -24,11 +26,20 @@ void MainWindow::registerPlanCommands() {
          "",
          {}},
         [this](bool) { chooseWhereToSavePlan(); }, [this] { return !views_.plan->view().tree().empty(); });
+    plan_.registerCommands();
 }
 
 void MainWindow::wirePlan() {
     connect(&views_.behavior->plan(), &widgets::PlanChoice::openRequested, this, &MainWindow::choosePlanFile);
     connect(views_.plan, &widgets::PlanPanel::exportRequested, this, &MainWindow::chooseWhereToSavePlan);
+    plan_.wire();
+    connect(&plan_, &PlanDesk::timeWanted, this, [this](bool runs) { holdTime(!runs); });
+    connect(&plan_, &PlanDesk::cycleWanted, this, [this] {
+        if (!views_.time->paused())
+            return;
+        const double speed = views_.time->speed(); // the bar goes on saying that time stands still
+        control_.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
+    });
 }
 
 void MainWindow::choosePlanFile() {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QObject>
+#include <QPolygonF>
 
 namespace usar::widgets {
 
@@ -71,8 +73,10 @@ void PlanPainter::paint(const QRectF& area) {
         paintCard(node);
         framed.push_back(node);
     }
-    for (const int node : framed)
+    for (const int node : framed) {
+        paintMarks(node);
         paintFrames(node);
+    }
 }
 
 /// The trunk of each parent once, whatever it has below; then what runs above all others.
@@ -365,6 +369,80 @@ void PlanPainter::paintFrames(int node) {
     };
     for (int what = node; what <= node + scene_.tree[node].senses; ++what)
         framesOf(what);
+}
+
+/// On the edges of a card, where nothing else is drawn.
+void PlanPainter::paintMarks(int node) {
+    if (!scene_.marks || scene_.marks->empty())
+        return;
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (int what = node; what <= node + scene_.tree[node].senses; ++what) {
+        const PlanMark* const mark = scene_.marks->at(what);
+        if (!mark)
+            continue;
+        const bool rows = detail_ == PlanDetail::Full;
+        const QRectF box = scene_.layout.box(scene_.tree, rows ? what : node);
+        const double title_px = (box.height() - plan_card::padding_px) / (1 + scene_.tree[what].senses);
+        const double y = rows && what == node ? box.top() + (plan_card::padding_px + title_px) / 2.0 : box.center().y();
+        if (mark->switched_off)
+            paintOff(box);
+        if (mark->pinned)
+            paintPin({box.right(), y});
+        if (mark->breakpoints + mark->breakpoints_off > 0)
+            paintBreakpoint(*mark, {box.left(), y});
+        if (mark->halted)
+            paintStand({box.left() - 16.0 * markSize(), y});
+    }
+    painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
+}
+
+/// The octagon of a stop sign; hollow while it is off; with a bar where it does not stop always.
+void PlanPainter::paintBreakpoint(const PlanMark& mark, const QPointF& middle) {
+    const double radius = 7.5 * markSize();
+    QPolygonF octagon;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double angle_rad = (corner + 0.5) * std::numbers::pi / 4.0;
+        octagon << middle + radius * QPointF(std::cos(angle_rad), std::sin(angle_rad));
+    }
+    const bool on = mark.breakpoints > 0;
+    painter_.setPen(QPen(on ? colors_.background : colors_.danger, 1.5 * markSize()));
+    painter_.setBrush(on ? colors_.danger : colors_.background);
+    painter_.drawPolygon(octagon);
+    if (!mark.conditional)
+        return;
+    painter_.setPen(QPen(on ? inkOn(colors_.danger) : colors_.danger, 1.8 * markSize()));
+    painter_.drawLine(middle - QPointF(radius / 2.0, 0.0), middle + QPointF(radius / 2.0, 0.0));
+}
+
+/// The arrow of what comes next.
+void PlanPainter::paintStand(const QPointF& middle) {
+    const double size = markSize();
+    const QPointF arrow[] = {middle + size * QPointF(-7, -3), middle + size * QPointF(0, -3),
+                             middle + size * QPointF(0, -7),  middle + size * QPointF(8, 0),
+                             middle + size * QPointF(0, 7),   middle + size * QPointF(0, 3),
+                             middle + size * QPointF(-7, 3)};
+    painter_.setPen(QPen(colors_.background, 1.2 * size));
+    painter_.setBrush(colors_.caution);
+    painter_.drawPolygon(arrow, 7);
+}
+
+/// A needle with its head.
+void PlanPainter::paintPin(const QPointF& middle) {
+    const double size = markSize();
+    painter_.setPen(QPen(colors_.text, 2.0 * size));
+    painter_.drawLine(middle, middle + size * QPointF(-7, 7));
+    painter_.setPen(QPen(colors_.background, 1.2 * size));
+    painter_.setBrush(colors_.accent);
+    painter_.drawEllipse(middle, 5.0 * size, 5.0 * size);
+}
+
+/// Veiled and struck out.
+void PlanPainter::paintOff(const QRectF& box) {
+    QColor veil = colors_.background;
+    veil.setAlphaF(0.6F);
+    painter_.fillRect(box, veil);
+    painter_.setPen(QPen(colors_.danger, std::max(2.0, 2.0 * thin())));
+    painter_.drawLine(box.bottomLeft(), box.topRight());
 }
 
 void PlanPainter::frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style) {

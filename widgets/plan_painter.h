@@ -9,6 +9,7 @@
 
 #include "widgets/models/plan_activity.h"
 #include "widgets/models/plan_layout.h"
+#include "widgets/models/plan_marks.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -24,6 +25,7 @@ struct PlanScene {
     int selected = -1;
     int hot = -1; ///< under the mouse
     bool focused = false;
+    const PlanMarks* marks = nullptr; ///< none: nobody put any there
 };
 
 /// What a scale leaves room for: everything; blocks with names; blocks alone.
@@ -58,11 +60,18 @@ private:
     double paintAnswer(int sense, const QRectF& row);
     void paintVerdict(int sense, const QRectF& place);
     void paintFrames(int node);
+    void paintMarks(int node);
+    void paintBreakpoint(const PlanMark& mark, const QPointF& middle);
+    void paintStand(const QPointF& middle);
+    void paintPin(const QPointF& middle);
+    void paintOff(const QRectF& box);
     void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
     QColor fillOf(int node) const;
     /// At least a pixel of the device.
     double thin() const { return 1.0 / std::min(scale_, 1.0); }
+    /// Marks shrink less than cards do.
+    double markSize() const { return 1.0 / std::min(1.0, scale_ + 0.3); }
 
     QPainter& painter_;
     const PlanScene& scene_;

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int narrow_px = 640;
 constexpr int node_role = Qt::UserRole;
+constexpr int id_role = Qt::UserRole + 2; // of a breakpoint
 
 struct Row {
     QString text;
@@ -73,7 +74,9 @@ PlanPanel::PlanPanel(QWidget* parent)
     : QWidget(parent)
     , view_(new PlanView(this))
     , head_(new QBoxLayout(QBoxLayout::LeftToRight))
-    , body_(new QSplitter(this)) {
+    , body_(new QSplitter(this))
+    , halt_bar_(new PlanHaltBar(this))
+    , time_bar_(new PlanTimeBar(this)) {
     setAccessibleName(tr("Plan"));
     head_->setSpacing(gap::tiny);
     head_->addLayout(makeSearchRow(), 1);
@@ -89,13 +92,16 @@ PlanPanel::PlanPanel(QWidget* parent)
     column->setSpacing(gap::tiny);
     column->setSizeConstraint(QLayout::SetNoConstraint); // the broad row would forbid the narrow panel
     column->addLayout(head_);
+    column->addWidget(halt_bar_);
     column->addWidget(body_, 1);
+    column->addWidget(time_bar_);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunning);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
     connect(view_, &PlanView::treeChanged, this, [this] {
         side_->setVisible(!view_->tree().empty());
+        time_bar_->setVisible(!view_->tree().empty());
         showRunning();
         search(search_->text());
     });
@@ -114,6 +120,7 @@ PlanPanel::PlanPanel(QWidget* parent)
         search_->selectAll();
     });
     side_->hide();
+    time_bar_->hide();
     setRobots({}, {});
     showFound();
     showRunning();
@@ -227,7 +234,50 @@ QWidget* PlanPanel::makeSide() {
     reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
     reasons_->setWordWrap(true);
     column->addWidget(reasons_, 3);
+    addBreakpointList(column, side);
     return side;
+}
+
+void PlanPanel::addBreakpointList(QBoxLayout* column, QWidget* side) {
+    breakpoints_title_ = makeTitle(tr("Breakpoints"), side);
+    column->addWidget(breakpoints_title_);
+    breakpoints_ = makeList(
+        tr("Breakpoints"),
+        tr("The tick switches one on and off, a click goes there, a double-click changes it, Delete takes it away"));
+    column->addWidget(breakpoints_, 2);
+    connect(breakpoints_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+        emit breakpointSwitched(item->data(id_role).toInt(), item->checkState() == Qt::Checked);
+    });
+    connect(breakpoints_, &QListWidget::itemDoubleClicked, this,
+            [this](const QListWidgetItem* item) { emit breakpointEditRequested(item->data(id_role).toInt()); });
+    auto* away = new QShortcut(QKeySequence::Delete, breakpoints_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(away, &QShortcut::activated, this, [this] {
+        if (const QListWidgetItem* const item = breakpoints_->currentItem())
+            emit breakpointRemoved(item->data(id_role).toInt());
+    });
+    setBreakpoints({});
+}
+
+void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
+    breakpoints_title_->setVisible(!rows.empty());
+    breakpoints_->setVisible(!rows.empty());
+    const QSignalBlocker quiet(breakpoints_);
+    const int count = static_cast<int>(rows.size());
+    while (breakpoints_->count() > count)
+        delete breakpoints_->takeItem(breakpoints_->count() - 1);
+    while (breakpoints_->count() < count) // those that stay are not made anew: one of them may be telling
+        new QListWidgetItem(breakpoints_);
+    for (int i = 0; i < count; ++i) {
+        const BreakpointRow& row = rows[static_cast<std::size_t>(i)];
+        QListWidgetItem* const item = breakpoints_->item(i);
+        item->setText(row.text);
+        item->setToolTip(row.help);
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(row.enabled ? Qt::Checked : Qt::Unchecked);
+        item->setData(node_role, row.path.empty() ? -1 : view_->tree().find(row.path));
+        item->setData(id_role, row.id);
+        item->setForeground(row.path.empty() ? tokens().stale : tokens().text);
+    }
 }
 
 QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {

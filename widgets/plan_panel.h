@@ -9,10 +9,22 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "widgets/plan_halt_bar.h"
 #include "widgets/plan_text_edit.h"
+#include "widgets/plan_time_bar.h"
 #include "widgets/plan_view.h"
 
 namespace usar::widgets {
+
+/// A breakpoint in the panel's list.
+struct BreakpointRow {
+    int id = 0;
+    QString text;
+    QString help;
+    std::string path; ///< in the plan; empty: it has no such place
+    bool enabled = true;
+    bool operator==(const BreakpointRow&) const = default;
+};
 
 /// Values in by setters, wishes out by signals. A narrow panel stacks what a broad one has side by side. GUI thread.
 class PlanPanel : public QWidget {
@@ -27,6 +39,10 @@ public:
     /// findings of its reader. To be called after setPlan; without it the button that shows the text is off.
     void setPlanText(std::string_view text, const posh::Findings& findings);
     void clear();
+    /// Of the plan; without any the list is hidden.
+    void setBreakpoints(const std::vector<BreakpointRow>& rows);
+    PlanHaltBar& haltBar() { return *halt_bar_; }
+    PlanTimeBar& timeBar() { return *time_bar_; }
     PlanTextEdit& textEdit() { return *text_; }
     /// Silent. Fewer than two leave nothing to choose: the box is hidden.
     void setRobots(const QStringList& names, const QString& shown);
@@ -41,6 +57,9 @@ signals:
     void textRequested(const usar::posh::Spot& at);
     /// As a picture in a file.
     void exportRequested();
+    void breakpointSwitched(int id, bool on);
+    void breakpointEditRequested(int id);
+    void breakpointRemoved(int id);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -51,6 +70,7 @@ private:
     QBoxLayout* makeButtonRow();
     QWidget* makeText();
     QWidget* makeSide();
+    void addBreakpointList(QBoxLayout* column, QWidget* side);
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
     void arrange();
@@ -80,6 +100,10 @@ private:
     QListWidget* running_;
     QLabel* verdict_;
     QListWidget* reasons_;
+    QLabel* breakpoints_title_;
+    QListWidget* breakpoints_;
+    PlanHaltBar* halt_bar_;
+    PlanTimeBar* time_bar_;
     bool from_text_ = false; ///< the selection follows the text's cursor
     int narrow_ = -1;        ///< not yet arranged
 };

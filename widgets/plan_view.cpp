@@ -70,6 +70,7 @@ void PlanView::rebuild() {
     const std::string path = had ? tree_.path(selected_) : std::string();
     tree_ = PlanTree(plan_, sharing_);
     states_.reset(tree_);
+    marks_ = PlanMarks(tree_, marks_by_path_);
     sizes_.clear();
     layout_valid_ = false;
     found_.clear();
@@ -92,6 +93,15 @@ void PlanView::setSnapshot(PlanSnapshot snapshot) {
     news_ = true;
     if (isVisible() && !tick_.isActive())
         tick_.start();
+}
+
+void PlanView::setMarks(std::vector<PlanMark> marks) {
+    if (marks == marks_by_path_)
+        return;
+    marks_by_path_ = std::move(marks);
+    marks_ = PlanMarks(tree_, marks_by_path_);
+    describe();
+    update();
 }
 
 void PlanView::takeNews() {
@@ -302,6 +312,8 @@ QString PlanView::nodeText(int node) const {
         lines << lastRunText(state, states_.now());
     if (const QString counters = countersText(state); !counters.isEmpty())
         lines << counters;
+    if (const PlanMark* const mark = marks_.at(node))
+        lines << mark->words;
     if (what.link >= 0)
         lines << (what.recursive ? tr("Leads back to where it stands; the plan cannot run so")
                                  : tr("Drawn in full elsewhere; Return goes there"));
@@ -348,7 +360,8 @@ void PlanView::paintEvent(QPaintEvent* event) {
     layout(); // up to date
     painter.scale(scale_, scale_);
     painter.translate(-corner_);
-    const PlanScene scene{tree_, layout_, folds_, states_, tokens(), found_marks_, selected_, hot_, hasFocus()};
+    const PlanScene scene{tree_,        layout_,   folds_, states_,    tokens(),
+                          found_marks_, selected_, hot_,   hasFocus(), &marks_};
     PlanPainter(painter, scene, scale_).paint(area.adjusted(-8.0, -8.0, 8.0, 8.0));
     painter.resetTransform();
     if (const QString note = reservation(); !note.isEmpty())

@@ -10,6 +10,7 @@
 #include "widgets/models/plan_activity.h"
 #include "widgets/models/plan_folds.h"
 #include "widgets/models/plan_layout.h"
+#include "widgets/models/plan_marks.h"
 
 namespace usar::widgets {
 
@@ -32,6 +33,9 @@ public:
     /// The sheet that is shown while there is no plan.
     EmptyState* emptyState() const { return empty_state_; }
     void setSnapshot(PlanSnapshot snapshot);
+    /// All that there are; they stay with their paths in another plan.
+    void setMarks(std::vector<PlanMark> marks);
+    const PlanMarks& marks() const { return marks_; }
 
     void setSharing(PlanSharing sharing);
     PlanSharing sharing() const { return sharing_; }
@@ -90,6 +94,8 @@ signals:
     void selectionChanged(int node);
     /// Double-click or Return on a part that is no link.
     void activated(int node);
+    /// The person asks what can be done with a part (it is selected by then), or with none (-1).
+    void menuRequested(int node, const QPoint& at_global);
     /// News was taken: states() are others.
     void refreshed();
     /// Another plan or another sharing: node numbers are others.
@@ -106,6 +112,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
@@ -138,6 +145,8 @@ private:
     PlanFolds folds_;
     PlanStates states_;
     PlanSnapshot snapshot_;
+    std::vector<PlanMark> marks_by_path_;
+    PlanMarks marks_;
     bool news_ = false; ///< the snapshot was not taken yet
     int news_taken_ = 0;
     QTimer tick_;

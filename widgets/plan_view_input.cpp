@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -223,6 +224,17 @@ void PlanView::walkRunning(int by) {
 void PlanView::leaveEvent(QEvent*) {
     hot_ = -1;
     update();
+}
+
+void PlanView::contextMenuEvent(QContextMenuEvent* event) {
+    if (tree_.empty())
+        return;
+    if (event->reason() == QContextMenuEvent::Mouse)
+        select(nodeAt(event->pos()));
+    QPoint at = event->globalPos();
+    if (event->reason() == QContextMenuEvent::Keyboard && selected_ >= 0)
+        at = mapToGlobal(toScreen(layout().box(tree_, selected_).center()).toPoint());
+    emit menuRequested(selected_, at);
 }
 
 void PlanView::changeEvent(QEvent* event) {

@@ -6,39 +6,18 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QHBoxLayout>
-#include <QMouseEvent>
 #include <QSignalBlocker>
-#include <QStyle>
 
 #include "widgets/icons.h"
 #include "widgets/models/figures.h"
 #include "widgets/theme.h"
+#include "widgets/time_slider.h"
 
 namespace usar::widgets {
 
 namespace {
 
 constexpr int slider_steps = 10000;
-
-/// Goes where it is clicked, as time lines do, and not a page nearer.
-class TimeSlider : public QSlider {
-public:
-    explicit TimeSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
-
-protected:
-    void mousePressEvent(QMouseEvent* event) override {
-        const int handle_px = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
-        const int x = static_cast<int>(std::lround(event->position().x()));
-        const int here =
-            QStyle::sliderValueFromPosition(minimum(), maximum(), x - handle_px / 2, width() - handle_px, false);
-        const int now_x = QStyle::sliderPositionFromValue(minimum(), maximum(), value(), width() - handle_px);
-        if (event->button() == Qt::LeftButton && (x < now_x || x > now_x + handle_px)) {
-            setSliderPosition(here);
-            emit sliderMoved(here);
-        }
-        QSlider::mousePressEvent(event); // the handle is under the cursor now, and dragging goes on from there
-    }
-};
 
 } // namespace
 

@@ -1,0 +1,213 @@
+// A plan that is stopped, stepped and looked back on while it flies, in the real window against the real simulator.
+#include <cmath>
+
+#include <QFile>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/simulator_host.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+#include "widgets/theme.h"
+
+using namespace usar;
+using widgets::PlanNodeKind;
+
+namespace {
+
+/// The dock, as a person uses it, and the simulator's own clock.
+class Debugger {
+public:
+    explicit Debugger(WindowPage& page)
+        : page_(page)
+        , panel_(*page.window().views().plan)
+        , clock_(&page.window().control().simulator(), &app::SimulatorHost::figuresChanged) {}
+
+    /// A click on the part of that name.
+    bool select(const QString& name, PlanNodeKind kind) {
+        widgets::PlanView& view = panel_.view();
+        for (int node = 0; node < view.tree().size(); ++node) {
+            if (view.tree()[node].name != name || view.tree()[node].kind != kind)
+                continue;
+            view.select(-1);
+            view.unfoldAll();
+            view.select(node); // into view, as a search would
+            view.select(-1);
+            const QPointF title = view.layout().box(view.tree(), node).topLeft() + QPointF(40.0, 12.0);
+            QTest::mouseClick(&view, Qt::LeftButton, {}, view.toScreen(title).toPoint());
+            return view.selected() == node;
+        }
+        return false;
+    }
+    void press(const QString& text) {
+        for (QToolButton* button : panel_.findChildren<QToolButton*>())
+            if (button->isVisible() && button->isEnabled() && button->text() == text)
+                return QTest::mouseClick(button, Qt::LeftButton);
+        QTest::qFail(qPrintable("no button says " + text), __FILE__, __LINE__);
+    }
+    std::optional<agent::PlanHalted> halted() const {
+        const app::RobotView* robot = page_.robot(1);
+        return robot ? robot->halted : std::nullopt;
+    }
+    Seconds robotTime() const { return page_.robot(1)->figures.now; }
+    /// As the simulator said last.
+    Seconds simulatorTime() const {
+        return clock_.isEmpty() ? Seconds{0.0} : clock_.last().at(0).value<link::SimulatorFigures>().now;
+    }
+    QString banner() const { return panel_.haltBar().isVisible() ? panel_.haltBar().text() : QString(); }
+    const widgets::PlanTime& time() const { return panel_.timeBar().time(); }
+    widgets::PlanPanel& panel() { return panel_; }
+    /// As marked on the selected part.
+    int breakpointsSelected() const {
+        const widgets::PlanMark* const mark = panel_.view().marks().at(panel_.view().selected());
+        return mark ? mark->breakpoints : 0;
+    }
+
+private:
+    WindowPage& page_;
+    widgets::PlanPanel& panel_;
+    QSignalSpy clock_;
+};
+
+QString missionFile(const QTemporaryDir& folder) {
+    const QString path = folder.filePath("planned.json");
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return {};
+    file.write(R"({ "name": "Planned", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
+        "behavior": "airrobot/posh", "area": { "x": -10, "y": -10, "width": 20, "height": 20 } })");
+    return path;
+}
+
+/// Spawned, started, and its plan on show.
+bool takeOff(WindowPage& page) {
+    if (!QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) || !page.spawnAt("PlayerStart"))
+        return false;
+    page.pressKey(Qt::Key_F4, Qt::ControlModifier);
+    page.press("Start");
+    return QTest::qWaitFor([&] { return !page.window().views().plan->view().tree().empty(); }, soon_ms);
+}
+
+} // namespace
+
+class tst_WindowDebugger : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void aBreakpointStopsTheSimulatorsTime();
+    void whatAPlanDidIsLookedBackOn();
+    void aDriveThatIsOffLetsAnotherWin();
+    void breakpointsOutliveTheWindow();
+};
+
+void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    QVERIFY(debugger.select("FlyToGoal", PlanNodeKind::Act));
+    page.pressKey(Qt::Key_F6);
+    QCOMPARE(debugger.breakpointsSelected(), 1);
+    page.chooseSpeed("max");
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
+    QVERIFY2(debugger.halted()->reason.ends_with("FlyToGoal"), debugger.halted()->reason.c_str());
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.banner().contains("FlyToGoal"), soon_ms);
+    QTRY_VERIFY(page.window().views().time->paused());
+    const std::uint64_t cycle = debugger.halted()->cycle;
+    const Seconds stood = debugger.robotTime();
+    // The simulator tells its time, which is that of its next tick, a few times a second.
+    QTRY_VERIFY(std::abs((debugger.simulatorTime() - stood).count()) < 0.3);
+    const Seconds simulator_stood = debugger.simulatorTime();
+    QTest::qWait(2500); // and no silence is complained of
+    QCOMPARE(debugger.robotTime(), stood);
+    QCOMPARE(debugger.simulatorTime(), simulator_stood);
+    QVERIFY(page.notified("Nothing from").isEmpty());
+    page.screenshot("debugger-halted");
+
+    page.pressKey(Qt::Key_F11);
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.halted() && debugger.halted()->cycle == cycle + 1, soon_ms);
+    QTRY_VERIFY(debugger.robotTime() > stood);
+    QVERIFY(debugger.robotTime() - stood < Seconds{0.3});
+    QVERIFY(page.window().views().time->paused());
+
+    page.pressKey(Qt::Key_F6); // no more
+    QCOMPARE(debugger.breakpointsSelected(), 0);
+    debugger.press("Go on");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
+    QVERIFY2(page.robot(1)->finished->success, page.robot(1)->finished->reason.c_str());
+    QVERIFY(debugger.banner().isEmpty());
+    QVERIFY(!page.window().views().time->paused());
+}
+
+void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    QVERIFY(debugger.select("ClimbTo", PlanNodeKind::Act));
+    page.pressKey(Qt::Key_F6);
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
+    const int climb = debugger.panel().view().selected();
+    QTRY_VERIFY(debugger.panel().view().states()[climb].running);
+    QVERIFY(debugger.time().live);
+    page.pressKey(Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
+    QVERIFY(!debugger.time().live);
+    QCOMPARE(debugger.time().cycle, debugger.halted()->cycle - 1);
+    QTRY_VERIFY(!debugger.panel().view().states()[climb].running);
+    page.screenshot("debugger-back");
+    QSlider* const slider = debugger.panel().timeBar().slider();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(2, slider->height() / 2));
+    QTRY_COMPARE(debugger.time().cycle, std::uint64_t(1));
+    QCOMPARE(debugger.time().shown, debugger.time().begin);
+    page.pressKey(Qt::Key_End, Qt::ControlModifier | Qt::AltModifier);
+    QVERIFY(debugger.time().live);
+    QTRY_VERIFY(debugger.panel().view().states()[climb].running);
+    QVERIFY(debugger.halted()); // looking back is no step
+}
+
+void tst_WindowDebugger::aDriveThatIsOffLetsAnotherWin() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    const auto& commands = page.window().commands();
+    QVERIFY(debugger.select("RobotTakeOff", PlanNodeKind::Drive));
+    commands.action("plan.drive_off")->trigger();
+    QVERIFY(debugger.panel().view().marks().at(debugger.panel().view().selected())->switched_off);
+    page.chooseSpeed("max");
+    QTRY_VERIFY_WITH_TIMEOUT(!debugger.panel().view().states()[debugger.panel().view().selected()].hold_back.isEmpty(),
+                             soon_ms);
+    QCOMPARE(debugger.panel().view().states()[debugger.panel().view().selected()].started, std::uint64_t(0));
+    commands.action("plan.release")->trigger();
+    QVERIFY(debugger.panel().view().marks().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.panel().view().states()[debugger.panel().view().selected()].started > 0, soon_ms);
+}
+
+void tst_WindowDebugger::breakpointsOutliveTheWindow() {
+    const QTemporaryDir folder;
+    const QTemporaryDir settings;
+    const WindowSetup setup{.mission_file = missionFile(folder), .settings_folder = settings.path()};
+    {
+        WindowPage page(setup);
+        Debugger debugger(page);
+        QVERIFY(takeOff(page));
+        QVERIFY(debugger.select("ClimbTo", PlanNodeKind::Act));
+        page.pressKey(Qt::Key_F6);
+        page.window().control().stopAll();
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
+        page.window().close();
+    }
+    WindowPage page(setup);
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
+    QVERIFY2(debugger.halted()->reason.ends_with("ClimbTo"), debugger.halted()->reason.c_str());
+    page.press("Stop"); // time goes on without it
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
+    QTRY_VERIFY(!page.window().views().time->paused());
+}
+
+USAR_E2E_MAIN(tst_WindowDebugger)
+#include "tst_window_debugger.moc"

@@ -1,0 +1,128 @@
+// Breakpoints as a person sets, reads and keeps them.
+#include <QTest>
+
+#include "tests/widgets/plan_samples.h"
+#include "widgets/models/breakpoint_list.h"
+
+using namespace usar;
+using namespace usar::widgets;
+using posh::BreakOn;
+using posh::Breakpoint;
+
+namespace {
+
+Breakpoint at(const std::string& names, BreakOn on = BreakOn::Before) {
+    Breakpoint breakpoint;
+    breakpoint.names = names;
+    breakpoint.on = on;
+    return breakpoint;
+}
+
+} // namespace
+
+class tst_BreakpointList : public QObject {
+    Q_OBJECT
+private slots:
+    void numbersAreNeverGivenTwice();
+    void eachPlanHasItsOwn();
+    void comesBackFromWhatWasKept();
+    void whatIsNoneIsLeftOut();
+    void placesAreFoundAgainInAChangedPlan();
+    void sentences_data();
+    void sentences();
+};
+
+void tst_BreakpointList::numbersAreNeverGivenTwice() {
+    BreakpointList list;
+    const int first = list.add(at("d ▸ a"));
+    list.remove(first);
+    const int second = list.add(at("d ▸ b"));
+    QVERIFY(first != second);
+    QVERIFY(!list.find(first));
+    QCOMPARE(list.find(second)->names, std::string("d ▸ b"));
+    list.change(second, at("d ▸ c"));
+    QCOMPARE(list.find(second)->names, std::string("d ▸ c"));
+    list.change(first, at("nobody"));
+    QCOMPARE(list.all().size(), std::size_t(1));
+}
+
+void tst_BreakpointList::eachPlanHasItsOwn() {
+    BreakpointList list;
+    const int air = list.add(at("Air ▸ work"));
+    list.add(at("AirRobot ▸ work"));
+    const int root = list.add(at("Air"));
+    QCOMPARE(list.ofPlan("Air"), (std::vector<int>{air, root}));
+    Breakpoint placed = at("Air ▸ rest");
+    placed.path = "/P:0/DC:0/DE:1";
+    const int rest = list.add(placed);
+    QCOMPARE(list.atPath("Air", placed.path), std::vector<int>{rest});
+    QVERIFY(list.atPath("AirRobot", placed.path).empty());
+}
+
+void tst_BreakpointList::comesBackFromWhatWasKept() {
+    BreakpointList list;
+    Breakpoint all = at("d ▸ \"a\" é", BreakOn::Result);
+    all.path = "/P:0/DC:0/DE:0";
+    all.result = posh::ActResult::RunningOnce;
+    all.condition = "(near 0.3 <) (far)";
+    all.skip = 41;
+    all.once = true;
+    all.enabled = false;
+    list.add(all);
+    for (const BreakOn on : {BreakOn::Before, BreakOn::After, BreakOn::VerdictChange, BreakOn::Interruption})
+        list.add(at("d ▸ b", on));
+    const BreakpointList kept = BreakpointList::fromJson(list.toJson());
+    QCOMPARE(kept.all().size(), list.all().size());
+    for (std::size_t i = 0; i < kept.all().size(); ++i)
+        QVERIFY(kept.all()[i].what == list.all()[i].what);
+}
+
+void tst_BreakpointList::whatIsNoneIsLeftOut() {
+    QVERIFY(BreakpointList::fromJson("").all().empty());
+    const char* const none = R"([1, {}, {"names": "d"}, {"on": "before"},
+                                 {"names": "d", "on": "before", "condition": "(near"}])";
+    QVERIFY(BreakpointList::fromJson(none).all().empty());
+    const char* const one = R"([{"names": "d", "on": "before", "skip": -3}, 7])";
+    QCOMPARE(BreakpointList::fromJson(one).all().size(), std::size_t(1));
+}
+
+void tst_BreakpointList::placesAreFoundAgainInAChangedPlan() {
+    const auto program = posh::compile(planOf("((DC d (drives ((new sing)) ((a walk)))))"));
+    QVERIFY(program);
+    BreakpointList list;
+    Breakpoint moved = at("d ▸ a");
+    moved.path = "/P:0/DC:0/DE:0";
+    Breakpoint gone = at("d ▸ b");
+    gone.path = "/P:0/DC:0/DE:1";
+    Breakpoint other = at("e ▸ a");
+    other.path = "/P:0/DC:0/DE:0";
+    list.add(moved);
+    list.add(gone);
+    list.add(other);
+    list.repairPaths(**program);
+    QCOMPARE(list.all()[0].what.path, std::string("/P:0/DC:0/DE:1"));
+    QCOMPARE(list.all()[1].what.path, std::string());
+    QCOMPARE(list.all()[2].what.path, other.path); // of another plan
+}
+
+void tst_BreakpointList::sentences_data() {
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("plain") << QByteArray(R"({"names": "d ▸ work", "on": "before"})") << "work, before";
+    QTest::newRow("full")
+        << QByteArray(R"json({"names": "d", "on": "after", "condition": "(near)", "skip": 3, "once": true})json")
+        << "d, after, if (near), from hit 4 on, once";
+    QTest::newRow("an answer") << QByteArray(R"({"names": "d ▸ a", "on": "result", "result": "Running"})")
+                               << "a, when it answers: goes on";
+}
+
+void tst_BreakpointList::sentences() {
+    QFETCH(QByteArray, json);
+    QFETCH(QString, sentence);
+    const BreakpointList list = BreakpointList::fromJson("[" + json + "]");
+    QCOMPARE(list.all().size(), std::size_t(1));
+    QCOMPARE(breakpointText(list.all().front().what), sentence);
+}
+
+QTEST_APPLESS_MAIN(tst_BreakpointList)
+#include "tst_breakpoint_list.moc"

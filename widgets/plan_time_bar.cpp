@@ -1,0 +1,103 @@
+#include "widgets/plan_time_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QStyle>
+
+#include "widgets/models/figures.h"
+#include "widgets/theme.h"
+#include "widgets/time_slider.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int slider_steps = 10000;
+
+} // namespace
+
+QString planTimeText(const PlanTime& time) {
+    if (time.cycle == 0)
+        return {};
+    const QString end = figure((time.end - time.begin).count(), 1);
+    if (time.live && !time.replay)
+        return QObject::tr("live, %1 s").arg(end);
+    const QString at = QObject::tr("at %1 s of %2 s").arg(figure((time.shown - time.begin).count(), 1), end);
+    return time.epoch == 0 ? at : QObject::tr("%1, epoch %2 of %3").arg(at).arg(time.epoch).arg(time.epochs);
+}
+
+PlanTimeBar::PlanTimeBar(QWidget* parent)
+    : QWidget(parent)
+    , halt_(new QToolButton(this))
+    , back_(new QToolButton(this))
+    , forward_(new QToolButton(this))
+    , live_(new QToolButton(this))
+    , slider_(new TimeSlider(this))
+    , words_(new QLabel(this)) {
+    setAccessibleName(tr("Moment of the run"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap::tiny);
+    for (QToolButton* button : {halt_, back_, forward_, live_}) {
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setMinimumSize(minimum_target, minimum_target);
+    }
+    slider_->setRange(0, slider_steps);
+    slider_->setAccessibleName(tr("Moment of the plan's run"));
+    slider_->setToolTip(tr("Click or drag to what the plan did at another moment"));
+    slider_->setMinimumHeight(minimum_target);
+    words_->setAccessibleName(tr("Shown moment of the run"));
+    words_->setToolTip(tr("Since the plan began, by the robot's clock"));
+    words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(QStringLiteral("at 0000.0 s of 0000.0 s")));
+    row->addWidget(halt_);
+    row->addWidget(back_);
+    row->addWidget(forward_);
+    row->addWidget(slider_, 1);
+    row->addWidget(words_);
+    row->addWidget(live_);
+    connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
+    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // keys and wheel
+        if (action != QAbstractSlider::SliderMove)
+            emit timeWanted(timeOf(slider_->sliderPosition()));
+    });
+    setTime({});
+}
+
+void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAction* live) {
+    const std::initializer_list<std::pair<QToolButton*, QAction*>> pairs{
+        {halt_, halt}, {back_, back}, {forward_, forward}, {live_, live}};
+    for (const auto& [button, action] : pairs) {
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        button->setAccessibleName(action->text());
+    }
+}
+
+Seconds PlanTimeBar::timeOf(int value) const {
+    return time_.begin + (time_.end - time_.begin) * (static_cast<double>(value) / slider_steps);
+}
+
+void PlanTimeBar::setTime(const PlanTime& time) {
+    time_ = time;
+    setEnabled(time.cycle != 0);
+    const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
+    if (words_->property("role") != role) {
+        words_->setProperty("role", role);
+        words_->style()->unpolish(words_); // or the role's color would be the last one's
+        words_->style()->polish(words_);
+    }
+    words_->setText(planTimeText(time));
+    if (slider_->isSliderDown())
+        return;
+    const double span_s = (time.end - time.begin).count();
+    const double part = span_s > 0.0 ? (time.shown - time.begin).count() / span_s : 1.0;
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * slider_steps)));
+}
+
+} // namespace usar::widgets

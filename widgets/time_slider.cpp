@@ -1,0 +1,23 @@
+#include "widgets/time_slider.h"
+
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QStyle>
+
+namespace usar::widgets {
+
+void TimeSlider::mousePressEvent(QMouseEvent* event) {
+    const int handle_px = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
+    const int x = static_cast<int>(std::lround(event->position().x()));
+    const int here =
+        QStyle::sliderValueFromPosition(minimum(), maximum(), x - handle_px / 2, width() - handle_px, false);
+    const int now_x = QStyle::sliderPositionFromValue(minimum(), maximum(), value(), width() - handle_px);
+    if (event->button() == Qt::LeftButton && (x < now_x || x > now_x + handle_px)) {
+        setSliderPosition(here);
+        emit sliderMoved(here);
+    }
+    QSlider::mousePressEvent(event); // the handle is under the cursor now, and dragging goes on from there
+}
+
+} // namespace usar::widgets
