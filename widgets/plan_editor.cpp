@@ -347,6 +347,7 @@ void PlanEditor::say(const QString& words, bool refused) {
 }
 
 void PlanEditor::followCursor(int line, int column) {
+    text_->showPlace({}); // the mark of what was chosen in the drawing
     showFindingAtCursor();
     if (!isDrawn())
         return;

@@ -2,13 +2,10 @@
 #include <QAbstractItemView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
-#include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTextBlock>
 
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/completion_delegate.h"
@@ -393,6 +390,9 @@ void tst_PlanEditor::selectionsFollowEachOther() {
     select(QStringLiteral("go"));
     QCOMPARE(text.textCursor().blockNumber(), 6);
     QCOMPARE(entered.count(), 0);
+    const auto marked = text.extraSelections().size();
+    text.moveCursor(QTextCursor::Down); // the person goes on in the text
+    QCOMPARE(text.extraSelections().size(), marked - 1);
 }
 
 void tst_PlanEditor::differencesAreListed() {
