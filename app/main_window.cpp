@@ -256,6 +256,7 @@ void MainWindow::wirePanels() {
             views_.parameters->setValues(draft.values);
         if (draft.behavior_id == views_.behavior->behaviorId())
             views_.behavior->plan().choose(draft.plan_path);
+        workshop_.follow(selected_);
         showPlan();
     });
     connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, [this](const Rectangle& area) {

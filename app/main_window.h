@@ -11,6 +11,7 @@
 #include "app/mission_control.h"
 #include "app/options.h"
 #include "app/plan_desk.h"
+#include "app/plan_workshop.h"
 #include "app/radio_presenter.h"
 #include "app/robot_presenter.h"
 #include "app/window_views.h"
@@ -43,6 +44,7 @@ public:
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
     const WindowViews& views() const { return views_; }
+    const PlanWorkshop& workshop() const { return workshop_; }
     /// 0 while there is none.
     int selectedRobot() const { return selected_; }
 
@@ -50,7 +52,7 @@ public slots:
     void selectRobot(int id);
     void openMission(const QString& path);
     /// It decides from the next start on.
-    void openPlan(const QString& path);
+    void openPlan(const QString& path) { workshop_.openPlan(path); }
     void openRecording(const QString& path) { control_.openRecording(path); }
     /// The embedded simulator goes on from there.
     void openSnapshot(const QString& path);
@@ -159,8 +161,6 @@ private:
     void chooseImagePort();
     void chooseWhereToSavePicture();
     void chooseWhereToSavePlan();
-    void choosePlanFile();
-    std::string plannedBehavior() const;
     void chooseMissionFile();
     void chooseWhereToSaveMission();
     /// Of the start pose that the selected robot was spawned on, or the first one.
@@ -187,6 +187,7 @@ private:
     RobotPresenter presenter_;
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
     WorldEditor world_{control_, views_, commands_, this};
+    PlanWorkshop workshop_{control_, views_, commands_, this};
     RadioPresenter radio_;
     SimulationLoader loader_;
     WorldPicture world_picture_;        ///< of the embedded simulator

@@ -122,6 +122,7 @@ void MainWindow::selectRobot(int id) {
     showDraft();
     presenter_.select(selected_);
     plan_.select(selected_);
+    workshop_.follow(selected_);
     camera_->select(selected_);
     followConnection();
     views_.robots->selectRobot(selected_);
@@ -189,8 +190,10 @@ void MainWindow::refreshRunState() {
     else if (robot && robot->view().figures.spawned)
         state = RunState::Ready;
     const QString name = robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString();
-    if (views_.behavior->setRunState(state, name))
-        commands_.refresh();
+    if (!views_.behavior->setRunState(state, name))
+        return;
+    commands_.refresh();
+    workshop_.follow(selected_);
 }
 
 void MainWindow::applyParameters() {
@@ -386,6 +389,8 @@ void MainWindow::exportFailed(const QString& reason) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!may_close_ && !control_.closing() && !workshop_.mayClose())
+        return event->ignore();
     saveSettings();
     cancelLoading(); // nobody waits for it
     if (may_close_ || !control_.anythingToSave())

@@ -239,8 +239,8 @@ void MainWindow::registerViewCommands() {
 
 void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
-                   {"file.open", "file.save", "plan.open", "-", "file.record", "file.open_recording", "-",
-                    "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
+                   {"file.open", "file.save", "-", "plan.open", "plan.edit", "plan.new", "-", "file.record",
+                    "file.open_recording", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
     commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),

@@ -130,6 +130,7 @@ void MainWindow::restoreSettings() {
     restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
     restoreMessages();
+    workshop_.restore(settings);
     views_.layers->restoreState(settings.value("layers").toByteArray());
     // Offered where a real server is chosen; a start without a word about it always shows the embedded world.
     views_.connection->setAddress(settings.value("server/host", options_.server.host).toString(),
@@ -149,6 +150,7 @@ void MainWindow::saveSettings() {
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
     saveMessages(settings);
+    workshop_.save(settings);
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());

@@ -11,6 +11,7 @@ private slots:
     void exitsByTheWorstOfItsFiles();
     void printsOneObjectForEachFinding();
     void readsStandardInput();
+    void thePlanOfThePageFitsItsRobot();
 };
 
 namespace {
@@ -81,6 +82,17 @@ void tst_CheckPlan::readsStandardInput() {
     const Ended ended = run({"-"}, "((DC d (drives ())))");
     QCOMPARE(ended.exit_code, 1);
     QVERIFY(ended.out.contains("\"file\":\"-\""));
+}
+
+void tst_CheckPlan::thePlanOfThePageFitsItsRobot() {
+    QFile page(QString(USAR_SOURCE_DIR) + "/resources/docs/plans.md");
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    const QByteArray text = page.readAll();
+    const qsizetype begin = text.indexOf("```lisp\n") + 8;
+    const QByteArray plan = text.mid(begin, text.indexOf("```", begin) - begin);
+    QVERIFY(plan.contains("lookout"));
+    const Ended ended = run({"--robot", "AirRobot", "-"}, plan);
+    QVERIFY2(ended.exit_code == 0 && ended.out.isEmpty(), ended.out);
 }
 
 QTEST_APPLESS_MAIN(tst_CheckPlan)

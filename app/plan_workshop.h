@@ -1,0 +1,77 @@
+// A person's own plans: which file decides for a robot, and the editor in which it is written.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QPointer>
+#include <QSettings>
+
+#include "app/mission_control.h"
+#include "app/window_views.h"
+#include "widgets/command_registry.h"
+#include "widgets/plan_editor.h"
+
+namespace usar::app {
+
+/// The editor is a window of its own beside the main one, for a plan is read together with what the robot does. GUI
+/// thread.
+class PlanWorkshop : public QObject {
+    Q_OBJECT
+public:
+    PlanWorkshop(MissionControl& control, WindowViews& views, widgets::CommandRegistry& commands, QWidget* window);
+    ~PlanWorkshop() override;
+
+    void registerCommands();
+    void wire();
+    void restore(const QSettings& settings);
+    void save(QSettings& settings) const;
+
+    /// It decides from the next start on. One that does not fit the robot is shown in the editor, and decides nothing.
+    void openPlan(const QString& path);
+    /// The robot is another one, starts or stops: what the editor checks against, and whether it can hand its plan
+    /// over.
+    void follow(int id);
+    /// What the followed robot's plan says by now; empty: none decides.
+    void setRunningPlan(const std::string& text);
+    /// False where a changed plan is not saved and the person wants to stay.
+    bool mayClose();
+    /// Null before it was opened first.
+    widgets::PlanEditor* editor() const { return editor_; }
+
+signals:
+    /// Another file decides for the robot that is set up.
+    void planChosen();
+
+private:
+    widgets::PlanEditor& opened();
+    void connectEditor();
+    void choosePlanFile();
+    void editPlan();
+    void newPlan();
+    void show();
+    /// Shows this file in the editor; what cannot be read is said.
+    bool load(const QString& path);
+    void chooseWhereToSave();
+    void chooseWhereToExport(posh::Dialect dialect);
+    void chooseWhereToSavePicture();
+    void putIntoRobot(const std::string& text, const QString& name);
+    void takeSaved(const QString& path);
+    void use(const std::string& behavior_id, const QString& path);
+    std::string plannedBehavior() const;
+    void say(Severity severity, const QString& key, const QString& text);
+    void complain(const Error& error);
+
+    MissionControl& control_;
+    WindowViews& views_;
+    widgets::CommandRegistry& commands_;
+    QWidget* window_;
+    QPointer<widgets::PlanEditor> editor_;
+    QByteArray geometry_;                    ///< of the editor's window, from the last time
+    std::optional<std::string> checked_for_; ///< class of the robot whose senses and acts the editor knows
+    std::string running_text_;
+    int robot_ = 0;
+};
+
+} // namespace usar::app
