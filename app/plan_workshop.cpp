@@ -207,7 +207,7 @@ void PlanWorkshop::chooseWhereToSavePicture() {
 
 void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
     if (Robot* robot = control_.robot(robot_); robot && robot->running())
-        (void)text, (void)name;
+        robot->control(agent::ReplacePlan{{name.toStdString(), text}});
 }
 
 void PlanWorkshop::follow(int id) {
