@@ -126,6 +126,7 @@ void PlanDesk::show(News news) {
             list_.repairPaths(*shown.program());
         }
         showMarks();
+        emit planShown(shown.planText());
     }
     if (news == News::None)
         return;

@@ -44,6 +44,8 @@ public:
     const widgets::BreakpointList& breakpoints() const { return list_; }
 
 signals:
+    /// The selected robot's plan is another one; empty: it has none.
+    void planShown(const std::string& text);
     /// A plan stands still, and our simulator's time should, too; or none does any more.
     void timeWanted(bool runs);
     /// Time should run until a plan stands still again.

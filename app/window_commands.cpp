@@ -239,8 +239,8 @@ void MainWindow::registerViewCommands() {
 
 void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
-                   {"file.open", "file.save", "-", "plan.open", "plan.edit", "plan.new", "-", "file.record",
-                    "file.open_recording", "-", "file.export", "file.folder", "file.show_folder", "-", "file.quit"});
+                   {"file.open", "file.save", "-", "file.record", "file.open_recording", "-", "file.export",
+                    "file.folder", "file.show_folder", "-", "file.quit"});
     commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
@@ -258,7 +258,11 @@ void MainWindow::makeMenus() {
                    {"view.dock.world", "-", "world.turn_left", "world.turn_right", "world.spin", "-", "world.waypoints",
                     "world.clear_way", "world.go", "world.halt", "-", "world.undo", "world.delete", "world.delete_all",
                     "-", "map.wipe_trace"});
-    commands_.fill(menuBar()->addMenu(tr("P&lan")), {"plan.continue",
+    commands_.fill(menuBar()->addMenu(tr("P&lan")), {"plan.open",
+                                                     "plan.edit",
+                                                     "plan.new",
+                                                     "-",
+                                                     "plan.continue",
                                                      "plan.halt",
                                                      "plan.step_cycle",
                                                      "plan.step_epoch",

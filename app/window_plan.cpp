@@ -27,6 +27,7 @@ void MainWindow::wirePlan() {
     connect(&workshop_, &PlanWorkshop::planChosen, this, &MainWindow::keepDraft);
     connect(views_.plan, &widgets::PlanPanel::exportRequested, this, &MainWindow::chooseWhereToSavePlan);
     plan_.wire();
+    connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
     connect(&plan_, &PlanDesk::timeWanted, this, [this](bool runs) { holdTime(!runs); });
     connect(&plan_, &PlanDesk::cycleWanted, this, [this] {
         if (!views_.time->paused())
