@@ -161,7 +161,7 @@ void PlanDesk::registerTimeCommands() {
          tr("Plan"),
          tr("Shows what the plan did before; the robot flies on"),
          "back",
-         {QKeySequence("Ctrl+Alt+Left")}},
+         {QKeySequence("Alt+PgUp")}},
         [this](bool) { stepBy(-1); }, known);
     commands_.add(
         {"plan.forward",
@@ -169,7 +169,7 @@ void PlanDesk::registerTimeCommands() {
          tr("Plan"),
          tr("Shows what the plan did next"),
          "forward",
-         {QKeySequence("Ctrl+Alt+Right")}},
+         {QKeySequence("Alt+PgDown")}},
         [this](bool) { stepBy(1); }, known);
     commands_.add(
         {"plan.live",
@@ -177,7 +177,7 @@ void PlanDesk::registerTimeCommands() {
          tr("Plan"),
          tr("Shows what the plan does now, and goes on showing it"),
          "record",
-         {QKeySequence("Ctrl+Alt+End")}},
+         {QKeySequence("Alt+End")}},
         [this](bool) { show(watch().goLive()); }, [this] { return !watch().live(); });
 }
 

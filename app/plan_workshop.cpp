@@ -27,7 +27,7 @@ void PlanWorkshop::registerCommands() {
                    tr("Plan"),
                    tr("Let a POSH plan of your own decide for the robot (.lap)"),
                    "open",
-                   {QKeySequence("Ctrl+Shift+O")}},
+                   {QKeySequence("Ctrl+Shift+P")}},
                   [this](bool) { choosePlanFile(); });
     commands_.add({"plan.edit",
                    tr("Edit plan"),
