@@ -47,7 +47,7 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
     }
     on_->setAccessibleName(tr("When it stops"));
     condition_->setAccessibleName(tr("Condition"));
-    condition_->setPlaceholderText(tr("always, or senses as in a trigger: (distance 0.3 <) (bumped)"));
+    condition_->setPlaceholderText(tr("always; or as a trigger: (distance 0.3 <) (bumped)"));
     condition_->setMinimumWidth(360);
     complaint_->setProperty("role", "danger");
     complaint_->setWordWrap(true);

@@ -389,9 +389,9 @@ void PlanPainter::paintMarks(int node) {
         if (mark->pinned)
             paintPin({box.right(), y});
         if (mark->breakpoints + mark->breakpoints_off > 0)
-            paintBreakpoint(*mark, {box.left(), y});
+            paintBreakpoint(*mark, {box.left() - 4.0 * markSize(), y});
         if (mark->halted)
-            paintStand({box.left() - 16.0 * markSize(), y});
+            paintStand({box.left() - 20.0 * markSize(), y});
     }
     painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
 }

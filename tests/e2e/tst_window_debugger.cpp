@@ -1,6 +1,7 @@
 // A plan that is stopped, stepped and looked back on while it flies, in the real window against the real simulator.
 #include <cmath>
 
+#include <QDir>
 #include <QFile>
 #include <QListWidget>
 #include <QSignalSpy>
@@ -100,6 +101,7 @@ private slots:
     void whatAPlanDidIsLookedBackOn();
     void aDriveThatIsOffLetsAnotherWin();
     void breakpointsOutliveTheWindow();
+    void aReplayGoesWhereThePlansSliderSays();
 };
 
 void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
@@ -207,6 +209,37 @@ void tst_WindowDebugger::breakpointsOutliveTheWindow() {
     page.press("Stop"); // time goes on without it
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
     QTRY_VERIFY(!page.window().views().time->paused());
+}
+
+void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    page.chooseSpeed("max");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
+    page.window().control().remove(1);
+    const QDir results(page.resultFolder());
+    QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*.usarrec"}).isEmpty(), soon_ms);
+    page.window().openRecording(results.filePath(results.entryList({"*.usarrec"}).first()));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
+    page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 100 && !page.robot(1)->figures.replay->seeking, flight_ms);
+    const Seconds end = debugger.time().shown;
+    const auto agree = [&] { // within a cycle, while the plan ran
+        return std::abs((debugger.time().shown - debugger.robotTime()).count()) < 0.25;
+    };
+
+    QSlider* const slider = debugger.panel().timeBar().slider();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 3, slider->height() / 2));
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().shown < 0.5 * end && debugger.time().cycle > 1, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(agree() && !page.robot(1)->figures.replay->seeking, soon_ms);
+    QVERIFY(debugger.time().end > 0.9 * end); // what comes is known
+    const Seconds before = debugger.time().shown;
+    page.pressKey(Qt::Key_PageUp, Qt::AltModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().shown < before && debugger.time().cycle > 1, soon_ms);
+    QVERIFY(before - debugger.time().shown < Seconds{0.5});
+    QTRY_VERIFY_WITH_TIMEOUT(agree(), soon_ms);
 }
 
 USAR_E2E_MAIN(tst_WindowDebugger)
