@@ -7,7 +7,7 @@ namespace usar::posh {
 
 namespace {
 
-constexpr std::size_t most_remembered = 64;
+constexpr std::size_t places_kept = 250'000; ///< remembered, in all: tens of megabytes
 constexpr std::size_t first_every = 256;
 
 /// What may follow an act in its own epoch.
@@ -67,7 +67,8 @@ void RunHistory::readOn() {
 /// Half of them go when there are too many.
 void RunHistory::remember() {
     remembered_.push_back({moments_.size(), newest_});
-    if (remembered_.size() < most_remembered)
+    const std::size_t places = std::max<std::size_t>(1, newest_.places().size());
+    if (remembered_.size() < std::clamp<std::size_t>(places_kept / places, 8, 64))
         return;
     every_ *= 2;
     std::erase_if(remembered_, [this](const Remembered& one) { return one.cycles % every_ != 0; });

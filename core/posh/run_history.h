@@ -20,7 +20,7 @@ struct RunMoment {
 };
 
 /// Owns the trace and grows with it. So that no moment is far from one that is remembered, it keeps the activity at up
-/// to 64 of them, evenly spread.
+/// to 64 of them, evenly spread; at fewer where the plan is large.
 class RunHistory {
 public:
     RunHistory() = default;

@@ -91,6 +91,7 @@ class tst_RunHistory : public QObject {
 private slots:
     void everyMomentIsAsItWas();
     void aLongRunIsKnownAtEveryMoment();
+    void aLargePlanIsKnownAtEveryMomentToo();
     void timesFindTheirMoments();
     void epochsAreStepsWithinACycle();
     void aPlanThatWasKeptGoesOnCounting();
@@ -119,6 +120,20 @@ void tst_RunHistory::aLongRunIsKnownAtEveryMoment() {
         history.append(piece);
     for (const std::size_t moment : {0, 255, 256, 257, 16'383, 16'384, 30'000, 29'999, 39'998, 39'999})
         QVERIFY(history.at(moment).places() == run.activities[moment]);
+}
+
+void tst_RunHistory::aLargePlanIsKnownAtEveryMomentToo() {
+    std::string plan = "((DC d (drives";
+    for (int drive = 0; drive < 16'000; ++drive) // of which few moments are remembered
+        plan += " ((d" + std::to_string(drive) + " walk (seconds 1)))";
+    Watched run(plan + ")))");
+    std::vector<std::uint64_t> started;
+    for (int cycle = 0; cycle < 2600; ++cycle) {
+        run.cycle();
+        started.push_back(run.history.newest().places()[1].started);
+    }
+    for (const std::size_t moment : {0, 255, 256, 700, 2559, 2560, 2599})
+        QCOMPARE(run.history.at(moment).places()[1].started, started[moment]);
 }
 
 void tst_RunHistory::timesFindTheirMoments() {
