@@ -90,15 +90,15 @@ void PlanWorkshop::show() {
     editor_->activateWindow();
 }
 
-bool PlanWorkshop::load(const QString& path) {
+void PlanWorkshop::load(const QString& path) {
     if (editor_ && editor_->path() == path)
-        return true;
-    if (!mayClose())
-        return false;
-    const auto read = opened().open(path);
-    if (!read)
-        complain(read.error());
-    return read.has_value();
+        return show();
+    letGo([this, path] {
+        if (const auto read = opened().open(path); read)
+            show();
+        else
+            complain(read.error());
+    });
 }
 
 /// A behavior that a plan decides: the chosen one, or else the first of the chosen one's robot.
@@ -120,8 +120,8 @@ void PlanWorkshop::openPlan(const QString& path) {
         if (editor_ && editor_->isVisible())
             load(path);
         return use(behavior_id, path);
-    } else if (complain(plan.error()); QFileInfo(path).isReadable() && load(path)) {
-        show();
+    } else if (complain(plan.error()); QFileInfo(path).isReadable()) {
+        load(path);
     }
 }
 
@@ -143,25 +143,28 @@ void PlanWorkshop::choosePlanFile() {
 void PlanWorkshop::editPlan() {
     const QString path = views_.behavior->plan().path();
     const auto* behavior = control_.plugins().behavior(plannedBehavior());
-    if (!path.isEmpty()) {
-        if (!load(path))
-            return;
-    } else if (!behavior || behavior->plan_name.empty()) {
-        return newPlan();
-    } else if (const auto name = QString::fromStdString(behavior->plan_name);
-               !editor_ || !editor_->path().isEmpty() || editor_->name() != name) {
-        if (!mayClose())
-            return;
-        opened().setText(behavior->plan_text, name);
-    }
-    show();
+    if (!path.isEmpty())
+        load(path);
+    else if (behavior && !behavior->plan_name.empty())
+        edit(behavior->plan_text, QString::fromStdString(behavior->plan_name));
+    else
+        newPlan();
+}
+
+void PlanWorkshop::edit(const std::string& text, const QString& name) {
+    if (editor_ && editor_->path().isEmpty() && editor_->name() == name)
+        return show();
+    letGo([this, text, name] {
+        opened().setText(text, name);
+        show();
+    });
 }
 
 void PlanWorkshop::newPlan() {
-    if (!mayClose())
-        return;
-    opened().setText(posh::planTemplates().front().text, tr("new.lap"));
-    show();
+    letGo([this] {
+        opened().setText(posh::planTemplates().front().text, tr("new.lap"));
+        show();
+    });
 }
 
 void PlanWorkshop::chooseWhereToSave() {
@@ -233,17 +236,33 @@ void PlanWorkshop::setRunningPlan(const std::string& text) {
     follow(robot_);
 }
 
-bool PlanWorkshop::mayClose() {
-    if (!editor_ || !editor_->isModified())
-        return true;
-    QMessageBox box(QMessageBox::Question, tr("The plan is not saved"),
-                    tr("%1 has changes that are not saved.").arg(editor_->name()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    if (answer == QMessageBox::Save)
-        editor_->action("save")->trigger();
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !editor_->isModified());
+void PlanWorkshop::letGo(std::function<void()> go_on) {
+    if (!hasChanges())
+        return go_on();
+    auto* box = new QMessageBox(QMessageBox::Question, tr("The plan is not saved"),
+                                tr("%1 has changes that are not saved.").arg(editor_->name()),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::finished, this, [this, go_on = std::move(go_on)](int answer) {
+        if (answer == QMessageBox::Save)
+            editor_->action("save")->trigger();
+        if (answer == QMessageBox::Discard)
+            giveUp();
+        if (!hasChanges())
+            go_on();
+    });
+    editor_->show();
+    box->open();
+}
+
+bool PlanWorkshop::hasChanges() const {
+    return editor_ && editor_->isModified();
+}
+
+void PlanWorkshop::giveUp() {
+    editor_->forgetKept();
+    editor_->textEdit().document()->setModified(false);
 }
 
 void PlanWorkshop::say(Severity severity, const QString& key, const QString& text) {

@@ -1,6 +1,7 @@
 // A person's own plans: which file decides for a robot, and the editor in which it is written.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -35,8 +36,11 @@ public:
     void follow(int id);
     /// What the followed robot's plan says by now; empty: none decides.
     void setRunningPlan(const std::string& text);
-    /// False where a changed plan is not saved and the person wants to stay.
-    bool mayClose();
+    /// Of a plan, not saved.
+    bool hasChanges() const;
+    /// Goes on at once where nothing would be lost, else when the person has saved it or given it up; never where they
+    /// want to stay.
+    void letGo(std::function<void()> go_on);
     /// Null before it was opened first.
     widgets::PlanEditor* editor() const { return editor_; }
 
@@ -52,7 +56,10 @@ private:
     void newPlan();
     void show();
     /// Shows this file in the editor; what cannot be read is said.
-    bool load(const QString& path);
+    void load(const QString& path);
+    /// A plan without a file of its own.
+    void edit(const std::string& text, const QString& name);
+    void giveUp();
     void chooseWhereToSave();
     void chooseWhereToExport(posh::Dialect dialect);
     void chooseWhereToSavePicture();

@@ -389,8 +389,10 @@ void MainWindow::exportFailed(const QString& reason) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!may_close_ && !control_.closing() && !workshop_.mayClose())
-        return event->ignore();
+    if (workshop_.hasChanges()) {
+        event->ignore();
+        return workshop_.letGo([this] { close(); });
+    }
     saveSettings();
     cancelLoading(); // nobody waits for it
     if (may_close_ || !control_.anythingToSave())

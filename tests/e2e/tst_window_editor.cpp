@@ -1,6 +1,8 @@
 // A plan is written, checked, saved and put into a flying robot, in the real window against the real simulator.
 #include <QComboBox>
 #include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
@@ -49,6 +51,16 @@ void replace(widgets::PlanEditor& editor, const QString& old_words, const QStrin
     editor.catchUp();
 }
 
+/// Presses that button of the question that the editor asks.
+void answer(widgets::PlanEditor& editor, const QString& text) {
+    auto* const box = editor.findChild<QMessageBox*>();
+    QVERIFY(box);
+    for (QAbstractButton* button : box->buttons())
+        if (button->text().remove('&') == text)
+            return QTest::mouseClick(button, Qt::LeftButton);
+    QFAIL(qPrintable("no answer says " + text));
+}
+
 } // namespace
 
 class tst_WindowEditor : public QObject {
@@ -59,6 +71,7 @@ private slots:
     void theRobotsOwnPlanIsReadAndSavedElsewhere();
     void aChangedPlanIsPutIntoTheFlyingRobot();
     void aPlanThatDoesNotFitIsShownToBeMended();
+    void aChangedPlanIsAskedForAtClosing();
 };
 
 void tst_WindowEditor::theRobotsOwnPlanIsReadAndSavedElsewhere() {
@@ -115,6 +128,23 @@ void tst_WindowEditor::aPlanThatDoesNotFitIsShownToBeMended() {
     editor->action("save")->trigger();
     QTRY_COMPARE(page.window().views().behavior->plan().path(), folder.filePath("broken.lap"));
     QVERIFY(textOf(folder.filePath("broken.lap")).contains("Hover"));
+}
+
+void tst_WindowEditor::aChangedPlanIsAskedForAtClosing() {
+    const QTemporaryDir folder;
+    const QString path = fileIn(folder, "lookout.lap", lookout);
+    PlannedPage page(folder, path);
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    widgets::PlanEditor* const editor = page.editor();
+    replace(*editor, "stay", "remain");
+    page.window().close();
+    answer(*editor, "Cancel");
+    QVERIFY(page.window().isVisible());
+    QVERIFY(editor->isModified());
+    page.window().close();
+    answer(*editor, "Discard");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
+    QCOMPARE(textOf(path), QByteArray(lookout));
 }
 
 USAR_E2E_MAIN(tst_WindowEditor)
