@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QShortcut>
@@ -113,12 +114,6 @@ PlanPanel::PlanPanel(QWidget* parent)
         emit textRequested(view_->tree()[node].at);
     });
     connect(robots_, &QComboBox::textActivated, this, &PlanPanel::robotChosen);
-    auto* to_search = new QShortcut(QKeySequence::Find, this);
-    to_search->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(to_search, &QShortcut::activated, this, [this] {
-        search_->setFocus(Qt::ShortcutFocusReason);
-        search_->selectAll();
-    });
     side_->hide();
     time_bar_->hide();
     setRobots({}, {});
@@ -406,6 +401,22 @@ void PlanPanel::arrange() {
 void PlanPanel::resizeEvent(QResizeEvent* event) {
     arrange();
     QWidget::resizeEvent(event);
+}
+
+/// The window may have the same key for something else: here it is the panel's.
+bool PlanPanel::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Find)) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void PlanPanel::keyPressEvent(QKeyEvent* event) {
+    if (!event->matches(QKeySequence::Find))
+        return QWidget::keyPressEvent(event);
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->selectAll();
 }
 
 void PlanPanel::changeEvent(QEvent* event) {

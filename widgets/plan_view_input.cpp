@@ -177,6 +177,8 @@ int PlanView::sibling(int node, int by) const {
 }
 
 bool PlanView::actByKey(const QKeyEvent& event) {
+    if (event.modifiers() & Qt::ControlModifier)
+        return false;
     switch (event.key()) {
     case Qt::Key_Plus:
     case Qt::Key_Equal:

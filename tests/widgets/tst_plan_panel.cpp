@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextBlock>
@@ -46,6 +47,7 @@ private slots:
     void nothingSelectedSaysWhatToDo();
     void searchCountsAndSteps();
     void returnStepsAndEscapeGoesBack();
+    void itsKeysAreItsOwnInAWindowThatHasThemToo();
     void sharedPartsAreSwitched();
     void buttonsFoldAndUnfold();
     void textIsAskedForByDoubleClick();
@@ -174,6 +176,15 @@ void tst_PlanPanel::returnStepsAndEscapeGoesBack() {
     QCOMPARE(panel_->view().selected(), first);
     QTest::keyClick(line, Qt::Key_Escape);
     QVERIFY(line->text().isEmpty() && panel_->view().hasFocus());
+}
+
+void tst_PlanPanel::itsKeysAreItsOwnInAWindowThatHasThemToo() {
+    panel_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+    QShortcut of_window(QKeySequence::Find, panel_.get());
+    panel_->view().setFocus();
+    QTest::keyClick(panel_->windowHandle(), Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(panel_->findChild<QLineEdit*>()->hasFocus());
 }
 
 void tst_PlanPanel::sharedPartsAreSwitched() {
