@@ -116,7 +116,7 @@ void tst_WindowRobots::aDoubleClickedSensorValueIsPlotted() {
     QTRY_VERIFY_WITH_TIMEOUT(samples() >= 5, soon_ms);
 }
 
-/// A P2DX, which no plugin drives here: chosen on the card, driven from the command box.
+/// A P2AT, which no plugin drives: chosen on the card, driven from the command box.
 void tst_WindowRobots::aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands() {
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
@@ -126,9 +126,9 @@ void tst_WindowRobots::aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands() {
     auto* const classes = card->findChild<QComboBox*>();
     QVERIFY(classes);
     classes->setFocus();
-    for (int i = 0; classes->currentText() != "P2DX" && i < classes->count(); ++i)
+    for (int i = 0; classes->currentText() != "P2AT" && i < classes->count(); ++i)
         QTest::keyClick(classes, Qt::Key_Down);
-    QCOMPARE(classes->currentText(), QString("P2DX"));
+    QCOMPARE(classes->currentText(), QString("P2AT"));
     page.press("Spawn");
     const auto speaks = [&] {
         const app::RobotView* robot = page.robot(1);
