@@ -7,6 +7,7 @@
 #include <QFile>
 
 #include "app/locations.h"
+#include "app/verb_complaint.h"
 #include "core/agent/plugin_loader.h"
 #include "core/mission/mission_runner.h"
 #include "core/mission/plan_file.h"
@@ -15,11 +16,6 @@
 namespace usar::app {
 
 namespace {
-
-int complain(const Error& error) {
-    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    return mission::BadInput;
-}
 
 int checkOne(const QString& name, const agent::RobotDescription* robot, QIODevice& output) {
     QFile input(name);

@@ -4,19 +4,13 @@
 
 #include <QFile>
 
+#include "app/verb_complaint.h"
 #include "core/mission/line_report.h"
 #include "core/mission/mission_runner.h"
 
 namespace usar::app {
 
-namespace {
-
-int complain(const Error& error) {
-    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    return mission::BadInput;
-}
-
-} // namespace
+namespace {} // namespace
 
 int runLinesVerb(const QStringList& arguments) {
     if (arguments.size() != 2 || (arguments[1].startsWith('-') && arguments[1] != "-"))

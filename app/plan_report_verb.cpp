@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/verb_complaint.h"
 #include "core/mission/mission_runner.h"
 #include "core/mission/recorded_runs.h"
 #include "core/mission/run_report_text.h"
@@ -10,11 +11,6 @@
 namespace usar::app {
 
 namespace {
-
-int complain(const Error& error) {
-    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    return mission::BadInput;
-}
 
 void warn(const QString& file, const std::string& complaint) {
     if (!complaint.empty())

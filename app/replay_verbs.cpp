@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "app/quit_signals.h"
+#include "app/verb_complaint.h"
 #include "core/base/numbers.h"
 #include "core/link/recording_convert.h"
 #include "core/mission/mission_runner.h"
@@ -18,11 +19,6 @@
 namespace usar::app {
 
 namespace {
-
-int complain(const Error& error) {
-    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    return mission::BadInput;
-}
 
 int end(int exit_code, const QJsonObject& summary) {
     std::printf("%s\n", QJsonDocument(summary).toJson(QJsonDocument::Compact).constData());

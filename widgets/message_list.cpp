@@ -17,7 +17,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int frame_ms = 33;
+constexpr int refresh_ms = 33;
 constexpr int row_height_px = 22;
 constexpr std::size_t most_rows_looked_at = 100;  ///< of a selection, to say what can be done with it
 constexpr std::size_t most_rows_a_frame = 20'000; ///< after a pause; more hold the window up
@@ -52,7 +52,7 @@ MessageList::MessageList(QWidget* parent)
     wireView();
     wireActions();
     frame_.setSingleShot(true);
-    frame_.setInterval(frame_ms);
+    frame_.setInterval(refresh_ms);
     connect(&frame_, &QTimer::timeout, this, &MessageList::flush);
     applyFilter();
 }

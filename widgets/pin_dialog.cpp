@@ -13,8 +13,8 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr std::array results{posh::ActResult::Failed, posh::ActResult::Running, posh::ActResult::RunningOnce,
-                             posh::ActResult::Finished};
+constexpr std::array pinned_results{posh::ActResult::Failed, posh::ActResult::Running, posh::ActResult::RunningOnce,
+                                    posh::ActResult::Finished};
 
 } // namespace
 
@@ -67,7 +67,7 @@ PinDialog* PinDialog::forAct(const QString& call, QWidget* parent) {
         parent);
     dialog->result_ = new QComboBox(dialog);
     dialog->result_->setAccessibleName(tr("Answer"));
-    for (const posh::ActResult result : results)
+    for (const posh::ActResult result : pinned_results)
         dialog->result_->addItem(resultText(result));
     dialog->add(tr("&Answer"), dialog->result_);
     return dialog;
@@ -78,7 +78,7 @@ std::optional<posh::Value> PinDialog::answer() const {
 }
 
 posh::ActResult PinDialog::result() const {
-    return results[static_cast<std::size_t>(result_ ? std::max(0, result_->currentIndex()) : 0)];
+    return pinned_results[static_cast<std::size_t>(result_ ? std::max(0, result_->currentIndex()) : 0)];
 }
 
 void PinDialog::check() {

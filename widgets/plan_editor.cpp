@@ -24,10 +24,6 @@ constexpr int lamp_after_ms = 300;
 constexpr std::size_t long_text = 200'000; ///< longer ones are drawn when the person pauses
 constexpr int long_draw_after_ms = 400;
 
-bool isReadable(const posh::Findings& findings) {
-    return std::ranges::none_of(findings, [](const posh::Finding& finding) { return isUnreadable(finding.code); });
-}
-
 } // namespace
 
 PlanEditor::PlanEditor(QWidget* parent)

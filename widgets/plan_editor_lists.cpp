@@ -14,10 +14,6 @@ using posh::PlanPart;
 
 namespace {
 
-bool isReadable(const posh::Findings& findings) {
-    return std::ranges::none_of(findings, [](const posh::Finding& finding) { return isUnreadable(finding.code); });
-}
-
 QIcon iconOf(posh::Code code) {
     return severityOf(code) == Severity::Error ? icon(QStringLiteral("error"), tokens().danger)
                                                : icon(QStringLiteral("warning"), tokens().caution);

@@ -13,7 +13,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int narrow_px = 820;
+constexpr int narrow_editor_px = 820;
 
 } // namespace
 
@@ -185,7 +185,7 @@ void PlanEditor::offer(const QString& words, const QString& accept, std::functio
 
 /// A narrow editor stacks what a broad one has side by side, and begins without the pieces.
 void PlanEditor::arrange() {
-    const int narrow = width() < narrow_px ? 1 : 0;
+    const int narrow = width() < narrow_editor_px ? 1 : 0;
     if (narrow == narrow_)
         return;
     const bool first = narrow_ < 0;

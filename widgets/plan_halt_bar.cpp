@@ -11,7 +11,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr int narrow_px = 560;
-constexpr int icon_px = 18;
+constexpr int halt_icon_px = 18;
 
 } // namespace
 
@@ -68,7 +68,7 @@ void PlanHaltBar::changeEvent(QEvent* event) {
 }
 
 void PlanHaltBar::showIcon() {
-    icon_->setPixmap(icon(QStringLiteral("pause"), tokens().caution).pixmap(icon_px, icon_px));
+    icon_->setPixmap(icon(QStringLiteral("pause"), tokens().caution).pixmap(halt_icon_px, halt_icon_px));
 }
 
 } // namespace usar::widgets

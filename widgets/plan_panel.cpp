@@ -20,9 +20,9 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int narrow_px = 640;
+constexpr int narrow_panel_px = 640;
 constexpr int node_role = Qt::UserRole;
-constexpr int id_role = Qt::UserRole + 2; // of a breakpoint
+constexpr int breakpoint_role = Qt::UserRole + 2; // of a breakpoint
 
 struct Row {
     QString text;
@@ -241,14 +241,14 @@ void PlanPanel::addBreakpointList(QBoxLayout* column, QWidget* side) {
         tr("The tick switches one on and off, a click goes there, a double-click changes it, Delete takes it away"));
     column->addWidget(breakpoints_, 2);
     connect(breakpoints_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        emit breakpointSwitched(item->data(id_role).toInt(), item->checkState() == Qt::Checked);
+        emit breakpointSwitched(item->data(breakpoint_role).toInt(), item->checkState() == Qt::Checked);
     });
     connect(breakpoints_, &QListWidget::itemDoubleClicked, this,
-            [this](const QListWidgetItem* item) { emit breakpointEditRequested(item->data(id_role).toInt()); });
+            [this](const QListWidgetItem* item) { emit breakpointEditRequested(item->data(breakpoint_role).toInt()); });
     auto* away = new QShortcut(QKeySequence::Delete, breakpoints_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(away, &QShortcut::activated, this, [this] {
         if (const QListWidgetItem* const item = breakpoints_->currentItem())
-            emit breakpointRemoved(item->data(id_role).toInt());
+            emit breakpointRemoved(item->data(breakpoint_role).toInt());
     });
     setBreakpoints({});
 }
@@ -270,7 +270,7 @@ void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(row.enabled ? Qt::Checked : Qt::Unchecked);
         item->setData(node_role, row.path.empty() ? -1 : view_->tree().find(row.path));
-        item->setData(id_role, row.id);
+        item->setData(breakpoint_role, row.id);
         item->setForeground(row.path.empty() ? tokens().stale : tokens().text);
     }
 }
@@ -388,7 +388,7 @@ void PlanPanel::jumpTo(const QListWidgetItem* item) {
 }
 
 void PlanPanel::arrange() {
-    const int narrow = width() < narrow_px ? 1 : 0;
+    const int narrow = width() < narrow_panel_px ? 1 : 0;
     if (narrow == narrow_)
         return;
     narrow_ = narrow;

@@ -16,7 +16,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int slider_steps = 10000;
+constexpr int run_steps = 10000;
 
 } // namespace
 
@@ -47,7 +47,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
         button->setFocusPolicy(Qt::StrongFocus);
         button->setMinimumSize(minimum_target, minimum_target);
     }
-    slider_->setRange(0, slider_steps);
+    slider_->setRange(0, run_steps);
     slider_->setAccessibleName(tr("Moment of the plan's run"));
     slider_->setToolTip(tr("Click or drag to what the plan did at another moment"));
     slider_->setMinimumHeight(minimum_target);
@@ -79,7 +79,7 @@ void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAc
 }
 
 Seconds PlanTimeBar::timeOf(int value) const {
-    return time_.begin + (time_.end - time_.begin) * (static_cast<double>(value) / slider_steps);
+    return time_.begin + (time_.end - time_.begin) * (static_cast<double>(value) / run_steps);
 }
 
 void PlanTimeBar::setTime(const PlanTime& time) {
@@ -97,7 +97,7 @@ void PlanTimeBar::setTime(const PlanTime& time) {
     const double span_s = (time.end - time.begin).count();
     const double part = span_s > 0.0 ? (time.shown - time.begin).count() / span_s : 1.0;
     const QSignalBlocker quiet(slider_);
-    slider_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * slider_steps)));
+    slider_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * run_steps)));
 }
 
 } // namespace usar::widgets

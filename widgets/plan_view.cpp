@@ -18,7 +18,7 @@ constexpr double margin_px = 16.0;
 constexpr double smallest_scale = 0.01;
 constexpr double largest_scale = 4.0;
 constexpr double readable_scale = 0.8;
-constexpr int broad_px = 560; ///< a view narrower than this shows an outline
+constexpr int broad_node_px = 560; ///< a view narrower than this shows an outline
 constexpr int tick_ms = 16;
 } // namespace
 
@@ -124,7 +124,7 @@ void PlanView::setFlow(std::optional<PlanFlow> flow) {
 }
 
 PlanFlow PlanView::wantedFlow() const {
-    return flow_.value_or(width() < broad_px ? PlanFlow::Down : PlanFlow::Across);
+    return flow_.value_or(width() < broad_node_px ? PlanFlow::Down : PlanFlow::Across);
 }
 
 const PlanLayout& PlanView::layout() {

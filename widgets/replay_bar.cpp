@@ -17,7 +17,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int slider_steps = 10000;
+constexpr int time_steps = 10000;
 
 } // namespace
 
@@ -37,7 +37,7 @@ ReplayBar::ReplayBar(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
     row->setSpacing(gap::tiny);
-    slider_->setRange(0, slider_steps);
+    slider_->setRange(0, time_steps);
     slider_->setAccessibleName(tr("Moment of the recording"));
     slider_->setToolTip(tr("Click or drag to another moment"));
     slider_->setMinimumHeight(minimum_target);
@@ -87,7 +87,7 @@ void ReplayBar::setActions(QAction* play, QAction* back, QAction* forward, QActi
 }
 
 Seconds ReplayBar::positionOf(int value) const {
-    return state_.span * (static_cast<double>(value) / slider_steps);
+    return state_.span * (static_cast<double>(value) / time_steps);
 }
 
 void ReplayBar::setState(const ReplayState& state) {
@@ -97,7 +97,7 @@ void ReplayBar::setState(const ReplayState& state) {
     if (!slider_->isSliderDown()) {
         const double part = state.span.count() > 0.0 ? state.position / state.span : 0.0;
         const QSignalBlocker quiet(slider_);
-        slider_->setValue(static_cast<int>(std::lround(part * slider_steps)));
+        slider_->setValue(static_cast<int>(std::lround(part * time_steps)));
         showTime(state.position);
     }
     int nearest = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int tile_px = 256;
 constexpr double radius_px = 3.5;
-constexpr double reach_px = radius_px + 1.5; ///< with its rim
+constexpr double brush_px = radius_px + 1.5; ///< with its rim
 constexpr int cell_px = 2;                   ///< two marks within a cell look like one
 constexpr std::size_t most_tiles = 192;      ///< 48 MiB; more only while a person roams, and then all are made anew
 
@@ -23,7 +23,7 @@ void paintDot(QPainter& painter, const QPointF& at_px, QRgb color) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 170));
     painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);
-    painter.drawEllipse(at_px, reach_px, reach_px);
+    painter.drawEllipse(at_px, brush_px, brush_px);
     painter.setBrush(QColor(color));
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter.drawEllipse(at_px, radius_px, radius_px);
@@ -43,7 +43,7 @@ void TraceLayer::add(const Vec2& point_m, const QColor& color) {
     const QPointF at_m = onScreenAxes(point_m);
     for (auto& [key, tile] : tiles_) {
         const QPointF at_px = at_m * std::exp2(key.level) - QPointF(key.column, key.row) * tile_px;
-        if (!QRectF(tile.rect()).adjusted(-reach_px, -reach_px, reach_px, reach_px).contains(at_px))
+        if (!QRectF(tile.rect()).adjusted(-brush_px, -brush_px, brush_px, brush_px).contains(at_px))
             continue;
         QPainter painter(&tile);
         painter.setRenderHint(QPainter::Antialiasing);
@@ -61,7 +61,7 @@ QImage TraceLayer::bake(const Key& key) const {
     tile.fill(Qt::transparent);
     QPainter painter(&tile);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF sight = QRectF(tile.rect()).adjusted(-reach_px, -reach_px, reach_px, reach_px);
+    const QRectF sight = QRectF(tile.rect()).adjusted(-brush_px, -brush_px, brush_px, brush_px);
     constexpr std::size_t cells = tile_px / cell_px + 8;
     std::bitset<cells * cells> drawn;
     // The newest are on top, and of those that cover each other only they are drawn: from the end.

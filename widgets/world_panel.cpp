@@ -25,7 +25,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr int palette_columns = 4;
-constexpr int icon_px = 24;
+constexpr int object_icon_px = 24;
 
 QuantityBox* makeBox(const QString& name, const QString& unit, double lowest, double highest, QWidget* parent) {
     auto* box = new QuantityBox(parent);
@@ -192,7 +192,7 @@ void WorldPanel::setKinds(const std::vector<PaletteKind>& kinds) {
         button->setAccessibleName(kind.class_name);
         button->setText(kind.class_name);
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIconSize({icon_px, icon_px});
+        button->setIconSize({object_icon_px, object_icon_px});
         button->setFont(themeFont(FontRole::Small));
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -333,7 +333,7 @@ void WorldPanel::drag(QToolButton* button) {
     auto* const mime = new QMimeData;
     mime->setData(object_mime, button->text().toUtf8());
     drag->setMimeData(mime);
-    drag->setPixmap(button->icon().pixmap(icon_px, icon_px));
+    drag->setPixmap(button->icon().pixmap(object_icon_px, object_icon_px));
     drag->exec(Qt::CopyAction);
     disarm(); // dropped, or let go elsewhere
 }

@@ -8,4 +8,8 @@ namespace usar {
 /// A duration, or a moment counted from the server's own zero. Fractional, because the wire sends fractions.
 using Seconds = std::chrono::duration<double>;
 
+inline std::chrono::milliseconds toMilliseconds(Seconds seconds) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(seconds);
+}
+
 } // namespace usar

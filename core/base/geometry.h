@@ -3,6 +3,7 @@
 // `sonar_in_map = base_in_map * sonar_in_base`.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include <Eigen/Core>
@@ -24,6 +25,11 @@ constexpr double degrees(double radians_) {
 
 /// The same angle in (-pi, pi]; NaN stays NaN.
 double normalizedAngle(double angle_rad);
+
+/// The direction of `vector`, counted from x toward y.
+inline double bearingOf(const Vec2& vector) {
+    return std::atan2(vector.y(), vector.x());
+}
 
 /// Position and attitude of one frame in another. Attitude is yaw about z, then pitch about y, then roll about x
 /// (R = Rz Ry Rx); by the right-hand rule a positive pitch lowers the nose.

@@ -11,6 +11,10 @@ namespace usar {
 constexpr bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
+constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }

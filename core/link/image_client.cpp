@@ -14,10 +14,6 @@ namespace {
 constexpr std::size_t rate_over_frames = 10;
 constexpr qint64 read_buffer_bytes = 1 << 16;
 
-std::chrono::milliseconds toMilliseconds(Seconds seconds) {
-    return std::chrono::duration_cast<std::chrono::milliseconds>(seconds);
-}
-
 } // namespace
 
 ImageClient::ImageClient(QObject* parent)

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_viewers = 32;
 constexpr std::size_t most_waiting = 16;
 constexpr qint64 frame_interval_ms = 33;
-constexpr qint64 read_buffer_bytes = 4096;
+constexpr qint64 unread_bytes = 4096;
 
 /// Whose camera was chosen on the bot port for the viewers of an address.
 std::optional<sim::CameraChoice> choiceFor(const sim::CameraScene& scene, const QHostAddress& viewer) {
@@ -79,7 +79,7 @@ void ImageServer::acceptAll() {
             continue;
         }
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
-        socket->setReadBufferSize(read_buffer_bytes);
+        socket->setReadBufferSize(unread_bytes);
         const quint64 id = ++last_viewer_;
         Viewer& viewer = *(viewers_[id] = std::make_unique<Viewer>());
         viewer.id = id;

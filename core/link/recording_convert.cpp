@@ -10,7 +10,7 @@ namespace usar::link {
 
 namespace {
 
-constexpr std::size_t batch_bytes = 1u << 20;
+constexpr std::size_t chunk_bytes = 1u << 20;
 
 Result<void> hand(std::string& batch, QIODevice& to) {
     if (to.write(batch.data(), static_cast<qint64>(batch.size())) != static_cast<qint64>(batch.size()))
@@ -45,7 +45,7 @@ Result<void> recordingToText(const QString& recording_path, QIODevice& text) {
     while (const auto record = (*reader)->next()) {
         noteDamage((*reader)->offset());
         recording::appendText(batch, *record);
-        if (batch.size() < batch_bytes)
+        if (batch.size() < chunk_bytes)
             continue;
         if (auto handed = hand(batch, text); !handed)
             return handed;
@@ -73,7 +73,7 @@ Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevic
         if (!record)
             return failure(record.error().what, at(number) + ", " + record.error().where, record.error().mend);
         recording::append(batch, *record);
-        if (batch.size() < batch_bytes)
+        if (batch.size() < chunk_bytes)
             continue;
         if (auto handed = hand(batch, recording); !handed)
             return handed;

@@ -13,10 +13,6 @@ namespace usar::link {
 
 namespace {
 
-std::chrono::milliseconds toMilliseconds(Seconds seconds) {
-    return std::chrono::duration_cast<std::chrono::milliseconds>(seconds);
-}
-
 QString inWords(Seconds seconds) {
     const double value = seconds.count();
     return QString::fromStdString(fixed(value, value == std::floor(value) ? 0 : 1)) + QStringLiteral(" s");

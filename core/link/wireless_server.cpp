@@ -11,7 +11,7 @@ namespace usar::link {
 
 namespace {
 
-constexpr int strength_decimals = 4;
+constexpr int written_decimals = 4;
 
 std::string error(std::string_view reason) {
     return "ERROR {Reason " + std::string(reason) + "}";
@@ -93,7 +93,7 @@ std::string WirelessServer::strength(const std::string& own, const std::string& 
     if (!member(other))
         return head + "NaN} {Error Robot.Does.Not.Exist}";
     const auto strength_dbm = relay_.field().strength_dbm(own, other);
-    return strength_dbm ? head + fixed(*strength_dbm, strength_decimals) + "}"
+    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
                         : head + "NaN} {Error Model.Returned.NaN}";
 }
 
@@ -102,7 +102,7 @@ std::string WirelessServer::strengthBetween(const std::string& from, const std::
     if (from == to)
         return head + "INF} {Error SS.To.Self}";
     const auto strength_dbm = relay_.field().strength_dbm(from, to);
-    return strength_dbm ? head + fixed(*strength_dbm, strength_decimals) + "}"
+    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
                         : head + "NaN} {Error Robot.Does.Not.Exist}";
 }
 

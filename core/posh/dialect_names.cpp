@@ -10,10 +10,6 @@ namespace usar::posh {
 
 namespace {
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Whatever is no letter or digit becomes a hyphen.
 std::string asSymbol(std::string_view text) {
     std::string word(text);

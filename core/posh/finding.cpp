@@ -42,6 +42,11 @@ std::string inQuotes(std::string_view word) {
     return text + '"';
 }
 
+bool isReadable(const Findings& findings) {
+    return std::none_of(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return isUnreadable(finding.code); });
+}
+
 bool hasErrors(const Findings& findings) {
     return std::any_of(findings.begin(), findings.end(),
                        [](const Finding& finding) { return severityOf(finding.code) == Severity::Error; });

@@ -82,6 +82,8 @@ using Findings = std::vector<Finding>;
 std::string inQuotes(std::string_view word);
 
 bool hasErrors(const Findings& findings);
+/// No form is missing from the plan.
+bool isReadable(const Findings& findings);
 
 /// "3:14: error E202: expected …; write … (the parenthesis at 1:1 is open)".
 std::string toText(const Finding& finding);

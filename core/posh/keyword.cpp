@@ -8,13 +8,13 @@ namespace usar::posh {
 
 namespace {
 
-struct Entry {
+struct KeywordName {
     std::string_view word;
     Keyword keyword;
 };
 
-Keyword among(std::string_view word, std::initializer_list<Entry> entries) {
-    for (const Entry& entry : entries)
+Keyword among(std::string_view word, std::initializer_list<KeywordName> entries) {
+    for (const KeywordName& entry : entries)
         if (sameWord(word, entry.word))
             return entry.keyword;
     return Keyword::None;

@@ -16,10 +16,10 @@ namespace usar::posh {
 namespace {
 
 /// Comparing costs the product of the lengths.
-constexpr std::size_t longest_compared = 60;
+constexpr std::size_t longest_word = 60;
 
-bool isNameCharacter(char c) {
-    return isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+bool belongsToName(char c) {
+    return isLetter(c) || isDigit(c) || c == '_' || c == '-';
 }
 
 /// The letters of a word that a name may have, in their order, without empty parts between dots.
@@ -27,7 +27,7 @@ std::string cleaned(std::string_view word) {
     std::string name;
     for (const char c : word) {
         const bool starts = name.empty() || name.back() == '.';
-        if (c == '.' ? !starts : isNameCharacter(c) && (!starts || isLetter(c) || c == '_'))
+        if (c == '.' ? !starts : belongsToName(c) && (!starts || isLetter(c) || c == '_'))
             name += c;
     }
     while (name.ends_with('.'))
@@ -141,7 +141,7 @@ void FixFinder::takeOut(std::size_t first_token, std::size_t last_token) {
 void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most) {
     std::vector<std::pair<std::size_t, std::string>> near;
     const std::string wanted = lowerCase(found());
-    if (wanted.size() > longest_compared)
+    if (wanted.size() > longest_word)
         return;
     for (const std::string& candidate : known) {
         const bool is_start = wanted.size() > 1 && lowerCase(candidate).starts_with(wanted);
@@ -329,7 +329,7 @@ void FixFinder::fixDocumentation() {
 }
 
 void FixFinder::fixUnit() {
-    const std::string wanted = lowerCase(word(here_).substr(0, longest_compared));
+    const std::string wanted = lowerCase(word(here_).substr(0, longest_word));
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const char* const unit : {"seconds", "minutes", "hours", "hz", "pm", "ticks"}) {
         const bool is_start =

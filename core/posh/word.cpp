@@ -6,9 +6,6 @@ namespace usar::posh {
 
 namespace {
 
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 constexpr bool isNameStart(char c) {
     return isLetter(c) || c == '_';
 }

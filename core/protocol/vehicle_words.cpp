@@ -10,7 +10,7 @@ namespace usar::protocol {
 namespace {
 
 /// The first word of a kind is the one we write.
-constexpr std::array<std::pair<std::string_view, VehicleKind>, 7> words = {{
+constexpr std::array<std::pair<std::string_view, VehicleKind>, 7> vehicle_words = {{
     {"GroundVehicle", VehicleKind::Ground},
     {"AerialVehicle", VehicleKind::Aerial},
     {"NauticVehicle", VehicleKind::Nautic},
@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, VehicleKind>, 7> words = {{
 } // namespace
 
 VehicleKind vehicleKindOf(std::string_view word) {
-    for (const auto& [name, kind] : words) {
+    for (const auto& [name, kind] : vehicle_words) {
         if (sameWord(name, word))
             return kind;
     }
@@ -31,7 +31,7 @@ VehicleKind vehicleKindOf(std::string_view word) {
 }
 
 std::string_view wordOf(VehicleKind kind) {
-    for (const auto& [name, known] : words) {
+    for (const auto& [name, known] : vehicle_words) {
         if (known == kind)
             return name;
     }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double belt_rise_m = 0.01; ///< of the belt over the frame
 
-const std::array kinds{
+const std::array object_kinds{
     ObjectKind{"Box", ObjectShape::Box, {0.5, 0.5, 0.5}, 80.0, 0.6, 0.1, 0.0},
     ObjectKind{"Crate", ObjectShape::Box, {1.0, 1.0, 1.0}, 60.0, 0.6, 0.1, 0.0},
     ObjectKind{"Brick", ObjectShape::Box, {0.24, 0.115, 0.071}, 1800.0, 0.8, 0.1, 0.0},
@@ -45,18 +45,19 @@ void makeCylinder(BodyDescription& body, double radius_m, double height_m, doubl
 } // namespace
 
 std::span<const ObjectKind> objectKinds() {
-    return kinds;
+    return object_kinds;
 }
 
 const ObjectKind* findObjectKind(std::string_view class_name) {
     const std::string_view bare_name = withoutPackage(class_name);
-    const auto kind = std::ranges::find_if(kinds, [&](const ObjectKind& one) { return sameWord(one.name, bare_name); });
-    return kind == kinds.end() ? nullptr : &*kind;
+    const auto kind =
+        std::ranges::find_if(object_kinds, [&](const ObjectKind& one) { return sameWord(one.name, bare_name); });
+    return kind == object_kinds.end() ? nullptr : &*kind;
 }
 
 std::string objectKindNames() {
     std::string names;
-    for (const ObjectKind& kind : kinds)
+    for (const ObjectKind& kind : object_kinds)
         names += (names.empty() ? "" : ", ") + std::string(kind.name);
     return names;
 }

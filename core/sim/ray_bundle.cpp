@@ -6,7 +6,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double hair_m = 1e-6;
+constexpr double edge_slack_m = 1e-6;
 
 /// Positive when `b` lies to the left of `a`.
 double cross(const Vec2& a, const Vec2& b) {
@@ -38,13 +38,13 @@ RayBundle::RayBundle(const Vec3& origin_m, std::span<const Vec3> directions)
 }
 
 Eigen::AlignedBox3d RayBundle::box(double length_m) const {
-    const Vec3 hair = Vec3::Constant(hair_m);
+    const Vec3 hair = Vec3::Constant(edge_slack_m);
     return {origin_m_ + length_m * lowest_ - hair, origin_m_ + length_m * highest_ + hair};
 }
 
 bool RayBundle::mayMeetColumn(const Vec2& center_m, double radius_m, double length_m) const {
     const Vec2 to_center_m = center_m - origin_m_.head<2>();
-    const double wide_m = radius_m + hair_m;
+    const double wide_m = radius_m + edge_slack_m;
     const double far_m = wide_m + length_m;
     if (to_center_m.squaredNorm() > far_m * far_m)
         return false;

@@ -14,7 +14,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr const char* mend = "Mend the file or generate the world again";
+constexpr const char* sdf_mend = "Mend the file or generate the world again";
 
 /// While it lives, libsdformat's console speaks into `heard()` and not into the log file in the home folder.
 class Listener {
@@ -48,7 +48,7 @@ tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem
     constexpr std::string_view line_mark = "Line number=";
     const std::size_t reason = heard.find(reason_mark);
     if (reason == std::string::npos)
-        return failure("this is not SDFormat", file.string(), mend);
+        return failure("this is not SDFormat", file.string(), sdf_mend);
     const std::string word = heard.substr(reason + reason_mark.size());
     std::string where = file.string();
     const std::size_t line = heard.find(line_mark);
@@ -56,7 +56,7 @@ tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem
         const auto number = readNumberPrefix(std::string_view(heard).substr(line + line_mark.size()));
         where += ":" + fixed(number.value, 0);
     }
-    return failure("the XML is broken (" + word.substr(0, word.find(' ')) + ")", where, mend);
+    return failure("the XML is broken (" + word.substr(0, word.find(' ')) + ")", where, sdf_mend);
 }
 
 } // namespace
@@ -72,7 +72,7 @@ Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
     if (first.Code() == sdf::ErrorCode::FILE_READ)
         return unreadable(listener.heard(), file);
     const auto line = first.LineNumber();
-    return failure(first.Message(), line ? file.string() + ":" + std::to_string(*line) : file.string(), mend);
+    return failure(first.Message(), line ? file.string() + ":" + std::to_string(*line) : file.string(), sdf_mend);
 }
 
 } // namespace usar::sim

@@ -10,7 +10,7 @@ namespace usar::sim {
 namespace {
 
 constexpr std::string_view first_line = "USARSim snapshot 1";
-constexpr std::string_view kinds = "cdrlfeo";
+constexpr std::string_view record_kinds = "cdrlfeo";
 
 void add(std::string& out, std::string_view key, std::string_view value) {
     out.append(key).append(" ").append(value).append("\n");
@@ -27,9 +27,9 @@ void addNumber(std::string& out, std::string_view key, double value) {
 }
 
 /// Goes through the file; the first trouble is kept.
-class Reading {
+class SnapshotReading {
 public:
-    explicit Reading(std::string_view file) : rest_(file) {}
+    explicit SnapshotReading(std::string_view file) : rest_(file) {}
 
     bool done() const { return rest_.empty() || error_; }
     const std::optional<Error>& error() const { return error_; }
@@ -91,7 +91,7 @@ private:
     std::optional<Error> error_;
 };
 
-void readHead(Reading& reading, std::string_view key, std::string_view value, Snapshot& snapshot) {
+void readHead(SnapshotReading& reading, std::string_view key, std::string_view value, Snapshot& snapshot) {
     if (key == "world")
         snapshot.world = value;
     else if (key == "seed")
@@ -146,7 +146,7 @@ std::string write(const Snapshot& snapshot) {
 }
 
 Result<Snapshot> readSnapshot(std::string_view file) {
-    Reading reading(file);
+    SnapshotReading reading(file);
     Snapshot snapshot;
     if (reading.line() != first_line)
         return failure("this is no snapshot", "line 1", "Choose a file that Save snapshot has written");
@@ -164,7 +164,7 @@ Result<Snapshot> readSnapshot(std::string_view file) {
         std::string_view line = reading.line();
         const std::string_view kind = takeWord(line);
         JournalEntry entry;
-        if (kind.size() != 1 || kinds.find(kind.front()) == std::string_view::npos)
+        if (kind.size() != 1 || record_kinds.find(kind.front()) == std::string_view::npos)
             reading.fail("'" + std::string(kind) + "' is no kind of entry");
         else
             entry.kind = static_cast<JournalEntry::Kind>(kind.front());

@@ -11,7 +11,7 @@ constexpr std::ptrdiff_t finest_cells = 4;
 constexpr std::ptrdiff_t times_coarser = 4;
 constexpr std::ptrdiff_t tile_cells = finest_cells * times_coarser;
 constexpr std::size_t tile_level = 1;
-constexpr double hair_m = 1e-6;
+constexpr double rounding_m = 1e-6;
 
 /// Four posts of a cell and the height of its two triangles; u, v within the cell.
 struct Corners {
@@ -117,7 +117,7 @@ double TerrainRays::cast(const Ray& ray, double maximum_m) const {
 double TerrainRays::castNearest(const RayBundle& bundle, double maximum_m) const {
     if (terrain_->empty())
         return maximum_m;
-    const double highest_m = highestUnder_m(bundle.box(maximum_m)) + hair_m;
+    const double highest_m = highestUnder_m(bundle.box(maximum_m)) + rounding_m;
     const double start_m = bundle.origin_m().z();
     double nearest_m = maximum_m;
     for (const Vec3& direction : bundle.directions())

@@ -51,7 +51,7 @@ void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles,
 bool ClimbOver::wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                           const Vec2& goal_m) const {
     const Vec2 way_m = goal_m - senses.position2_m();
-    const double bearing_rad = std::atan2(way_m.y(), way_m.x());
+    const double bearing_rad = bearingOf(way_m);
     if (std::abs(normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad)) > facing_rad)
         return false;
     for (const agent::SonarZone& zone : picture.zones)

@@ -52,7 +52,7 @@ void CourseFilter::update(Seconds now, const Pose& ins_in_map, const Vec2& comma
 }
 
 void CourseFilter::learn(const Vec2& step_m, double expected_rad) {
-    const double course_rad = std::atan2(step_m.y(), step_m.x());
+    const double course_rad = bearingOf(step_m);
     const double error_rad = normalizedAngle(course_rad - expected_rad - correction_rad_);
     if (std::abs(error_rad) > outlier_rad)
         return;

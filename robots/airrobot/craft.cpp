@@ -14,15 +14,11 @@ constexpr double look_around_m = 8.0;
 constexpr double trunk_margin_m = 0.3;
 /// As long as no more climb than this is wanting, flight goes on past an overhang on the same level.
 constexpr double bearable_deficit_m = 1.5;
-constexpr double body_half_width_m = 0.75;
+constexpr double path_half_width_m = 0.75;
 /// A climb over something ends this far beyond the place of the climb.
 constexpr double over_way_m = 12.0;
 constexpr double rise_tolerance_m = 0.3;
 constexpr double hold_still_m = 0.5;
-
-double bearingTo(const Vec2& from_m, const Vec2& to_m) {
-    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
-}
 
 /// What the robot cannot do is not commanded: the course filter and the stopping distance believe the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
@@ -114,9 +110,9 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
         return motion;
     }
     if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
-        return toward(senses, bearingTo(here_m, decision.diversion_m), settings.evasion_speed_m_s, settings);
+        return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);
     Motion motion = holding(senses, here_m);
-    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
+    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
     return motion;
 }
 
@@ -128,8 +124,8 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     if (!bearing) {
         state = FlightState::Evading;
         Motion motion = holding(senses, here_m);
-        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
-        motion.climb_m_s = climbRate(bearingTo(here_m, leg.aim_m), 0.0);
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
+        motion.climb_m_s = climbRate(bearingOf(leg.aim_m - here_m), 0.0);
         return motion;
     }
     const double distance_m = (leg.aim_m - here_m).norm();
@@ -155,7 +151,7 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     }
     motion.climb_m_s = step.climb_m_s;
     if (step.state == ClimbState::Climbing)
-        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingTo(here_m, leg.aim_m), settings);
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
     return motion;
 }
 
@@ -185,7 +181,7 @@ void Craft::makeSafe(Motion& motion) const {
     if (speed_m_s < 1e-3)
         return;
     const double bearing_rad = std::atan2(motion.velocity_in_map_m_s.y(), motion.velocity_in_map_m_s.x());
-    const double free_m = clearance_m(obstacles_, senses.position2_m(), bearing_rad, body_half_width_m, look_around_m) -
+    const double free_m = clearance_m(obstacles_, senses.position2_m(), bearing_rad, path_half_width_m, look_around_m) -
                           settings.safety_margin_m;
     const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2);
     if (safe_m_s < speed_m_s)

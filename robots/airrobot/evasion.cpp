@@ -6,7 +6,7 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double body_half_width_m = 0.8;
+constexpr double berth_half_width_m = 0.8;
 constexpr double escape_way_m = 1.6;
 constexpr double bearing_step_rad = radians(15.0);
 
@@ -15,10 +15,6 @@ double sumOfRanges(const ThreatPicture& picture, std::size_t first, std::size_t 
     for (std::size_t i = first; i < end; ++i)
         sum += picture.zones[i].range_m;
     return sum;
-}
-
-double bearingTo(const Vec2& from_m, const Vec2& to_m) {
-    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
 }
 
 Vec2 pointAt(const Vec2& from_m, double bearing_rad, double distance_m) {
@@ -61,7 +57,7 @@ std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const V
     for (int step = 0; step <= 7; ++step) {
         for (const int side : {1, -1}) {
             const double bearing_rad = normalizedAngle(back_rad + side * step * bearing_step_rad);
-            if (clearance_m(obstacles, from_m, bearing_rad, body_half_width_m, needed_m) >= needed_m)
+            if (clearance_m(obstacles, from_m, bearing_rad, berth_half_width_m, needed_m) >= needed_m)
                 return bearing_rad;
         }
     }
@@ -75,7 +71,7 @@ void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const 
     matters_ = picture.risk == agent::Risk::High;
     if (picture.risk == agent::Risk::Low) {
         const Vec2 way_m = goal_m - senses.position2_m();
-        const double goal_rad = normalizedAngle(bearingTo(senses.position2_m(), goal_m) - senses.base_in_map.yaw_rad);
+        const double goal_rad = normalizedAngle(bearingOf(goal_m - senses.position2_m()) - senses.base_in_map.yaw_rad);
         const auto free_rad = freeBearing(picture);
         matters_ = !free_rad || !mayIgnore(picture, *free_rad, goal_rad, way_m.norm());
     }

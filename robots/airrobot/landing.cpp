@@ -10,7 +10,7 @@ namespace {
 constexpr double body_radius_m = 1.2;
 constexpr double even_m = 0.5;
 constexpr double ring_step_m = 1.0;
-constexpr int bearings = 12;
+constexpr int spots = 12;
 constexpr double still_m_s = 0.06;
 /// A second, less what the printed times are rounded by.
 constexpr Seconds still_needed{0.95};
@@ -28,8 +28,8 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
     Vec2 best_m = wanted_m;
     double best_unevenness_m = unevenness_m(memory, wanted_m);
     for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > even_m; ring_m += ring_step_m) {
-        for (int i = 0; i < bearings; ++i) {
-            const double bearing_rad = 2.0 * pi * i / bearings;
+        for (int i = 0; i < spots; ++i) {
+            const double bearing_rad = 2.0 * pi * i / spots;
             const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
             const double here_m = unevenness_m(memory, place_m);
             if (here_m < best_unevenness_m) {

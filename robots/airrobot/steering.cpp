@@ -29,7 +29,7 @@ std::optional<double> Steering::choose(std::span<const Obstacle> obstacles, cons
                                        double level_m, const WayNeeded& needed) {
     const std::vector<Obstacle> in_the_way = blocking(obstacles, from_m, level_m);
     const Vec2 way_m = goal_m - from_m;
-    const double goal_rad = std::atan2(way_m.y(), way_m.x());
+    const double goal_rad = bearingOf(way_m);
     const double length_m = std::min(needed.length_m, way_m.norm() + 0.5);
     std::optional<double> best;
     double best_cost = 0.0;

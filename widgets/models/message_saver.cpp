@@ -9,7 +9,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr qint64 slice_ms = 10;
+constexpr qint64 writing_ms = 10;
 
 } // namespace
 
@@ -39,7 +39,7 @@ void MessageSaver::writeSlice() {
     QElapsedTimer timer;
     timer.start();
     QByteArray bytes;
-    for (; next_ < serials_.size() && timer.elapsed() < slice_ms; ++next_) {
+    for (; next_ < serials_.size() && timer.elapsed() < writing_ms; ++next_) {
         const MessageRow* row = model_.find(serials_[next_]);
         if (!row)
             continue;

@@ -71,7 +71,7 @@ void addParts(CameraScene& seen, const BodyDescription& body, const BodyState& s
         seen.solids.push_back(seenSolid(part.shape, body_in_map * part.part_in_body.isometry(), color));
 }
 
-Eigen::Isometry3d at(const Vec3& position_m) {
+Eigen::Isometry3d shiftedTo(const Vec3& position_m) {
     return Eigen::Isometry3d(Eigen::Translation3d(position_m));
 }
 
@@ -109,10 +109,10 @@ void addObjects(CameraScene& seen, const Scene& scene) {
 void addMarks(CameraScene& seen, const World& world) {
     for (const Victim& victim : world.victims)
         for (const VictimPart& part : victim.parts)
-            seen.solids.push_back(seenSolid(SphereShape{radiusOf(part.kind)}, at(part.position_in_map_m),
+            seen.solids.push_back(seenSolid(SphereShape{radiusOf(part.kind)}, shiftedTo(part.position_in_map_m),
                                             isBare(part.kind) ? skin : clothes));
     for (const RfidTag& tag : world.rfid_tags)
-        seen.solids.push_back(seenSolid(SphereShape{tag_radius_m}, at(tag.position_in_map_m), tag_color));
+        seen.solids.push_back(seenSolid(SphereShape{tag_radius_m}, shiftedTo(tag.position_in_map_m), tag_color));
 }
 
 } // namespace usar::sim

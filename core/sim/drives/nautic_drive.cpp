@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/drives/drive_term.h"
+
 namespace usar::sim {
 
 namespace {
 
 constexpr int slices = 9;
 constexpr double propeller_lag_s = 0.3;
-
-double limited(double value, double limit, bool normalized) {
-    const double physical = normalized ? value / 100.0 * limit : value;
-    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
-}
 
 /// Share of a circle's area that lies under a level which is `depth` radii over its center.
 double circleUnder(double depth) {

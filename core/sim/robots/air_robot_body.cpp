@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/drives/drive_term.h"
+
 namespace usar::sim {
 
 namespace {
@@ -17,11 +19,6 @@ constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
 constexpr double rest_m_s = 0.01;
 constexpr double rest_rad_s = 0.01;
-
-double limited(double value, double limit, bool normalized) {
-    const double physical = normalized ? value / 100.0 * limit : value;
-    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
-}
 
 } // namespace
 

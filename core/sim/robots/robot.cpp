@@ -12,8 +12,8 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double rest_m_s = 0.01;
-constexpr double rest_rad_s = 0.01;
+constexpr double asleep_m_s = 0.01;
+constexpr double asleep_rad_s = 0.01;
 constexpr double raised_to_turn_m = 0.3;
 constexpr int rotors = 4;
 
@@ -209,8 +209,8 @@ bool Robot::canHave(const Fault& fault) const {
 }
 
 bool Robot::atRest() const {
-    return drive_->idle() && body_.velocity_in_map_m_s().norm() < rest_m_s &&
-           body_.rate_in_map_rad_s().norm() < rest_rad_s;
+    return drive_->idle() && body_.velocity_in_map_m_s().norm() < asleep_m_s &&
+           body_.rate_in_map_rad_s().norm() < asleep_rad_s;
 }
 
 RobotFigures Robot::figures() const {

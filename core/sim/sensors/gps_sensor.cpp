@@ -13,7 +13,7 @@ constexpr int satellites_in_sky = 12;
 constexpr int satellites_for_fix = 4;
 constexpr double worst_sigma_m = 0.83; ///< with four of them
 constexpr double best_sigma_m = 0.25;  ///< with all
-constexpr double sky_m = 300.0;
+constexpr double satellite_m = 300.0;
 
 /// Spread over the sky above 10 degrees by the golden angle.
 std::vector<Vec3> makeSatellites() {
@@ -39,7 +39,7 @@ GpsSensor::GpsSensor(const SensorModel& model, const SensorBirth& birth)
 void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Vec3 at_m = sensor_in_map(view).translation();
     const auto seen = std::ranges::count_if(
-        satellites_, [&](const Vec3& toward) { return view.rays.cast(at_m, toward, sky_m) >= sky_m; });
+        satellites_, [&](const Vec3& toward) { return view.rays.cast(at_m, toward, satellite_m) >= satellite_m; });
     protocol::GpsReading reading{.name = model().name, .fix = seen >= satellites_for_fix, .satellites = seen};
     if (reading.fix) {
         const double share = static_cast<double>(seen - satellites_for_fix) / (satellites_in_sky - satellites_for_fix);

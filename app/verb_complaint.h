@@ -1,0 +1,17 @@
+// How a verb of usar-mission says that it was called wrongly.
+#pragma once
+
+#include <cstdio>
+
+#include "core/base/result.h"
+#include "core/mission/mission_runner.h"
+
+namespace usar::app {
+
+/// To standard error; the exit code for bad input.
+inline int complain(const Error& error) {
+    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
+    return mission::BadInput;
+}
+
+} // namespace usar::app
