@@ -23,8 +23,8 @@ std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index)
 std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index);
 
 /// `plan` was read from `text` and then edited. Keeps every byte of what was not edited: the other forms, and of an
-/// edited one the levels that are as they were; within what changed, the words around the change. Where `text` cannot be
-/// read, or nothing of it remains, this is writePlan.
+/// edited one the levels that are as they were; within what changed, the words around the change. Where `text` cannot
+/// be read, or nothing of it remains, this is writePlan.
 std::string writeKeepingLayout(std::string_view text, const Plan& plan);
 
 } // namespace usar::posh
