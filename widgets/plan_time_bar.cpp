@@ -42,7 +42,12 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap::tiny);
-    for (QToolButton* button : {halt_, back_, forward_, live_}) {
+    const std::initializer_list<std::pair<QToolButton*, QString>> names{{halt_, tr("Halt or go on")},
+                                                                        {back_, tr("One cycle back")},
+                                                                        {forward_, tr("One cycle forward")},
+                                                                        {live_, tr("Back to now")}};
+    for (const auto& [button, name] : names) {
+        button->setAccessibleName(name);
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setMinimumSize(minimum_target, minimum_target);
