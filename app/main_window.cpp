@@ -113,13 +113,13 @@ void MainWindow::wireControl() {
         if (!control_.robot(id)->isReplay())
             views_.hint->setDone(0, true);
     });
-    connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name) {
+    connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name, int instead) {
         views_.robots->removeRobot(id);
         presenter_.remove(name);
         drafts_.erase(id);
         showFaultChoices();
         if (id == selected_)
-            selectRobot(control_.robots().empty() ? 0 : control_.robots().front()->view().id);
+            selectRobot(instead);
     });
     connect(&control_, &MissionControl::robotLinkChanged, this, [this](int id) {
         presenter_.showRow(id);

@@ -102,6 +102,11 @@ void MissionControl::connectRobot(Robot* robot) {
     });
     connect(robot, &Robot::behaviorFinished, this,
             [this, robot](bool success, const QString& reason) { finished(robot, success, reason); });
+    connect(robot, &Robot::recordingFlushed, this, [this, robot](const QString& path) {
+        const auto wanted = wanted_moments_.extract(robot->view().connection);
+        if (!wanted.empty() && !path.isEmpty())
+            open(path, wanted.key(), wanted.mapped());
+    });
     keeper_.watch(*robot, [this, robot]() -> std::optional<sim::RobotTruth> {
         const auto truth = truths_.find(robot->view().id);
         return truth == truths_.end() ? std::nullopt : std::optional(truth->second);
@@ -230,9 +235,11 @@ void MissionControl::remove(int id) {
     robots_.erase(found);
     robot->disconnect(this);
     const QString name = QString::fromStdString(robot->view().spawn.robot_name);
+    const Robot* const looked_back_on = robotOn(robot->view().looks_back_on);
+    const int instead = looked_back_on ? looked_back_on->view().id : robots_.empty() ? 0 : robots_.begin()->first;
     keeper_.takeLeave(std::move(robot));
     truths_.erase(id);
-    emit robotRemoved(id, name);
+    emit robotRemoved(id, name, instead);
 }
 
 void MissionControl::spawnAgain(int id) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -85,6 +87,11 @@ public:
     bool recording() const { return recording_; }
     /// Shown as a robot of its own, paused at its beginning; `replayAdded` says its id. Live robots go on.
     void openRecording(const QString& path);
+    /// The same with what is recorded of a robot that flies, at the moment when its clock said so; the robot goes on.
+    /// A look back on it that is open already is closed.
+    void lookBack(int id, Seconds moment);
+    /// Whom that replay looks back on, as long as it is there; else 0.
+    int lookedBackOn(int id) const;
     /// Stops every robot and saves what is not saved; `readyToClose` follows. A session that hangs is waited for five
     /// seconds. After `exportFailed` nothing more happens until this is called again, or `stayOpen`.
     void prepareToClose();
@@ -100,7 +107,8 @@ signals:
     void robotAdded(int id);
     /// Before `robotAdded`.
     void replayAdded(int id);
-    void robotRemoved(int id, const QString& name);
+    /// `instead`: who is to be looked at where it was this one; 0: nobody is left.
+    void robotRemoved(int id, const QString& name, int instead);
     void robotLinkChanged(int id);
     /// Of the connection that waits for its robot.
     void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update);
@@ -119,6 +127,7 @@ private:
 
     int nextId() const;
     Robot* robotOn(int connection) const;
+    void open(const QString& path, int looks_back_on, std::optional<Seconds> moment);
     void openNext();
     void connectRobot(Robot* robot);
     void connectReplay(Robot* robot);
@@ -147,6 +156,7 @@ private:
     std::map<int, std::unique_ptr<Robot>> robots_;
     std::unique_ptr<Robot> next_;                 ///< connected, not spawned
     std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
+    std::map<int, Seconds> wanted_moments_;       ///< by connection: to look back on, once it is in the file
     bool recording_ = true;
     std::map<int, sim::RobotTruth> truths_;        ///< for the summary only
     std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each

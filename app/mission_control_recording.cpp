@@ -49,10 +49,33 @@ void MissionControl::record(Robot& robot, const mission::SpawnRequest& as) {
 }
 
 void MissionControl::openRecording(const QString& path) {
+    open(path, 0, std::nullopt);
+}
+
+void MissionControl::open(const QString& path, int looks_back_on, std::optional<Seconds> moment) {
     auto robot = std::make_unique<Robot>();
     connectReplay(robot.get());
-    robot->openRecording(QFileInfo(path).absoluteFilePath());
+    robot->openRecording(QFileInfo(path).absoluteFilePath(), looks_back_on);
+    if (moment)
+        robot->orderReplay({.seek_clock = moment});
     opening_.push_back(std::move(robot));
+}
+
+void MissionControl::lookBack(int id, Seconds moment) {
+    Robot* const flies = robot(id);
+    if (!flies || flies->isReplay())
+        return;
+    for (const Robot* other : robots())
+        if (other->view().looks_back_on == flies->view().connection)
+            remove(other->view().id);
+    wanted_moments_[flies->view().connection] = moment;
+    flies->flushRecording();
+}
+
+int MissionControl::lookedBackOn(int id) const {
+    const Robot* const replay = robot(id);
+    const Robot* const flies = replay ? robotOn(replay->view().looks_back_on) : nullptr;
+    return flies ? flies->view().id : 0;
 }
 
 void MissionControl::connectReplay(Robot* robot) {

@@ -89,19 +89,14 @@ void PlanDesk::take(int id, const mission::SessionUpdate& update) {
     const Robot* const robot = control_.robot(id);
     if (!robot)
         return;
-    const int connection = robot->view().connection;
-    const News news = watches_[connection].take(update);
-    if (update.figures.replay && update.figures.now.count() > 0.0) {
-        std::optional<Seconds>& began = replays_[connection];
-        const Seconds now_began = update.figures.replay->position - update.figures.now;
-        if (!began || now_began < *began || now_began > *began + Seconds{0.5})
-            began = now_began;
-    }
+    const News news = watches_[robot->view().connection].take(update);
     if (!robot->isReplay())
         for (const agent::Published& published : update.published)
             std::visit([&](const auto& value) { takeNews(id, value); }, published);
-    if (id == selected_)
-        show(news);
+    if (id != selected_)
+        return;
+    show(news);
+    showLookBack();
 }
 
 void PlanDesk::select(int id) {
@@ -113,6 +108,7 @@ void PlanDesk::select(int id) {
     showHalt();
     showTime();
     showMarks();
+    showLookBack();
 }
 
 void PlanDesk::show(News news) {
@@ -423,9 +419,7 @@ void PlanDesk::toggleDrive() {
 void PlanDesk::goTo(Seconds time) {
     if (Robot* const shown = robot(); shown && shown->isReplay()) {
         constexpr Seconds behind{0.02}; // the cycle itself must have been
-        if (const auto began = replays_[shown->view().connection])
-            shown->orderReplay({.seek = time + *began + behind});
-        return;
+        return shown->orderReplay({.seek_clock = time + behind});
     }
     show(watch().goTo(time));
 }
@@ -434,6 +428,41 @@ void PlanDesk::stepBy(int cycles) {
     if (const Robot* const shown = robot(); shown && shown->isReplay())
         return goTo(watch().timeOfStep(cycles));
     show(watch().step(cycles));
+}
+
+/// At the shown moment of the plan, or where no plan decides now.
+void PlanDesk::lookBack() {
+    constexpr Seconds behind{0.02};
+    const widgets::PlanTime time = watch().time();
+    control_.lookBack(selected_, time.cycle > 0 ? time.shown + behind : robot()->view().figures.now);
+}
+
+void PlanDesk::backToNow() {
+    if (control_.lookedBackOn(selected_) != 0)
+        control_.remove(selected_); // the one that flies is selected in its place
+    show(watch().goLive());
+}
+
+QString PlanDesk::whyNoLookBack() const {
+    const Robot* const shown = robot();
+    if (!shown)
+        return tr("No robot is selected");
+    if (shown->isReplay())
+        return tr("This is a replay: its slider moves map and sensors, too");
+    if (!shown->view().figures.recording)
+        return tr("Nothing is recorded of this robot; Ctrl+Alt+R begins");
+    return {};
+}
+
+/// Commands that are off say why.
+void PlanDesk::showLookBack() {
+    const QString why = whyNoLookBack();
+    QAction* const action = commands_.action("plan.look_back");
+    if (why == no_look_back_ && action->isEnabled() == why.isEmpty())
+        return;
+    no_look_back_ = why;
+    action->setToolTip(why.isEmpty() ? look_back_help_ : why);
+    commands_.refresh();
 }
 
 } // namespace usar::app

@@ -97,19 +97,25 @@ private:
     void pinsChanged();
     void goTo(Seconds time);
     void stepBy(int cycles);
+    void lookBack();
+    void backToNow();
+    /// Why what is shown cannot be replayed while it goes on; empty: it can.
+    QString whyNoLookBack() const;
+    void showLookBack();
 
     MissionControl& control_;
     WindowViews& views_;
     widgets::CommandRegistry& commands_;
     QWidget* window_;
     int selected_ = 0;
-    std::map<int, PlanWatch> watches_;              ///< by connection
-    std::map<int, agent::SetPins> pins_;            ///< by connection
-    std::map<int, std::optional<Seconds>> replays_; ///< by connection: when in the recording the robot's clock began
+    std::map<int, PlanWatch> watches_;   ///< by connection
+    std::map<int, agent::SetPins> pins_; ///< by connection
     widgets::BreakpointList list_;
     std::vector<int> temporary_; ///< breakpoints of "run to here"
     bool epoch_wanted_ = false;  ///< the next halt is shown at its first epoch
     bool stepping_ = false;      ///< it goes on for one cycle only
+    QString no_look_back_;       ///< why, as the button says it
+    QString look_back_help_;     ///< what it says otherwise
 };
 
 } // namespace usar::app

@@ -175,10 +175,22 @@ void PlanDesk::registerTimeCommands() {
         {"plan.live",
          tr("Back to now"),
          tr("Plan"),
-         tr("Shows what the plan does now, and goes on showing it"),
+         tr("Shows what the robot and its plan do now, and goes on showing it; a replay from here is closed"),
          "record",
          {QKeySequence("Alt+End")}},
-        [this](bool) { show(watch().goLive()); }, [this] { return !watch().live(); });
+        [this](bool) { backToNow(); },
+        [this] { return !watch().live() || control_.lookedBackOn(selected_) != 0; });
+    look_back_help_ = commands_
+                          .add(
+                              {"plan.look_back",
+                               tr("Replay from here"),
+                               tr("Plan"),
+                               tr("Map, sensors, plots and plan as they were at this moment, from what is recorded; "
+                                  "the robot flies on, and Back to now returns to it"),
+                               "history",
+                               {QKeySequence("Alt+Shift+End")}},
+                              [this](bool) { lookBack(); }, [this] { return whyNoLookBack().isEmpty(); })
+                          ->toolTip();
 }
 
 void PlanDesk::wire() {
@@ -186,7 +198,8 @@ void PlanDesk::wire() {
     panel.haltBar().setActions(
         {commands_.action("plan.continue"), commands_.action("plan.step_cycle"), commands_.action("plan.step_epoch")});
     panel.timeBar().setActions(commands_.action("plan.halt"), commands_.action("plan.back"),
-                               commands_.action("plan.forward"), commands_.action("plan.live"));
+                               commands_.action("plan.forward"), commands_.action("plan.look_back"),
+                               commands_.action("plan.live"));
     connect(&panel.timeBar(), &widgets::PlanTimeBar::timeWanted, this, &PlanDesk::goTo);
     connect(&panel.view(), &widgets::PlanView::selectionChanged, this, [this] { commands_.refresh(); });
     connect(&panel.view(), &widgets::PlanView::menuRequested, this, &PlanDesk::openMenu);
@@ -197,6 +210,10 @@ void PlanDesk::wire() {
         breakpointsChanged();
     });
     connect(&control_, &MissionControl::robotAdded, this, &PlanDesk::welcome);
+    connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
+        if (const int flies = control_.lookedBackOn(id))
+            watches_[control_.connectionOf(id)].expect(watches_[control_.connectionOf(flies)]);
+    });
     connect(&control_, &MissionControl::robotRemoved, this, [this] {
         if (!anyHalted())
             emit timeWanted(true);

@@ -42,6 +42,7 @@ std::shared_ptr<const std::vector<std::string>> pathsOf(const posh::Program& pro
 
 PlanWatch::News PlanWatch::take(const mission::SessionUpdate& update) {
     is_replay_ = update.figures.replay.has_value();
+    const bool has_moved = std::exchange(now_, update.figures.now) != now_;
     if (update.rewound) {
         heard_ = 0;
         all_heard_ = history_.bytes().empty();
@@ -54,31 +55,44 @@ PlanWatch::News PlanWatch::take(const mission::SessionUpdate& update) {
             hear(trace->bytes);
             heard = true;
         }
+    heard = heard || (has_moved && is_replay_ && !all_heard_);
     if (heard && moment_)
         return News::Activity; // of the run; what is shown is as it was
     return heard ? refresh() : News::None;
 }
 
-/// What a replay says again is known; what differs is another run.
+/// What a replay says again is known; what differs is another run, or goes on otherwise.
 void PlanWatch::hear(const std::string& piece) {
     const std::string_view known = std::string_view(history_.bytes()).substr(heard_, piece.size());
+    const bool begins = piece.starts_with(posh::trace_codec::magic);
     if (!known.empty() && known == piece) {
         heard_ += piece.size();
+    } else if (begins || history_.bytes().empty()) {
+        startWith(expected_.starts_with(piece) ? expected_ : piece);
+        heard_ = piece.size();
     } else {
-        if (!known.empty() || piece.starts_with(posh::trace_codec::magic)) {
-            history_.clear();
-            heard_ = 0;
-            moment_.reset();
-            epoch_.reset();
-        }
+        if (!known.empty())
+            startWith(history_.bytes().substr(0, heard_));
         history_.append(piece);
         heard_ += piece.size();
     }
     all_heard_ = heard_ == history_.bytes().size();
 }
 
+void PlanWatch::startWith(const std::string& trace) {
+    history_.clear();
+    moment_.reset();
+    epoch_.reset();
+    history_.append(trace);
+}
+
+/// A robot says what a cycle was when the next one begins. Where that is known, a replay need not wait for it.
 std::optional<std::size_t> PlanWatch::heardMoment() const {
     const auto& moments = history_.moments();
+    if (is_replay_ && heard_ > 0 && now_.count() > 0.0 && !moments.empty()) {
+        const std::int64_t now_ms = std::llround(now_.count() * 1000.0);
+        return moments.front().time_ms <= now_ms ? std::optional(history_.momentAt(now_ms)) : std::nullopt;
+    }
     const auto after = std::ranges::upper_bound(moments, heard_, {}, &posh::RunMoment::bytes);
     return after == moments.begin() ? std::nullopt
                                     : std::optional(static_cast<std::size_t>(after - moments.begin()) - 1);

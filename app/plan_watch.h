@@ -25,6 +25,8 @@ public:
     /// Of what is shown. Plan: another one, or another text of it.
     enum class News { None, Activity, Plan };
     News take(const mission::SessionUpdate& update);
+    /// What a replay of that robot's run is going to say, so that all of it can be gone to at once.
+    void expect(const PlanWatch& flown) { expected_ = flown.history_.bytes(); }
 
     /// No plan has decided yet.
     bool empty() const { return !activity().program(); }
@@ -38,6 +40,8 @@ public:
     const std::vector<std::string>& paths() const;
 
     widgets::PlanTime time() const;
+    /// Of the run up to the shown moment; only where there is a program.
+    const posh::RunStatistics& statistics() const { return activity().statistics(); }
     bool live() const { return !moment_; }
     News goLive();
     /// To the cycle that was the newest at that time.
@@ -54,6 +58,7 @@ public:
 private:
     const posh::RunActivity& activity() const { return moment_ || !all_heard_ ? shown_ : history_.newest(); }
     void hear(const std::string& piece);
+    void startWith(const std::string& trace);
     News refresh();
     /// The newest that has been heard (again); nothing has where there is none.
     std::optional<std::size_t> heardMoment() const;
@@ -61,11 +66,13 @@ private:
     News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);
 
     posh::RunHistory history_;
-    std::size_t heard_ = 0; ///< bytes of it, since a replay was wound back last
+    std::string expected_;  ///< the trace of a run, as far as it is known from elsewhere
+    std::size_t heard_ = 0; ///< bytes of `history_`, since a replay was wound back last
     bool all_heard_ = true;
     std::optional<std::size_t> moment_; ///< nothing: it follows
     std::optional<std::size_t> epoch_;  ///< of `moment_`
     bool is_replay_ = false;
+    Seconds now_{0.0};        ///< the robot's clock
     posh::RunActivity shown_; ///< unless it is the newest of all
     std::shared_ptr<const posh::Program> program_;
     std::string text_;

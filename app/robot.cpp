@@ -59,6 +59,7 @@ void Robot::connectSession() {
     });
     connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
     connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
+    connect(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
     connect(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
     connect(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
 }
@@ -158,8 +159,13 @@ void Robot::stopRecording() {
     later([](mission::RobotSession& session) { session.stopRecording(); });
 }
 
-void Robot::openRecording(const QString& path) {
+void Robot::flushRecording() {
+    later([](mission::RobotSession& session) { session.flushRecording(); });
+}
+
+void Robot::openRecording(const QString& path, int looks_back_on) {
     view_.recording = path;
+    view_.looks_back_on = looks_back_on;
     later([=](mission::RobotSession& session) { session.openRecording(path); });
 }
 
@@ -185,6 +191,7 @@ void Robot::forget() {
     fresh.link = view_.link;
     fresh.cell_size_m = view_.cell_size_m;
     fresh.recording = view_.recording;
+    fresh.looks_back_on = view_.looks_back_on;
     view_ = std::move(fresh);
 }
 

@@ -38,6 +38,7 @@ struct RobotView {
     bool unsaved = false;                            ///< scanned since the last export
     std::optional<agent::PlanHalted> halted;         ///< the plan stands still
     QString recording;                               ///< the file that is replayed; empty: live
+    int looks_back_on = 0; ///< `connection` of the robot that flew when this replay of it was opened; 0: of none
 };
 
 /// Lives in the GUI thread; the session lives in its own. Calls are queued to it and never wait.
@@ -74,9 +75,11 @@ public:
     void requestRecord();
     void startRecording(const QString& path, const mission::RecordingFacts& facts);
     void stopRecording();
+    /// `recordingFlushed` follows once all that happened until now is in the file.
+    void flushRecording();
     void noteFault(const QString& sentence);
     /// Instead of `open`; `replayOpened` or `replayFailed` follows.
-    void openRecording(const QString& path);
+    void openRecording(const QString& path, int looks_back_on = 0);
     void orderReplay(const mission::ReplayOrder& order);
     /// From now on it is the robot of that recording.
     void becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts);
@@ -90,6 +93,8 @@ signals:
     void behaviorFinished(bool success, const QString& reason);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
+    /// Empty where nothing is recorded.
+    void recordingFlushed(const QString& path);
     void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
     void replayFailed(const QString& reason);
 

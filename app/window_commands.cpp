@@ -271,6 +271,7 @@ void MainWindow::makeMenus() {
                                                      "plan.back",
                                                      "plan.forward",
                                                      "plan.live",
+                                                     "plan.look_back",
                                                      "-",
                                                      "plan.break_before",
                                                      "plan.break_after",

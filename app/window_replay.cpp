@@ -103,8 +103,12 @@ void MainWindow::wireReplay() {
     connect(views_.replay, &widgets::ReplayBar::speedRequested, this,
             [this](double speed) { orderReplay({.speed = speed}); });
     connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
-        drafts_[id] = drafts_[0]; // what is set up is not the replay's
-        drafts_[id].area_in_map.reset();
+        const int flies = control_.lookedBackOn(id);
+        if (flies == selected_)
+            keepDraft();
+        drafts_[id] = drafts_[flies]; // what is set up is not the replay's
+        if (flies == 0)
+            drafts_[id].area_in_map.reset();
     });
 }
 

@@ -17,6 +17,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr int run_steps = 10000;
+constexpr int broad_bar_px = 620;
 
 } // namespace
 
@@ -35,6 +36,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     , halt_(new QToolButton(this))
     , back_(new QToolButton(this))
     , forward_(new QToolButton(this))
+    , look_back_(new QToolButton(this))
     , live_(new QToolButton(this))
     , slider_(new TimeSlider(this))
     , words_(new QLabel(this)) {
@@ -45,9 +47,11 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     const std::initializer_list<std::pair<QToolButton*, QString>> names{{halt_, tr("Halt or go on")},
                                                                         {back_, tr("One cycle back")},
                                                                         {forward_, tr("One cycle forward")},
+                                                                        {look_back_, tr("Replay from here")},
                                                                         {live_, tr("Back to now")}};
     for (const auto& [button, name] : names) {
         button->setAccessibleName(name);
+        button->setToolTip(name);
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setMinimumSize(minimum_target, minimum_target);
@@ -64,6 +68,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     row->addWidget(forward_);
     row->addWidget(slider_, 1);
     row->addWidget(words_);
+    row->addWidget(look_back_);
     row->addWidget(live_);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
     connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // keys and wheel
@@ -73,14 +78,27 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     setTime({});
 }
 
-void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAction* live) {
+void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAction* look_back, QAction* live) {
     const std::initializer_list<std::pair<QToolButton*, QAction*>> pairs{
-        {halt_, halt}, {back_, back}, {forward_, forward}, {live_, live}};
+        {halt_, halt}, {back_, back}, {forward_, forward}, {look_back_, look_back}, {live_, live}};
     for (const auto& [button, action] : pairs) {
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
         button->setAccessibleName(action->text());
     }
+    arrange();
+}
+
+/// What is offered in the past is said in words where there is room for them.
+void PlanTimeBar::arrange() {
+    const bool is_past = !time_.live && !time_.replay && time_.cycle != 0;
+    const bool has_words = is_past && width() >= broad_bar_px;
+    look_back_->setToolButtonStyle(has_words ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void PlanTimeBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 Seconds PlanTimeBar::timeOf(int value) const {
@@ -89,7 +107,8 @@ Seconds PlanTimeBar::timeOf(int value) const {
 
 void PlanTimeBar::setTime(const PlanTime& time) {
     time_ = time;
-    setEnabled(time.cycle != 0);
+    slider_->setEnabled(time.cycle != 0);
+    arrange();
     const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
     if (words_->property("role") != role) {
         words_->setProperty("role", role);

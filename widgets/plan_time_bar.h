@@ -17,7 +17,7 @@ class PlanTimeBar : public QWidget {
 public:
     explicit PlanTimeBar(QWidget* parent = nullptr);
 
-    void setActions(QAction* halt, QAction* back, QAction* forward, QAction* live);
+    void setActions(QAction* halt, QAction* back, QAction* forward, QAction* look_back, QAction* live);
     void setTime(const PlanTime& time);
     const PlanTime& time() const { return time_; }
     QSlider* slider() const { return slider_; }
@@ -26,13 +26,18 @@ signals:
     /// By the protocol's clock.
     void timeWanted(usar::Seconds time);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void arrange();
     Seconds timeOf(int value) const;
 
     PlanTime time_;
     QToolButton* halt_;
     QToolButton* back_;
     QToolButton* forward_;
+    QToolButton* look_back_; ///< says what it does while the bar stands in the past
     QToolButton* live_;
     QSlider* slider_;
     QLabel* words_;

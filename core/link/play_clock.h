@@ -15,6 +15,8 @@ class PlayClock {
 public:
     /// When to play it, since the beginning. Never runs backward.
     RecordTime at(const Record& record);
+    /// What the protocol clock said last on this connection.
+    std::optional<Seconds> now() const { return now_; }
 
 private:
     void anchor(RecordTime arrival, std::optional<Seconds> now);

@@ -1,7 +1,10 @@
 #include "core/link/recording_reader.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <utility>
+
+#include <sys/file.h>
 
 #include "core/base/text.h"
 #include "core/link/play_clock.h"
@@ -27,7 +30,7 @@ std::string RecordingSurvey::complaint() const {
     if (lost > tail_lost_bytes)
         text = withUnit(lost - tail_lost_bytes, "byte is", "bytes are") + " damaged, the first at byte " +
                std::to_string(damage.front().offset) + ", and left out.";
-    if (!ended) {
+    if (!ended && !being_written) {
         text += text.empty() ? "" : " ";
         text += "The recording was not ended in order; ";
         text += tail_lost_bytes > 0
@@ -44,14 +47,25 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const QString& pa
     if (!reader->file_.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         return failure(reader->file_.errorString().toStdString(), reader->path_,
                        "Check the name, and whether the file may be read");
+    reader->survey_.being_written = reader->writerLives(); // before the size is asked for
     if (auto head = reader->readHead(); !head)
         return tl::unexpected(head.error());
     reader->surveyAll();
+    reader->judgeEnd();
     if (reader->survey_.records == 0)
         return failure("it holds not one whole record after byte " + std::to_string(recording::head_bytes),
                        reader->path_, "It ended before anything was recorded; record again");
     reader->seek(RecordTime{0});
     return reader;
+}
+
+/// Writers hold a lock on their file as long as they live.
+bool RecordingReader::writerLives() {
+    if (::flock(file_.handle(), LOCK_SH | LOCK_NB) == 0) {
+        ::flock(file_.handle(), LOCK_UN);
+        return false;
+    }
+    return errno == EWOULDBLOCK;
 }
 
 Result<void> RecordingReader::readHead() {
@@ -78,6 +92,8 @@ void RecordingReader::surveyAll() {
     PlayClock clock;
     while (const auto record = find(&survey_.damage)) {
         survey_.play_span = clock.at(*record);
+        if (const auto now = clock.now(); now && record->kind == RecordKind::In)
+            survey_.clock.add(survey_.play_span, *now);
         if (survey_.records++ == 0)
             survey_.first_line = record->line;
         if (index_.empty() || record_offset_ - index_.back().offset >= index_step_bytes)
@@ -92,9 +108,16 @@ void RecordingReader::surveyAll() {
         if (record->kind == RecordKind::Start)
             takeFacts(record->bytes);
     }
+}
+
+void RecordingReader::judgeEnd() {
+    survey_.being_written = survey_.being_written && !survey_.ended;
     if (!survey_.damage.empty() && survey_.damage.back().offset + survey_.damage.back().bytes == survey_.file_bytes) {
-        survey_.tail_lost_bytes = survey_.damage.back().bytes;
         survey_.ended = false;
+        if (survey_.being_written)
+            survey_.damage.pop_back(); // the rest of that record is on its way
+        else
+            survey_.tail_lost_bytes = survey_.damage.back().bytes;
     }
 }
 

@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "core/base/result.h"
+#include "core/link/clock_table.h"
 #include "core/link/recording_format.h"
 
 namespace usar::link {
@@ -37,6 +38,8 @@ struct RecordingSurvey {
     std::vector<RecordingDamage> damage;
     std::uint64_t tail_lost_bytes = 0; ///< at the end, an incomplete record; counted in `damage`, too
     bool ended = false;                ///< in order
+    bool being_written = false;        ///< by a program that lives: what comes later is not here, and nothing is lost
+    ClockTable clock;                  ///< when in the replay the protocol clock said what
 
     /// A sentence for the person about what is missing; empty where nothing is.
     std::string complaint() const;
@@ -45,7 +48,8 @@ struct RecordingSurvey {
 /// Surveys the file when it is opened and then reads it through a window of a few MiB, so the length of a recording
 /// costs no memory but an index entry for every 64 KiB. Damage costs the records that it hit; the search for the next
 /// good one gives up after 64 MiB of false scents, so a hostile file cannot hold anybody up. Times never run backward:
-/// one that does is taken for the one before it. Used from its owner's thread.
+/// one that does is taken for the one before it. Of a file that is being written it holds what was there when it was
+/// opened. Used from its owner's thread.
 class RecordingReader {
 public:
     static Result<std::unique_ptr<RecordingReader>> open(const QString& path);
@@ -66,7 +70,9 @@ private:
     };
     RecordingReader() = default;
     Result<void> readHead();
+    bool writerLives();
     void surveyAll();
+    void judgeEnd();
     void takeFacts(std::string_view text);
     /// The next whole record from `position_` on, over damage; what is passed over goes into `damage` where given.
     std::optional<Record> find(std::vector<RecordingDamage>* damage);

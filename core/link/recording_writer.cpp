@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <QDir>
@@ -42,6 +43,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const QString& 
     if (file < 0)
         return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path.toStdString(),
                        "Record to another folder");
+    (void)::flock(file, LOCK_EX | LOCK_NB); // where it cannot be had, readers take the end for a broken one
     std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path.toStdString(), file, limits));
     std::string text;
     for (const auto& [key, value] : facts)
@@ -83,6 +85,23 @@ void RecordingWriter::write(Record record) {
         wake_.notify_one();
 }
 
+void RecordingWriter::flush(std::function<void()> done) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!broken_) {
+            on_flushed_.push_back(std::move(done));
+            wake_.notify_one();
+            return;
+        }
+    }
+    done();
+}
+
+void RecordingWriter::tellFlushed() {
+    for (const auto& done : std::exchange(now_flushed_, {}))
+        done();
+}
+
 std::optional<Error> RecordingWriter::takeTrouble() {
     if (!broken_)
         return std::nullopt;
@@ -96,14 +115,22 @@ void RecordingWriter::run(std::stop_token stop) {
     while (!last && !broken_) {
         {
             std::unique_lock lock(mutex_);
-            wake_.wait_for(lock, stop, limits_.flush, [this] { return waiting_.size() >= batch_bytes; });
+            wake_.wait_for(lock, stop, limits_.flush,
+                           [this] { return waiting_.size() >= batch_bytes || !on_flushed_.empty(); });
             last = stop.stop_requested();
             batch.swap(waiting_);
+            now_flushed_.swap(on_flushed_);
         }
-        if (!drain(batch))
-            return;
+        if (drain(batch))
+            tellFlushed();
         batch.clear();
     }
+    tellFlushed(); // of a file that has broken off, too
+    {
+        const std::lock_guard lock(mutex_); // broken or over: nobody asks any more
+        now_flushed_.swap(on_flushed_);
+    }
+    tellFlushed();
 }
 
 /// A piece that went out in part is taken back to the last whole record.

@@ -5,12 +5,14 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <QString>
 
@@ -29,6 +31,7 @@ struct RecordingLimits {
 /// MiB waits. So a program that is killed loses a quarter of a second, and a machine that loses its power what the
 /// kernel had not written yet. A disk that is full, or slower than what comes for longer than the buffer lasts, ends
 /// the recording: the file then ends with a whole record, and `takeTrouble` says why, once. Calls come from one thread.
+/// The file is locked (flock) while it is written, so that its readers know.
 class RecordingWriter {
 public:
     /// A file of this name that exists is left alone: an error. Folders on the way to it are made.
@@ -40,6 +43,9 @@ public:
 
     /// The record's time is set to now.
     void write(Record record);
+    /// `done` is called once all that was written until now can be read in the file, or never will be: by the writer's
+    /// thread, which it must not hold up.
+    void flush(std::function<void()> done);
     /// Why the recording ended before its time; once.
     std::optional<Error> takeTrouble();
     bool broken() const { return broken_; }
@@ -52,6 +58,7 @@ private:
     RecordingWriter(std::string path, int file, RecordingLimits limits);
     void run(std::stop_token stop);
     bool drain(std::string& batch);
+    void tellFlushed();
     void breakOff(Error trouble);
 
     std::string path_;
@@ -61,12 +68,14 @@ private:
     LineNumber newest_line_;
     std::atomic<std::uint64_t> bytes_{0};
     std::atomic<bool> broken_{false};
-    std::mutex mutex_; ///< of the next three
+    std::mutex mutex_; ///< of the next four
     std::condition_variable_any wake_;
     std::string waiting_;
+    std::vector<std::function<void()>> on_flushed_;
     std::optional<Error> trouble_;
-    std::uint64_t written_bytes_ = 0; ///< the thread's own
-    std::jthread thread_;             ///< last, so that it ends before what it uses
+    std::uint64_t written_bytes_ = 0;                ///< the thread's own
+    std::vector<std::function<void()>> now_flushed_; ///< likewise
+    std::jthread thread_;                            ///< last, so that it ends before what it uses
 };
 
 } // namespace usar::link

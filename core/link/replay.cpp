@@ -84,6 +84,11 @@ void Replayer::seek(Seconds position) {
     emit changed();
 }
 
+void Replayer::seekToClock(Seconds now) {
+    if (const auto position = survey().clock.at(now))
+        seek(*position);
+}
+
 void Replayer::setEnd(Seconds end) {
     end_ = std::clamp(toRecordTime(end), RecordTime{0}, survey().play_span);
     arm();

@@ -63,6 +63,8 @@ public:
     void setSpeed(double speed);
     /// Backward means from the beginning on. A further wish on the way replaces the one before.
     void seek(Seconds position);
+    /// To when the robot's clock said so; nothing where the recording knows no clock.
+    void seekToClock(Seconds now);
     /// Playing ends there instead of at the end of the recording; a seek may go beyond.
     void setEnd(Seconds end);
     /// Pauses, and goes to the next bytes from the server and whatever they caused.

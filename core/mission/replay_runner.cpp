@@ -125,6 +125,7 @@ QJsonObject ReplayRunner::summary() const {
             {"records", static_cast<qint64>(survey.records)},
             {"file_bytes", static_cast<qint64>(survey.file_bytes)},
             {"ended_in_order", survey.ended},
+            {"being_written", survey.being_written},
             {"tail_lost_bytes", static_cast<qint64>(survey.tail_lost_bytes)},
             {"damage", damage}};
 }

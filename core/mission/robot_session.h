@@ -21,10 +21,11 @@ using RecordingFacts = std::map<std::string, std::string>;
 /// What a person may ask of a replay; several at once where several are set.
 struct ReplayOrder {
     std::optional<bool> play{};
-    std::optional<double> speed{};    ///< 0.1 to 100, or infinity
-    std::optional<Seconds> seek{};    ///< from the recording's beginning
-    std::optional<Seconds> seek_by{}; ///< from where it stands, or is on the way to
-    bool step = false;                ///< to the next bytes of the server
+    std::optional<double> speed{};       ///< 0.1 to 100, or infinity
+    std::optional<Seconds> seek{};       ///< from the recording's beginning
+    std::optional<Seconds> seek_by{};    ///< from where it stands, or is on the way to
+    std::optional<Seconds> seek_clock{}; ///< by the robot's clock
+    bool step = false;                   ///< to the next bytes of the server
 };
 
 struct SpawnRequest {
@@ -94,6 +95,8 @@ public slots:
     void clearRecord();
 
     void stopRecording();
+    /// `recordingFlushed` follows once all that happened until now is in the file. The recording goes on.
+    void flushRecording();
 
     /// Instead of `open`: the lines come from a recording, paused at its beginning, and take the same way through the
     /// session. Nothing can be sent. `replayOpened` or `replayFailed` follows.
@@ -104,6 +107,8 @@ signals:
     /// `complaint` is a sentence about what the file has lost, or empty.
     void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
     void replayFailed(const QString& reason);
+    /// The file, or empty where nothing is recorded.
+    void recordingFlushed(const QString& path);
     /// The last record has been played.
     void replayEnded();
     void linkChanged(const usar::link::LinkStatus& status);

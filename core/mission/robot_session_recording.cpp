@@ -44,6 +44,13 @@ void RobotSession::stopRecording() {
     d_->touched();
 }
 
+void RobotSession::flushRecording() {
+    if (!d_->recorder)
+        return emit recordingFlushed({});
+    const QString path = QString::fromStdString(d_->recorder->path());
+    d_->recorder->flush([this, path] { emit recordingFlushed(path); }); // the recorder ends before this object does
+}
+
 Result<void> RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {
     if (!link.status().host.isEmpty()) {
         facts["host"] = link.status().host.toStdString();

@@ -51,6 +51,8 @@ void RobotSession::orderReplay(const ReplayOrder& order) {
         d_->replayer->setSpeed(*order.speed);
     if (order.seek)
         d_->replayer->seek(*order.seek);
+    if (order.seek_clock)
+        d_->replayer->seekToClock(*order.seek_clock);
     if (order.seek_by)
         d_->replayer->seek(d_->replayer->figures().position + *order.seek_by);
     if (order.play)

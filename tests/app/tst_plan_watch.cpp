@@ -41,6 +41,12 @@ private:
     int cycles_ = 0;
 };
 
+mission::SessionUpdate replayed(mission::SessionUpdate update, Seconds now) {
+    update.figures.replay.emplace();
+    update.figures.now = now;
+    return update;
+}
+
 /// What runs, by its name, in the shown state.
 bool runs(const PlanWatch& watch, const char* names) {
     const posh::Index place = posh::findPlace(*watch.program(), {}, names);
@@ -56,6 +62,8 @@ private slots:
     void standsAtAMomentWhileTheRunGoesOn();
     void stepsWithinACycle();
     void aReplayWoundBackIsAtAnEarlierMoment();
+    void whatIsExpectedOfAReplayIsKnownAtItsFirstWord();
+    void aReplayThatGoesOnOtherwiseIsFollowed();
     void anotherRunIsFollowedAnew();
     void withoutARunThereIsNothing();
 };
@@ -140,6 +148,44 @@ void tst_PlanWatch::aReplayWoundBackIsAtAnEarlierMoment() {
     QVERIFY(watch.empty()); // the plan has not begun yet
     QCOMPARE(watch.take(updates[0]), News::Plan);
     QCOMPARE(watch.time().cycle, std::uint64_t(1));
+}
+
+void tst_PlanWatch::whatIsExpectedOfAReplayIsKnownAtItsFirstWord() {
+    Flight before; // the same recording holds a run that was another one
+    before.host.setSense("danger", true);
+    Flight flight;
+    PlanWatch flown;
+    std::vector<mission::SessionUpdate> updates;
+    for (int i = 0; i < 6; ++i)
+        flown.take(updates.emplace_back(flight.cycle()));
+    PlanWatch replay;
+    replay.expect(flown);
+    QVERIFY(replay.empty()); // nothing has been said yet
+    for (int i = 0; i < 2; ++i)
+        replay.take(replayed(before.cycle(), Seconds(10.0 + 0.2 * i)));
+    QVERIFY(runs(replay, "d ▸ high"));
+    QCOMPARE(replay.time().end, Seconds(10.2));
+    for (std::size_t i = 0; i < 2; ++i)
+        replay.take(replayed(updates[i], Seconds(10.0 + 0.2 * static_cast<double>(i))));
+    QVERIFY(runs(replay, "d ▸ work"));
+    QCOMPARE(replay.time().cycle, std::uint64_t(2));
+    QCOMPARE(replay.time().end, Seconds(11.0));
+}
+
+void tst_PlanWatch::aReplayThatGoesOnOtherwiseIsFollowed() {
+    Flight one;
+    Flight other;
+    PlanWatch flown;
+    PlanWatch replay;
+    for (int i = 0; i < 3; ++i)
+        flown.take(one.cycle());
+    replay.expect(flown);
+    replay.take(replayed(other.cycle(), Seconds(10.0)));
+    other.host.setSense("danger", true);
+    replay.take(replayed(other.cycle(), Seconds(10.2)));
+    QVERIFY(runs(replay, "d ▸ high"));
+    QCOMPARE(replay.time().cycle, std::uint64_t(2));
+    QCOMPARE(replay.time().end, Seconds(10.2));
 }
 
 void tst_PlanWatch::anotherRunIsFollowedAnew() {

@@ -101,6 +101,7 @@ private slots:
     void whatAPlanDidIsLookedBackOn();
     void aDriveThatIsOffLetsAnotherWin();
     void breakpointsOutliveTheWindow();
+    void allOfTheWindowLooksBackWhileTheRobotFlies();
     void aReplayGoesWhereThePlansSliderSays();
 };
 
@@ -209,6 +210,53 @@ void tst_WindowDebugger::breakpointsOutliveTheWindow() {
     page.press("Stop"); // time goes on without it
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
     QTRY_VERIFY(!page.window().views().time->paused());
+}
+
+void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    const QAction& offer = *page.window().commands().action("plan.look_back");
+    QVERIFY(!offer.isEnabled() && offer.toolTip().contains("No robot"));
+    QVERIFY(takeOff(page));
+    page.chooseSpeed("10×");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->trail_m.size() > 40, flight_ms);
+    page.chooseSpeed("1×");
+    QSlider* const slider = debugger.panel().timeBar().slider();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
+    QTRY_VERIFY(!debugger.time().live);
+    const Seconds moment = debugger.time().shown;
+    page.screenshot("debugger-past");
+    const Seconds flown_until = page.robot(1)->figures.now;
+    debugger.press("Replay from here");
+    const auto arrived = [&] {
+        const app::RobotView* const replay = page.robot(2);
+        return replay && replay->figures.replay && !replay->figures.replay->seeking &&
+               std::abs((replay->figures.now - moment).count()) < 0.25 && debugger.time().shown == moment;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(arrived(), soon_ms);
+    QCOMPARE(page.window().selectedRobot(), 2);
+    page.screenshot("debugger-look-back");
+    QVERIFY(debugger.time().end > moment + Seconds{1.0}); // the whole run can be gone to
+    QVERIFY(!page.robot(2)->trail_m.empty());
+    QVERIFY(page.robot(2)->trail_m.size() < page.robot(1)->trail_m.size());
+    const std::size_t flown = page.robot(2)->trail_m.size() - 1;
+    QVERIFY((page.robot(2)->trail_m[flown] - page.robot(1)->trail_m[flown]).norm() < 0.5);
+    QVERIFY(page.notified("not ended").isEmpty() && page.notified("damaged").isEmpty());
+    QVERIFY(!offer.isEnabled() && offer.toolTip().contains("replay"));
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().shown < moment && !page.robot(2)->figures.replay->seeking &&
+                                 std::abs((page.robot(2)->figures.now - debugger.time().shown).count()) < 0.25,
+                             soon_ms);
+    QVERIFY(page.robot(1)->figures.behavior_running && !page.robot(1)->halted);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > flown_until + Seconds{1.0}, soon_ms);
+
+    page.pressKey(Qt::Key_End, Qt::AltModifier);
+    QTRY_COMPARE(page.window().selectedRobot(), 1);
+    QVERIFY(!page.robot(2) && debugger.time().live && offer.isEnabled());
+    page.pressKey(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier); // no more recording
+    QTRY_VERIFY(!offer.isEnabled());
+    QVERIFY2(offer.toolTip().contains("Nothing is recorded"), qPrintable(offer.toolTip()));
 }
 
 void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {

@@ -1,5 +1,6 @@
 // Recordings as files: cut off, damaged, killed, on a full disk, converted, and an hour long.
 #include <csignal>
+#include <future>
 #include <thread>
 
 #include <sys/resource.h>
@@ -67,6 +68,8 @@ class tst_RecordingFile : public QObject {
     Q_OBJECT
 private slots:
     void whatIsWrittenIsRead();
+    void whatIsBeingWrittenIsReadWithoutAComplaint();
+    void flushingEndsAlsoWhereNothingCanBeWritten();
     void opensCutOffAtEveryByte();
     void everyDamagedByteCostsOneRecord();
     void whatIsNoRecordingIsRefusedWithAMend_data();
@@ -113,6 +116,46 @@ void tst_RecordingFile::whatIsWrittenIsRead() {
     QVERIFY(out->name == "me" && out->trigger == LineNumber{6} && out->line == LineNumber{6});
     QCOMPARE((*reader)->next()->kind, RecordKind::End);
     QVERIFY(!(*reader)->next());
+}
+
+void tst_RecordingFile::whatIsBeingWrittenIsReadWithoutAComplaint() {
+    const QString file = path("growing.usarrec");
+    auto writer = RecordingWriter::create(file, {}, {}, {.flush = 1h}); // alone it would not write for long
+    QVERIFY(writer.has_value());
+    (*writer)->write({.kind = RecordKind::In, .bytes = "STA {Time 1}\r\n"});
+    std::promise<void> flushed;
+    (*writer)->flush([&] { flushed.set_value(); });
+    QVERIFY(flushed.get_future().wait_for(10s) == std::future_status::ready);
+    const QByteArray so_far = bytesOf(file);
+    for (const qsizetype begun : {0, 1, 24, 30}) { // bytes of the next record
+        QFile growing(file);
+        QVERIFY(growing.open(QIODevice::ReadWrite) && growing.resize(so_far.size()) && growing.seek(so_far.size()));
+        growing.write(smallRecording().mid(recording::head_bytes, begun));
+        growing.close();
+        const auto reader = RecordingReader::open(file);
+        QVERIFY2(reader, reader ? "" : reader.error().text().c_str());
+        const RecordingSurvey& survey = (*reader)->survey();
+        QVERIFY(survey.being_written && !survey.ended && survey.damage.empty());
+        QCOMPARE(survey.complaint(), std::string());
+        QCOMPARE(survey.records, 2u);
+        QCOMPARE(textsOf(**reader).size(), std::size_t(2));
+    }
+    QFile::resize(file, so_far.size());
+    writer->reset();
+    const auto over = RecordingReader::open(file);
+    QVERIFY(over && (*over)->survey().ended && !(*over)->survey().being_written);
+}
+
+void tst_RecordingFile::flushingEndsAlsoWhereNothingCanBeWritten() {
+    auto writer = RecordingWriter::create(path("small.usarrec"), {}, {}, {.buffer_bytes = 100, .flush = 1h});
+    QVERIFY(writer.has_value());
+    int told = 0;
+    (*writer)->write({.kind = RecordKind::In, .bytes = std::string(1000, 'x')}); // more than it may keep
+    QVERIFY((*writer)->broken());
+    (*writer)->flush([&] { ++told; });
+    QCOMPARE(told, 1);
+    writer->reset();
+    QCOMPARE(told, 1);
 }
 
 void tst_RecordingFile::opensCutOffAtEveryByte() {

@@ -75,6 +75,7 @@ private slots:
     void aDamagedTimeDoesNotStretchIt();
     void pauseHoldsIt();
     void seekForwardGoesOnAndBackwardBeginsAnew();
+    void theRobotsClockIsSoughtThroughAPause();
     void aWishOnTheWayReplacesTheOneBefore();
     void stepGoesToTheNextBytes();
     void playAtTheEndBeginsAgain();
@@ -240,6 +241,26 @@ void tst_Replay::seekForwardGoesOnAndBackwardBeginsAnew() {
     QCOMPARE(listener.since_rewound.back(), std::string("20 STA {Time 2.0}"));
     replayer->step();
     QCOMPARE(listener.heard.back(), std::string("21 STA {Time 2.1}"));
+}
+
+void tst_Replay::theRobotsClockIsSoughtThroughAPause() {
+    std::string file;
+    recording::appendHead(file);
+    recording::append(file, {.kind = RecordKind::Start});
+    recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    for (std::uint64_t i = 1; i <= 20; ++i) // a second each; behind the tenth time stood still for an hour
+        recording::append(file, {.kind = RecordKind::In,
+                                 .time = 1s * i + (i > 10 ? 1h : 0h),
+                                 .line = {i - 1},
+                                 .bytes = "STA {Time " + std::to_string(100 + i) + ".0}\r\n"});
+    Listener listener;
+    const auto replayer = replayOf(file, listener);
+    for (const int line : {15, 5, 20, 1, 11, 10}) {
+        replayer->seekToClock(Seconds{100.0 + line});
+        QTRY_VERIFY(!replayer->figures().seeking);
+        QCOMPARE(listener.since_rewound.back(),
+                 std::to_string(line) + " STA {Time " + std::to_string(100 + line) + ".0}");
+    }
 }
 
 void tst_Replay::aWishOnTheWayReplacesTheOneBefore() {

@@ -88,6 +88,7 @@ private slots:
     void nothingCanBeSentInAReplayAndThatIsSaidOnce();
     void aFileThatCannotBeOpenedIsNamed();
     void aRecordingThatCannotBeWrittenIsANoticeAndTheSessionGoesOn();
+    void whatHappenedUntilNowIsReadWhileTheSessionGoesOn();
     void aReplayCanBeLeftForALiveConnection();
     void aLostConnectionIsStaleInTheReplayAndOneWeClosedIsNot();
 
@@ -289,6 +290,35 @@ void tst_SessionRecording::aRecordingThatCannotBeWrittenIsANoticeAndTheSessionGo
     live.session.startRecording("/dev/null/r.usarrec", {});
     QVERIFY(live.said("/dev/null/r.usarrec"));
     QVERIFY(live.tickNow());
+}
+
+void tst_SessionRecording::whatHappenedUntilNowIsReadWhileTheSessionGoesOn() {
+    SessionFixture live(SessionFixture::patientLimits());
+    QSignalSpy flushed(&live.session, &RobotSession::recordingFlushed);
+    live.session.flushRecording();
+    QCOMPARE(flushed.takeFirst().at(0).toString(), QString()); // nothing is recorded
+    const QString path = newPath();
+    QVERIFY(live.session.startRecording(path, {}).has_value());
+    QVERIFY(live.spawnNow());
+    live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {}});
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(live.tickNow());
+    const Seconds moment = live.session.figures().now;
+    const auto lines = live.session.figures().lines_received;
+    live.session.flushRecording();
+    QTRY_COMPARE(flushed.size(), 1);
+    QCOMPARE(flushed.first().at(0).toString(), path);
+    QVERIFY(live.tickNow()); // it is recorded, too
+
+    RobotSession replay;
+    QSignalSpy opened(&replay, &RobotSession::replayOpened);
+    Told told(replay);
+    replay.openRecording(path);
+    QCOMPARE(opened.first().at(1).toString(), QString()); // nothing is complained of
+    replay.orderReplay({.seek_clock = moment});
+    QTRY_VERIFY(told.figures.replay && !told.figures.replay->seeking && told.figures.now == moment);
+    QCOMPARE(told.lines.size(), lines);
+    QVERIFY(live.session.figures().behavior_running);
 }
 
 void tst_SessionRecording::aReplayCanBeLeftForALiveConnection() {

@@ -59,6 +59,8 @@ private slots:
     void haltBarSaysWhyAndOffersTheWayOn();
     void timeBarSaysWhichMomentIsShown_data();
     void timeBarSaysWhichMomentIsShown();
+    void inThePastABroadBarSaysThatItCanBeReplayed_data();
+    void inThePastABroadBarSaysThatItCanBeReplayed();
     void theSliderAsksForMoments();
     void theBreakpointListIsThereWhileThereAreAny();
     void breakpointsAreSwitchedAndTakenAwayInTheList();
@@ -167,7 +169,37 @@ void tst_PlanDebugger::timeBarSaysWhichMomentIsShown() {
     PlanTimeBar& bar = panel_->timeBar();
     bar.setTime(time);
     QCOMPARE(bar.findChild<QLabel*>()->text(), words);
-    QCOMPARE(bar.isEnabled(), time.cycle != 0);
+    QCOMPARE(bar.slider()->isEnabled(), time.cycle != 0);
+}
+
+void tst_PlanDebugger::inThePastABroadBarSaysThatItCanBeReplayed_data() {
+    QTest::addColumn<PlanTime>("time");
+    QTest::addColumn<int>("width_px");
+    QTest::addColumn<bool>("in_words");
+    PlanTime replay = timeOf(22.4, true);
+    replay.replay = true;
+    QTest::newRow("the past") << timeOf(22.4, false) << 900 << true;
+    QTest::newRow("the past, where there is no room") << timeOf(22.4, false) << 400 << false;
+    QTest::newRow("now") << timeOf(90.0, true) << 900 << false;
+    QTest::newRow("a replay") << replay << 900 << false;
+}
+
+void tst_PlanDebugger::inThePastABroadBarSaysThatItCanBeReplayed() {
+    QFETCH(PlanTime, time);
+    QFETCH(int, width_px);
+    QFETCH(bool, in_words);
+    PlanTimeBar bar;
+    QAction other(QStringLiteral("Other"));
+    QAction look_back(QStringLiteral("Replay from here"));
+    bar.setActions(&other, &other, &other, &look_back, &other);
+    bar.resize(width_px, 40);
+    bar.show();
+    bar.setTime(time);
+    const auto buttons = bar.findChildren<QToolButton*>();
+    const auto offers = [&](const QToolButton* button) { return button->defaultAction() == &look_back; };
+    const auto found = std::ranges::find_if(buttons, offers);
+    QVERIFY(found != buttons.end());
+    QCOMPARE((*found)->toolButtonStyle() == Qt::ToolButtonTextBesideIcon, in_words);
 }
 
 void tst_PlanDebugger::theSliderAsksForMoments() {
