@@ -8,6 +8,7 @@
 #include "app/locations.h"
 #include "widgets/escape_twice.h"
 #include "widgets/models/figures.h"
+#include "widgets/own_keys.h"
 #include "widgets/theme.h"
 
 namespace usar::app {
@@ -53,6 +54,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wirePlan();
     wireCamera();
     wireObjects();
+    new widgets::OwnKeys(this);
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);

@@ -1,8 +1,9 @@
 #include "app/plan_workshop.h"
 
+#include <utility>
+
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QStandardPaths>
 
 #include "core/mission/mission_check.h"
@@ -239,18 +240,26 @@ void PlanWorkshop::setRunningPlan(const std::string& text) {
 void PlanWorkshop::letGo(std::function<void()> go_on) {
     if (!hasChanges())
         return go_on();
-    auto* box = new QMessageBox(QMessageBox::Question, tr("The plan is not saved"),
-                                tr("%1 has changes that are not saved.").arg(editor_->name()),
-                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
+    after_it_ = std::move(go_on);
+    if (question_) {
+        question_->raise();
+        return question_->activateWindow();
+    }
+    auto* const box = new QMessageBox(QMessageBox::Question, tr("The plan is not saved"),
+                                      tr("%1 has changes that are not saved.").arg(editor_->name()),
+                                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
+    question_ = box;
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
-    connect(box, &QMessageBox::finished, this, [this, go_on = std::move(go_on)](int answer) {
+    connect(box, &QMessageBox::finished, this, [this](int answer) {
+        question_.clear(); // what follows may ask anew
+        const auto next = std::exchange(after_it_, nullptr);
         if (answer == QMessageBox::Save)
             editor_->action("save")->trigger();
         if (answer == QMessageBox::Discard)
             giveUp();
         if (!hasChanges())
-            go_on();
+            next();
     });
     editor_->show();
     box->open();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include <QMessageBox>
 #include <QObject>
 #include <QPointer>
 #include <QSettings>
@@ -39,7 +40,7 @@ public:
     /// Of a plan, not saved.
     bool hasChanges() const;
     /// Goes on at once where nothing would be lost, else when the person has saved it or given it up; never where they
-    /// want to stay.
+    /// want to stay. They are asked once: what was to be done after a question that stands open is done no more.
     void letGo(std::function<void()> go_on);
     /// Null before it was opened first.
     widgets::PlanEditor* editor() const { return editor_; }
@@ -78,6 +79,8 @@ private:
     QByteArray geometry_;                    ///< of the editor's window, from the last time
     std::optional<std::string> checked_for_; ///< class of the robot whose senses and acts the editor knows
     std::string running_text_;
+    QPointer<QMessageBox> question_; ///< whether the plan is saved; it stands open
+    std::function<void()> after_it_; ///< what is to be done when it was answered
     int robot_ = 0;
 };
 

@@ -331,6 +331,8 @@ bool MainWindow::mayBeSaved() const {
 void MainWindow::saveMission(const QString& path) {
     const std::string behavior_id = views_.behavior->behaviorId();
     const auto* behavior = control_.plugins().behavior(behavior_id);
+    if (!behavior)
+        return say(Severity::Warning, "mission", tr("No behavior is chosen. Choose what the robot is to do first."));
     if (!mayBeSaved())
         return say(Severity::Warning, "mission", tr("There is no mission area to save. Draw one on the map first."));
     mission::Mission mission;

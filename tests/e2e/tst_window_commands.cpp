@@ -161,6 +161,8 @@ void tst_WindowCommands::aSavedMissionIsOpenedAgain() {
         WindowPage page;
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
         QVERIFY(!enabled(page, "file.save"));
+        page.window().saveMission(file);
+        QVERIFY(!page.notified("no mission area").isEmpty());
         page.typeArea(area);
         QVERIFY(enabled(page, "file.save"));
         page.window().saveMission(file);

@@ -1,4 +1,6 @@
 // A plan is written, checked, saved and put into a flying robot, in the real window against the real simulator.
+#include <algorithm>
+
 #include <QComboBox>
 #include <QFile>
 #include <QMessageBox>
@@ -111,7 +113,7 @@ void tst_WindowEditor::aChangedPlanIsPutIntoTheFlyingRobot() {
     page.press("Stop");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
     editor->action("undo")->trigger(); // so that nothing is asked at the end
-    editor->save(folder.filePath("lookout.lap"));
+    QVERIFY(editor->save(folder.filePath("lookout.lap")).has_value());
 }
 
 void tst_WindowEditor::aPlanThatDoesNotFitIsShownToBeMended() {
@@ -142,6 +144,9 @@ void tst_WindowEditor::aChangedPlanIsAskedForAtClosing() {
     QVERIFY(page.window().isVisible());
     QVERIFY(editor->isModified());
     page.window().close();
+    page.window().close(); // an impatient person: the question stands open already
+    const auto boxes = editor->findChildren<QMessageBox*>();
+    QCOMPARE(std::ranges::count_if(boxes, [](const QMessageBox* box) { return box->isVisible(); }), 1);
     answer(*editor, "Discard");
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QCOMPARE(textOf(path), QByteArray(lookout));
