@@ -17,7 +17,7 @@ using News = PlanWatch::News;
 
 namespace {
 
-QString nameOf(const Robot& robot) {
+QString flierName(const Robot& robot) {
     return QString::fromStdString(robot.view().spawn.robot_name);
 }
 
@@ -145,7 +145,7 @@ void PlanDesk::showHalt() {
         return views_.plan->haltBar().setText({});
     const agent::PlanHalted& halted = *shown->view().halted;
     QString text = tr("%1 stands still: %2 · cycle %3, %4 s")
-                       .arg(nameOf(*shown), QString::fromStdString(halted.reason))
+                       .arg(flierName(*shown), QString::fromStdString(halted.reason))
                        .arg(halted.cycle)
                        .arg(widgets::figure(halted.time.count(), 1));
     if (!shown->view().figures.lockstep)
@@ -210,9 +210,9 @@ void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
     dropTemporary();
     stepping_ = false;
     if (halted.breakpoint)
-        views_.notifications->push("plan-halted/" + nameOf(robot), Severity::Note,
-                                   tr("%1 stands still: %2.").arg(nameOf(robot), QString::fromStdString(halted.reason)),
-                                   id != selected_);
+        views_.notifications->push(
+            "plan-halted/" + flierName(robot), Severity::Note,
+            tr("%1 stands still: %2.").arg(flierName(robot), QString::fromStdString(halted.reason)), id != selected_);
     emit timeWanted(false);
     if (id != selected_)
         return;
@@ -225,7 +225,7 @@ void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
 }
 
 void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
-    views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
+    views_.notifications->cured("plan-halted/" + flierName(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
     if (id != selected_ || stepping_) // it will stand still again in a moment
@@ -235,7 +235,7 @@ void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
 }
 
 void PlanDesk::takeNews(int id, const agent::PlanReplaced& replaced) {
-    const QString who = nameOf(*control_.robot(id));
+    const QString who = flierName(*control_.robot(id));
     const QString plan = QString::fromStdString(replaced.plan_name);
     const QString key = "plan-replaced/" + who;
     if (replaced.fate == PlanFate::Kept)
@@ -413,56 +413,6 @@ void PlanDesk::toggleDrive() {
     if (std::erase(off, drive) == 0)
         off.push_back(drive);
     pinsChanged();
-}
-
-/// A replay goes to that moment with all views; a plan that flies shows what it did, and flies on.
-void PlanDesk::goTo(Seconds time) {
-    if (Robot* const shown = robot(); shown && shown->isReplay()) {
-        constexpr Seconds behind{0.02}; // the cycle itself must have been
-        return shown->orderReplay({.seek_clock = time + behind});
-    }
-    show(watch().goTo(time));
-}
-
-void PlanDesk::stepBy(int cycles) {
-    if (const Robot* const shown = robot(); shown && shown->isReplay())
-        return goTo(watch().timeOfStep(cycles));
-    show(watch().step(cycles));
-}
-
-/// At the shown moment of the plan, or where no plan decides now.
-void PlanDesk::lookBack() {
-    constexpr Seconds behind{0.02};
-    const widgets::PlanTime time = watch().time();
-    control_.lookBack(selected_, time.cycle > 0 ? time.shown + behind : robot()->view().figures.now);
-}
-
-void PlanDesk::backToNow() {
-    if (control_.lookedBackOn(selected_) != 0)
-        control_.remove(selected_); // the one that flies is selected in its place
-    show(watch().goLive());
-}
-
-QString PlanDesk::whyNoLookBack() const {
-    const Robot* const shown = robot();
-    if (!shown)
-        return tr("No robot is selected");
-    if (shown->isReplay())
-        return tr("This is a replay: its slider moves map and sensors, too");
-    if (!shown->view().figures.recording)
-        return tr("Nothing is recorded of this robot; Ctrl+Alt+R begins");
-    return {};
-}
-
-/// Commands that are off say why.
-void PlanDesk::showLookBack() {
-    const QString why = whyNoLookBack();
-    QAction* const action = commands_.action("plan.look_back");
-    if (why == no_look_back_ && action->isEnabled() == why.isEmpty())
-        return;
-    no_look_back_ = why;
-    action->setToolTip(why.isEmpty() ? look_back_help_ : why);
-    commands_.refresh();
 }
 
 } // namespace usar::app

@@ -97,6 +97,8 @@ private:
     void pinsChanged();
     void goTo(Seconds time);
     void stepBy(int cycles);
+    void showReport();
+    void saveReport(const QString& path, const posh::RunStatistics& statistics);
     void lookBack();
     void backToNow();
     /// Why what is shown cannot be replayed while it goes on; empty: it can.

@@ -153,46 +153,6 @@ void PlanDesk::registerPinCommands() {
         });
 }
 
-void PlanDesk::registerTimeCommands() {
-    const auto known = [this] { return watch().time().cycle > 0; };
-    commands_.add(
-        {"plan.back",
-         tr("One cycle back"),
-         tr("Plan"),
-         tr("Shows what the plan did before; the robot flies on"),
-         "back",
-         {QKeySequence("Alt+PgUp")}},
-        [this](bool) { stepBy(-1); }, known);
-    commands_.add(
-        {"plan.forward",
-         tr("One cycle forward"),
-         tr("Plan"),
-         tr("Shows what the plan did next"),
-         "forward",
-         {QKeySequence("Alt+PgDown")}},
-        [this](bool) { stepBy(1); }, known);
-    commands_.add(
-        {"plan.live",
-         tr("Back to now"),
-         tr("Plan"),
-         tr("Shows what the robot and its plan do now, and goes on showing it; a replay from here is closed"),
-         "record",
-         {QKeySequence("Alt+End")}},
-        [this](bool) { backToNow(); },
-        [this] { return !watch().live() || control_.lookedBackOn(selected_) != 0; });
-    look_back_help_ = commands_
-                          .add(
-                              {"plan.look_back",
-                               tr("Replay from here"),
-                               tr("Plan"),
-                               tr("Map, sensors, plots and plan as they were at this moment, from what is recorded; "
-                                  "the robot flies on, and Back to now returns to it"),
-                               "history",
-                               {QKeySequence("Alt+Shift+End")}},
-                              [this](bool) { lookBack(); }, [this] { return whyNoLookBack().isEmpty(); })
-                          ->toolTip();
-}
-
 void PlanDesk::wire() {
     widgets::PlanPanel& panel = *views_.plan;
     panel.haltBar().setActions(

@@ -286,6 +286,7 @@ void MainWindow::makeMenus() {
                                                      "plan.drive_off",
                                                      "plan.release",
                                                      "-",
+                                                     "plan.report",
                                                      "plan.save_picture"});
     commands_.fill(menuBar()->addMenu(tr("M&essages")),
                    {"messages.find",         "messages.command",   "-",

@@ -1,6 +1,7 @@
 // A plan that is stopped, stepped and looked back on while it flies, in the real window against the real simulator.
 #include <cmath>
 
+#include <QClipboard>
 #include <QDir>
 #include <QFile>
 #include <QListWidget>
@@ -10,6 +11,7 @@
 #include "app/simulator_host.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "widgets/report_dialog.h"
 #include "widgets/theme.h"
 
 using namespace usar;
@@ -99,6 +101,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aBreakpointStopsTheSimulatorsTime();
     void whatAPlanDidIsLookedBackOn();
+    void whatARunCameToIsReported();
     void aDriveThatIsOffLetsAnotherWin();
     void breakpointsOutliveTheWindow();
     void allOfTheWindowLooksBackWhileTheRobotFlies();
@@ -166,8 +169,33 @@ void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
     QCOMPARE(debugger.time().shown, debugger.time().begin);
     page.pressKey(Qt::Key_End, Qt::AltModifier);
     QVERIFY(debugger.time().live);
+    QTest::keyClick(slider, Qt::Key_Home); // the slider's, though the map has this key elsewhere
+    QTRY_COMPARE(debugger.time().cycle, std::uint64_t(1));
+    page.pressKey(Qt::Key_End, Qt::AltModifier);
+    QVERIFY(debugger.time().live);
     QTRY_VERIFY(debugger.panel().view().states()[climb].running);
     QVERIFY(debugger.halted()); // looking back is no step
+}
+
+void tst_WindowDebugger::whatARunCameToIsReported() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QAction* const report = page.window().commands().action("plan.report");
+    QVERIFY(!report->isEnabled());
+    QVERIFY(takeOff(page));
+    page.chooseSpeed("10×");
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 20, soon_ms);
+    report->trigger();
+    auto* const dialog = page.window().findChild<widgets::ReportDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY2(dialog->text().startsWith("AirRobot: 1 run, "), qPrintable(dialog->text()));
+    QVERIFY2(dialog->text().contains("s        1 starts   AirRobot ▸ "), qPrintable(dialog->text()));
+    for (QPushButton* button : dialog->findChildren<QPushButton*>())
+        if (button->text() == "&Copy")
+            QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(QGuiApplication::clipboard()->text(), dialog->text());
+    page.screenshot("debugger-report");
 }
 
 void tst_WindowDebugger::aDriveThatIsOffLetsAnotherWin() {

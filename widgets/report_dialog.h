@@ -1,0 +1,27 @@
+// A text of many lines that is read, copied and saved.
+#pragma once
+
+#include <QDialog>
+#include <QPlainTextEdit>
+
+namespace usar::widgets {
+
+/// Wishes out: where to save is asked by the window. GUI thread.
+class ReportDialog : public QDialog {
+    Q_OBJECT
+public:
+    ReportDialog(const QString& title, const QString& text, QWidget* parent);
+
+    QString text() const { return text_->toPlainText(); }
+    QSize sizeHint() const override { return {900, 520}; }
+
+signals:
+    void saveRequested();
+
+private:
+    void copy();
+
+    QPlainTextEdit* text_;
+};
+
+} // namespace usar::widgets
