@@ -143,6 +143,8 @@ private:
     void perform(const std::function<Result<posh::PlanEdit>(const std::string&, const posh::PlanPart&)>& edit);
     void enterWords(int node, const QString& words, int what);
     void editInPlace(InPlace what);
+    void editValues();
+    agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;
     void addMemberAtSelection(bool before);
     void compareWith(const std::string& other, const QString& name);
     void showUsages();

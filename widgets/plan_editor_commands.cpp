@@ -151,6 +151,9 @@ void PlanEditor::makePartCommands() {
     };
     add({"edit", tr("Change"), tr("Changes its name, call or sense where it stands"), "", Qt::Key_F2, true},
         [this] { editInPlace(InPlace::Words); });
+    add({"values", tr("Values…"), tr("Arguments, comparison and operand, each by its type and range"), "", Qt::Key_V,
+         true},
+        [this] { editValues(); });
     add({"rename", tr("Rename everywhere"), tr("Changes its name and all that refers to it"), "",
          QKeySequence("Shift+F2")},
         [this] { editInPlace(InPlace::Rename); });
@@ -232,7 +235,7 @@ void PlanEditor::makeMenus() {
         for (const char* const name : names)
             menu->addAction(action(QString::fromLatin1(name)));
     };
-    fill(part_menu_, {"edit", "rename", "trigger", "limit", "comment"});
+    fill(part_menu_, {"edit", "values", "rename", "trigger", "limit", "comment"});
     part_menu_->addSeparator();
     fill(part_menu_, {"move_up", "move_down", "join_up", "join_down", "swap"});
     part_menu_->addSeparator();
@@ -257,6 +260,7 @@ void PlanEditor::enableCommands() {
     const auto enable = [this](const char* name, bool on) { action(QString::fromLatin1(name))->setEnabled(on); };
     for (const char* const name : {"edit", "rename", "swap", "move_up", "move_down", "delete", "usages", "show_text"})
         enable(name, part.has_value());
+    enable("values", part && posh::callOf(drawn_plan_, *part));
     enable("trigger", has_senses);
     enable("limit", is_member || is_form);
     enable("comment", is_member || is_form);

@@ -3,9 +3,11 @@
 
 #include <QSaveFile>
 
+#include "core/agent/posh_binding.h"
 #include "widgets/icons.h"
 #include "widgets/plan_editor.h"
 #include "widgets/plan_picture.h"
+#include "widgets/plan_values_dialog.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -59,7 +61,8 @@ void PlanEditor::showFindingAtCursor() {
         finding_->setText(QString::fromStdString(posh::toText(*here)));
     else
         finding_->setText(findings_.empty()
-                              ? (binds() ? tr("Nothing is wrong with the plan; it fits the robot.")
+                              ? (binds() ? tr("Nothing is wrong with the plan; it fits the robot. %1")
+                                               .arg(QString::fromStdString(agent::clockRemark(checked_plan_)))
                                          : tr("Nothing is wrong with the plan."))
                               : tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
     mend_->hide();
@@ -129,6 +132,40 @@ void PlanEditor::showUsages() {
     lists_->setTabText(2, tr("Usages (%1)").arg(usage_list_->count()));
     lists_->setCurrentWidget(usage_list_);
     lists_shown_->setChecked(true);
+}
+
+/// As the robot describes it; of a form of the plan its parameters; else what there is.
+agent::PrimitiveDescription PlanEditor::describe(const posh::Call& call, agent::PrimitiveKind kind) const {
+    const auto known = std::ranges::find(primitives_, call.name.text, &agent::PrimitiveDescription::name);
+    if (known != primitives_.end())
+        return *known;
+    agent::PrimitiveDescription description;
+    description.name = call.name.text;
+    description.kind = kind;
+    for (const posh::Form& form : drawn_plan_.forms)
+        if (posh::nameOf(form).text == call.name.text)
+            for (const posh::Formal& formal : posh::formalsOf(form))
+                description.parameters.push_back({formal.variable.name, formal.value.value, {}, 0.0, 0.0, {}, {}});
+    return description;
+}
+
+void PlanEditor::editValues() {
+    const auto part = gestures() ? selectedPart() : std::nullopt;
+    const posh::Call* const call = part ? posh::callOf(drawn_plan_, *part) : nullptr;
+    if (!call)
+        return;
+    const posh::SenseTest* const test = posh::senseOf(drawn_plan_, *part);
+    auto* const dialog = test ? new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Sense), *test, this)
+                              : new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Act), *call, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, part = *part, is_sense = test != nullptr, text = drawn_text_] {
+                if (text != text_->planText())
+                    return say(tr("The text has changed meanwhile; nothing was done."), true);
+                perform(is_sense ? posh::replaceSense(text, part, dialog->test())
+                                 : posh::replaceCall(text, part, dialog->call()));
+            });
+    dialog->open();
 }
 
 } // namespace usar::widgets

@@ -40,6 +40,9 @@ struct PrimitiveDescription {
     std::string unit;                    ///< of the answer
     std::string help;                    ///< one sentence
     std::vector<std::string> needs;      ///< sensors and commands, by their names on the wire
+    double minimum = 0.0;                ///< of a number that a sense answers with; both 0: no range
+    double maximum = 0.0;                //
+    std::vector<std::string> choices{};  ///< of a symbol that a sense answers with
     bool operator==(const PrimitiveDescription&) const = default;
 };
 

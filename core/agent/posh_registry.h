@@ -41,6 +41,14 @@ public:
         Entry& describe(std::string help) { return description_.help = std::move(help), *this; }
         Entry& takes(PoshParameter parameter) { return description_.parameters.push_back(std::move(parameter)), *this; }
         Entry& unit(std::string unit) { return description_.unit = std::move(unit), *this; }
+        /// Of a sense's number.
+        Entry& within(double minimum, double maximum) {
+            description_.minimum = minimum;
+            description_.maximum = maximum;
+            return *this;
+        }
+        /// Of a sense's symbol.
+        Entry& oneOf(std::vector<std::string> choices) { return description_.choices = std::move(choices), *this; }
         Entry& needs(std::string sensor_or_command) {
             return description_.needs.push_back(std::move(sensor_or_command)), *this;
         }

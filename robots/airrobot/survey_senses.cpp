@@ -54,7 +54,8 @@ void addFlightSenses(SurveyPrimitives& primitives) {
     addSense(primitives, "BatteryMargin",
              "Part of the battery's range that is left beyond the beeline home and the reserve; negative when it is "
              "too late.",
-             [](const SurveyFlight& flight) { return flight.batteryMargin(); });
+             [](const SurveyFlight& flight) { return flight.batteryMargin(); })
+        .within(-1.0, 1.0);
     addSense(primitives, "RobotBatteryLow",
              "The robot's own battery, which nothing can charge, lasts for the way home only.",
              [](const SurveyFlight& flight) { return flight.robotBatteryLow(); });
@@ -80,6 +81,7 @@ void addGoalSenses(SurveyPrimitives& primitives) {
 void addAvoidanceSenses(SurveyPrimitives& primitives) {
     addSense(primitives, "SonarRisk", "The worst zone that an echo of the sonars lies in.",
              [](const SurveyFlight& flight) { return worstRisk(flight); })
+        .oneOf({"none", "low", "high"})
         .needs("Sonar");
     addSense(primitives, "ThreatMatters", "There is a high risk, or a low one on the way to the goal.",
              [](const SurveyFlight& flight) { return flight.craft().threatMatters(); });

@@ -7,9 +7,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/posh/plan_phrase.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/completion_delegate.h"
 #include "widgets/plan_editor.h"
+#include "widgets/plan_values_dialog.h"
 #include "widgets/theme.h"
 
 using namespace usar;
@@ -28,6 +30,8 @@ private slots:
     void renamingTakesAllReferencesAlong();
     void keysMoveAddAndDelete();
     void wordsAreChangedWhereTheyStand();
+    void valuesAreChangedInTheirDialog();
+    void realTimeThatIsNotKeptIsSaid();
     void whatFailsIsSaid();
     void bindingIsCheckedAgainstTheRobot();
     void aMendIsAppliedFromTheMenu();
@@ -227,6 +231,40 @@ void tst_PlanEditor::wordsAreChangedWhereTheyStand() {
     QTest::keyClicks(canvas.openLine(), QStringLiteral("nothing of this"));
     QTest::keyClick(canvas.openLine(), Qt::Key_Escape);
     QVERIFY(node(QStringLiteral("safety")) >= 0);
+}
+
+void tst_PlanEditor::valuesAreChangedInTheirDialog() {
+    editor_->setPrimitives(courierPrimitives());
+    select("Battery");
+    QVERIFY(editor_->action("values")->isEnabled());
+    run("values");
+    auto* const dialog = editor_->findChild<PlanValuesDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    const QString before = QString::fromStdString(posh::phraseOf(dialog->test()));
+    auto* const box = dialog->findChild<QuantityBox*>();
+    QVERIFY(box);
+    box->setValue(0.75);
+    const QString after = QString::fromStdString(posh::phraseOf(dialog->test()));
+    QVERIFY(before != after && after.contains("0.75"));
+    dialog->accept();
+    QVERIFY2(editor_->text().find('(' + after.toStdString()) != std::string::npos, editor_->text().c_str());
+    QVERIFY(!posh::hasErrors(editor_->findings()));
+    run("undo");
+    QCOMPARE(editor_->text(), std::string(courier_plan));
+    editor_->canvas().select(-1);
+    QVERIFY(!editor_->action("values")->isEnabled());
+}
+
+void tst_PlanEditor::realTimeThatIsNotKeptIsSaid() {
+    const auto says = [this] {
+        const auto labels = editor_->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("real time"); });
+    };
+    editor_->setPrimitives(courierPrimitives());
+    editor_->setText("((DC d (drives ((e Stop)))))", QStringLiteral("a.lap"));
+    QVERIFY(!says());
+    editor_->setText("((SRDC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
+    QVERIFY(says());
 }
 
 void tst_PlanEditor::whatFailsIsSaid() {
