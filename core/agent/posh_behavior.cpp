@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/posh/plan_reader.h"
+
 namespace usar::agent {
 
 namespace {
@@ -85,8 +87,10 @@ void PoshBehavior::onInfo(const protocol::InfoLine& line, CommandPort&) {
 void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
     if (finished_)
         return;
-    if (!began_)
+    if (!began_) {
         began_ = tick.now;
+        remark(port);
+    }
     PoshBody& body = *parts_.body;
     const PoshBody::Opening opening(body, tick, port);
     body.begin(tick);
@@ -180,8 +184,15 @@ void PoshBehavior::control(const PlanControl& control, CommandPort& port) {
     std::visit([&](const auto& asked) { obey(asked, port); }, control);
 }
 
+void PoshBehavior::remark(CommandPort& port) {
+    if (std::string words = clockRemark(posh::readPlan(parts_.plan_text).plan); !words.empty())
+        port.publish(BehaviorEvent{Severity::Note, std::move(words)});
+}
+
 void PoshBehavior::obey(const ReplacePlan& asked, CommandPort& port) {
     PlanReplaced news = replacePlan(asked.plan);
+    if (news.fate != PlanFate::Refused)
+        remark(port);
     if (news.fate == PlanFate::Restarted && !debugger_.halted() && !paused_)
         port.send(safeCommand(), "plan replaced"); // what its act wanted last is over
     port.publish(std::move(news));

@@ -89,6 +89,8 @@ private:
     void obey(const SetPins& asked, CommandPort& port);
     void obey(PlanStep step, CommandPort& port);
     PlanReplaced replacePlan(const PlanText& plan);
+    /// What is worth knowing about the plan before it decides.
+    void remark(CommandPort& port);
     void standStill(PlanHalted why, CommandPort& port);
     void goOn(CommandPort& port);
 

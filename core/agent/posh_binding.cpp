@@ -186,6 +186,14 @@ PlanForRobot bindPlan(std::string_view text, const std::vector<PrimitiveDescript
     return made;
 }
 
+std::string clockRemark(const posh::Plan& plan) {
+    const posh::Collection* const collection = posh::collectionOf(plan);
+    if (!collection || !posh::wantsRealTime(collection->kind))
+        return {};
+    return "RDC and SRDC ask for real time; here the plan runs by the robot's clock, and stands still while the "
+           "simulator does.";
+}
+
 Error planRefusal(const std::string& plan_name, const posh::Findings& findings) {
     std::string list;
     for (const posh::Finding& finding : findings)

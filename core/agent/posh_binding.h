@@ -25,6 +25,9 @@ struct PlanForRobot {
 };
 PlanForRobot bindPlan(std::string_view text, const std::vector<PrimitiveDescription>& primitives);
 
+/// A note where the plan asks for real time: it runs by the robot's clock as any other. Else empty.
+std::string clockRemark(const posh::Plan& plan);
+
 /// One error that lists all errors among the findings.
 Error planRefusal(const std::string& plan_name, const posh::Findings& findings);
 

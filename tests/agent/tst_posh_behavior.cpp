@@ -106,6 +106,7 @@ private slots:
     void aDriveThatIsOffIsNotTakenEvenFromAnotherPlan();
     void aPlanThatDoesNotFitIsRefusedWithAllItsErrors();
     void theBlackboardIsTraced();
+    void aPlanForRealTimeIsRemarkedOnOnce();
     void publishedTracesMakeATraceFile();
     void theEndOfTheBehaviorEndsItsAct();
 };
@@ -420,6 +421,19 @@ void tst_PoshBehavior::theBlackboardIsTraced() {
     QVERIFY(text.contains("count: 2 -> 3"));
     QVERIFY(text.contains("init /P:0/DC:0/DE:1/A:0 Halt"));
     run.behavior->watch(nullptr);
+}
+
+void tst_PoshBehavior::aPlanForRealTimeIsRemarkedOnOnce() {
+    Run run("((RDC d (drives ((a Halt)))))");
+    const auto said = [](const BehaviorHost::Output& output) {
+        return std::ranges::count_if(published<BehaviorEvent>(output), [](const BehaviorEvent& event) {
+            return event.severity == Severity::Note && event.text.find("real time") != std::string::npos;
+        });
+    };
+    QCOMPARE(said(run.tick()), 1);
+    QCOMPARE(said(run.tick()), 0);
+    QCOMPARE(said(run.host->control(ReplacePlan{{"b.lap", "((DC d (drives ((a Halt)))))"}})), 0);
+    QCOMPARE(said(run.host->control(ReplacePlan{{"c.lap", "((SRDC d (drives ((a Halt)))))"}})), 1);
 }
 
 void tst_PoshBehavior::publishedTracesMakeATraceFile() {

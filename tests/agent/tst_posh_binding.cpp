@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/agent/posh_binding.h"
+#include "core/posh/plan_reader.h"
 #include "tests/agent/toy_rover.h"
 
 using namespace usar;
@@ -12,6 +13,8 @@ class tst_PoshBinding : public QObject {
 private slots:
     void findsWhatDoesNotFit_data();
     void findsWhatDoesNotFit();
+    void realTimeThatIsNotKeptIsRemarked_data();
+    void realTimeThatIsNotKeptIsRemarked();
     void listsAllUnknownNamesAtOnce();
     void plansThatFitGiveAProgram_data();
     void plansThatFitGiveAProgram();
@@ -55,6 +58,25 @@ void tst_PoshBinding::findsWhatDoesNotFit_data() {
     QTest::newRow("wrong through a parameter")
         << QByteArray("((AP p vars($t=1) (DriveFor($t))) (DC d (drives ((a p('far))))))") << "1:20: error E307"
         << "not 'far";
+}
+
+void tst_PoshBinding::realTimeThatIsNotKeptIsRemarked_data() {
+    QTest::addColumn<QByteArray>("keyword");
+    QTest::addColumn<bool>("remarked");
+    QTest::newRow("DC") << QByteArray("DC") << false;
+    QTest::newRow("SDC") << QByteArray("SDC") << false;
+    QTest::newRow("RDC") << QByteArray("RDC") << true;
+    QTest::newRow("SRDC") << QByteArray("SRDC") << true;
+}
+
+void tst_PoshBinding::realTimeThatIsNotKeptIsRemarked() {
+    QFETCH(QByteArray, keyword);
+    QFETCH(bool, remarked);
+    const std::string text = "((" + keyword.toStdString() + " d (drives ((a Halt)))))";
+    const std::string remark = clockRemark(posh::readPlan(text).plan);
+    QCOMPARE(remark.find("robot's clock") != std::string::npos, remarked);
+    QCOMPARE(remark.empty(), !remarked);
+    QVERIFY(bindPlan(text, test::toyRegistry().descriptions()).program); // it is no fault
 }
 
 void tst_PoshBinding::findsWhatDoesNotFit() {
