@@ -159,7 +159,7 @@ void PlanDesk::showMarks() {
     if (shown.program()) {
         for (const int id : list_.ofPlan(shown.program()->title)) {
             const posh::Breakpoint& breakpoint = *list_.find(id);
-            if (breakpoint.path.empty())
+            if (breakpoint.path.empty() || breakpoint.on == posh::BreakOn::Written)
                 continue;
             PlanMark& mark = markAt(marks, breakpoint.path);
             ++(breakpoint.enabled ? mark.breakpoints : mark.breakpoints_off);
@@ -183,15 +183,19 @@ void PlanDesk::showMarks() {
 
 void PlanDesk::showBreakpoints() {
     std::vector<widgets::BreakpointRow> rows;
+    QStringList keys;
     if (const auto& program = watch().program())
         for (const int id : list_.ofPlan(program->title)) {
             const posh::Breakpoint& breakpoint = *list_.find(id);
             QString help = QString::fromStdString(breakpoint.names);
+            if (breakpoint.on == posh::BreakOn::Written)
+                keys << QString::fromStdString(breakpoint.key);
             if (breakpoint.path.empty())
                 help += tr("\nThe plan has no such place now.");
             rows.push_back({id, widgets::breakpointText(breakpoint), help, breakpoint.path, breakpoint.enabled});
         }
     views_.plan->setBreakpoints(rows);
+    views_.plan->setWatchedKeys(keys);
 }
 
 bool PlanDesk::anyHalted() const {
@@ -290,6 +294,23 @@ void PlanDesk::toggleBreakpoint(posh::BreakOn on) {
     if (known.empty())
         for (const PlanSpot& spot : selectedSpots())
             list_.add({.path = spot.path, .names = spot.names, .on = on, .condition = {}});
+    breakpointsChanged();
+}
+
+void PlanDesk::toggleKeyBreakpoint() {
+    const std::string key = views_.plan->selectedKey().toStdString();
+    const auto& program = watch().program();
+    if (key.empty() || !program)
+        return;
+    const std::vector<int> known = list_.ofKey(program->title, key);
+    for (const int id : known)
+        list_.remove(id);
+    if (known.empty())
+        list_.add({.path = posh::pathOf(*program, 0),
+                   .names = posh::namePathOf(*program, 0),
+                   .on = posh::BreakOn::Written,
+                   .key = key,
+                   .condition = {}});
     breakpointsChanged();
 }
 

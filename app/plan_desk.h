@@ -84,6 +84,7 @@ private:
     void takeNews(int, const auto&) {}
 
     void toggleBreakpoint(posh::BreakOn on);
+    void toggleKeyBreakpoint();
     void editBreakpoint(int id);
     void editSelected();
     void switchSelected();

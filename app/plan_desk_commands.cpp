@@ -98,6 +98,15 @@ void PlanDesk::registerBreakpointCommands() {
     add("plan.break_interruption", tr("Breakpoint on its interruption"),
         tr("Stops when something more urgent displaces it; again: no more"), BreakOn::Interruption,
         {PlanNodeKind::Drive, PlanNodeKind::Act});
+    commands_.add(
+        {"plan.break_key",
+         tr("Breakpoint on the selected key"),
+         tr("Plan"),
+         tr("Stops when an act writes another value under this key of the blackboard; again: no more"),
+         "",
+         {}},
+        [this](bool) { toggleKeyBreakpoint(); },
+        [this] { return watch().program() && !views_.plan->selectedKey().isEmpty(); });
     const auto any = [this] { return !breakpointsSelected().empty(); };
     commands_.add(
         {"plan.break_edit",
@@ -163,6 +172,8 @@ void PlanDesk::wire() {
     connect(&panel.timeBar(), &widgets::PlanTimeBar::timeWanted, this, &PlanDesk::goTo);
     connect(&panel.view(), &widgets::PlanView::selectionChanged, this, [this] { commands_.refresh(); });
     connect(&panel.view(), &widgets::PlanView::menuRequested, this, &PlanDesk::openMenu);
+    connect(&panel, &widgets::PlanPanel::keySelected, this, [this] { commands_.refresh(); });
+    connect(&panel, &widgets::PlanPanel::keyActivated, this, &PlanDesk::toggleKeyBreakpoint);
     connect(&panel, &widgets::PlanPanel::breakpointSwitched, this, &PlanDesk::switchBreakpoint);
     connect(&panel, &widgets::PlanPanel::breakpointEditRequested, this, &PlanDesk::editBreakpoint);
     connect(&panel, &widgets::PlanPanel::breakpointRemoved, this, [this](int id) {

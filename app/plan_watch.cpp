@@ -31,6 +31,20 @@ widgets::PlanActivity shown(const posh::PlaceActivity& place) {
     return activity;
 }
 
+widgets::BoardValue shown(const posh::BoardEntry& entry, const posh::Program& program) {
+    QStringList lines;
+    for (const auto& written : entry.values)
+        lines.prepend(QObject::tr("%1 at %2 s, by %3")
+                          .arg(QString::fromStdString(written.value),
+                               QString::number(seconds(written.time_ms).count(), 'f', 1),
+                               written.writer < program.places.size()
+                                   ? QString::fromStdString(posh::namePathOf(program, written.writer))
+                                   : QString()));
+    if (entry.writes > entry.values.size())
+        lines << QObject::tr("written %1 times in all").arg(entry.writes);
+    return {QString::fromStdString(entry.key), QString::fromStdString(entry.values.back().value), lines.join('\n')};
+}
+
 std::shared_ptr<const std::vector<std::string>> pathsOf(const posh::Program& program) {
     auto paths = std::make_shared<std::vector<std::string>>();
     for (posh::Index place = 0; place < program.places.size(); ++place)
@@ -200,6 +214,8 @@ widgets::PlanSnapshot PlanWatch::snapshot() const {
     for (const posh::PlaceActivity& place : activity().places())
         snapshot.activities.push_back(shown(place));
     snapshot.now = seconds(activity().now_ms());
+    for (const posh::BoardEntry& entry : activity().board())
+        snapshot.board.push_back(shown(entry, *program()));
     return snapshot;
 }
 

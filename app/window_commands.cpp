@@ -278,6 +278,7 @@ void MainWindow::makeMenus() {
                                                      "plan.break_result",
                                                      "plan.break_verdict",
                                                      "plan.break_interruption",
+                                                     "plan.break_key",
                                                      "plan.break_edit",
                                                      "plan.break_switch",
                                                      "plan.break_clear",

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <QFormLayout>
@@ -17,12 +18,15 @@ namespace {
 using posh::ActResult;
 using posh::BreakOn;
 
+using Choice = std::pair<BreakOn, ActResult>;
+
 /// All that can be asked for, each act's answer by itself.
-constexpr std::array choices{
-    std::pair{BreakOn::Before, ActResult::Failed},        std::pair{BreakOn::After, ActResult::Failed},
-    std::pair{BreakOn::Result, ActResult::Failed},        std::pair{BreakOn::Result, ActResult::Running},
-    std::pair{BreakOn::Result, ActResult::RunningOnce},   std::pair{BreakOn::Result, ActResult::Finished},
-    std::pair{BreakOn::VerdictChange, ActResult::Failed}, std::pair{BreakOn::Interruption, ActResult::Failed}};
+constexpr std::array all_choices{
+    Choice{BreakOn::Before, ActResult::Failed},        Choice{BreakOn::After, ActResult::Failed},
+    Choice{BreakOn::Result, ActResult::Failed},        Choice{BreakOn::Result, ActResult::Running},
+    Choice{BreakOn::Result, ActResult::RunningOnce},   Choice{BreakOn::Result, ActResult::Finished},
+    Choice{BreakOn::VerdictChange, ActResult::Failed}, Choice{BreakOn::Interruption, ActResult::Failed}};
+constexpr std::span<const Choice> choices = all_choices;
 
 } // namespace
 
@@ -37,7 +41,9 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
     , enabled_(new QCheckBox(tr("On"), this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Breakpoint"));
-    for (const auto& [on, result] : choices) {
+    if (breakpoint_.on == BreakOn::Written) // there is but one thing that happens to a key
+        on_->addItem(breakOnText(breakpoint_));
+    for (const auto& [on, result] : breakpoint_.on == BreakOn::Written ? std::span<const Choice>() : choices) {
         posh::Breakpoint shown;
         shown.on = on;
         shown.result = result;
@@ -77,10 +83,12 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
 
 posh::Breakpoint BreakpointDialog::breakpoint() const {
     posh::Breakpoint typed = breakpoint_;
-    const auto& [on, result] = choices[static_cast<std::size_t>(std::max(0, on_->currentIndex()))];
-    typed.on = on;
-    if (on == BreakOn::Result)
-        typed.result = result;
+    if (breakpoint_.on != BreakOn::Written) {
+        const auto& [on, result] = choices[static_cast<std::size_t>(std::max(0, on_->currentIndex()))];
+        typed.on = on;
+        if (on == BreakOn::Result)
+            typed.result = result;
+    }
     typed.condition = condition_->text().trimmed().toStdString();
     typed.skip = static_cast<std::uint64_t>(from_hit_->value() - 1);
     typed.once = once_->isChecked();

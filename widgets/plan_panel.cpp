@@ -229,8 +229,53 @@ QWidget* PlanPanel::makeSide() {
     reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
     reasons_->setWordWrap(true);
     column->addWidget(reasons_, 3);
+    addBoard(column, side);
     addBreakpointList(column, side);
     return side;
+}
+
+/// What the plan's acts have written down; hidden while they have not.
+void PlanPanel::addBoard(QBoxLayout* column, QWidget* side) {
+    board_title_ = makeTitle(tr("Blackboard"), side);
+    column->addWidget(board_title_);
+    board_ = makeList(tr("Blackboard"), {});
+    column->addWidget(board_, 2);
+    connect(board_, &QListWidget::currentRowChanged, this, &PlanPanel::keySelected);
+    connect(board_, &QListWidget::itemActivated, this, &PlanPanel::keyActivated);
+    showBoard();
+}
+
+void PlanPanel::setSnapshot(PlanSnapshot snapshot) {
+    if (snapshot.board != board_values_) {
+        board_values_ = snapshot.board;
+        showBoard();
+    }
+    view_->setSnapshot(std::move(snapshot));
+}
+
+void PlanPanel::setWatchedKeys(const QStringList& keys) {
+    watched_keys_ = keys;
+    showBoard();
+}
+
+QString PlanPanel::selectedKey() const {
+    const int row = board_->currentRow();
+    return row >= 0 && row < std::ssize(board_values_) ? board_values_[static_cast<std::size_t>(row)].key : QString();
+}
+
+void PlanPanel::showBoard() {
+    board_title_->setVisible(!board_values_.empty());
+    board_->setVisible(!board_values_.empty());
+    std::vector<Row> rows;
+    for (const BoardValue& one : board_values_) {
+        const bool is_watched = watched_keys_.contains(one.key);
+        rows.push_back({one.key + " = " + one.value, -1,
+                        is_watched ? icon(QStringLiteral("record"), tokens().danger) : QIcon(), is_watched ? 2 : 1});
+    }
+    fill(*board_, rows);
+    for (int i = 0; i < board_->count(); ++i)
+        board_->item(i)->setToolTip(board_values_[static_cast<std::size_t>(i)].history + '\n' +
+                                    tr("A double-click stops the plan whenever this is written; once more: no more."));
 }
 
 void PlanPanel::addBreakpointList(QBoxLayout* column, QWidget* side) {
@@ -306,6 +351,8 @@ void PlanPanel::setPlanText(std::string_view text, const posh::Findings& finding
 }
 
 void PlanPanel::clear() {
+    board_values_.clear();
+    showBoard();
     view_->clear();
     text_->setPlanText({}, {});
     text_shown_->setChecked(false);

@@ -34,7 +34,11 @@ public:
 
     PlanView& view() { return *view_; }
     void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
-    void setSnapshot(PlanSnapshot snapshot) { view_->setSnapshot(std::move(snapshot)); }
+    void setSnapshot(PlanSnapshot snapshot);
+    /// Of the plan's blackboard, the selected one; empty: none is.
+    QString selectedKey() const;
+    /// Keys of the blackboard that a breakpoint watches.
+    void setWatchedKeys(const QStringList& keys);
     /// The text that the plan was read from, beside the drawing and in step with it, and what is wrong with it: the
     /// findings of its reader. To be called after setPlan; without it the button that shows the text is off.
     void setPlanText(std::string_view text, const posh::Findings& findings);
@@ -60,6 +64,9 @@ signals:
     void breakpointSwitched(int id, bool on);
     void breakpointEditRequested(int id);
     void breakpointRemoved(int id);
+    void keySelected();
+    /// By a double-click or Return: it is to stop the plan when it is written, or no more.
+    void keyActivated();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -73,6 +80,8 @@ private:
     QWidget* makeText();
     QWidget* makeSide();
     void addBreakpointList(QBoxLayout* column, QWidget* side);
+    void addBoard(QBoxLayout* column, QWidget* side);
+    void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
     void arrange();
@@ -102,6 +111,10 @@ private:
     QListWidget* running_;
     QLabel* verdict_;
     QListWidget* reasons_;
+    QLabel* board_title_;
+    QListWidget* board_;
+    std::vector<BoardValue> board_values_;
+    QStringList watched_keys_;
     QLabel* breakpoints_title_;
     QListWidget* breakpoints_;
     PlanHaltBar* halt_bar_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/posh/board_change.h"
 #include "core/posh/value_text.h"
 #include "core/protocol/command_writer.h"
 
@@ -37,7 +38,7 @@ void PoshBody::write(const std::string& key, posh::Value value) {
     if (slot == value)
         return;
     if (engine_ && engine_->watched())
-        note(posh::TraceEvent::Blackboard, key + ": " + posh::toText(slot) + " -> " + posh::toText(value));
+        note(posh::TraceEvent::Blackboard, posh::boardChangeText(key, posh::toText(slot), posh::toText(value)));
     slot = std::move(value);
 }
 

@@ -9,7 +9,8 @@ namespace usar::agent {
 
 namespace {
 
-std::string reasonOf(const posh::Breakpoint& breakpoint, const std::string& names) {
+/// `text` is what the trace said beside the hit.
+std::string reasonOf(const posh::Breakpoint& breakpoint, const std::string& names, const std::string& text) {
     switch (breakpoint.on) {
     case posh::BreakOn::Before:
         return "before " + names;
@@ -19,6 +20,8 @@ std::string reasonOf(const posh::Breakpoint& breakpoint, const std::string& name
         return names + " answered " + std::string(posh::toText(breakpoint.result));
     case posh::BreakOn::VerdictChange:
         return "the verdict on " + names + " changed";
+    case posh::BreakOn::Written:
+        return names + " wrote " + text;
     case posh::BreakOn::Interruption:
         break;
     }
@@ -89,7 +92,7 @@ PlanHalted PoshDebugger::describe(const posh::BreakHit& hit, const posh::Program
     for (const auto& [id, known] : known_)
         if (known.number == hit.breakpoint) {
             news.breakpoint = id;
-            news.reason = reasonOf(known.asked.what, posh::namePathOf(program, hit.record.place));
+            news.reason = reasonOf(known.asked.what, posh::namePathOf(program, hit.record.place), hit.text);
         }
     news.path = posh::pathOf(program, hit.record.place);
     return news;

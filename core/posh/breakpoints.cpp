@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/posh/board_change.h"
 #include "core/posh/comparison.h"
 #include "core/posh/plan_reader.h"
 
@@ -83,18 +84,28 @@ void Breakpoints::take(const TraceRecord& record, std::string_view text) {
     if (breakpoints_.empty() || record.event == TraceEvent::CycleEnd)
         return;
     if (record.event == TraceEvent::SenseEval)
-        remember(record, text);
+        remember(callTextAt(*program_, record.place), answerOf(record, text));
+    if (record.event == TraceEvent::Blackboard)
+        if (const auto change = readBoardChange(text))
+            remember(change->key, readValue(change->new_value).value_or(Value()));
     for (auto& [number, watch] : watches_) {
         Breakpoint& breakpoint = breakpoints_.at(number);
-        if (watch.place != record.place || !happens(breakpoint, watch, record) || !breakpoint.enabled ||
-            !conditionHolds(watch) || watch.hits++ < breakpoint.skip)
+        if (!happens(breakpoint, watch, record, text) || !breakpoint.enabled || !conditionHolds(watch) ||
+            watch.hits++ < breakpoint.skip)
             continue;
-        hits_.push_back({number, record});
+        hits_.push_back({number, record, std::string(text)});
         breakpoint.enabled = !breakpoint.once;
     }
 }
 
-bool Breakpoints::happens(const Breakpoint& breakpoint, Watch& watch, const TraceRecord& record) const {
+bool Breakpoints::happens(const Breakpoint& breakpoint, Watch& watch, const TraceRecord& record,
+                          std::string_view text) const {
+    if (breakpoint.on == BreakOn::Written) {
+        const auto change = record.event == TraceEvent::Blackboard ? readBoardChange(text) : std::nullopt;
+        return change && change->key == breakpoint.key && watch.place != nowhere;
+    }
+    if (watch.place != record.place)
+        return false;
     switch (breakpoint.on) {
     case BreakOn::Before:
         return isBegin(record.event);
@@ -109,7 +120,7 @@ bool Breakpoints::happens(const Breakpoint& breakpoint, Watch& watch, const Trac
         const auto before = std::exchange(watch.verdict, holds);
         return before && *before != holds;
     }
-    case BreakOn::Interruption:
+    default:
         break;
     }
     return isInterruption(record);
@@ -130,12 +141,12 @@ bool Breakpoints::conditionHolds(const Watch& watch) const {
     return true;
 }
 
-void Breakpoints::remember(const TraceRecord& record, std::string_view text) {
-    const auto known = answers_.find(callTextAt(*program_, record.place));
+void Breakpoints::remember(std::string_view call, Value answer) {
+    const auto known = answers_.find(call);
     if (known != answers_.end())
-        known->second = answerOf(record, text);
+        known->second = std::move(answer);
     else
-        answers_.emplace(callTextAt(*program_, record.place), answerOf(record, text));
+        answers_.emplace(call, std::move(answer));
 }
 
 std::vector<BreakHit> Breakpoints::takeHits() {

@@ -19,6 +19,7 @@ enum class BreakOn {
     Result,        ///< an act answers with `result`
     VerdictChange, ///< a sense holds that did not, or the reverse
     Interruption,  ///< a drive or an act is interrupted
+    Written,       ///< an act writes another value onto the blackboard, under `key`
 };
 
 /// Kept with a plan: paths are repaired by the names when the plan has changed.
@@ -27,7 +28,9 @@ struct Breakpoint {
     std::string names; ///< "robot ▸ work": see namePathOf
     BreakOn on = BreakOn::Before;
     ActResult result = ActResult::Failed; ///< for BreakOn::Result
-    std::string condition;                ///< senses as in a trigger: "(distance 0.3 <) (bumped)"; empty: always
+    std::string key{};                    ///< for BreakOn::Written; the place is that of the whole plan
+    std::string condition;                ///< senses as in a trigger: "(distance 0.3 <) (bumped)"; empty: always.
+                                          ///< Keys of the blackboard can be asked for as senses can: "(lane 3 >=)"
     std::uint64_t skip = 0;               ///< so many hits are passed over first
     bool once = false;                    ///< is switched off by its hit
     bool enabled = true;
@@ -37,6 +40,7 @@ struct Breakpoint {
 struct BreakHit {
     std::size_t breakpoint = 0; ///< its number
     TraceRecord record;
+    std::string text{}; ///< beside the record
     bool operator==(const BreakHit&) const = default;
 };
 
@@ -71,9 +75,9 @@ private:
     };
     static Result<std::shared_ptr<const Program>> readCondition(const std::string& text);
     Index find(const Breakpoint& breakpoint) const;
-    bool happens(const Breakpoint& breakpoint, Watch& watch, const TraceRecord& record) const;
+    bool happens(const Breakpoint& breakpoint, Watch& watch, const TraceRecord& record, std::string_view text) const;
     bool conditionHolds(const Watch& watch) const;
-    void remember(const TraceRecord& record, std::string_view text);
+    void remember(std::string_view call, Value answer);
 
     std::shared_ptr<const Program> program_;
     std::map<std::size_t, Breakpoint> breakpoints_;

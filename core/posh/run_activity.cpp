@@ -1,7 +1,10 @@
 #include "core/posh/run_activity.h"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
+
+#include "core/posh/board_change.h"
 
 namespace usar::posh {
 
@@ -22,6 +25,8 @@ std::string frequencyText(const Program& program, const TraceRecord& record) {
 } // namespace
 
 void RunActivity::start(std::shared_ptr<const Program> program) {
+    if (!program_ || !program)
+        board_.clear();
     program_ = std::move(program);
     statistics_ = {};
     if (program_)
@@ -59,6 +64,20 @@ void RunActivity::answer(PlaceActivity& place, const TraceRecord& record, std::s
         PlaceAnswer{answerOf(record, text), holds, same ? place.answer->since_ms : record.time_ms, record.time_ms};
 }
 
+void RunActivity::write(const TraceRecord& record, std::string_view text) {
+    const auto change = readBoardChange(text);
+    if (!change)
+        return;
+    auto entry = std::ranges::lower_bound(board_, change->key, {},
+                                          [](const BoardEntry& one) -> std::string_view { return one.key; });
+    if (entry == board_.end() || entry->key != change->key)
+        entry = board_.insert(entry, {std::string(change->key), {}, 0});
+    ++entry->writes;
+    if (entry->values.size() == BoardEntry::most_values)
+        entry->values.erase(entry->values.begin());
+    entry->values.push_back({std::string(change->new_value), record.time_ms, record.place});
+}
+
 void RunActivity::take(const TraceRecord& record, std::string_view text) {
     statistics_.take(record, text);
     if (record.event == TraceEvent::CycleBegin)
@@ -78,6 +97,8 @@ void RunActivity::take(const TraceRecord& record, std::string_view text) {
         if (program_->places[record.place].kind == PlaceKind::Drive) // a trace may come from a damaged file
             holdBack(record.place, frequencyText(*program_, record));
         return;
+    case TraceEvent::Blackboard:
+        return write(record, text);
     case TraceEvent::ElementSkipped:
         return holdBack(record.place, "its retries are used up");
     case TraceEvent::DriveStarted:

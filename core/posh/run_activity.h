@@ -33,6 +33,22 @@ struct PlaceActivity {
     bool operator==(const PlaceActivity&) const = default;
 };
 
+/// A key of the plan's blackboard. Values are spelled as traces print them.
+struct BoardEntry {
+    struct Written {
+        std::string value;
+        std::int64_t time_ms = 0;
+        Index writer = 0; ///< the place of the act
+        bool operator==(const Written&) const = default;
+    };
+    std::string key;
+    std::vector<Written> values; ///< the newest last, `most_values` at most
+    std::uint64_t writes = 0;    ///< of other values than it had
+    bool operator==(const BoardEntry&) const = default;
+
+    static constexpr std::size_t most_values = 8;
+};
+
 /// Fed with every record in order; each costs the depth of its place at most.
 class RunActivity {
 public:
@@ -50,18 +66,22 @@ public:
     /// Of this run, for its report.
     const RunStatistics& statistics() const { return statistics_; }
     std::int64_t now_ms() const { return now_ms_; }
+    /// By key; it outlives a program that is replaced, as the blackboard does.
+    const std::vector<BoardEntry>& board() const { return board_; }
 
 private:
     void beginCycle(std::int64_t now_ms);
     void answer(PlaceActivity& place, const TraceRecord& record, std::string_view text) const;
     void holdBack(Index place, std::string why);
     void activate(Index place);
+    void write(const TraceRecord& record, std::string_view text);
 
     std::shared_ptr<const Program> program_;
     RunStatistics statistics_;
     std::vector<PlaceActivity> places_;
     std::vector<Index> running_; ///< places marked in this cycle
     std::vector<Index> held_;
+    std::vector<BoardEntry> board_;
     std::int64_t now_ms_ = 0;
 };
 

@@ -1,8 +1,18 @@
 #include "robots/airrobot/survey_body.h"
 
+#include <array>
 #include <utility>
 
 namespace usar::airrobot {
+
+namespace {
+
+const char* wordOf(Phase phase) {
+    constexpr std::array words{"launch", "take-off", "to-lane", "lane", "home", "landing", "ground", "finished"};
+    return words[static_cast<std::size_t>(phase)];
+}
+
+} // namespace
 
 void SurveyBody::begin(const agent::Tick& tick) {
     tick_ = &tick;
@@ -11,6 +21,12 @@ void SurveyBody::begin(const agent::Tick& tick) {
         if (flight.atWork() && !flight.landing())
             flight.look();
     });
+    acting_ = true;
+}
+
+void SurveyBody::end(const agent::Tick&) {
+    acting_ = false;
+    tick_ = nullptr;
 }
 
 bool SurveyBody::order(agent::Order order) {
@@ -27,6 +43,15 @@ void SurveyBody::passOn() {
     }
     for (agent::Published& value : port_.takePublished())
         publish(std::move(value));
+    if (acting_)
+        noteState();
+}
+
+/// So that people see what the acts have agreed on, and can stop the plan where it changes.
+void SurveyBody::noteState() {
+    write("phase", posh::Symbol{wordOf(flight_.phase())});
+    write("lane", static_cast<std::int64_t>(flight_.lane()));
+    write("returning", flight_.returning());
 }
 
 } // namespace usar::airrobot

@@ -21,7 +21,7 @@ public:
     const agent::Tick& tick() const { return *tick_; }
 
     void begin(const agent::Tick& tick) override;
-    void end(const agent::Tick&) override { tick_ = nullptr; }
+    void end(const agent::Tick&) override;
     bool order(agent::Order order) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }
@@ -38,10 +38,12 @@ private:
         SurveyBody& body;
     };
     void passOn();
+    void noteState();
 
     SurveyFlight flight_;
     agent::CommandPort port_; ///< emptied after each act; what an order said waits here for the next tick
     const agent::Tick* tick_ = nullptr;
+    bool acting_ = false; ///< acts are at work, and what is written is traced
 };
 
 using SurveyPrimitives = agent::PoshPrimitives<SurveyBody>;

@@ -38,6 +38,8 @@ public:
     bool sensorsSilent() const { return silent_; }
     /// The lanes are known.
     bool planned() const { return survey_.laneCount() > 0; }
+    /// The one that is being scanned or flown to, from 1.
+    std::size_t lane() const { return survey_.laneIndex() + 1; }
     /// It has left the launch behind.
     bool launched() const { return launched_; }
     /// The scan altitude was reached, and it has not landed since.

@@ -96,6 +96,7 @@ private slots:
     void aPlanThatWasStoppedTakesNoOther();
     void aBreakpointHaltsItWithASafeRobotOnce();
     void whatGoesOnDoesAsItDidBefore();
+    void aWrittenKeyHaltsIt();
     void aStepIsOneCycle();
     void haltsWhenAskedTo();
     void landingLetsItGoOn();
@@ -409,6 +410,19 @@ void tst_PoshBehavior::aPlanThatDoesNotFitIsRefusedWithAllItsErrors() {
     QVERIFY(made.error().text().find("plan rover.lap") != std::string::npos);
     QVERIFY(made.error().text().find("Fly") != std::string::npos);
     QVERIFY(made.error().text().find("Swim") != std::string::npos);
+}
+
+void tst_PoshBehavior::aWrittenKeyHaltsIt() {
+    Run run("((DC d (drives ((a (trigger ((Count 3 !=))) Tick)) ((b Halt)))))");
+    posh::Breakpoint breakpoint;
+    breakpoint.names = "d";
+    breakpoint.on = posh::BreakOn::Written;
+    breakpoint.key = "count";
+    breakpoint.condition = "(count 2 =)";
+    run.host->control(SetBreakpoints{{{7, breakpoint}}});
+    const PlanHalted halted = thePublished<PlanHalted>(run.tick());
+    QCOMPARE(halted.breakpoint, std::optional(7));
+    QCOMPARE(halted.reason, std::string("d ▸ a ▸ Tick wrote count: 1 -> 2"));
 }
 
 void tst_PoshBehavior::theBlackboardIsTraced() {

@@ -5,8 +5,10 @@
 #include <QDir>
 #include <QFile>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTreeView>
 
 #include "app/simulator_host.h"
 #include "tests/e2e/gui_watchdog.h"
@@ -61,6 +63,12 @@ public:
     QString banner() const { return panel_.haltBar().isVisible() ? panel_.haltBar().text() : QString(); }
     const widgets::PlanTime& time() const { return panel_.timeBar().time(); }
     widgets::PlanPanel& panel() { return panel_; }
+    QListWidget* list(const QString& name) {
+        for (QListWidget* each : panel_.findChildren<QListWidget*>())
+            if (each->accessibleName() == name)
+                return each;
+        return nullptr;
+    }
     /// As marked on the selected part.
     int breakpointsSelected() const {
         const widgets::PlanMark* const mark = panel_.view().marks().at(panel_.view().selected());
@@ -101,6 +109,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aBreakpointStopsTheSimulatorsTime();
     void whatAPlanDidIsLookedBackOn();
+    void whatActsWroteDownIsSeenAndStopsThePlan();
     void whatARunCameToIsReported();
     void aDriveThatIsOffLetsAnotherWin();
     void breakpointsOutliveTheWindow();
@@ -175,6 +184,40 @@ void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
     QVERIFY(debugger.time().live);
     QTRY_VERIFY(debugger.panel().view().states()[climb].running);
     QVERIFY(debugger.halted()); // looking back is no step
+}
+
+void tst_WindowDebugger::whatActsWroteDownIsSeenAndStopsThePlan() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(takeOff(page));
+    QListWidget* const board = debugger.list("Blackboard");
+    QVERIFY(board);
+    const auto rowOf = [board](const QString& key) {
+        for (int row = 0; row < board->count(); ++row)
+            if (board->item(row)->text().startsWith(key + " = "))
+                return row;
+        return -1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(board->isVisible() && rowOf("phase") >= 0, soon_ms);
+    QVERIFY(rowOf("lane") >= 0 && rowOf("returning") >= 0);
+    const QRect row = board->visualItemRect(board->item(rowOf("phase")));
+    QTest::mouseClick(board->viewport(), Qt::LeftButton, {}, row.center());
+    QTRY_VERIFY(page.window().commands().action("plan.break_key")->isEnabled());
+    QTest::mouseDClick(board->viewport(), Qt::LeftButton, {}, row.center());
+    QListWidget* const breakpoints = debugger.list("Breakpoints");
+    QTRY_VERIFY(breakpoints->isVisible());
+    QVERIFY2(breakpoints->item(0)->text().contains("phase is written"), qPrintable(breakpoints->item(0)->text()));
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
+    static const QRegularExpression wrote(" wrote phase: ('\\S+) -> ('\\S+)$");
+    const auto change = wrote.match(QString::fromStdString(debugger.halted()->reason));
+    QVERIFY2(change.hasMatch(), debugger.halted()->reason.c_str());
+    QTRY_COMPARE(board->item(rowOf("phase"))->text(), "phase = " + change.captured(2));
+    page.screenshot("debugger-board");
+    page.pressKey(Qt::Key_PageUp, Qt::AltModifier);
+    QTRY_COMPARE(board->item(rowOf("phase"))->text(), "phase = " + change.captured(1));
+    page.window().commands().action("plan.break_key")->trigger();
+    QVERIFY(!breakpoints->isVisible());
 }
 
 void tst_WindowDebugger::whatARunCameToIsReported() {
@@ -254,6 +297,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
     QTRY_VERIFY(!debugger.time().live);
     const Seconds moment = debugger.time().shown;
+    QTest::qWait(200); // the buttons take their places
     page.screenshot("debugger-past");
     const Seconds flown_until = page.robot(1)->figures.now;
     debugger.press("Replay from here");
@@ -264,6 +308,8 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     };
     QTRY_VERIFY_WITH_TIMEOUT(arrived(), soon_ms);
     QCOMPARE(page.window().selectedRobot(), 2);
+    QAbstractItemView* const sensors = page.window().views().sensors->findChild<QTreeView*>();
+    QTRY_VERIFY_WITH_TIMEOUT(sensors && sensors->isVisible() && sensors->model()->rowCount() > 2, soon_ms);
     page.screenshot("debugger-look-back");
     QVERIFY(debugger.time().end > moment + Seconds{1.0}); // the whole run can be gone to
     QVERIFY(!page.robot(2)->trail_m.empty());

@@ -51,6 +51,8 @@ private slots:
     void conditionsAreOfTheAnswersThatTheRunGot();
     void hitsAreCountedAndMayBeTheLast();
     void aBreakpointFindsItsPlaceInAChangedPlan();
+    void aKeyOfTheBlackboardIsWatched_data();
+    void aKeyOfTheBlackboardIsWatched();
     void conditionsThatAreNoneAreRejected();
 };
 
@@ -114,6 +116,45 @@ void tst_Breakpoints::aBreakpointFindsItsPlaceInAChangedPlan() {
     QCOMPARE(breakpoints.placeOf(*number), nowhere);
     breakpoints.remove(*number);
     QVERIFY(breakpoints.all().empty());
+}
+
+void tst_Breakpoints::aKeyOfTheBlackboardIsWatched_data() {
+    QTest::addColumn<QByteArray>("key");
+    QTest::addColumn<QByteArray>("condition");
+    QTest::addColumn<QList<int>>("writes");
+    const auto row = [](const char* claim, const char* key, const char* condition, const QList<int>& writes) {
+        QTest::newRow(claim) << QByteArray(key) << QByteArray(condition) << writes;
+    };
+    row("whenever it is written", "lane", "", {0, 1, 3, 5});
+    row("another key", "note", "", {2, 4});
+    row("where its value is large enough", "lane", "(lane 3 >=)", {3, 5});
+    row("with one value", "note", "(note \"a: 1 -> 2\")", {4});
+    row("where another key has a value", "lane", "(note \"b\")", {3});
+    row("a key that nobody writes", "height", "", {});
+}
+
+void tst_Breakpoints::aKeyOfTheBlackboardIsWatched() {
+    QFETCH(QByteArray, key);
+    QFETCH(QByteArray, condition);
+    QFETCH(QList<int>, writes);
+    Breakpoints breakpoints;
+    breakpoints.takeProgram(programOf(plan));
+    Breakpoint breakpoint = at("d", BreakOn::Written);
+    breakpoint.key = key.toStdString();
+    breakpoint.condition = condition.toStdString();
+    QVERIFY(breakpoints.add(breakpoint));
+    QList<int> hits;
+    int number = 0;
+    for (const char* const text : {"lane: nil -> 1", "lane: 1 -> 2", "note: nil -> \"b\"", "lane: 2 -> 3",
+                                   "note: \"b\" -> \"a: 1 -> 2\"", "lane: 3 -> 4", "no change at all"}) {
+        breakpoints.take({.place = 3, .event = TraceEvent::Blackboard}, text);
+        for (const BreakHit& hit : breakpoints.takeHits()) {
+            QCOMPARE(hit.text, std::string(text));
+            hits << number;
+        }
+        ++number;
+    }
+    QCOMPARE(hits, writes);
 }
 
 void tst_Breakpoints::conditionsThatAreNoneAreRejected() {

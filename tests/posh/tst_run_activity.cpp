@@ -47,7 +47,30 @@ private slots:
     void whoIsHeldBackSaysWhy();
     void endingsAreCounted();
     void anotherProgramBeginsAnew();
+    void theBoardKeepsItsNewestValues();
 };
+
+void tst_RunActivity::theBoardKeepsItsNewestValues() {
+    Run run;
+    run.engine.cycle(Milliseconds(0));
+    QVERIFY(run.activity.board().empty());
+    for (int i = 0; i < 10; ++i)
+        run.activity.take({.time_ms = 100 * i, .place = 4, .event = TraceEvent::Blackboard},
+                          "lane: " + std::to_string(i) + " -> " + std::to_string(i + 1));
+    run.activity.take({.time_ms = 1000, .place = 5, .event = TraceEvent::Blackboard}, "errand: nil -> 'home");
+    run.activity.take({.time_ms = 1000, .place = 5, .event = TraceEvent::Blackboard}, "damaged");
+    QCOMPARE(run.activity.board().size(), std::size_t(2));
+    QCOMPARE(run.activity.board()[0].key, std::string("errand"));
+    const BoardEntry& lane = run.activity.board()[1];
+    QCOMPARE(lane.writes, std::uint64_t(10));
+    QCOMPARE(lane.values.size(), BoardEntry::most_values);
+    QVERIFY(lane.values.back() == (BoardEntry::Written{"10", 900, 4}));
+    QCOMPARE(lane.values.front().value, std::string("3"));
+    run.activity.start(run.activity.program()); // a plan that is replaced finds what was written
+    QCOMPARE(run.activity.board().size(), std::size_t(2));
+    run.activity.start(nullptr);
+    QVERIFY(run.activity.board().empty());
+}
 
 void tst_RunActivity::whatRunsRunsFromTheRootDown() {
     Run run;

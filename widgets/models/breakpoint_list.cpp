@@ -20,9 +20,12 @@ using posh::ActResult;
 using posh::BreakOn;
 using posh::Breakpoint;
 
-constexpr std::array on_words{std::pair{BreakOn::Before, "before"}, std::pair{BreakOn::After, "after"},
-                              std::pair{BreakOn::Result, "result"}, std::pair{BreakOn::VerdictChange, "verdict"},
-                              std::pair{BreakOn::Interruption, "interruption"}};
+constexpr std::array on_words{std::pair{BreakOn::Before, "before"},
+                              std::pair{BreakOn::After, "after"},
+                              std::pair{BreakOn::Result, "result"},
+                              std::pair{BreakOn::VerdictChange, "verdict"},
+                              std::pair{BreakOn::Interruption, "interruption"},
+                              std::pair{BreakOn::Written, "written"}};
 constexpr std::array results{ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed};
 
 QString resultWord(ActResult result) {
@@ -37,6 +40,8 @@ QJsonObject jsonOf(const Breakpoint& breakpoint) {
                      {"on", word->second}};
     if (breakpoint.on == BreakOn::Result)
         json["result"] = resultWord(breakpoint.result);
+    if (breakpoint.on == BreakOn::Written)
+        json["key"] = QString::fromStdString(breakpoint.key);
     if (!breakpoint.condition.empty())
         json["condition"] = QString::fromStdString(breakpoint.condition);
     if (breakpoint.skip > 0)
@@ -58,6 +63,9 @@ std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
     if (word == on_words.end() || breakpoint.names.empty())
         return std::nullopt;
     breakpoint.on = word->first;
+    breakpoint.key = json["key"].toString().toStdString();
+    if (breakpoint.on == BreakOn::Written && breakpoint.key.empty())
+        return std::nullopt;
     for (const ActResult result : results)
         if (json["result"].toString() == resultWord(result))
             breakpoint.result = result;
@@ -104,10 +112,18 @@ std::vector<int> BreakpointList::ofPlan(std::string_view name) const {
     return ids;
 }
 
+std::vector<int> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
+    std::vector<int> ids;
+    for (const auto& [id, what] : all_)
+        if (what.on == BreakOn::Written && what.key == key && isOfPlan(what, plan_name))
+            ids.push_back(id);
+    return ids;
+}
+
 std::vector<int> BreakpointList::atPath(std::string_view plan_name, std::string_view path) const {
     std::vector<int> ids;
     for (const auto& [id, what] : all_)
-        if (what.path == path && isOfPlan(what, plan_name))
+        if (what.path == path && what.on != BreakOn::Written && isOfPlan(what, plan_name))
             ids.push_back(id);
     return ids;
 }
@@ -160,6 +176,8 @@ QString breakOnText(const Breakpoint& breakpoint) {
         return QObject::tr("when it answers: %1").arg(resultText(breakpoint.result));
     case BreakOn::VerdictChange:
         return QObject::tr("when its verdict changes");
+    case BreakOn::Written:
+        return QObject::tr("when %1 is written").arg(QString::fromStdString(breakpoint.key));
     case BreakOn::Interruption:
         break;
     }

@@ -23,6 +23,8 @@ public:
     void remove(int id);
     /// The numbers of those of a plan, by its name, or of those at one place of it.
     std::vector<int> ofPlan(std::string_view name) const;
+    /// Of a key of the plan's blackboard; those are at no place.
+    std::vector<int> ofKey(std::string_view plan_name, std::string_view key) const;
     std::vector<int> atPath(std::string_view plan_name, std::string_view path) const;
     /// Places of this program are found again by their names.
     void repairPaths(const posh::Program& program);

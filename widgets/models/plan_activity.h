@@ -36,12 +36,21 @@ struct PlanActivity {
     bool operator==(const PlanActivity&) const = default;
 };
 
+/// A key of the plan's blackboard.
+struct BoardValue {
+    QString key;
+    QString value;   ///< as traces print it
+    QString history; ///< of its values, a line each, the newest first: for a tooltip
+    bool operator==(const BoardValue&) const = default;
+};
+
 /// The paths are those of the engine (see PlanTree::find) and the same for a whole run: they are shared. One activity
 /// for each path.
 struct PlanSnapshot {
     std::shared_ptr<const std::vector<std::string>> paths;
     std::vector<PlanActivity> activities;
     Seconds now{0.0};
+    std::vector<BoardValue> board{}; ///< by key
 };
 
 /// The activity of each node of a tree. What is drawn once for several places has that of all of them: sums, and the
