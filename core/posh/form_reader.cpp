@@ -99,10 +99,10 @@ bool readElement(TokenCursor& cursor, Element& element) {
 
 /// Levels up to the parenthesis that closes the list, which is taken too.
 template <class Member>
-bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, std::string_view what,
+bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, std::string_view expected,
                 bool (*read)(TokenCursor&, Member&)) {
     while (!cursor.at(TokenKind::Close)) {
-        if (!cursor.take(TokenKind::Open, "a level of " + std::string(what), "((name action))"))
+        if (!cursor.take(TokenKind::Open, expected, "((name action))"))
             return false;
         std::vector<Member>& level = levels.emplace_back();
         do {
@@ -123,7 +123,7 @@ bool readElements(TokenCursor& cursor, std::vector<ElementLevel>& levels) {
         return false;
     if (cursor.at(TokenKind::Close))
         cursor.warn(Code::NoElements, keyword, "the competence has no elements; write (elements ((name action)))");
-    return readLevels(cursor, levels, "elements", &readElement);
+    return readLevels(cursor, levels, "a level of elements", &readElement);
 }
 
 bool readDrives(TokenCursor& cursor, std::vector<DriveLevel>& levels) {
@@ -132,7 +132,7 @@ bool readDrives(TokenCursor& cursor, std::vector<DriveLevel>& levels) {
         return false;
     if (cursor.at(TokenKind::Close))
         return cursor.fail(Code::EmptyList, "there are no drives; write (drives ((name action)))");
-    return readLevels(cursor, levels, "drives", &readDrive);
+    return readLevels(cursor, levels, "a level of drives", &readDrive);
 }
 
 /// `(seconds …)` may be steps that begin with one of that name, so a pattern's time must be whole.

@@ -78,6 +78,7 @@ public:
 
 private:
     void findForms();
+    void reserve();
     void addCollection(const Collection& collection);
     void addDrive(const Drive& drive, Index level);
     bool expand(const Waiting& waiting);
@@ -134,12 +135,34 @@ void Builder::findForms() {
     }
 }
 
+/// As much as the plan comes to where each form is called once, which is not far from the usual.
+void Builder::reserve() {
+    std::size_t members = 0;
+    std::size_t senses = 0;
+    for (const Form& form : plan_.forms)
+        std::visit(
+            [&](const auto& one) {
+                if constexpr (requires { one.levels; })
+                    for (const auto& level : one.levels)
+                        for (const auto& member : level) {
+                            ++members;
+                            senses += member.trigger.size();
+                        }
+            },
+            form);
+    program_->places.reserve(2 * members + senses + plan_.forms.size());
+    program_->tests.reserve(senses);
+    program_->elements.reserve(members);
+    program_->acts.reserve(members);
+}
+
 bool Builder::build() {
     const Collection* const collection = collectionOf(plan_);
     if (!collection) {
         fail("the plan has no drive collection", {}, "Write a form such as (DC name (drives …))");
         return false;
     }
+    reserve();
     addCollection(*collection);
     while (!waiting_.empty() && !failed_) {
         const Waiting next = waiting_.back();

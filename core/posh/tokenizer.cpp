@@ -45,7 +45,7 @@ constexpr std::size_t most_warnings = 100;
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : text_(text) {
-        list_.tokens.reserve(text.size() / 3 + 16);
+        list_.tokens.reserve(text.size() / 2 + 16); // a dense plan has that many; growing would copy them all
         if (text.starts_with("\xEF\xBB\xBF"))
             at_ = line_start_ = 3;
     }

@@ -8,8 +8,36 @@ namespace usar::posh {
 
 namespace {
 
+/// The numbers that people write, as 0.5 and 2.25, without the search for the shortest digits: these are they. False
+/// for all others.
+bool appendThousandths(std::string& out, double number) {
+    constexpr double most = 1e12;
+    const double scaled = number * 1000.0;
+    if (!(std::abs(scaled) < most) || number == 0.0)
+        return false;
+    const auto thousandths = static_cast<std::int64_t>(scaled);
+    if (static_cast<double>(thousandths) / 1000.0 != number)
+        return false;
+    const std::int64_t size = std::abs(thousandths);
+    if (number < 0.0)
+        out += '-';
+    std::array<char, 24> digits{};
+    const auto [end, unused] = std::to_chars(digits.data(), digits.data() + digits.size(), size / 1000);
+    out.append(digits.data(), end);
+    const auto part = static_cast<int>(size % 1000);
+    out += '.';
+    out += static_cast<char>('0' + part / 100);
+    if (part % 100 != 0)
+        out += static_cast<char>('0' + part / 10 % 10);
+    if (part % 10 != 0)
+        out += static_cast<char>('0' + part % 10);
+    return true;
+}
+
 /// Without exponent where people would write none.
 void appendReal(std::string& out, double number) {
+    if (appendThousandths(out, number))
+        return;
     const double size = std::abs(number);
     const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e16);
     std::array<char, 32> digits{};
