@@ -45,6 +45,16 @@ Findings bind(std::string_view text) {
     return findings;
 }
 
+/// A plan whose one drive does that.
+std::string doing(const std::string& act) {
+    return "((DC d (drives ((e " + act + ")))))";
+}
+
+/// A plan whose one drive calls the form of that name.
+std::string calling(const std::string& name, const std::string& forms) {
+    return "(" + forms + " (DC d (drives ((e " + name + ")))))";
+}
+
 const Finding* findingOf(const Findings& findings, const std::string& code) {
     const auto found =
         std::find_if(findings.begin(), findings.end(), [&code](const Finding& f) { return toText(f.code) == code; });
@@ -76,105 +86,94 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
     QTest::addColumn<QString>("code");
     QTest::addColumn<QString>("title");
     QTest::addColumn<QString>("expected");
-    const auto row = [](const char* name, const char* code, const char* text, const char* title, const char* expected) {
-        QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(code) << QString::fromUtf8(title)
-                            << QString::fromUtf8(expected);
+    const auto row = [](const char* name, const char* code, const std::string& text, const char* title,
+                        const std::string& expected) {
+        QTest::newRow(name) << QString::fromStdString(text) << QString::fromUtf8(code) << QString::fromUtf8(title)
+                            << QString::fromStdString(expected);
     };
-    row("illegal character", "E101", "((DC d (drives ((e St@op)))))", "Take out \"@\"", "((DC d (drives ((e Stop)))))");
+    row("illegal character", "E101", doing("St@op"), "Take out \"@\"", doing("Stop"));
     row("open string", "E102", "((DC d (drives ((e Stop \"why))))\n)", "Close the string before the parentheses",
         "((DC d (drives ((e Stop \"why\"))))\n)");
-    row("unknown escape", "E103", "((DC d (drives ((e Stop \"a\\q\")))))", "Write a backslash",
-        "((DC d (drives ((e Stop \"a\\\\q\")))))");
-    row("malformed number", "E104", "((C c (minutes 1.2.3) (elements ((e Stop)))) (DC d (drives ((e c)))))",
-        "Write 1.2", "((C c (minutes 1.2) (elements ((e Stop)))) (DC d (drives ((e c)))))");
-    row("quote without symbol", "E105", "((DC d (drives ((e (trigger ((Near ' ==))) Stop)))))", "Take out \"'\"", "");
-    row("malformed name", "E107", "((DC d (drives ((e Stop.)))))", "Write Stop", "((DC d (drives ((e Stop)))))");
+    row("unknown escape", "E103", doing("Stop \"a\\q\""), "Write a backslash", doing("Stop \"a\\\\q\""));
+    row("malformed number", "E104", calling("c", "(C c (minutes 1.2.3) (elements ((e Stop))))"), "Write 1.2",
+        calling("c", "(C c (minutes 1.2) (elements ((e Stop))))"));
+    row("quote without symbol", "E105", doing("(trigger ((Near ' ==))) Stop"), "Take out \"'\"", "");
+    row("malformed name", "E107", doing("Stop."), "Write Stop", doing("Stop"));
     row("no parenthesis first", "E201", "DC d (drives ((e Stop)))", "Put parentheses", "");
-    row("misspelt trigger", "E202", "((DC d (drives ((e (triger ((Near))) Stop)))))", "Write trigger",
-        "((DC d (drives ((e (trigger ((Near))) Stop)))))");
-    row("no level", "E202", "((DC d (drives (e Stop))))", "Put parentheses around it", "((DC d (drives ((e Stop)))))");
-    row("a trigger without its list", "E202", "((DC d (drives ((e (trigger (Near 3 <)) Stop)))))",
-        "Put parentheses around it", "((DC d (drives ((e (trigger ((Near 3 <))) Stop)))))");
-    row("not closed at the end", "E203", "((DC d (drives ((e Stop)", "Close 4 parentheses at the end",
-        "((DC d (drives ((e Stop)))))");
+    row("misspelt trigger", "E202", doing("(triger ((Near))) Stop"), "Write trigger", doing("(trigger ((Near))) Stop"));
+    row("no level", "E202", "((DC d (drives (e Stop))))", "Put parentheses around it", doing("Stop"));
+    row("a trigger without its list", "E202", doing("(trigger (Near 3 <)) Stop"), "Put parentheses around it",
+        doing("(trigger ((Near 3 <))) Stop"));
+    row("not closed at the end", "E203", "((DC d (drives ((e Stop)", "Close 4 parentheses at the end", doing("Stop"));
     row("a form not closed", "E202", "(\n (AP a (Stop)\n (DC d (drives ((e a))))\n)", "Close a parenthesis before",
         "(\n (AP a (Stop))\n (DC d (drives ((e a))))\n)");
-    row("one too many at the end", "E204", "((DC d (drives ((e Stop))))))", "Take out \")\"",
-        "((DC d (drives ((e Stop)))))");
+    row("one too many at the end", "E204", "((DC d (drives ((e Stop))))))", "Take out \")\"", doing("Stop"));
     row("closed too early", "E204", "((AP a (Stop)))\n (DC d (drives ((e a)))))", "Take out the ) before it",
         "((AP a (Stop))\n (DC d (drives ((e a)))))");
-    row("unknown form", "E205", "((XP a (Stop)) (DC d (drives ((e a)))))", "Write AP",
-        "((AP a (Stop)) (DC d (drives ((e a)))))");
+    row("unknown form", "E205", calling("a", "(XP a (Stop))"), "Write AP", calling("a", "(AP a (Stop))"));
     row("late documentation", "E206", "((DC d (drives ((e Stop)))) (documentation \"a\" \"b\" \"c\"))",
         "Move it to the front", "(\n  (documentation \"a\" \"b\" \"c\")(DC d (drives ((e Stop)))) )");
-    row("two strings of documentation", "E207", "((documentation \"a\" \"b\") (DC d (drives ((e Stop)))))",
-        "Write empty texts", "((documentation \"a\" \"b\" \"\") (DC d (drives ((e Stop)))))");
-    row("four strings", "E207", "((documentation \"a\" \"b\" \"c\" \"d\") (DC d (drives ((e Stop)))))", "Take out",
-        "((documentation \"a\" \"b\" \"c\") (DC d (drives ((e Stop)))))");
+    row("two strings of documentation", "E207", calling("Stop", "(documentation \"a\" \"b\")"), "Write empty texts",
+        calling("Stop", "(documentation \"a\" \"b\" \"\")"));
+    row("four strings", "E207", calling("Stop", "(documentation \"a\" \"b\" \"c\" \"d\")"), "Take out",
+        calling("Stop", "(documentation \"a\" \"b\" \"c\")"));
     row("second collection", "E208", "((DC d (drives ((e Stop)))) (DC f (drives ((e Stop)))))", "Take out",
-        "((DC d (drives ((e Stop)))))");
-    row("unknown unit", "E209", "((DC d (drives ((e Stop (sec 2))))))", "Write seconds",
-        "((DC d (drives ((e Stop (seconds 2))))))");
-    row("no number", "E210", "((C c (minutes) (elements ((e Stop)))) (DC d (drives ((e c)))))", "Write 1",
-        "((C c (minutes 1) (elements ((e Stop)))) (DC d (drives ((e c)))))");
-    row("negative number", "E211", "((C c (minutes -2) (elements ((e Stop)))) (DC d (drives ((e c)))))", "Write 2",
-        "((C c (minutes 2) (elements ((e Stop)))) (DC d (drives ((e c)))))");
-    row("predicate first", "E212", "((DC d (drives ((e (trigger ((Near < 3))) Stop)))))", "Write 3 <",
-        "((DC d (drives ((e (trigger ((Near 3 <))) Stop)))))");
-    row("bare name as a value", "E213", "((DC d (drives ((e Stop(fast))))))", "Write 'fast",
-        "((DC d (drives ((e Stop('fast))))))");
-    row("positional after named", "E214", "((AP a (Stop($x=1, 2))) (DC d (drives ((e a)))))", "Move it to the front",
-        "((AP a (Stop(2, $x=1))) (DC d (drives ((e a)))))");
-    row("argument twice", "E215", "((AP a (Stop($x=1, $x=2))) (DC d (drives ((e a)))))", "Take out the argument",
-        "((AP a (Stop($x=1))) (DC d (drives ((e a)))))");
-    row("parameter twice", "E216", "((AP a vars($x=1, $x=2) (Stop)) (DC d (drives ((e a)))))", "Take out the second",
-        "((AP a vars($x=1) (Stop)) (DC d (drives ((e a)))))");
-    row("parameter without default", "E217", "((AP a vars($x) (Stop)) (DC d (drives ((e a)))))", "Give it the value 0",
-        "((AP a vars($x=0) (Stop)) (DC d (drives ((e a)))))");
-    row("no steps", "E218", "((AP a ()) (DC d (drives ((e a)))))", "Add a step",
-        "((AP a (doNothing)) (DC d (drives ((e a)))))");
+        doing("Stop"));
+    row("unknown unit", "E209", doing("Stop (sec 2)"), "Write seconds", doing("Stop (seconds 2)"));
+    row("no number", "E210", calling("c", "(C c (minutes) (elements ((e Stop))))"), "Write 1",
+        calling("c", "(C c (minutes 1) (elements ((e Stop))))"));
+    row("negative number", "E211", calling("c", "(C c (minutes -2) (elements ((e Stop))))"), "Write 2",
+        calling("c", "(C c (minutes 2) (elements ((e Stop))))"));
+    row("predicate first", "E212", doing("(trigger ((Near < 3))) Stop"), "Write 3 <",
+        doing("(trigger ((Near 3 <))) Stop"));
+    row("bare name as a value", "E213", doing("Stop(fast)"), "Write 'fast", doing("Stop('fast)"));
+    row("positional after named", "E214", calling("a", "(AP a (Stop($x=1, 2)))"), "Move it to the front",
+        calling("a", "(AP a (Stop(2, $x=1)))"));
+    row("argument twice", "E215", calling("a", "(AP a (Stop($x=1, $x=2)))"), "Take out the argument",
+        calling("a", "(AP a (Stop($x=1)))"));
+    row("parameter twice", "E216", calling("a", "(AP a vars($x=1, $x=2) (Stop))"), "Take out the second",
+        calling("a", "(AP a vars($x=1) (Stop))"));
+    row("parameter without default", "E217", calling("a", "(AP a vars($x) (Stop))"), "Give it the value 0",
+        calling("a", "(AP a vars($x=0) (Stop))"));
+    row("no steps", "E218", calling("a", "(AP a ())"), "Add a step", calling("a", "(AP a (doNothing))"));
     row("no drives", "E218", "((DC d (drives)))", "Add a drive", "((DC d (drives ((idle doNothing)))))");
-    row("half a start", "E219", "((C c (elements ((e Stop 2.7)))) (DC d (drives ((e c)))))", "Write 3",
-        "((C c (elements ((e Stop 3)))) (DC d (drives ((e c)))))");
-    row("name twice", "E301", "((AP a (Stop)) (AP a (Beep)) (DC d (drives ((e a)))))", "Name it a-2",
-        "((AP a (Stop)) (AP a-2 (Beep)) (DC d (drives ((e a)))))");
-    row("circle", "E302", "((AP a (a)) (DC d (drives ((e a)))))", "Do nothing here",
-        "((AP a (doNothing)) (DC d (drives ((e a)))))");
+    row("half a start", "E219", calling("c", "(C c (elements ((e Stop 2.7))))"), "Write 3",
+        calling("c", "(C c (elements ((e Stop 3))))"));
+    row("name twice", "E301", calling("a", "(AP a (Stop)) (AP a (Beep))"), "Name it a-2",
+        calling("a", "(AP a (Stop)) (AP a-2 (Beep))"));
+    row("circle", "E302", calling("a", "(AP a (a))"), "Do nothing here", calling("a", "(AP a (doNothing))"));
     row("no collection", "E303", "((AP a (Stop)))", "Add a drive collection", "");
-    row("unknown act", "E304", "((DC d (drives ((e Dirve)))))", "Write Drive", "((DC d (drives ((e Drive)))))");
-    row("an act begun", "E304", "((DC d (drives ((e Dr)))))", "Write Drive", "((DC d (drives ((e Drive)))))");
-    row("unknown act everywhere", "E304", "((AP a (Stpo Stpo)) (DC d (drives ((e a)))))", "Write Stop everywhere", "");
-    row("an act to be made", "E304", "((DC d (drives ((e dance)))))", "Make a pattern dance", "");
-    row("unknown sense", "E304", "((DC d (drives ((e (trigger ((bumpd))) Stop)))))", "Write Bumped",
-        "((DC d (drives ((e (trigger ((Bumped))) Stop)))))");
-    row("form named as an act", "E305", "((AP Stop (Beep)) (DC d (drives ((e Stop)))))", "Name it Stop-plan",
-        "((AP Stop-plan (Beep)) (DC d (drives ((e Stop-plan)))))");
-    row("unknown parameter", "E306", "((AP a vars($speed=1) (x($sped))) (DC d (drives ((e a)))))", "Write $speed",
-        "((AP a vars($speed=1) (x($speed))) (DC d (drives ((e a)))))");
-    row("parameter to declare", "E306", "((AP a (x($y))) (DC d (drives ((e a)))))", "Declare $y",
-        "((AP a vars($y=0) (x($y))) (DC d (drives ((e a)))))");
-    row("arguments that it does not take", "E307", "((DC d (drives ((e Stop(3))))))", "Take the arguments out",
-        "((DC d (drives ((e Stop)))))");
-    row("a sense done", "E307", "((DC d (drives ((e Near)))))", "Write Beep", "");
+    row("unknown act", "E304", doing("Dirve"), "Write Drive", doing("Drive"));
+    row("an act begun", "E304", doing("Dr"), "Write Drive", doing("Drive"));
+    row("unknown act everywhere", "E304", calling("a", "(AP a (Stpo Stpo))"), "Write Stop everywhere", "");
+    row("an act to be made", "E304", doing("dance"), "Make a pattern dance", "");
+    row("unknown sense", "E304", doing("(trigger ((bumpd))) Stop"), "Write Bumped", doing("(trigger ((Bumped))) Stop"));
+    row("form named as an act", "E305", calling("Stop", "(AP Stop (Beep))"), "Name it Stop-plan",
+        calling("Stop-plan", "(AP Stop-plan (Beep))"));
+    row("unknown parameter", "E306", calling("a", "(AP a vars($speed=1) (x($sped)))"), "Write $speed",
+        calling("a", "(AP a vars($speed=1) (x($speed)))"));
+    row("parameter to declare", "E306", calling("a", "(AP a (x($y)))"), "Declare $y",
+        calling("a", "(AP a vars($y=0) (x($y)))"));
+    row("arguments that it does not take", "E307", doing("Stop(3)"), "Take the arguments out", doing("Stop"));
+    row("a sense done", "E307", doing("Near"), "Write Beep", "");
     row("fragment", "W401", "((AP a (Stop)))", "Add a drive collection", "");
     row("drive twice", "W402", "((DC d (drives ((e (trigger ((Near))) Stop)) ((e Stop)))))", "Name it e-2",
         "((DC d (drives ((e (trigger ((Near))) Stop)) ((e-2 Stop)))))");
-    row("never used", "W404", "((AP a (Stop)) (DC d (drives ((e Stop)))))", "Take it away", "");
-    row("odd blank", "W405", "((DC d (drives ((e\xc2\xa0Stop)))))", "Write an ordinary blank",
-        "((DC d (drives ((e Stop)))))");
-    row("name with a digit first", "W406", "((AP 3a (Stop)) (DC d (drives ((e 3a)))))", "Name it n3a",
-        "((AP n3a (Stop)) (DC d (drives ((e n3a)))))");
-    row("word of the language", "W407", "((AP goal (Stop)) (DC d (drives ((e goal)))))", "Name it my-goal",
-        "((AP my-goal (Stop)) (DC d (drives ((e my-goal)))))");
-    row("no elements", "W408", "((C c (elements)) (DC d (drives ((e c)))))", "Add an element", "");
-    row("zero starts", "W409", "((C c (elements ((e Stop 0)))) (DC d (drives ((e c)))))", "Take the number out",
-        "((C c (elements ((e Stop)))) (DC d (drives ((e c)))))");
+    row("never used", "W404", calling("Stop", "(AP a (Stop))"), "Take it away", "");
+    row("odd blank", "W405", "((DC d (drives ((e\xc2\xa0Stop)))))", "Write an ordinary blank", doing("Stop"));
+    row("name with a digit first", "W406", calling("3a", "(AP 3a (Stop))"), "Name it n3a",
+        calling("n3a", "(AP n3a (Stop))"));
+    row("word of the language", "W407", calling("goal", "(AP goal (Stop))"), "Name it my-goal",
+        calling("my-goal", "(AP my-goal (Stop))"));
+    row("no elements", "W408", calling("c", "(C c (elements))"), "Add an element", "");
+    row("zero starts", "W409", calling("c", "(C c (elements ((e Stop 0))))"), "Take the number out",
+        calling("c", "(C c (elements ((e Stop))))"));
     row("never reached", "W410", "((DC d (drives ((e Stop)) ((f (trigger ((Near))) Beep)))))", "Move \"e\" to the end",
         "");
-    row("may find nothing", "W411", "((C c (elements ((e (trigger ((Near))) Stop)))) (DC d (drives ((e c)))))",
+    row("may find nothing", "W411", calling("c", "(C c (elements ((e (trigger ((Near))) Stop))))"),
         "Add a last element", "");
     row("argument too many", "W412", "((AP a (Stop)) (DC d (drives ((e a(3))))))", "Take the argument out",
-        "((AP a (Stop)) (DC d (drives ((e a)))))");
+        calling("a", "(AP a (Stop))"));
 }
 
 void tst_QuickFixes::aMendIsOfferedAndHelps() {
