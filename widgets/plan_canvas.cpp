@@ -36,8 +36,9 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
     connect(this, &PlanView::treeChanged, this, [this] {
         closeLine(false);
         hover_.reset();
-        taken_ = -1;
+        taken_ = range_end_ = -1;
     });
+    connect(this, &PlanView::selectionChanged, this, [this] { range_end_ = -1; });
 }
 
 int PlanCanvas::nodeUnder(const QPointF& on_screen) {
@@ -61,6 +62,8 @@ void PlanCanvas::mousePressEvent(QMouseEvent* event) {
     closeLine(true);
     taken_ = -1;
     const int node = nodeUnder(event->position());
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier && selected() >= 0 && node >= 0)
+        return extendTo(node);
     if (event->button() == Qt::LeftButton && gestures_ && gestures_() && canBeTaken(node, event->position())) {
         taken_ = node;
         taken_at_ = event->position();
@@ -181,13 +184,62 @@ void PlanCanvas::dropEvent(QDropEvent* event) {
         emit dropRefused();
 }
 
-/// Where it would go, and what would happen.
+int PlanCanvas::cardOf(int node) const {
+    return node >= 0 && tree()[node].in_card ? tree()[node].parent : node;
+}
+
+/// Neighbors stand in one list: the steps of a pattern, the members of a form.
+void PlanCanvas::extendTo(int node) {
+    const int from = cardOf(selected());
+    const int to = cardOf(node);
+    if (from < 0 || to < 0 || tree()[from].parent != tree()[to].parent)
+        return;
+    range_end_ = to == from ? -1 : to;
+    update();
+    emit rangeChanged();
+}
+
+std::vector<int> PlanCanvas::range() const {
+    if (selected() < 0 || range_end_ < 0)
+        return selected() < 0 ? std::vector<int>() : std::vector<int>{selected()};
+    const auto [first, last] = std::minmax({cardOf(selected()), range_end_});
+    std::vector<int> nodes;
+    for (const int card : tree().children(tree()[first].parent))
+        if (card >= first && card <= last)
+            nodes.push_back(card);
+    return nodes;
+}
+
+void PlanCanvas::keyPressEvent(QKeyEvent* event) {
+    const bool extends = event->modifiers() == Qt::ShiftModifier && selected() >= 0 &&
+                         (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down);
+    if (!extends)
+        return PlanView::keyPressEvent(event);
+    const int end = range_end_ < 0 ? cardOf(selected()) : range_end_;
+    if (tree()[end].parent < 0)
+        return;
+    const auto cards = tree().children(tree()[end].parent);
+    const auto here =
+        std::find(cards.begin(), cards.end(), end) - cards.begin() + (event->key() == Qt::Key_Up ? -1 : 1);
+    if (here >= 0 && here < std::ssize(cards))
+        extendTo(cards[static_cast<std::size_t>(here)]);
+}
+
+/// What is taken along; where something would go, and what would happen.
 void PlanCanvas::paintEvent(QPaintEvent* event) {
     PlanView::paintEvent(event);
-    if (!hover_)
-        return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (range_end_ >= 0)
+        for (const int node : range()) {
+            const QRectF box = layout().box(tree(), node);
+            painter.setPen(QPen(tokens().accent, 2.0, Qt::DashLine));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRoundedRect(QRectF(toScreen(box.topLeft()), toScreen(box.bottomRight())).adjusted(-3, -3, 3, 3),
+                                    8, 8);
+        }
+    if (!hover_)
+        return;
     if (hover_->node >= 0 && hover_->deed) {
         const QRectF box = layout().box(tree(), hover_->node);
         const QRectF card(toScreen(box.topLeft()), toScreen(box.bottomRight()));

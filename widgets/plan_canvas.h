@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QLineEdit>
 
@@ -24,6 +25,12 @@ public:
     using Gestures = std::function<const PlanGestures*()>;
     void setGestures(Gestures gestures) { gestures_ = std::move(gestures); }
 
+    /// Shift with a click, Up or Down takes neighbors of one list along: all from the selected one to this; -1: it is
+    /// alone. Whatever selects another part ends it.
+    int rangeEnd() const { return range_end_; }
+    /// Those between, in the order of the drawing; the selected one where it is alone.
+    std::vector<int> range() const;
+
     /// A line over the node with these words in it; `what` comes back with them.
     void editInPlace(int node, const QString& words, int what);
     /// The open line; nullptr for none.
@@ -34,10 +41,12 @@ signals:
     /// Something was dropped where it means nothing.
     void dropRefused();
     void wordsEntered(int node, const QString& words, int what);
+    void rangeChanged();
     /// -1: beside all nodes.
     void menuRequested(int node, const QPoint& global);
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -64,11 +73,14 @@ private:
     std::optional<std::variant<PlanPiece, int>> sourceOf(const QMimeData& mime) const;
     Hover hoverAt(const std::variant<PlanPiece, int>& source, const QPointF& on_screen);
     void closeLine(bool keep);
+    void extendTo(int node);
+    int cardOf(int node) const;
 
     Gestures gestures_;
     QLineEdit* line_;
     int line_node_ = -1;
     int line_what_ = 0;
+    int range_end_ = -1;
     int taken_ = -1; ///< pressed, and not yet dragged
     int dragged_ = -1;
     QPointF taken_at_;

@@ -26,11 +26,10 @@ constexpr int long_draw_after_ms = 400;
 
 } // namespace
 
-PlanEditor::PlanEditor(QWidget* parent)
-    : QWidget(parent)
-    , body_(new QSplitter(this))
-    , column_(new QSplitter(Qt::Vertical, this))
-    , palette_(new PlanPalette(this)) {
+PlanEditor::PlanEditor(QWidget* parent) : QWidget(parent) {
+    body_ = new QSplitter(this);
+    column_ = new QSplitter(Qt::Vertical, this);
+    palette_ = new PlanPalette(this);
     setAccessibleName(tr("Plan editor"));
     QWidget* const text_pane = makeTextPane();
     QWidget* const drawing_pane = makeDrawingPane();
@@ -84,6 +83,11 @@ void PlanEditor::connectAll() {
     connect(text_->document(), &QTextDocument::modificationChanged, this, &PlanEditor::showState);
     canvas_->setGestures([this] { return gestures(); });
     connect(canvas_, &PlanView::selectionChanged, this, &PlanEditor::followSelection);
+    connect(canvas_, &PlanCanvas::rangeChanged, this, [this] {
+        enableCommands();
+        if (const auto count = canvas_->range().size(); count > 1)
+            say(tr("%1 parts are taken along; they can be wrapped in one.").arg(count));
+    });
     connect(canvas_, &PlanCanvas::menuRequested, this, &PlanEditor::showMenu);
     connect(canvas_, &PlanCanvas::wordsEntered, this, &PlanEditor::enterWords);
     connect(canvas_, &PlanView::activated, this, [this](int node) { jumpTo(canvas_->tree()[node].at); });

@@ -2,38 +2,18 @@
 #pragma once
 
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include <QAction>
-#include <QBoxLayout>
-#include <QLabel>
-#include <QListWidget>
-#include <QMenu>
-#include <QPushButton>
-#include <QSplitter>
-#include <QTabWidget>
-#include <QTimer>
-#include <QToolButton>
-
-#include "core/agent/posh_primitive.h"
-#include "core/posh/plan_difference.h"
 #include "core/posh/plan_export.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/quick_fixes.h"
-#include "widgets/plan_canvas.h"
-#include "widgets/plan_code_edit.h"
-#include "widgets/plan_file.h"
-#include "widgets/plan_palette.h"
+#include "widgets/plan_editor_parts.h"
 
 namespace usar::widgets {
 
 /// The text is the only truth: gestures in the drawing become edits of it, and one history without limit, which saving
 /// does not touch, undoes both. While the text cannot be read the drawing shows what it was before. Values in by
 /// setters, wishes out by signals; file dialogs belong to the window. GUI thread.
-class PlanEditor : public QWidget {
+class PlanEditor : public QWidget, private PlanEditorParts {
     Q_OBJECT
 public:
     explicit PlanEditor(QWidget* parent = nullptr);
@@ -149,6 +129,7 @@ private:
     void compareWith(const std::string& other, const QString& name);
     void showUsages();
     void swapSelected();
+    void wrapRange(posh::FormKind kind);
     void offerKept();
     void offer(const QString& words, const QString& accept, std::function<void()> run);
     void saveNow();
@@ -158,60 +139,6 @@ private:
     const PlanGestures* gestures();
     bool binds() const { return !primitives_.empty(); }
     bool isDrawn() const { return drawn_text_ == text_->planText(); }
-
-    PlanFile file_;
-    std::map<QString, QAction*> actions_;
-    QMenu* new_menu_ = nullptr;
-    QMenu* export_menu_ = nullptr;
-    QMenu* compare_menu_ = nullptr;
-    QMenu* part_menu_ = nullptr;
-
-    QBoxLayout* head_ = nullptr;
-    QLabel* title_ = nullptr;
-    QToolButton* palette_shown_ = nullptr;
-    QToolButton* text_shown_ = nullptr;
-    QToolButton* drawing_shown_ = nullptr;
-    QToolButton* lists_shown_ = nullptr;
-    QPushButton* apply_ = nullptr;
-    QSplitter* body_;
-    QSplitter* column_;
-    PlanPalette* palette_;
-    PlanCodeEdit* text_ = nullptr;
-    PlanCanvas* canvas_ = nullptr;
-    QLabel* finding_ = nullptr;
-    QToolButton* mend_ = nullptr;
-    QLabel* stale_ = nullptr;
-    QFrame* offer_ = nullptr;
-    QLabel* offer_words_ = nullptr;
-    QToolButton* offer_accept_ = nullptr;
-    std::function<void()> offer_run_;
-    QTabWidget* lists_ = nullptr;
-    QListWidget* finding_list_ = nullptr;
-    QListWidget* difference_list_ = nullptr;
-    QListWidget* usage_list_ = nullptr;
-    QLabel* state_ = nullptr;
-
-    std::vector<agent::PrimitiveDescription> primitives_;
-    posh::Vocabulary vocabulary_;
-    QString running_name_;
-    std::string running_text_;
-    bool applicable_ = false;
-    QString why_not_applicable_;
-
-    posh::Findings findings_;
-    posh::Plan checked_plan_; ///< of the text as it is
-    bool is_checked_ = false;
-    posh::Plan drawn_plan_;
-    std::string drawn_text_;
-    std::optional<PlanGestures> gestures_;
-    std::optional<posh::PlanPart> swap_first_; ///< remembered while the text is swap_text_
-    std::string swap_text_;
-    QTimer check_timer_;
-    QTimer draw_timer_;
-    QTimer lamp_timer_;
-    bool from_text_ = false;
-    bool from_drawing_ = false;
-    int narrow_ = -1; ///< not yet arranged
 };
 
 } // namespace usar::widgets

@@ -188,16 +188,20 @@ void PlanEditor::makePartCommands() {
 
 void PlanEditor::makeListCommands() {
     const auto wrap = [this](posh::FormKind kind) {
+        if (canvas_->rangeEnd() >= 0)
+            return wrapRange(kind);
         const auto call = selectedCall();
         const auto part = call ? call : selectedPart();
         if (part && gestures())
             perform(posh::wrapCall(drawn_text_, *part, kind));
     };
-    add({"wrap_competence", tr("Wrap in a competence"), tr("A competence that does this takes its place"), "",
+    add({"wrap_competence", tr("Wrap in a competence"),
+         tr("A competence that does this takes its place; Shift+Down takes neighbors along"), "",
          QKeySequence("Ctrl+1"), true},
         [wrap] { wrap(posh::FormKind::C); });
-    add({"wrap_pattern", tr("Wrap in an action pattern"), tr("A pattern that does this takes its place"), "",
-         QKeySequence("Ctrl+2"), true},
+    add({"wrap_pattern", tr("Wrap in an action pattern"),
+         tr("A pattern that does this takes its place; Shift+Down takes neighbors along"), "", QKeySequence("Ctrl+2"),
+         true},
         [wrap] { wrap(posh::FormKind::Ap); });
     add({"wrap_adopt", tr("Wrap in an adopt"), tr("An adopt that does this takes its place"), "",
          QKeySequence("Ctrl+3"), true},
@@ -271,6 +275,11 @@ void PlanEditor::enableCommands() {
     enable("duplicate", is_member || is_step || is_form);
     for (const char* const name : {"wrap_competence", "wrap_pattern", "wrap_adopt"})
         enable(name, call.has_value() || is_member);
+    if (canvas_->rangeEnd() >= 0) {
+        enable("wrap_competence", is_member);
+        enable("wrap_pattern", is_step);
+        enable("wrap_adopt", false);
+    }
     enable("inline", call && is_form);
     for (const char* const name : {"new_competence", "new_pattern", "new_adopt"})
         enable(name, can != nullptr);

@@ -134,6 +134,19 @@ void PlanEditor::showUsages() {
     lists_shown_->setChecked(true);
 }
 
+/// All that was taken along in the drawing.
+void PlanEditor::wrapRange(posh::FormKind kind) {
+    const auto partOf = [this](int node) {
+        const auto call = callOfNode(drawn_plan_, canvas_->tree(), node);
+        return call && posh::isStep(drawn_plan_, *call) ? call : partOfNode(drawn_plan_, canvas_->tree(), node);
+    };
+    const std::vector<int> nodes = canvas_->range();
+    const auto first = gestures() ? partOf(nodes.front()) : std::nullopt;
+    const auto last = gestures() ? partOf(nodes.back()) : std::nullopt;
+    if (first && last)
+        perform(posh::wrapParts(drawn_text_, *first, *last, kind));
+}
+
 /// As the robot describes it; of a form of the plan its parameters; else what there is.
 agent::PrimitiveDescription PlanEditor::describe(const posh::Call& call, agent::PrimitiveKind kind) const {
     const auto known = std::ranges::find(primitives_, call.name.text, &agent::PrimitiveDescription::name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <QHBoxLayout>
 
@@ -18,29 +19,34 @@ namespace {
 constexpr double any_number = 1e9;
 constexpr int plan_decimals = 4;
 
-AnswerType typeOf(const posh::Value& value) {
+AnswerType planTypeOf(const posh::Value& value) {
     constexpr std::array types{AnswerType::Any,  AnswerType::Boolean, AnswerType::Integer,
                                AnswerType::Real, AnswerType::Text,    AnswerType::Symbol};
     return types[value.index()];
 }
 
-double numberIn(const posh::Value& value) {
+double planNumberIn(const posh::Value& value) {
     const auto* const whole = std::get_if<std::int64_t>(&value);
     const auto* const real = std::get_if<double>(&value);
     return real ? *real : whole ? static_cast<double>(*whole) : 0.0;
 }
 
 /// Whether the editor of that shape can show the value.
-bool fits(const ValueShape& shape, const posh::Value& value) {
-    const AnswerType type = typeOf(value);
+bool fitsShape(const ValueShape& shape, const posh::Value& value) {
+    const AnswerType type = planTypeOf(value);
     const bool is_number = type == AnswerType::Integer || type == AnswerType::Real;
     if (shape.type == AnswerType::Real && is_number)
-        return std::abs(numberIn(value)) < any_number;
+        return std::abs(planNumberIn(value)) < any_number;
     if (shape.type == AnswerType::Integer && type == AnswerType::Integer)
-        return std::abs(numberIn(value)) < any_number;
+        return std::abs(planNumberIn(value)) < any_number;
     if (shape.type == AnswerType::Symbol && type == AnswerType::Symbol)
         return std::ranges::count(shape.choices, std::get<posh::Symbol>(value).text) > 0;
     return shape.type == AnswerType::Boolean && type == AnswerType::Boolean;
+}
+
+posh::Literal literalOf(posh::Value value) {
+    std::string spelling = posh::spelled(value);
+    return {std::move(value), std::move(spelling), {}};
 }
 
 QString spellingOf(const PlanValue& value) {
@@ -53,7 +59,7 @@ QString spellingOf(const PlanValue& value) {
 } // namespace
 
 ValueShape shapeOf(const agent::PoshParameter& parameter) {
-    return {typeOf(parameter.default_value), QString::fromStdString(parameter.unit), parameter.minimum,
+    return {planTypeOf(parameter.default_value), QString::fromStdString(parameter.unit), parameter.minimum,
             parameter.maximum, parameter.choices};
 }
 
@@ -76,13 +82,13 @@ ValueField::ValueField(const ValueShape& shape, const PlanValue& value, const QS
 
 QWidget* ValueField::makeEditor(const ValueShape& shape) {
     const auto* const literal = std::get_if<posh::Literal>(&first_);
-    if (!literal || !fits(shape, literal->value))
+    if (!literal || !fitsShape(shape, literal->value))
         return makeWords();
     if (type_ == AnswerType::Boolean)
         return makeChoice({"true", "false"}, std::get<bool>(literal->value) ? "true" : "false");
     if (type_ == AnswerType::Symbol)
         return makeChoice(shape.choices, std::get<posh::Symbol>(literal->value).text);
-    return makeNumber(shape, numberIn(literal->value));
+    return makeNumber(shape, planNumberIn(literal->value));
 }
 
 QWidget* ValueField::makeChoice(const std::vector<std::string>& choices, const std::string& chosen) {
@@ -126,13 +132,13 @@ QWidget* ValueField::makeWords() {
 
 std::optional<PlanValue> ValueField::edited() const {
     if (choice_ && type_ == AnswerType::Boolean)
-        return posh::Literal{choice_->currentIndex() == 0, {}, {}};
+        return literalOf(choice_->currentIndex() == 0);
     if (choice_)
-        return posh::Literal{posh::Symbol{choice_->currentText().toStdString()}, {}, {}};
+        return literalOf(posh::Symbol{choice_->currentText().toStdString()});
     if (whole_)
-        return posh::Literal{static_cast<std::int64_t>(whole_->value()), {}, {}};
+        return literalOf(static_cast<std::int64_t>(whole_->value()));
     if (number_)
-        return posh::Literal{number_->value(), {}, {}};
+        return literalOf(number_->value());
     const std::string words = words_->text().trimmed().toStdString();
     if (words.starts_with('$') && words.size() > 1)
         return posh::Variable{words.substr(1), {}};
@@ -146,7 +152,7 @@ std::optional<PlanValue> ValueField::value() const {
     const auto* const was = std::get_if<posh::Literal>(&first_);
     const auto* const is = now ? std::get_if<posh::Literal>(&*now) : nullptr;
     const bool is_same =
-        was && is && (was->value == is->value || (number_ && numberIn(was->value) == number_->value()));
+        was && is && (was->value == is->value || (number_ && planNumberIn(was->value) == number_->value()));
     return is_same ? first_ : now;
 }
 

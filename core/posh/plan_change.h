@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/posh/plan_edits.h"
 #include "core/posh/plan_reader.h"
@@ -38,6 +39,10 @@ inline tl::unexpected<Error> noSuchPart() {
 inline Call& callIn(Plan& plan, const PlanPart& part) {
     return const_cast<Call&>(*callOf(plan, part)); // the plan is ours to change
 }
+
+/// The parameters that a call in `form` hands on are `needed` by a form that takes it over, with the defaults that
+/// they have; `reference` calls that form and passes them.
+void handOn(const Call& call, const Form& form, Call& reference, std::vector<Formal>& needed);
 
 inline Call callNamed(std::string name) {
     return {{std::move(name), {}}, {}};

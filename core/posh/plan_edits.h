@@ -70,6 +70,10 @@ Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::s
 /// A call becomes the only content of a new competence, pattern or adopt that is called in its place, with the
 /// parameters it needs. Without a name it gets one from the call.
 Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind kind, std::string name = {});
+/// All steps of a pattern, or all levels of drives or elements, from one part to another become one new pattern or
+/// competence that is called in their place. What was taken out keeps its triggers; the new element has none.
+Result<PlanEdit> wrapParts(std::string_view text, const PlanPart& first, const PlanPart& last, FormKind kind,
+                           std::string name = {});
 /// The other way round: the steps of a pattern, or the only thing that a form does, in the place of its call. The form
 /// goes when nothing else calls it and nothing is remarked about it.
 Result<PlanEdit> inlineCall(std::string_view text, const PlanPart& part);

@@ -216,22 +216,6 @@ Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words
     return owner;
 }
 
-/// The parameters that a call hands on, with the defaults of the form it stands in; the new call passes them.
-std::vector<Formal> formalsFor(const Call& call, const Form& form, Call& reference) {
-    std::vector<Formal> needed;
-    for (const Argument& argument : call.arguments) {
-        const auto* const variable = std::get_if<Variable>(&argument.value);
-        const auto sameName = [variable](const Formal& formal) { return formal.variable.name == variable->name; };
-        if (!variable || std::any_of(needed.begin(), needed.end(), sameName))
-            continue;
-        const auto& formals = formalsOf(form);
-        const auto declared = std::find_if(formals.begin(), formals.end(), sameName);
-        needed.push_back({{variable->name, {}}, declared == formals.end() ? Literal() : declared->value});
-        reference.arguments.push_back({variable->name, Variable{variable->name, {}}, {}});
-    }
-    return needed;
-}
-
 /// What a form comes to when it is written where it is called; nothing where that would be another plan.
 std::optional<std::vector<Step>> contentOf(const Form& form) {
     if (!formalsOf(form).empty())
@@ -387,7 +371,8 @@ Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind 
         if (const auto good = checkNewName(name); !good)
             return tl::unexpected(good.error());
         Call reference = callNamed(name);
-        std::vector<Formal> formals = formalsFor(call, plan.forms[part.form], reference);
+        std::vector<Formal> formals;
+        handOn(call, plan.forms[part.form], reference, formals);
         Form made = madeForm(kind, name, std::move(formals), call);
         call = std::move(reference);
         plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form), std::move(made));

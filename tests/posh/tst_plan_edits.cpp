@@ -131,6 +131,8 @@ public:
         case 15:
             return setComment(text_, one, "why \"not\"");
         default:
+            if (random_() % 3 == 0)
+                return wrapParts(text_, one, other, static_cast<FormKind>(random_() % 3));
             return random_() % 2 == 0 ? wrapCall(text_, one, static_cast<FormKind>(random_() % 3))
                                       : inlineCall(text_, one);
         }
@@ -259,6 +261,15 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
     row("what is wrapped keeps its parameters", [] { return wrapCall(source, part("sleep"), FormKind::Ap); },
         {{"  (AD rest", "  (AP do-sleep vars($long=3) (sleep($long)))\n  (AD rest"},
          {"((rested))) (sleep($long)", "((rested))) (do-sleep($long=$long)"}});
+    row("two steps are wrapped in a pattern",
+        [] { return wrapParts(source, part("down up"), part("up   down"), FormKind::Ap); },
+        {{"  (AP wave   (up   down up)", "  (AP do-up (up down))\n  (AP wave   (do-up up)"}});
+    row("two elements are wrapped in a competence",
+        [] { return wrapParts(source, part("look"), part("go "), FormKind::C, "search"); },
+        {{"  ;; picks it up\n", "  (C search\n    (elements\n      ((look (trigger ((lost))) turn))\n      ((go   "
+                                "drive(2.5)))))\n  ;; picks it up\n"},
+         {"      ((look  (trigger ((lost)))        turn))\n      ((go    drive(2.5)))))",
+          "      ((search search))))"}});
     row("a drive is duplicated", [] { return duplicatePart(source, part("idle")); },
         {{"((idle  rest))", "((idle  rest))\n      ((idle-2 rest))"}});
 }
@@ -331,6 +342,18 @@ void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
         [] {
             return removePart(source, {PartKind::Whole, 77});
         },
+        "no such part");
+    row(
+        "steps in a competence", [] { return wrapParts(source, part("up   down"), part("down"), FormKind::C); },
+        "in an action pattern");
+    row(
+        "elements in a pattern", [] { return wrapParts(source, part("look"), part("go "), FormKind::Ap); },
+        "in a competence");
+    row(
+        "a drive with a frequency in a competence",
+        [] { return wrapParts(source, part("safe"), part("idle"), FormKind::C); }, "frequency");
+    row(
+        "parts of two forms", [] { return wrapParts(source, part("look"), part("down"), FormKind::Ap); },
         "no such part");
     row(
         "more than can stand there", [] { return inlineCall(source, part("pick)")); }, "more than can stand here");

@@ -32,6 +32,7 @@ private slots:
     void wordsAreChangedWhereTheyStand();
     void valuesAreChangedInTheirDialog();
     void realTimeThatIsNotKeptIsSaid();
+    void neighborsAreWrappedTogether();
     void whatFailsIsSaid();
     void bindingIsCheckedAgainstTheRobot();
     void aMendIsAppliedFromTheMenu();
@@ -265,6 +266,30 @@ void tst_PlanEditor::realTimeThatIsNotKeptIsSaid() {
     QVERIFY(!says());
     editor_->setText("((SRDC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
     QVERIFY(says());
+}
+
+void tst_PlanEditor::neighborsAreWrappedTogether() {
+    editor_->setText("((AP go (Stop Brake Rest)) (DC d (drives ((e go)))))", QStringLiteral("go.lap"));
+    select("Stop");
+    PlanCanvas& canvas = editor_->canvas();
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Down, Qt::ShiftModifier);
+    QCOMPARE(canvas.range(), (std::vector<int>{node("Stop"), node("Brake")}));
+    QTest::keyClick(&canvas, Qt::Key_Down, Qt::ShiftModifier);
+    QCOMPARE(canvas.range().size(), std::size_t(3));
+    QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY(editor_->action("wrap_pattern")->isEnabled() && !editor_->action("wrap_adopt")->isEnabled());
+    run("wrap_pattern");
+    QVERIFY2(editor_->text().find("(AP do-Stop (Stop Brake))") != std::string::npos, editor_->text().c_str());
+    QVERIFY2(editor_->text().find("(AP go (do-Stop Rest))") != std::string::npos, editor_->text().c_str());
+    run("undo");
+    select("Rest");
+    QCOMPARE(canvas.range().size(), std::size_t(1));
+    const QPointF brake = canvas.layout().box(canvas.tree(), node("Brake")).topLeft() + QPointF(20.0, 10.0);
+    QTest::mouseClick(&canvas, Qt::LeftButton, Qt::ShiftModifier, canvas.toScreen(brake).toPoint());
+    QCOMPARE(canvas.range(), (std::vector<int>{node("Brake"), node("Rest")}));
+    select("Stop");
+    QCOMPARE(canvas.range(), std::vector<int>{node("Stop")});
 }
 
 void tst_PlanEditor::whatFailsIsSaid() {
