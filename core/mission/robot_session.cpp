@@ -47,6 +47,7 @@ ScanRecord RobotSession::snapshot() const {
 
 const SessionFigures& RobotSession::figures() const {
     d_->countTraffic();
+    d_->showControl();
     return d_->figures;
 }
 
@@ -62,6 +63,7 @@ void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
 
 void RobotSession::close() {
     d_->endReplay();
+    d_->endHand("the connection is closed");
     d_->stopBehavior("session: close", "The connection was closed.");
     d_->setSpawn(SpawnState::None);
     d_->after_reconnect.reset();
@@ -95,6 +97,7 @@ void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, cons
         d_->trouble(Severity::Warning, "no robot", "There is no robot to fly. Spawn one first.");
         return;
     }
+    d_->endHand("the behavior " + host->behaviorId() + " took over");
     if (d_->host)
         d_->stopBehavior("session: another behavior", "Another behavior was started.");
     d_->record.robot_name = task.robot_name;
@@ -110,6 +113,8 @@ void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, cons
 void RobotSession::order(agent::Order order) {
     if (!d_->host)
         return;
+    if (order != agent::Order::Pause)
+        d_->endHand("the behavior " + d_->host->behaviorId() + " took over");
     agent::BehaviorHost::Output output = d_->host->order(order);
     d_->takeOutput(output, false);
     d_->sendDrive(false);
@@ -140,6 +145,7 @@ void RobotSession::setParameters(const agent::ParameterSet& parameters) {
 }
 
 void RobotSession::stop() {
+    d_->endHand("stopped by the operator");
     d_->stopBehavior("operator: stop", "Stopped by the operator.");
     d_->touched();
 }

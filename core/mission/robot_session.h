@@ -41,6 +41,7 @@ struct SessionLimits {
     Seconds spawn{5.0};                  ///< wall: silence after INIT is a failed spawn (usarsim-protocol 2.4)
     Seconds stale{2.0};                  ///< wall: silence of a spawned robot
     Seconds sensor_silence{3.0};         ///< protocol clock: a sensor that used to speak
+    Seconds hand{0.3};                   ///< wall: a hand that holds and says no more is a dead man's
     std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait and the newest replace older ones
 };
 
@@ -82,8 +83,17 @@ public slots:
     /// For the plan that decides; nothing without a behavior. Where it stands still, a server in lockstep gets no STEP
     /// and so waits with its time.
     void control(const usar::agent::PlanControl& control);
-    /// Safe command at once; the behavior ends as stopped by the person.
+    /// Safe command at once; the behavior ends as stopped by the person, who gives control back.
     void stop();
+    /// The person drives from now on: a behavior that runs is paused, and no DRIVE of its comes through. It ends with
+    /// `giveControlBack`, with a behavior that starts or is resumed, and with stop, close or a lost connection.
+    void takeControl();
+    void giveControlBack();
+    /// Held until it says so, or says nothing for `SessionLimits::hand`, or the robot falls silent; all end in a zero
+    /// DRIVE at once. Without control it is not heard. `figures().control` tells what became of it.
+    void drive(const usar::mission::HandIntent& intent);
+    /// The hold ends, control stays; `reason` is a part of a sentence.
+    void stopDriving(const QString& reason);
     void sendCommand(const usar::protocol::Command& command, const std::string& source);
     /// Hands out a copy of all that was scanned, for the export pool.
     void requestRecord();

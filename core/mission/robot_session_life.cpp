@@ -24,6 +24,7 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     , frame_timer(&session)
     , watch_timer(&session)
     , recording_timer(&session)
+    , hand_timer(&session)
     , sensors(limits.sensor_silence)
     , mapper(cell_size_m) {
     frame_timer.setSingleShot(true);
@@ -46,6 +47,7 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     connect(&frame_timer, &QTimer::timeout, &q, [this] { emitFrame(); });
     connect(&watch_timer, &QTimer::timeout, &q, [this] { watch(); });
     connect(&recording_timer, &QTimer::timeout, &q, [this] { watchRecording(); });
+    setUpHand();
 }
 
 void RobotSession::Private::beginConnection() {
@@ -53,6 +55,7 @@ void RobotSession::Private::beginConnection() {
     sensors.reset();
     gate.reset();
     moving.reset();
+    hand.beginConnection();
     dialect = {};
     figures.dialect.reset();
     mapper.forgetScans();
@@ -89,6 +92,7 @@ void RobotSession::Private::connectionLost() {
     setSpawn(after_reconnect ? SpawnState::Asked : SpawnState::None);
     figures.lockstep = false;
     endTroubles(false);
+    endHand("the connection was lost");
     if (lost == SpawnState::Done)
         trouble(Severity::Warning, "link",
                 "The connection is lost, and " + request.robot_name +
@@ -108,6 +112,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     dialect.take(text);
     figures.dialect = dialect.dialect();
     state->take(line);
+    hand.take(line);
     figures.now = state->now();
     if (auto complaint = complaints.take(line))
         say(Severity::Warning, std::move(complaint->topic), std::move(complaint->text));
@@ -166,7 +171,10 @@ void RobotSession::Private::noteData() {
 void RobotSession::Private::takeOutput(agent::BehaviorHost::Output& output, bool is_tick) {
     const bool finishing = host && host->finished();
     for (agent::CausedCommand& command : output.commands)
-        send(command);
+        if (!hand.on() || !DriveGate::isDrive(command.command))
+            send(command);
+    if (is_tick)
+        tickHand();
     if (is_tick && !finishing)
         endTick();
     takePublished(output.published);
@@ -420,6 +428,7 @@ void RobotSession::Private::lookForObservers() {
 
 void RobotSession::Private::emitFrame() {
     countTraffic();
+    showControl();
     figures.recording.reset();
     if (recorder)
         figures.recording = {recorder->path(), recorder->elapsed(), recorder->bytes()};

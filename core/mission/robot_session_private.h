@@ -18,6 +18,7 @@
 #include "core/link/replay.h"
 #include "core/mission/complaint_book.h"
 #include "core/mission/drive_gate.h"
+#include "core/mission/hand_driver.h"
 #include "core/mission/robot_session.h"
 #include "core/mission/safe_stop.h"
 #include "core/mission/scan_mapper.h"
@@ -75,6 +76,19 @@ struct RobotSession::Private : link::ReplayTaker {
     bool congested() const { return link.unsentBytes() > limits.unsent_bytes; }
     void write(const agent::CausedCommand& command);
     void countTraffic();
+
+    void setUpHand();
+    void beginHand();
+    void askForHand();
+    void endHand(const std::string& reason);
+    void takeHand(const HandIntent& intent);
+    void beatHand();
+    void tickHand();
+    void stopHand(const std::string& reason);
+    void sendHand(const HandDriver::Commands& commands, const std::string& source, bool at_once);
+    void showControl();
+    Seconds wallTime() const { return Seconds(static_cast<double>(wall.nsecsElapsed()) * 1e-9); }
+
     /// A word that needs no end.
     void say(Severity severity, std::string topic, std::string text);
     /// Something wrong that lasts until `over` is said of the same topic.
@@ -113,6 +127,8 @@ struct RobotSession::Private : link::ReplayTaker {
     QTimer frame_timer;
     QTimer watch_timer;
     QTimer recording_timer; ///< looks after the recorder
+    QTimer hand_timer;      ///< runs while a hand holds
+    QElapsedTimer wall;     ///< since the session was made
     QElapsedTimer since_opened;
     QElapsedTimer since_init;
     QElapsedTimer since_data;
@@ -124,6 +140,7 @@ struct RobotSession::Private : link::ReplayTaker {
     SensorWatch sensors;
     DriveGate gate;
     MovingParts moving;
+    HandDriver hand;
     protocol::DialectDetector dialect;
     ScanMapper mapper;
     UpdateCollector collector;
@@ -143,6 +160,8 @@ struct RobotSession::Private : link::ReplayTaker {
     std::set<std::string> troubles; ///< topics said and not over
     SpawnRequest request;
     std::optional<SpawnRequest> after_reconnect;
+    Seconds last_tick{0.0};    ///< by `wall`
+    Seconds tick_spacing{0.0}; ///< likewise
     bool lockstep_wanted = false;
     bool start_poses_settled = false; ///< they came, or their absence was said
     bool silence_said = false;

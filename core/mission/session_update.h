@@ -13,6 +13,7 @@
 #include "core/link/replay.h"
 #include "core/mapping/height_map.h"
 #include "core/mapping/profile.h"
+#include "core/mission/control_state.h"
 #include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/traffic_counts.h"
@@ -47,6 +48,7 @@ struct SessionFigures {
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
     bool behavior_running = false;
+    ControlState control{};                    ///< who drives
     std::optional<RecordingFigures> recording; ///< absent: nothing is recorded
     std::optional<link::ReplayFigures> replay; ///< absent: live
 };
