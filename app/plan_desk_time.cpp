@@ -74,6 +74,7 @@ void PlanDesk::stepBy(int cycles) {
 void PlanDesk::lookBack() {
     constexpr Seconds behind{0.02};
     const widgets::PlanTime time = watch().time();
+    views_.plan->timeBar().slider()->setFocus(); // the button will be off, and the next keys are those of a replay
     control_.lookBack(selected_, time.cycle > 0 ? time.shown + behind : robot()->view().figures.now);
 }
 

@@ -89,11 +89,15 @@ void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAc
     arrange();
 }
 
-/// What is offered in the past is said in words where there is room for them.
+/// What is offered in the past, and in a replay that can be left for it, is said in words where there is room for them.
 void PlanTimeBar::arrange() {
     const bool is_past = !time_.live && !time_.replay && time_.cycle != 0;
-    const bool has_words = is_past && width() >= broad_bar_px;
-    look_back_->setToolButtonStyle(has_words ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    const bool is_broad = width() >= broad_bar_px;
+    const auto styleOf = [is_broad](bool is_offered) {
+        return is_offered && is_broad ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+    };
+    look_back_->setToolButtonStyle(styleOf(is_past));
+    live_->setToolButtonStyle(styleOf(time_.replay && live_->isEnabled()));
 }
 
 void PlanTimeBar::resizeEvent(QResizeEvent* event) {

@@ -1,5 +1,6 @@
 #include "widgets/plan_values_dialog.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QPushButton>

@@ -1,6 +1,7 @@
 #include "widgets/value_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
