@@ -1,29 +1,17 @@
 #include "robots/airrobot/settings.h"
 
 #include <array>
-#include <variant>
+
+#include "core/agent/parameter_table.h"
 
 namespace usar::airrobot {
 
 namespace {
 
-using Member = std::variant<double Settings::*, long long Settings::*, bool Settings::*>;
-
-struct Binding {
-    Member member;
-    const char* id;
-    const char* label;
-    const char* group;
-    const char* unit;
-    double minimum;
-    double maximum;
-    const char* help;
-};
-
 using S = Settings;
 
-const std::vector<Binding>& bindings() {
-    static const std::vector<Binding> table{
+const std::vector<agent::ParameterRow<Settings>>& rows() {
+    static const std::vector<agent::ParameterRow<Settings>> table{
         {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", 2, 15,
          "Height over the ground below that is kept while flying."},
         {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", -500, 5000,
@@ -133,24 +121,6 @@ const std::vector<Binding>& bindings() {
     return table;
 }
 
-agent::ParameterSpec specOf(const Binding& binding) {
-    const Settings defaults;
-    agent::ParameterSpec spec{binding.id,      binding.label, binding.group,
-                              binding.unit,    0.0,           binding.minimum,
-                              binding.maximum, binding.help,  {}};
-    std::visit([&](auto member) { spec.default_value = defaults.*member; }, binding.member);
-    return spec;
-}
-
-struct Loader {
-    Settings& settings;
-    const agent::ParameterSet& parameters;
-    const char* id;
-    void operator()(double Settings::*member) const { settings.*member = parameters.real(id); }
-    void operator()(long long Settings::*member) const { settings.*member = parameters.integer(id); }
-    void operator()(bool Settings::*member) const { settings.*member = parameters.flag(id); }
-};
-
 } // namespace
 
 double Settings::lowRisk_m(std::size_t ring) const {
@@ -162,20 +132,12 @@ double Settings::highRisk_m(std::size_t ring) const {
 }
 
 const std::vector<agent::ParameterSpec>& parameterSpecs() {
-    static const std::vector<agent::ParameterSpec> specs = [] {
-        std::vector<agent::ParameterSpec> made;
-        for (const Binding& binding : bindings())
-            made.push_back(specOf(binding));
-        return made;
-    }();
+    static const std::vector<agent::ParameterSpec> specs = agent::specsOf(rows());
     return specs;
 }
 
 Settings settingsFrom(const agent::ParameterSet& parameters) {
-    Settings settings;
-    for (const Binding& binding : bindings())
-        std::visit(Loader{settings, parameters, binding.id}, binding.member);
-    return settings;
+    return agent::settingsOf(rows(), parameters);
 }
 
 } // namespace usar::airrobot

@@ -1,24 +1,15 @@
 #include "robots/p2dx/settings.h"
 
+#include "core/agent/parameter_table.h"
+
 namespace usar::p2dx {
 
 namespace {
 
-struct Row {
-    double Settings::*member;
-    const char* id;
-    const char* label;
-    const char* group;
-    const char* unit;
-    double minimum;
-    double maximum;
-    const char* help;
-};
-
 using S = Settings;
 
-const std::vector<Row>& rows() {
-    static const std::vector<Row> table{
+const std::vector<agent::ParameterRow<Settings>>& rows() {
+    static const std::vector<agent::ParameterRow<Settings>> table{
         {&S::cruise_speed_m_s, "cruise_speed_m_s", "Cruise speed", "Driving", "m/s", 0.05, 1.6,
          "Speed where the way is free; it is less near things and downhill."},
         {&S::side_lead_pct, "side_lead_pct", "Lead of a new direction", "Driving", "%", 0, 100,
@@ -53,22 +44,12 @@ const std::vector<Row>& rows() {
 } // namespace
 
 const std::vector<agent::ParameterSpec>& parameterSpecs() {
-    static const std::vector<agent::ParameterSpec> specs = [] {
-        const Settings defaults;
-        std::vector<agent::ParameterSpec> made;
-        for (const Row& row : rows())
-            made.push_back(
-                {row.id, row.label, row.group, row.unit, defaults.*row.member, row.minimum, row.maximum, row.help, {}});
-        return made;
-    }();
+    static const std::vector<agent::ParameterSpec> specs = agent::specsOf(rows());
     return specs;
 }
 
 Settings settingsFrom(const agent::ParameterSet& parameters) {
-    Settings settings;
-    for (const Row& row : rows())
-        settings.*row.member = parameters.real(row.id);
-    return settings;
+    return agent::settingsOf(rows(), parameters);
 }
 
 } // namespace usar::p2dx
