@@ -37,6 +37,10 @@ constexpr double same_danger_m = 1.5;
 constexpr double escape_rad = radians(150.0);
 constexpr double escape_back_m = 0.5;
 constexpr double same_trap_m = 2.0;
+/// A scanner that tells the same, to the last digit, after so much of a move does not look any more.
+constexpr double frozen_after_m = 0.15;
+constexpr double hull_radius_m = 0.22;
+constexpr double scanner_reach_m = 20.0;
 
 } // namespace
 
@@ -77,11 +81,29 @@ void Explorer::takeReadings() {
         track_.update(now_, *ins_in_map_, motion_);
     if (!std::exchange(scan_is_new_, false))
         return;
+    watchForIce();
+    if (frozen())
+        return;
     scan_at_ = now_;
     const Pose base_in_map = track_.base_in_map();
     const Fence fence{ins_in_map_ ? area_in_map_ : Rectangle{}, base_in_map.position_m.head<2>(), base_in_map.yaw_rad};
     around_ = look(*scan_, sonars_, fence, settings_);
     chooseThird();
+}
+
+/// Where nothing is in reach all scans are alike.
+void Explorer::watchForIce() {
+    const bool sees = std::ranges::any_of(scan_->ranges_m, [](double range_m) { return range_m < scanner_reach_m; });
+    const bool same = sees && scan_->ranges_m == former_ranges_m_;
+    former_ranges_m_ = scan_->ranges_m;
+    if (same)
+        moved_with_same_scan_m_ += track_.lastStep_m() + hull_radius_m * std::abs(track_.lastTurn_rad());
+    else
+        moved_with_same_scan_m_ = 0.0;
+}
+
+bool Explorer::frozen() const {
+    return moved_with_same_scan_m_ > frozen_after_m;
 }
 
 void Explorer::chooseThird() {
@@ -94,7 +116,10 @@ void Explorer::chooseThird() {
 void Explorer::watchScanner() {
     const bool silent = blind() && !waiting();
     if (silent && !blind_told_)
-        events_.push_back({Severity::Warning, "The range scanner is silent; the robot stands until it speaks."});
+        events_.push_back(
+            {Severity::Warning, frozen() ? "The range scanner is frozen: it says the same while the robot moves. The "
+                                           "robot stands until it says something else."
+                                         : "The range scanner is silent; the robot stands until it speaks."});
     blind_told_ = silent;
 }
 
@@ -105,7 +130,7 @@ void Explorer::watchClock() {
 }
 
 Seconds Explorer::scanAge() const {
-    return scan_at_ ? now_ - *scan_at_ : never;
+    return scan_at_ && !frozen() ? now_ - *scan_at_ : never;
 }
 
 bool Explorer::blind() const {
@@ -194,7 +219,11 @@ protocol::SkidDrive Explorer::drive(double left_m_s, double right_m_s, Motion mo
 }
 
 protocol::SkidDrive Explorer::halt() {
-    return drive(0.0, 0.0, Motion::Standing, paused_ ? "paused" : blind() ? "waiting for a scan" : "at rest");
+    return drive(0.0, 0.0, Motion::Standing,
+                 paused_    ? "paused"
+                 : frozen() ? "waiting for another scan"
+                 : blind()  ? "waiting for a scan"
+                            : "at rest");
 }
 
 protocol::SkidDrive Explorer::reverse() {

@@ -24,7 +24,7 @@ public:
     void perceive(const agent::Tick& tick);
 
     // Senses.
-    Seconds scanAge() const; ///< huge before the first scan
+    Seconds scanAge() const; ///< huge before the first scan, and while the scanner is frozen
     /// A person asked it to, or it has not rested long enough to start.
     bool waiting() const;
     /// Something is too close ahead, or the ground too steep, or the robot is still backing away from that.
@@ -57,12 +57,14 @@ private:
     enum class Maneuver { None, Backing, Turning };
 
     void takeReadings();
+    void watchForIce();
     void chooseThird();
     void watchScanner();
     void watchClock();
     void stepManeuver(Seconds dt);
     void stepTurn();
     bool blind() const;
+    bool frozen() const;
     bool tooClose() const;
     bool wayIsFree() const;
     void backAway();
@@ -79,6 +81,8 @@ private:
     std::vector<protocol::NamedRange> sonars_;
     std::optional<Pose> ins_in_map_;
     bool scan_is_new_ = false;
+    std::vector<double> former_ranges_m_; ///< of the scan before
+    double moved_with_same_scan_m_ = 0.0; ///< way, and the turns of a hull's rim
 
     Seconds now_{0.0};
     std::optional<Seconds> began_;

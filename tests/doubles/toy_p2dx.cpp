@@ -118,6 +118,9 @@ std::vector<protocol::InfoMessage> ToyP2dx::step() {
     const Vec2 scanner_m = position_m() + scanner_ahead_m * towards(base_.yaw_rad);
     for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam)
         scan.ranges_m[beam] = room_.cast(scanner_m, base_.yaw_rad + scan.beamAngle_rad(beam), 20.0, false);
+    if (scanner_frozen && !ranges_m_.empty())
+        scan.ranges_m = ranges_m_;
+    ranges_m_ = scan.ranges_m;
     if (!scanner_silent)
         messages.emplace_back(std::move(scan));
     messages.emplace_back(protocol::InsReading{std::nullopt, "INS", base_});

@@ -46,7 +46,8 @@ public:
     Seconds longestStay() const { return longest_stay_; }
 
     bool scanner_silent = false;
-    bool stuck = false; ///< its wheels turn and it does not move
+    bool scanner_frozen = false; ///< it says its last scan again
+    bool stuck = false;          ///< its wheels turn and it does not move
 
 private:
     void move(double dt_s);
@@ -61,6 +62,7 @@ private:
     Vec2 stays_at_m_;
     Seconds stays_since_{100.0};
     Seconds longest_stay_{0.0};
+    std::vector<double> ranges_m_; ///< of the last scan
 };
 
 /// The behavior on the robot; keeps what it said.

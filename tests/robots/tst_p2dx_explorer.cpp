@@ -132,6 +132,34 @@ private slots:
         QVERIFY(*lastDrive(toy).left_rad_s > 0.0);
     }
 
+    void standsWhileTheScannerIsFrozen() {
+        ToyDrive toy = driveIn(hall());
+        toy.run(Seconds(6.0));
+        toy.robot().scanner_frozen = true;
+        const Vec2 from_m = toy.robot().position_m();
+        toy.run(Seconds(2.0));
+        QCOMPARE(toy.status().state, std::string("waiting for another scan"));
+        QVERIFY((toy.robot().position_m() - from_m).norm() < 0.5);
+        QVERIFY(toy.events().size() == 1 && toy.events().front().starts_with("The range scanner is frozen"));
+        toy.run(Seconds(60.0));
+        QCOMPARE(*lastDrive(toy).left_rad_s, 0.0);
+        QCOMPARE(toy.events().size(), std::size_t(1));
+        toy.robot().scanner_frozen = false;
+        toy.run(Seconds(1.0));
+        QVERIFY(*lastDrive(toy).left_rad_s > 0.0);
+    }
+
+    void aScanThatStaysTheSameAtRestIsNoTrouble() {
+        ToyDrive toy = driveIn(hall()); // its scans have no noise
+        toy.order(Order::Pause);
+        toy.run(Seconds(30.0));
+        QCOMPARE(toy.status().state, std::string("paused"));
+        toy.order(Order::Resume);
+        toy.run(Seconds(1.0));
+        QVERIFY(*lastDrive(toy).left_rad_s > 0.0);
+        QVERIFY(toy.events().empty());
+    }
+
     void hearsWhatLiesBelowItsScanner() {
         ToyRoom room;
         room.boxes = {{{{3.0, -5.0}, {4.0, 5.0}}, true}};
