@@ -1,8 +1,7 @@
 #include "app/headless_simulator.h"
 
-#include <algorithm>
-
 #include "app/simulator_files.h"
+#include "app/true_figures.h"
 
 namespace usar::app {
 
@@ -66,18 +65,14 @@ mission::Truth HeadlessSimulator::truth() const {
 }
 
 std::optional<mission::TrueFigures> HeadlessSimulator::figures() const {
-    mission::TrueFigures sum;
-    const bool asked = QMetaObject::invokeMethod(
-        worker_,
-        [this, &sum] {
-            for (const sim::RobotTruth& robot : simulation_->robots()) {
-                sum.collisions += robot.collisions;
-                sum.distance_m += robot.distance_m;
-                sum.longest_stay = std::max(sum.longest_stay, robot.longest_stay);
-            }
-        },
-        Qt::BlockingQueuedConnection);
-    return asked ? std::optional(sum) : std::nullopt;
+    std::optional<mission::TrueFigures> figures;
+    const auto look = [this, &figures] {
+        const std::vector<sim::RobotTruth> robots = simulation_->robots();
+        if (!robots.empty())
+            figures = trueFiguresOf(robots.front());
+    };
+    QMetaObject::invokeMethod(worker_, look, Qt::BlockingQueuedConnection);
+    return figures;
 }
 
 } // namespace usar::app

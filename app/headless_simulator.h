@@ -41,7 +41,7 @@ public:
     mission::Truth truth() const;
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
-    /// Of all robots that are there now: what they hit and drove together, and the longest stay of one.
+    /// Of the first robot that is there now.
     std::optional<mission::TrueFigures> figures() const;
 
 private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/true_figures.h"
 #include "core/mission/result_writer.h"
 
 namespace usar::app {
@@ -22,7 +23,10 @@ QJsonObject summaryOf(const RobotView& view, const std::optional<sim::RobotTruth
         summary["distance_m"] = view.status->distance_flown_m;
         summary["charges"] = view.status->charges;
     }
-    summary["collisions"] = truth ? QJsonValue(truth->collisions) : QJsonValue();
+    const auto figures = truth ? std::optional(trueFiguresOf(*truth)) : std::nullopt;
+    const QJsonObject known = mission::toJson(figures);
+    for (auto one = known.begin(); one != known.end(); ++one)
+        summary[one.key()] = one.value();
     return summary;
 }
 

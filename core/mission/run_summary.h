@@ -13,11 +13,22 @@
 
 namespace usar::mission {
 
+/// Of what dives, since it went under; keys least_height_m, mean_height_m and height_spread_m (standard deviation).
+struct HeightOverGround {
+    double least_m = 0.0;
+    double mean_m = 0.0;
+    double spread_m = 0.0;
+};
+
 /// What only a simulator can count; of our robot.
 struct TrueFigures {
     int collisions = 0;
     double distance_m = 0.0;   ///< path length; key true_distance_m
     Seconds longest_stay{0.0}; ///< within a meter; key longest_stay_s
+    int falls = 0;
+    int touches = 0;                      ///< of things that can be pushed
+    std::optional<Seconds> first_touch{}; ///< since the spawn; key first_touch_s
+    std::optional<HeightOverGround> height{};
 };
 
 /// Keys of the JSON are the field names, every one of them there however the run ended; what is unknown is null.
@@ -43,6 +54,8 @@ struct RunSummary {
     QStringList files;
 };
 
+/// All keys are there; those of figures that nobody knows are null.
+QJsonObject toJson(const std::optional<TrueFigures>& truth);
 QJsonObject toJson(const RunSummary& summary);
 
 } // namespace usar::mission

@@ -311,7 +311,8 @@ std::vector<RobotTruth> Simulation::robots() const {
             continue;
         const RobotFigures figures = session.robot()->figures();
         truths.push_back({client, session.robotName(), figures.base_in_map, figures.velocity_in_map_m_s, figures.broken,
-                          figures.collisions, figures.distance_m, figures.longest_stay});
+                          figures.collisions, figures.distance_m, figures.longest_stay, figures.falls, figures.touches,
+                          figures.first_touch, figures.height});
     }
     return truths;
 }

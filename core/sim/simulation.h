@@ -16,6 +16,7 @@
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
+#include "core/sim/robots/height_watch.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/snapshot.h"
 #include "core/sim/world.h"
@@ -54,8 +55,12 @@ struct RobotTruth {
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     bool broken = false;
     int collisions = 0;
-    double distance_m = 0.0;   ///< true path length
-    Seconds longest_stay{0.0}; ///< see StayWatch
+    double distance_m = 0.0;               ///< true path length
+    Seconds longest_stay{0.0};             ///< see StayWatch
+    int falls = 0;                         ///< see FallWatch
+    int touches = 0;                       ///< of things that can be pushed; see TouchWatch
+    std::optional<Seconds> first_touch{};  ///< since the spawn
+    std::optional<HeightFigures> height{}; ///< of what dives, since it went under
 };
 
 struct TraceMark;

@@ -341,13 +341,21 @@ void tst_MissionRunner::anInterruptBeforeTheFlightEndsTheRunToo() {
 
 void tst_MissionRunner::scoresAgainstTheTruthAndAsksForCollisions() {
     options_.truth = Truth{[](const Vec2&) { return 2.5; }, [](const Vec2&) { return 2.5; }};
-    options_.true_figures = [] { return std::optional(TrueFigures{3, 12.5, Seconds(4.0)}); };
+    options_.true_figures = [] {
+        return std::optional(TrueFigures{3, 12.5, Seconds(4.0), 1, 2, Seconds(7.5), HeightOverGround{0.5, 4.0, 0.25}});
+    };
     QCOMPARE(run(hop()), 0); // the fake robot sees ground 2 m below its scanner at 5 m: half a metre off
     QVERIFY2(std::abs(runner_->summary()["rmse_m"].toDouble() - 0.5) < 0.05,
              qPrintable(QString::number(runner_->summary()["rmse_m"].toDouble())));
     QCOMPARE(runner_->summary()["collisions"].toInt(), 3);
     QCOMPARE(runner_->summary()["true_distance_m"].toDouble(), 12.5);
     QCOMPARE(runner_->summary()["longest_stay_s"].toDouble(), 4.0);
+    QCOMPARE(runner_->summary()["falls"].toInt(), 1);
+    QCOMPARE(runner_->summary()["touches"].toInt(), 2);
+    QCOMPARE(runner_->summary()["first_touch_s"].toDouble(), 7.5);
+    QCOMPARE(runner_->summary()["least_height_m"].toDouble(), 0.5);
+    QCOMPARE(runner_->summary()["mean_height_m"].toDouble(), 4.0);
+    QCOMPARE(runner_->summary()["height_spread_m"].toDouble(), 0.25);
 }
 
 QTEST_MAIN(tst_MissionRunner)

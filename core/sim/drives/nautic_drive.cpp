@@ -167,6 +167,12 @@ void NauticDrive::beforeStep(Seconds dt) {
     physics_.apply(body_, state.rotation * force_n, state.rotation * torque_n_m);
 }
 
+void NauticDrive::afterStep(Seconds dt) {
+    collisions_.pass(dt);
+    if (!physics_.contacts(body_).empty())
+        collisions_.touch();
+}
+
 void NauticDrive::switchOff() {
     wanted_propeller_rad_s_ = 0.0;
 }

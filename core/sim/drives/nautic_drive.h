@@ -1,6 +1,7 @@
 // A submarine's propeller, rudder and stern plane, and the water around its hull.
 #pragma once
 
+#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/drive.h"
 
 namespace usar::sim {
@@ -41,8 +42,11 @@ public:
 
     bool obey(const protocol::Command& command) override;
     void beforeStep(Seconds dt) override;
+    void afterStep(Seconds dt) override;
     void switchOff() override;
     bool idle() const override;
+    /// With anything, the bottom of the sea as well.
+    int collisions() const override { return collisions_.count(); }
     using Drive::addTo;
     void addTo(protocol::RobotState& state) const override;
     void addTo(std::vector<protocol::Setting>& settings) const override;
@@ -65,6 +69,7 @@ private:
     HullFigures hull_;
     Vec3 inertia_kg_m2_;
     double mass_kg_;
+    CollisionCounter collisions_;
     double propeller_rad_s_ = 0.0;
     double rudder_rad_ = 0.0;
     double stern_plane_rad_ = 0.0;

@@ -99,6 +99,10 @@ void Robot::beforeStep(Seconds dt) {
 void Robot::afterStep(Seconds dt) {
     body_.afterStep();
     drive_->afterStep(dt);
+    touches_.pass(dt);
+    for (const Contact& contact : body_.physics().contacts(body_.id()))
+        if (contact.surface == Surface::Body)
+            touches_.touch();
     discharge(dt);
 }
 
@@ -121,7 +125,7 @@ void Robot::switchOff() {
 }
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
-    stay_.step(tick_, body_.base_in_map().position_m);
+    watch();
     if (alive()) {
         sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
@@ -129,6 +133,17 @@ void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>&
     }
     body_.forgetTouches();
     out.emplace_back(state(now));
+}
+
+void Robot::watch() {
+    const Eigen::Isometry3d base_in_map = body_.link_in_map(-1);
+    const Vec3 position_m = base_in_map.translation();
+    stay_.step(tick_, position_m);
+    falls_.step(base_in_map.linear()(2, 2));
+    const bool dives = body_.model().kind == protocol::VehicleKind::Nautic && world_.water && !world_.terrain.empty();
+    went_under_ = went_under_ || (dives && position_m.z() < world_.water->surface_z_m);
+    if (went_under_)
+        heights_.step(position_m.z() - world_.terrain.height_m(position_m.head<2>()));
 }
 
 protocol::RobotState Robot::state(Seconds now) const {
@@ -214,8 +229,11 @@ bool Robot::atRest() const {
 }
 
 RobotFigures Robot::figures() const {
-    return {body_.base_in_map(),  body_.velocity_in_map_m_s(), drive_->broken(),
-            drive_->collisions(), body_.distance_m(),          stay_.longest()};
+    return {body_.base_in_map(), body_.velocity_in_map_m_s(),
+            drive_->broken(),    drive_->collisions(),
+            body_.distance_m(),  stay_.longest(),
+            falls_.count(),      touches_.count(),
+            touches_.first(),    heights_.figures()};
 }
 
 } // namespace usar::sim

@@ -14,10 +14,13 @@
 #include "core/sim/physics.h"
 #include "core/sim/ray_caster.h"
 #include "core/sim/robots/drive.h"
+#include "core/sim/robots/fall_watch.h"
+#include "core/sim/robots/height_watch.h"
 #include "core/sim/robots/mission_package.h"
 #include "core/sim/robots/robot_body.h"
 #include "core/sim/robots/sensor_suite.h"
 #include "core/sim/robots/stay_watch.h"
+#include "core/sim/robots/touch_watch.h"
 
 namespace usar::sim {
 
@@ -46,7 +49,11 @@ struct RobotFigures {
     bool broken = false;
     int collisions = 0;
     double distance_m = 0.0;
-    Seconds longest_stay{0.0}; ///< see StayWatch
+    Seconds longest_stay{0.0};             ///< see StayWatch
+    int falls = 0;                         ///< see FallWatch
+    int touches = 0;                       ///< of things that can be pushed; see TouchWatch
+    std::optional<Seconds> first_touch{};  ///< since the spawn
+    std::optional<HeightFigures> height{}; ///< of what dives, since it went under
 };
 
 /// Owned by its client's session.
@@ -88,6 +95,7 @@ private:
     Robot(const RobotModel& model, const RobotSurroundings& surroundings, const RobotOptions& options);
     Result<void> equip(const RobotSurroundings& surroundings, const RobotOptions& options);
     bool atRest() const;
+    void watch();
     void discharge(Seconds dt);
     void switchOff();
     void rightItself();
@@ -95,6 +103,10 @@ private:
 
     RobotBody body_;
     StayWatch stay_;
+    FallWatch falls_;
+    TouchWatch touches_;
+    HeightWatch heights_;
+    bool went_under_ = false;
     WorldRays rays_;
     const World& world_;
     Scene& scene_;

@@ -1,0 +1,22 @@
+// What the embedded simulator counted of a robot, as a mission's summary tells it.
+#pragma once
+
+#include "core/mission/run_summary.h"
+#include "core/sim/simulation.h"
+
+namespace usar::app {
+
+inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
+    mission::TrueFigures figures;
+    figures.collisions = robot.collisions;
+    figures.distance_m = robot.distance_m;
+    figures.longest_stay = robot.longest_stay;
+    figures.falls = robot.falls;
+    figures.touches = robot.touches;
+    figures.first_touch = robot.first_touch;
+    if (robot.height)
+        figures.height = mission::HeightOverGround{robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
+    return figures;
+}
+
+} // namespace usar::app

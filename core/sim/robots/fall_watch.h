@@ -1,0 +1,28 @@
+// Counts how often a robot fell over.
+#pragma once
+
+namespace usar::sim {
+
+/// A fall is a lean of more than 60 degrees; the next one is counted after it has stood upright again.
+class FallWatch {
+public:
+    /// `up_z`: the third component, in the map frame, of the base's own z axis.
+    void step(double up_z) {
+        if (!lies_ && up_z < lying_z) {
+            lies_ = true;
+            ++count_;
+        } else if (lies_ && up_z > upright_z) {
+            lies_ = false;
+        }
+    }
+    int count() const { return count_; }
+
+private:
+    static constexpr double lying_z = 0.5;
+    static constexpr double upright_z = 0.85;
+
+    bool lies_ = false;
+    int count_ = 0;
+};
+
+} // namespace usar::sim
