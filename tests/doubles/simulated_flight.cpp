@@ -13,11 +13,13 @@ SimulatedFlight::SimulatedFlight(std::unique_ptr<sim::Simulation> simulation, st
     simulation_->receive(client_, protocol::write(init) + "\r\n");
 }
 
-void SimulatedFlight::run(Seconds limit) {
+void SimulatedFlight::run(Seconds limit, const std::function<void()>& each) {
     while (!host_.finished() && simulation_->now() < limit && !truth().broken) {
         simulation_->step();
         const std::string bytes = simulation_->takeOutput(client_);
         splitter_.feed(bytes, [this](std::string_view line) { take(line); });
+        if (each)
+            each();
     }
 }
 
@@ -37,6 +39,8 @@ void SimulatedFlight::keep(const agent::Published& value) {
         status_ = *status;
     if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value))
         ending_ = *finished;
+    if (const auto* event = std::get_if<agent::BehaviorEvent>(&value))
+        events_.push_back(event->text);
     const auto* placement = std::get_if<agent::ScanPlacement>(&value);
     if (!placement || placement->scan_line != scan_.number)
         return;

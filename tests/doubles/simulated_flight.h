@@ -1,6 +1,7 @@
 // A behavior flown in the real simulation, in one process and without sockets: bytes out, bytes in, as fast as it goes.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,10 +23,13 @@ public:
                     const Pose& start_in_map, const protocol::Token& robot_class = "USARBot.AirRobot");
 
     /// Until the behavior finishes, the robot breaks, or the protocol clock shows `limit`.
-    void run(Seconds limit);
+    /// `each` is called after every tick.
+    void run(Seconds limit, const std::function<void()>& each = {});
 
     const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     const agent::BehaviorStatus& status() const { return status_; }
+    /// What it told the person, oldest first.
+    const std::vector<std::string>& events() const { return events_; }
     const mapping::HeightMap& map() const { return map_; }
     sim::RobotTruth truth() const;
     /// Part of the area's cells that the map knows, in per cent.
@@ -45,6 +49,7 @@ private:
     mapping::ScanIntegrator integrator_;
     std::optional<agent::BehaviorFinished> ending_;
     agent::BehaviorStatus status_;
+    std::vector<std::string> events_;
 };
 
 } // namespace usar::tests

@@ -1,39 +1,14 @@
 // The P2DX's missions that ship, run by the program for a minute each.
 #include <cmath>
 
-#include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
-#include <QTemporaryDir>
-#include <QTest>
+#include "tests/loop/shipped_mission.h"
+
+using namespace usar::tests;
 
 namespace {
 
-struct Ended {
-    int exit_code = -1;
-    QJsonObject summary;
-    QByteArray said; ///< all of it
-};
-
-/// The mission that ships, for a minute.
-Ended runForAMinute(const QString& name, const QStringList& options = {}) {
-    QFile shipped(QString(USAR_SOURCE_DIR "/resources/missions/%1.json").arg(name));
-    QTemporaryDir folder;
-    QFile file(folder.filePath("minute.json"));
-    if (!shipped.open(QIODevice::ReadOnly) || !file.open(QIODevice::WriteOnly))
-        return {};
-    QJsonObject mission = QJsonDocument::fromJson(shipped.readAll()).object();
-    mission["parameters"] = QJsonObject{{"drive_time_s", 60}};
-    file.write(QJsonDocument(mission).toJson());
-    file.close();
-    QProcess process;
-    process.start(USAR_BINARY_DIR "/bin/usar-mission",
-                  QStringList{"run", file.fileName(), "--seed", "2", "--out", folder.filePath("out")} + options);
-    if (!process.waitForFinished(110000))
-        process.kill();
-    const QByteArray out = process.readAllStandardOutput();
-    return {process.exitCode(), QJsonDocument::fromJson(out).object(), out + process.readAllStandardError()};
+EndedMission runForAMinute(const QString& name, const QStringList& options = {}) {
+    return runShipped(name, {{"drive_time_s", 60}}, options);
 }
 
 } // namespace
@@ -44,6 +19,7 @@ private slots:
     void drivesItsMissionsAndCountsWhatHappened_data();
     void drivesItsMissionsAndCountsWhatHappened();
     void standsWhileItsScannerIsSilent();
+    void standsWhileItsScannerIsFrozen();
 };
 
 void tst_UsarP2dx::drivesItsMissionsAndCountsWhatHappened_data() {
@@ -56,7 +32,7 @@ void tst_UsarP2dx::drivesItsMissionsAndCountsWhatHappened_data() {
 
 void tst_UsarP2dx::drivesItsMissionsAndCountsWhatHappened() {
     QFETCH(QString, behavior);
-    const Ended ended = runForAMinute(QTest::currentDataTag());
+    const EndedMission ended = runForAMinute(QTest::currentDataTag());
     QVERIFY2(ended.exit_code == 0, ended.said);
     QCOMPARE(ended.summary["behavior"].toString(), behavior);
     QVERIFY2(ended.summary["reason"].toString().startsWith("Drove for 60 s"), ended.said);
@@ -69,11 +45,20 @@ void tst_UsarP2dx::drivesItsMissionsAndCountsWhatHappened() {
 
 void tst_UsarP2dx::standsWhileItsScannerIsSilent() {
     const QStringList fault{"--fault", "sensor_dropout robot=R1 sensor=Scanner1 from=20 for=20"};
-    const Ended ended = runForAMinute("p2dx_room_posh", fault);
+    const EndedMission ended = runForAMinute("p2dx_room_posh", fault);
     QVERIFY2(ended.exit_code == 0, ended.said);
     QVERIFY2(ended.summary["longest_stay_s"].toDouble() > 17.0,
              ended.said); // it stops when the scan is two seconds old
     QVERIFY2(ended.said.contains("The range scanner is silent"), ended.said);
+    QCOMPARE(ended.summary["collisions"].toInt(-1), 0);
+}
+
+void tst_UsarP2dx::standsWhileItsScannerIsFrozen() {
+    const QStringList fault{"--fault", "sensor_freeze robot=R1 sensor=Scanner1 from=20 for=20"};
+    const EndedMission ended = runForAMinute("p2dx_room", fault);
+    QVERIFY2(ended.exit_code == 0, ended.said);
+    QVERIFY2(ended.summary["longest_stay_s"].toDouble() > 18.0, ended.said); // it stops at once
+    QVERIFY2(ended.said.contains("The range scanner is frozen"), ended.said);
     QCOMPARE(ended.summary["collisions"].toInt(-1), 0);
 }
 

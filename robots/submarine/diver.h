@@ -1,0 +1,93 @@
+// A Submarine along the bottom of the sea: what it knows, and what it makes of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/agent/robot_plugin.h"
+#include "core/modules/queued_sensor.h"
+#include "robots/submarine/level_rule.h"
+#include "robots/submarine/limits.h"
+
+namespace usar::submarine {
+
+/// The thesis's robot (3.5.1): one ray on its belly, a rudder, planes and a propeller. Either it corrects its height by
+/// the planes, or it is level and turns by the rudder. Owned by one behavior; time is the protocol clock.
+class Diver {
+public:
+    explicit Diver(agent::BehaviorContext context);
+
+    /// Keeps every reading of the ray until the next tick: its last and present value may come between two of them.
+    void hear(const protocol::InfoLine& line) { readings_.take(line, now_); }
+    /// Once a tick, before `decide`. `limits`: nothing while they are being asked for.
+    void perceive(const agent::Tick& tick, const std::optional<Limits>& limits);
+    protocol::NauticDrive decide();
+
+    void order(agent::Order order);
+    void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
+    const Settings& settings() const { return settings_; }
+    const std::string& state() const { return state_; }
+    agent::BehaviorStatus status() const;
+    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
+    std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
+
+private:
+    enum class Maneuver { None, BackingOff, TurningAway, TurningBack };
+
+    void reckon(Seconds dt, const modules::StateModule& state);
+    void takeReadings();
+    void watchRay();
+    void watchSearch(Seconds dt);
+    void watchClock();
+    void stepManeuver();
+    void begin(Maneuver maneuver);
+    void beginBackingOff();
+    void reckonBottom();
+    bool blind() const { return now_ - heard_at_ > blind_after; }
+    bool inDanger() const;
+    bool rising() const;
+    double plane_rad() const;
+    double side() const;
+    double awayRudder() const;
+    protocol::NauticDrive halt(const char* state);
+    protocol::NauticDrive keepLevel();
+    protocol::NauticDrive backOff();
+    protocol::NauticDrive turnBack();
+    protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const std::string& state);
+
+    static constexpr Seconds blind_after{2.0};
+
+    Settings settings_;
+    std::optional<Limits> limits_;
+    modules::QueuedSensorModule readings_;
+    PitchModel hull_;
+    Echoes echoes_;  ///< as the ray has them
+    Echoes heights_; ///< as the rule takes them
+    double pitch_at_echo_rad_ = 0.0;
+    double bottom_rise_m_s_ = 0.0; ///< under the robot on its way
+
+    Seconds now_{0.0};
+    std::optional<Seconds> began_;
+    Seconds heard_at_{-1e9};
+    Seconds reading_at_{0.0};
+    Maneuver maneuver_ = Maneuver::None;
+    Seconds maneuver_began_{-1e9};
+    double away_ = 1.0;             ///< the side to turn away to; 1 is the right
+    double turned_rad_ = 0.0;       ///< since it began to back off, the rudder hard over
+    double maneuver_began_m_ = 0.0; ///< of the way
+    Seconds below_since_{0.0};
+    double searched_m_ = 0.0; ///< downward, since the last echo
+    double way_m_ = 0.0;
+    double propeller_share_ = 0.0; ///< as told
+    double plane_now_rad_ = 0.0;   ///< as STA has it
+
+    bool paused_ = false;
+    bool blind_told_ = false;
+    std::string state_ = "waiting";
+    std::vector<agent::BehaviorEvent> events_;
+    std::optional<agent::BehaviorFinished> ending_;
+};
+
+} // namespace usar::submarine

@@ -1,0 +1,57 @@
+#include "robots/submarine/level_rule.h"
+
+#include <cmath>
+
+namespace usar::submarine {
+
+namespace {
+
+constexpr double least_speed_m_s = 0.4;
+constexpr double climb_per_m_hz = 0.2; ///< rate of climb that is wanted for each meter that is missing
+
+} // namespace
+
+Level levelOf(const Echoes& echoes, const Settings& settings) {
+    if (!echoes.present_m || *echoes.present_m > settings.height_m + settings.level_band_m)
+        return Level::Descend;
+    return *echoes.present_m < settings.height_m - settings.level_band_m ? Level::Ascend : Level::Keep;
+}
+
+double plumbPlane_rad(const Echoes& echoes, const Settings& settings, double plane_rad, double plane_limit_rad) {
+    const double climb_m_s = echoes.climb_m_s();
+    switch (levelOf(echoes, settings)) {
+    case Level::Descend:
+        return climb_m_s < 0.0 ? plane_rad : -plane_limit_rad;
+    case Level::Ascend:
+        return climb_m_s > 0.0 ? plane_rad : plane_limit_rad;
+    case Level::Keep:
+        break;
+    }
+    return 0.0;
+}
+
+Echoes plumb(Echoes echoes, double last_pitch_rad, double pitch_rad) {
+    if (echoes.last_m)
+        *echoes.last_m *= std::cos(last_pitch_rad);
+    if (echoes.present_m)
+        *echoes.present_m *= std::cos(pitch_rad);
+    return echoes;
+}
+
+double wantedPitch_rad(const Echoes& heights, double bottom_rise_m_s, double speed_m_s, const Settings& settings) {
+    if (!heights.present_m)
+        return -settings.steepest_dive_rad;
+    const double wanted_m_s = climb_per_m_hz * (settings.height_m - *heights.present_m) + bottom_rise_m_s;
+    const double slope = wanted_m_s / std::max(least_speed_m_s, speed_m_s);
+    return std::clamp(std::asin(std::clamp(slope, -1.0, 1.0)), -settings.steepest_dive_rad,
+                      settings.steepest_climb_rad);
+}
+
+bool tooNear(const Echoes& heights, const Settings& settings, Seconds foresight) {
+    if (!heights.present_m)
+        return false;
+    const double fall_m = std::min(0.0, heights.climb_m_s()) * foresight.count();
+    return *heights.present_m + fall_m < settings.least_height_m;
+}
+
+} // namespace usar::submarine

@@ -1,0 +1,49 @@
+#include "robots/submarine/pitch_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::submarine {
+
+namespace {
+
+// Of a torpedo of REMUS-100 size (robots-and-worlds 3.3); with the water that it moves along.
+constexpr double mass_kg = 38.0;
+constexpr double inertia_kg_m2 = 8.3;
+constexpr double thrust_n = 10.0; ///< at full speed; quadratic below
+constexpr double surge_drag_kg_m = 3.9;
+constexpr double pitch_drag_kg_m2 = 188.0;
+constexpr double righting_n_m = 7.3; ///< weight times the height of buoyancy over it
+constexpr double fin_moment_kg = 6.15;
+
+constexpr double longest_step_s = 0.02;
+constexpr double least_flow_m2_s2 = 0.2; ///< slower, the planes have nothing to work with
+constexpr double hurry_n_m = 20.0;       ///< for each radian that is missing
+constexpr double calm_n_m_s = 18.0;
+
+} // namespace
+
+void PitchModel::step(Seconds dt, double propeller_share, double stern_plane_rad) {
+    const double push_n = thrust_n * propeller_share * std::abs(propeller_share);
+    const int steps = std::max(1, static_cast<int>(std::ceil(dt.count() / longest_step_s)));
+    for (int i = 0; i < steps; ++i)
+        stepOnce(dt.count() / steps, push_n, stern_plane_rad);
+}
+
+void PitchModel::stepOnce(double dt_s, double thrust_now_n, double stern_plane_rad) {
+    const double flow_m2_s2 = speed_m_s_ * std::abs(speed_m_s_);
+    const double moment_n_m = fin_moment_kg * flow_m2_s2 * stern_plane_rad - righting_n_m * std::sin(pitch_rad_) -
+                              pitch_drag_kg_m2 * rate_rad_s_ * std::abs(rate_rad_s_);
+    speed_m_s_ += (thrust_now_n - surge_drag_kg_m * flow_m2_s2) / mass_kg * dt_s;
+    rate_rad_s_ += moment_n_m / inertia_kg_m2 * dt_s;
+    pitch_rad_ += rate_rad_s_ * dt_s;
+}
+
+double PitchModel::planeFor_rad(double pitch_rad) const {
+    const double flow_m2_s2 = std::copysign(std::max(least_flow_m2_s2, speed_m_s_ * speed_m_s_), speed_m_s_);
+    const double moment_n_m =
+        righting_n_m * std::sin(pitch_rad) + hurry_n_m * (pitch_rad - pitch_rad_) - calm_n_m_s * rate_rad_s_;
+    return moment_n_m / (fin_moment_kg * flow_m2_s2);
+}
+
+} // namespace usar::submarine

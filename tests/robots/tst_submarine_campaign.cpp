@@ -1,0 +1,26 @@
+#include "tests/robots/dive_trial.h"
+
+using namespace usar;
+using namespace usar::tests;
+
+class TestSubmarineCampaign : public QObject {
+    Q_OBJECT
+
+private slots:
+    void divesForHalfAnHour_data() {
+        QTest::addColumn<int>("seed");
+        for (int seed = 1; seed <= 10; ++seed)
+            QTest::addRow("seed %d", seed) << seed;
+    }
+    void divesForHalfAnHour() {
+        QFETCH(int, seed);
+        const Dive dived = diveInTheSea(static_cast<std::uint64_t>(seed), Seconds(1800.0));
+        QVERIFY(dived.ending && dived.ending->success);
+        // Steep coasts and slopes stand before it, where its one ray does not look: it may touch them.
+        QVERIFY(dived.share_near_pct > 60.0);
+        QVERIFY(dived.truth.distance_m > 1000.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSubmarineCampaign)
+#include "tst_submarine_campaign.moc"
