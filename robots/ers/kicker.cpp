@@ -1,0 +1,142 @@
+#include "robots/ers/kicker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/numbers.h"
+
+namespace usar::ers {
+
+namespace {
+
+constexpr Seconds fresh{0.5};
+constexpr double least_depth_m = 0.02; ///< of a ball before the camera; nearer, a tangent says nothing
+constexpr double bow_per_rad = 0.4;    ///< of what the ball is below the middle of the picture, each tick
+constexpr double rise_rad = 0.03;      ///< each tick, while there is no ball to look at
+constexpr double tightest = -0.6;      ///< of the inner stride, when the ball is far to the side
+constexpr double lying_rad = 1.1;
+constexpr double way_step_m = 0.1; ///< smaller moves are swaying
+
+} // namespace
+
+Kicker::Kicker(agent::BehaviorContext context) : settings_(settingsFrom(context.parameters)) {}
+
+void Kicker::perceive(const agent::Tick& tick) {
+    now_ = tick.now;
+    if (!began_)
+        began_ = lost_at_ = now_;
+    lookForBall();
+    watchBalance(tick.robot.sensors);
+    watchClock();
+}
+
+/// A near ball that leaves the picture is between the paws: walking on kicks it.
+void Kicker::lookForBall() {
+    const auto& newest = ball_.newest();
+    const bool visible = newest && now_ - newest->time < fresh && newest->value.visible.value_or(false) &&
+                         newest->value.position && newest->value.position->x() > least_depth_m;
+    if (!visible) {
+        if (seen_ && bow_rad_ > settings_.near_rad) {
+            kicking_since_ = now_;
+            ++kicks_;
+        }
+        if (seen_)
+            lost_at_ = now_;
+        seen_.reset();
+        bow_rad_ = std::max(0.0, bow_rad_ - rise_rad);
+        return;
+    }
+    const Vec3& ball = *newest->value.position; // forward, right, down
+    seen_ = ImagePlace{ball.y() / ball.x(), ball.z() / ball.x()};
+    last_on_the_right_ = seen_->right > 0.0;
+    bow_rad_ = std::clamp(bow_rad_ + bow_per_rad * std::atan(seen_->down), 0.0, deepest_bow_rad);
+    kicking_since_.reset();
+}
+
+void Kicker::watchBalance(const modules::SensorModule& sensors) {
+    const auto* const ins = sensors.ins();
+    if (!ins)
+        return;
+    base_in_map_ = ins->value.base_in_map;
+    const bool lies = std::abs(base_in_map_->roll_rad) > lying_rad || std::abs(base_in_map_->pitch_rad) > lying_rad;
+    if (lies && !fallen_)
+        events_.push_back({Severity::Warning, "The robot has fallen over; it is righted."});
+    fallen_ = lies;
+    const Vec2 here_m = base_in_map_->position_m.head<2>();
+    const double step_m = (here_m - way_from_m_).norm();
+    if (now_ == *began_ || step_m > way_step_m) {
+        way_m_ += now_ == *began_ ? 0.0 : step_m;
+        way_from_m_ = here_m;
+    }
+}
+
+void Kicker::watchClock() {
+    const Seconds whole(settings_.play_time_s);
+    if (whole > Seconds{0.0} && now_ - *began_ >= whole && !ending_)
+        ending_ = {true, "Played for " + fixed(whole.count(), 0) + " s; the ball was at the paws " +
+                             std::to_string(kicks_) + " times."};
+}
+
+std::optional<protocol::MultiDrive> Kicker::walk() {
+    const Strides strides = this->strides();
+    protocol::MultiDrive drive;
+    if (!gait_.next(now_, strides, settings_.lift_m, drive))
+        return std::nullopt;
+    bowHead(drive, bow_rad_);
+    return drive;
+}
+
+/// `turn_right` from -1 to 1: the paws on the inner side step shorter, or back.
+Strides Kicker::steer(double turn_right) const {
+    const double inner_m = settings_.stride_m * std::lerp(1.0, tightest, std::min(1.0, std::abs(turn_right)));
+    return turn_right > 0.0 ? Strides{settings_.stride_m, inner_m} : Strides{inner_m, settings_.stride_m};
+}
+
+Strides Kicker::strides() {
+    if (paused_ || fallen_ || !gait_.standing()) {
+        state_ = paused_ ? "paused" : fallen_ ? "fallen over" : "standing up";
+        return {};
+    }
+    if (seen_) {
+        state_ = bow_rad_ > settings_.near_rad ? "at the ball" : "walking to the ball";
+        return steer(settings_.steering * seen_->right);
+    }
+    if (kicking_since_ && now_ - *kicking_since_ < Seconds(settings_.kick_s)) {
+        state_ = "kicking";
+        return {settings_.stride_m, settings_.stride_m};
+    }
+    return circle();
+}
+
+/// Tight ones and wide ones by turns, toward where the ball was last: one size alone could lead around it for ever.
+Strides Kicker::circle() {
+    const Seconds lasts = now_ - lost_at_;
+    const bool tight = static_cast<long long>(lasts / Seconds(settings_.circle_s)) % 2 == 0;
+    state_ = tight ? "looking around for the ball" : "looking for the ball";
+    const double inner_m = settings_.stride_m * (tight ? settings_.tight_share_pct : settings_.wide_share_pct) / 100.0;
+    return last_on_the_right_ ? Strides{settings_.stride_m, inner_m} : Strides{inner_m, settings_.stride_m};
+}
+
+void Kicker::order(agent::Order order) {
+    if (order == agent::Order::LandNow)
+        ending_ = {false, "A person asked the robot to stop."};
+    else
+        paused_ = order == agent::Order::Pause;
+}
+
+agent::BehaviorStatus Kicker::status() const {
+    const Seconds whole(settings_.play_time_s);
+    agent::BehaviorStatus status;
+    status.time = now_;
+    status.elapsed = began_ ? now_ - *began_ : Seconds{0.0};
+    status.state = state_;
+    status.distance_flown_m = way_m_;
+    status.paused = paused_;
+    if (whole > Seconds{0.0}) {
+        status.progress_pct = std::min(100.0, 100.0 * (status.elapsed / whole));
+        status.time_left = std::max(Seconds{0.0}, whole - status.elapsed);
+    }
+    return status;
+}
+
+} // namespace usar::ers

@@ -1,0 +1,30 @@
+#include "tests/robots/play_trial.h"
+
+using namespace usar;
+using namespace usar::tests;
+
+class TestErsPlay : public QObject {
+    Q_OBJECT
+
+private slots:
+    void findsTheBallAndKicksItWithoutAFall_data() {
+        QTest::addColumn<int>("seed");
+        QTest::newRow("facing it") << 1;
+        QTest::newRow("from the other side") << 2;
+        QTest::newRow("beside it, on the left") << 3;
+        QTest::newRow("beside it, on the right") << 4;
+    }
+    void findsTheBallAndKicksItWithoutAFall() {
+        QFETCH(int, seed);
+        const Play played = play(static_cast<std::uint64_t>(seed), Seconds(150.0));
+        QVERIFY(played.ending && played.ending->success);
+        QVERIFY(played.truth.first_touch.has_value());
+        QVERIFY(played.truth.touches > 1);
+        QCOMPARE(played.truth.falls, 0);
+        QVERIFY(played.worst_tilt_rad < radians(30.0));
+        QVERIFY(played.events.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestErsPlay)
+#include "tst_ers_play.moc"
