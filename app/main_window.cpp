@@ -55,6 +55,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireCamera();
     wireObjects();
     new widgets::OwnKeys(this);
+    wirePlugins();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);
@@ -62,17 +63,6 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     selectRobot(0);
     showTitle();
     tellPlugins(plugin_folders);
-}
-
-void MainWindow::tellPlugins(const QStringList& folders) {
-    for (const agent::PluginRecord& record : control_.plugins().records())
-        if (record.state == agent::PluginState::Rejected)
-            say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
-    if (control_.plugins().robots().empty())
-        say(Severity::Error, "plugins",
-            tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
-               "or name another folder with --plugins.")
-                .arg(folders.join(", ")));
 }
 
 MainWindow::~MainWindow() = default;
@@ -249,18 +239,7 @@ void MainWindow::wireMap() {
 void MainWindow::wirePanels() {
     connect(views_.robots, &widgets::RobotList::robotSelected, this, &MainWindow::selectRobot);
     connect(views_.robots, &widgets::RobotList::removeRequested, &control_, &MissionControl::remove);
-    connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
-        const auto* behavior = control_.plugins().behavior(views_.behavior->behaviorId());
-        views_.spawn_card->preferBehavior(QString::fromStdString(views_.behavior->behaviorId()));
-        views_.parameters->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
-        const TaskDraft& draft = drafts_[selected_];
-        if (draft.behavior_id == views_.behavior->behaviorId())
-            views_.parameters->setValues(draft.values);
-        if (draft.behavior_id == views_.behavior->behaviorId())
-            views_.behavior->plan().choose(draft.plan_path);
-        workshop_.follow(selected_);
-        showPlan();
-    });
+    connect(views_.behavior, &widgets::BehaviorPanel::behaviorChosen, this, &MainWindow::showChosenBehavior);
     connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, [this](const Rectangle& area) {
         views_.map->setArea(area.empty() ? std::nullopt : std::optional(area));
         showPlan();

@@ -12,6 +12,7 @@
 #include "app/options.h"
 #include "app/plan_desk.h"
 #include "app/plan_workshop.h"
+#include "app/plugin_watch.h"
 #include "app/radio_presenter.h"
 #include "app/robot_presenter.h"
 #include "app/window_views.h"
@@ -102,6 +103,7 @@ private:
     void registerPlanCommands();
     void registerCameraCommands();
     void registerTraceCommands();
+    void registerPluginCommands();
     void registerRadioCommands();
     void spawnStation();
     void makeMenus();
@@ -153,7 +155,13 @@ private:
     /// A fast clock without a behavior only runs batteries down.
     void returnToRealTime();
     void showTitle();
+    void wirePlugins();
     void tellPlugins(const QStringList& folders);
+    /// What was built anew decides from the next start on. `asked` by the person, who is told also that nothing is new.
+    void rescanPlugins(bool asked);
+    void tellChange(const agent::PluginChange& change);
+    /// Form and plan of the behavior that is chosen.
+    void showChosenBehavior();
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
     void complain(const QString& key, const Error& error);
@@ -190,6 +198,7 @@ private:
     PlanWorkshop workshop_{control_, views_, commands_, this};
     RadioPresenter radio_;
     SimulationLoader loader_;
+    PluginWatch plugin_watch_;
     WorldPicture world_picture_;        ///< of the embedded simulator
     std::optional<Seconds> server_now_; ///< likewise
     std::vector<protocol::StartPose> start_poses_;

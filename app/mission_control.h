@@ -37,6 +37,7 @@ public:
     ~MissionControl() override;
 
     void loadPlugins(const QStringList& folders) { plugins_.scan(folders); }
+    std::vector<agent::PluginChange> rescanPlugins() { return plugins_.rescan(); }
     const agent::PluginLoader& plugins() const { return plugins_; }
     SimulatorHost& simulator() { return simulator_; }
     const ServerTarget& server() const { return target_; }

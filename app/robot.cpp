@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/agent/guarded_plugin.h"
+#include "core/agent/behavior_start.h"
 #include "core/base/numbers.h"
 
 namespace usar::app {
@@ -86,15 +86,11 @@ void Robot::spawn(int id, const mission::SpawnRequest& request) {
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
                                   const Rectangle& area_in_map, const agent::ParameterSet& parameters,
                                   const std::optional<agent::PlanText>& plan) {
-    const auto plugin = plugins.pluginFor(behavior_id);
-    if (!plugin)
-        return tl::unexpected(plugin.error());
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
-    auto behavior = agent::makeBehavior(**plugin, behavior_id, {task, parameters, plan});
+    const auto behavior = agent::startBehavior(plugins, behavior_id, {task, parameters, plan});
     if (!behavior)
         return tl::unexpected(behavior.error());
-    auto host = std::make_shared<agent::BehaviorHost>(*std::move(behavior), behavior_id);
-    later([=, breakpoints = breakpoints_](mission::RobotSession& session) {
+    later([=, host = *behavior, breakpoints = breakpoints_](mission::RobotSession& session) {
         session.startBehavior(host, task);
         session.control(breakpoints);
     });

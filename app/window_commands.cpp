@@ -44,6 +44,7 @@ void MainWindow::registerCommands() {
     registerPlanCommands();
     registerCameraCommands();
     registerTraceCommands();
+    registerPluginCommands();
     world_.registerCommands();
     registerRadioCommands();
 }
@@ -246,7 +247,7 @@ void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&Robots")),
                    {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
                     "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "radio.station",
-                    "robot.spawn_again", "robot.remove", "-", "robot.trace"});
+                    "robot.spawn_again", "robot.remove", "-", "robot.trace", "-", "plugins.rescan"});
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));

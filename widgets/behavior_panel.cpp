@@ -32,6 +32,7 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     : QWidget(parent)
     , robot_label_(new QLabel)
     , behavior_box_(new QComboBox)
+    , rescan_(new QToolButton)
     , help_label_(mutedLabel())
     , plan_(new PlanChoice)
     , area_box_(new QWidget)
@@ -51,7 +52,12 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     behavior_box_->setToolTip(tr("What the selected robot should do"));
     behavior_box_->setMinimumHeight(minimum_target);
     layout->addWidget(robot_label_);
-    layout->addWidget(behavior_box_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    row->addWidget(behavior_box_, 1);
+    row->addWidget(rescan_);
+    rescan_->hide();
+    layout->addLayout(row);
     layout->addWidget(help_label_);
     layout->addWidget(plan_);
     makeAreaBox();
@@ -154,6 +160,15 @@ void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QA
         connect(action, &QAction::changed, button, follow);
         follow();
     }
+}
+
+void BehaviorPanel::setRescanAction(QAction* action) {
+    rescan_->setDefaultAction(action);
+    rescan_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    rescan_->setAccessibleName(action->text());
+    rescan_->setMinimumSize(minimum_target, minimum_target);
+    rescan_->setFocusPolicy(Qt::TabFocus);
+    rescan_->show();
 }
 
 void BehaviorPanel::enable(QPushButton* button, bool on) {

@@ -58,6 +58,8 @@ public:
     /// From now on the buttons trigger these actions, follow their enabled state and name their shortcuts; the signals
     /// of the same meaning fall silent. A null action leaves its button as it is. They outlive the panel or go with it.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
+    /// Shown as a button beside the list of behaviors.
+    void setRescanAction(QAction* action);
 
 signals:
     /// By the person, or because the list or chooseBehavior changed it.
@@ -86,6 +88,7 @@ private:
     std::vector<agent::BehaviorDescription> behaviors_; ///< row by row
     QLabel* robot_label_;
     QComboBox* behavior_box_;
+    QToolButton* rescan_;
     QLabel* help_label_;
     PlanChoice* plan_;
     QWidget* area_box_;

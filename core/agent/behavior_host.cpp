@@ -3,11 +3,40 @@
 #include <algorithm>
 #include <exception>
 
+#include "core/base/text.h"
+
 namespace usar::agent {
 
-BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id)
+namespace {
+
+/// Sensors speak several times a second; what has been silent so long may not be there.
+constexpr Seconds sensors_silent{3.0};
+
+/// The type of a sensor on the wire; empty for a message that is none's.
+struct SensorType {
+    template <protocol::SensorMessage Sensor>
+    std::string_view operator()(const Sensor& reading) const {
+        return protocol::wireTypeOf(reading);
+    }
+    std::string_view operator()(const protocol::GenericMessage& message) const { return message.type; }
+    std::string_view operator()(const auto&) const { return {}; }
+};
+
+} // namespace
+
+protocol::Command lastResort(protocol::VehicleKind kind) {
+    if (kind == protocol::VehicleKind::Ground)
+        return protocol::SkidDrive{0.0, 0.0};
+    if (kind == protocol::VehicleKind::Nautic)
+        return protocol::NauticDrive{0.0, 0.0, 0.0};
+    return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
+}
+
+BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
+                           std::vector<std::string> sensors_needed)
     : behavior_(std::move(behavior))
-    , behavior_id_(std::move(behavior_id)) {}
+    , behavior_id_(std::move(behavior_id))
+    , sensors_missed_(std::move(sensors_needed)) {}
 
 BehaviorHost::~BehaviorHost() = default;
 
@@ -18,18 +47,18 @@ void BehaviorHost::guarded(Call&& call) {
     try {
         call();
     } catch (const std::exception& thrown) {
-        stopAfterThrow(thrown.what());
+        fail(std::string("failed: ") + thrown.what() + ".");
     } catch (...) {
-        stopAfterThrow("something that is no std::exception");
+        fail("failed: something that is no std::exception.");
     }
 }
 
-void BehaviorHost::stopAfterThrow(const std::string& what) {
+void BehaviorHost::fail(const std::string& reason) {
     finished_ = true;
     port_.takeCommands(); // what it wanted before it failed is not to be trusted
     CausedCommand safe = safeCommand("stopped after a fault");
     port_.send(std::move(safe.command), "stopped after a fault");
-    port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " failed: " + what + "."});
+    port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " " + reason});
 }
 
 template <class Module>
@@ -38,6 +67,9 @@ void BehaviorHost::ask(Module& module, const std::string& subject) {
         port_.send(*std::move(question), subject + " module");
     for (const auto& [type, name, no_such_thing] : module.takeFailures()) {
         const std::string what = name.empty() ? type : type + " " + name;
+        if (std::ranges::any_of(sensors_missed_, [&type = type](const auto& one) { return sameWord(one, type); }))
+            return fail("needs the sensor " + what +
+                        ", and the robot has none that speaks. Mount it, or choose another behavior.");
         port_.publish(BehaviorEvent{.severity = Severity::Warning,
                                     .text = no_such_thing
                                                 ? "The server knows no " + what + ": it has no " + subject + "."
@@ -46,30 +78,55 @@ void BehaviorHost::ask(Module& module, const std::string& subject) {
     }
 }
 
-void BehaviorHost::askQuestions() {
-    ask(modules_.geometry, "geometry");
-    ask(modules_.configuration, "configuration");
+void BehaviorHost::noteSensor(const protocol::InfoMessage& message) {
+    const std::string_view type = std::visit(SensorType(), static_cast<const protocol::InfoVariant&>(message));
+    if (!type.empty())
+        std::erase_if(sensors_missed_, [type](const std::string& one) { return sameWord(one, type); });
 }
 
-BehaviorHost::Output BehaviorHost::receive(const protocol::InfoLine& line) {
+/// One that is there and has nothing to tell answers about its configuration.
+void BehaviorHost::askForSensors() {
+    if (!first_tick_)
+        first_tick_ = modules_.state.now();
+    if (modules_.state.now() - *first_tick_ < sensors_silent)
+        return;
+    std::erase_if(sensors_missed_, [this](const std::string& type) {
+        return modules_.configuration.state(type) == modules::QueryState::Ready;
+    });
+    for (const std::string& type : sensors_missed_)
+        if (modules_.configuration.state(type) == modules::QueryState::Unknown)
+            modules_.configuration.query(type);
+}
+
+void BehaviorHost::askQuestions() {
+    ask(modules_.geometry, "geometry");
+    if (!finished_)
+        ask(modules_.configuration, "configuration");
+}
+
+RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
     last_line_ = line.number;
     port_.setTrigger(line.number);
     modules_.take(line);
+    if (!sensors_missed_.empty())
+        noteSensor(line.message);
     guarded([&] { behavior_->onInfo(line, port_); });
     if (std::holds_alternative<protocol::RobotState>(line.message))
         guarded([&] { behavior_->tick({modules_.state.now(), line.number, modules_}, port_); });
+    if (!finished_ && !sensors_missed_.empty() && std::holds_alternative<protocol::RobotState>(line.message))
+        askForSensors();
     if (!finished_)
         askQuestions();
     return takeOutput();
 }
 
-BehaviorHost::Output BehaviorHost::order(Order order) {
+RunningBehavior::Output BehaviorHost::order(Order order) {
     port_.setTrigger(last_line_);
     guarded([&] { behavior_->order(order, port_); });
     return takeOutput();
 }
 
-BehaviorHost::Output BehaviorHost::control(const PlanControl& control) {
+RunningBehavior::Output BehaviorHost::control(const PlanControl& control) {
     port_.setTrigger(last_line_);
     guarded([&] { behavior_->control(control, port_); });
     return takeOutput();
@@ -86,15 +143,11 @@ CausedCommand BehaviorHost::safeCommand(const std::string& source) const {
         return {behavior_->safeCommand(), cause};
     } catch (...) {
         const auto& state = modules_.state.latest();
-        if (state && state->kind == protocol::VehicleKind::Ground)
-            return {protocol::SkidDrive{0.0, 0.0}, cause};
-        if (state && state->kind == protocol::VehicleKind::Nautic)
-            return {protocol::NauticDrive{0.0, 0.0, 0.0}, cause};
-        return {protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}, cause};
+        return {lastResort(state ? state->kind : protocol::VehicleKind::Unknown), cause};
     }
 }
 
-BehaviorHost::Output BehaviorHost::takeOutput() {
+RunningBehavior::Output BehaviorHost::takeOutput() {
     Output output{port_.takeCommands(), port_.takePublished()};
     for (CausedCommand& caused : output.commands)
         caused.cause.source.insert(0, behavior_id_ + ": ");

@@ -1,46 +1,43 @@
-// Runs one behavior against the lines of one connection: the shape that a process boundary will have one day.
+// Runs one behavior against the lines of one connection, in the caller's thread.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/agent/behavior.h"
+#include "core/agent/running_behavior.h"
 
 namespace usar::agent {
 
 /// Owns the behavior and its modules. Lines and orders go in, caused commands and published values come out. The
 /// behavior ticks on every STA (thesis 3); questions that the modules have waiting are sent on every line, and those
-/// that nobody answers are reported as BehaviorEvent. A behavior that throws is stopped: its safe command is sent and
-/// BehaviorFinished says what was thrown. A finished behavior is not called again. Used from its owner's thread.
-class BehaviorHost {
+/// that nobody answers are reported as BehaviorEvent. A behavior that throws, or whose robot has not the sensors that
+/// it needs, is stopped.
+class BehaviorHost final : public RunningBehavior {
 public:
-    struct Output {
-        std::vector<CausedCommand> commands;
-        std::vector<Published> published;
-    };
+    /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning". A sensor that is needed (by its type)
+    /// and has not spoken in the first three seconds is asked for; where the server says that there is none, the
+    /// behavior is stopped.
+    explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
+                          std::vector<std::string> sensors_needed = {});
+    ~BehaviorHost() override;
 
-    /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning".
-    explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id);
-    ~BehaviorHost();
-
-    Output receive(const protocol::InfoLine& line);
-    Output order(Order order);
-    Output control(const PlanControl& control);
-    /// Its plan stands still: time should, too.
-    bool halted() const { return halted_; }
-    /// What the behavior threw, if it did, comes out of the next call.
-    void setParameters(const ParameterSet& parameters);
-    /// The safe command, with `source` as its cause; a DRIVE of zeros, for a robot on the ground or in the air,
-    /// where the behavior cannot even say that.
-    CausedCommand safeCommand(const std::string& source) const;
-    bool finished() const { return finished_; }
-    const std::string& behaviorId() const { return behavior_id_; }
+    Output receive(const protocol::InfoLine& line) override;
+    Output order(Order order) override;
+    Output control(const PlanControl& control) override;
+    bool halted() const override { return halted_; }
+    void setParameters(const ParameterSet& parameters) override;
+    CausedCommand safeCommand(const std::string& source) const override;
+    bool finished() const override { return finished_; }
+    const std::string& behaviorId() const override { return behavior_id_; }
 
 private:
     template <class Call>
     void guarded(Call&& call);
-    void stopAfterThrow(const std::string& what);
+    void fail(const std::string& reason);
+    void noteSensor(const protocol::InfoMessage& message);
+    void askForSensors();
     template <class Module>
     void ask(Module& module, const std::string& subject);
     void askQuestions();
@@ -50,6 +47,8 @@ private:
     std::string behavior_id_;
     modules::RobotModules modules_;
     CommandPort port_;
+    std::vector<std::string> sensors_missed_; ///< types that are needed and have not spoken
+    std::optional<Seconds> first_tick_;
     LineNumber last_line_;
     bool finished_ = false;
     bool halted_ = false;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <QDir>
 #include <QFileInfo>
@@ -82,52 +84,126 @@ QString listed(const std::set<QString>& words) {
 
 } // namespace
 
+/// A file as it was opened: its library, or what was wrong with it.
+struct PluginLoader::Library {
+    /// The file at this moment; another one once it has been written anew.
+    struct Stamp {
+        std::uintmax_t bytes = 0;
+        std::filesystem::file_time_type written;
+        bool operator==(const Stamp&) const = default;
+    };
+
+    static Stamp stampOf(const QString& file) {
+        std::error_code gone;
+        const std::filesystem::path path(file.toStdString());
+        Stamp stamp;
+        stamp.bytes = std::filesystem::file_size(path, gone);
+        stamp.written = std::filesystem::last_write_time(path, gone);
+        return stamp;
+    }
+
+    void open(const QString& copy);
+    QString load(const QString& path);
+
+    QString file;
+    Stamp stamp;
+    QJsonObject metadata;
+    QString complaint; ///< empty where `plugin` is there
+    const RobotPlugin* plugin = nullptr;
+    std::unique_ptr<QPluginLoader> loader; ///< does not unload when it dies
+};
+
+void PluginLoader::Library::open(const QString& copy) {
+    const QJsonObject raw = QPluginLoader(file).metaData();
+    metadata = raw.value("MetaData").toObject();
+    complaint = complaintBeforeLoading(raw);
+    if (!complaint.isEmpty())
+        return;
+    // A library that looks for others beside itself finds them only where it lies.
+    if (!QFile::copy(file, copy) || !load(copy).isEmpty())
+        complaint = load(file);
+}
+
+QString PluginLoader::Library::load(const QString& path) {
+    loader = std::make_unique<QPluginLoader>(path);
+    // Otherwise a missing symbol would end the program at its first use instead of failing here.
+    loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
+    QObject* instance = nullptr;
+    try {
+        instance = loader->instance();
+    } catch (...) {
+        return "It failed while it was being made. Mend the constructor of its plugin class.";
+    }
+    if (!instance)
+        return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";
+    plugin = qobject_cast<RobotPlugin*>(instance);
+    if (!plugin)
+        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
+               "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
+    return {};
+}
+
 PluginLoader::PluginLoader() = default;
 PluginLoader::~PluginLoader() = default;
 
 void PluginLoader::scan(const QStringList& folders) {
     folders_ = folders;
+    libraries_.clear();
     records_.clear();
-    robots_.clear();
-    owners_.clear();
-    libraries_.clear(); // QPluginLoader does not unload when it dies
-    for (const QString& folder : folders) {
-        for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files, QDir::Name)) {
-            if (!QLibrary::isLibrary(file.fileName()))
-                continue;
-            PluginRecord& record = records_.emplace_back();
-            record.file = file.absoluteFilePath();
-            record.reason = judge(record);
-            record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
-        }
-    }
+    rescan();
 }
 
-QString PluginLoader::judge(PluginRecord& record) {
-    auto library = std::make_unique<QPluginLoader>(record.file);
-    // Otherwise a missing symbol would end the program at its first use instead of failing here.
-    library->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
-    const QJsonObject raw = library->metaData();
-    record.metadata = raw.value("MetaData").toObject();
-    if (const QString complaint = complaintBeforeLoading(raw); !complaint.isEmpty())
-        return complaint;
-    QObject* instance = nullptr;
-    try {
-        instance = library->instance();
-    } catch (...) {
-        return "It failed while it was being made. Mend the constructor of its plugin class.";
+std::vector<PluginChange> PluginLoader::rescan() {
+    const std::vector<std::shared_ptr<Library>> known = std::exchange(libraries_, {});
+    const std::vector<PluginRecord> before = std::exchange(records_, {});
+    robots_.clear();
+    owners_.clear();
+    for (const QString& folder : folders_)
+        for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files, QDir::Name))
+            if (QLibrary::isLibrary(file.fileName()))
+                takeFile(file.absoluteFilePath(), known);
+
+    std::vector<PluginChange> changes;
+    for (const PluginRecord& record : records_) {
+        const auto old = std::ranges::find(before, record.file, &PluginRecord::file);
+        const bool same = old != before.end() && old->plugin == record.plugin && old->reason == record.reason;
+        if (record.state == PluginState::Rejected && !same)
+            changes.push_back({PluginNews::Refused, record});
+        else if (!same)
+            changes.push_back({old != before.end() && old->plugin ? PluginNews::Rebuilt : PluginNews::Added, record});
     }
-    if (!instance)
-        return "It cannot be loaded: " + library->errorString() + " Build it again with all the libraries it needs.";
-    const auto* plugin = qobject_cast<RobotPlugin*>(instance);
-    if (!plugin)
-        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
-               "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
-    if (const QString complaint = admit(*plugin, record.metadata); !complaint.isEmpty())
-        return complaint;
-    record.plugin = plugin;
-    libraries_.push_back(std::move(library));
-    return {};
+    for (const PluginRecord& record : before)
+        if (std::ranges::find(records_, record.file, &PluginRecord::file) == records_.end())
+            changes.push_back({PluginNews::Removed, record});
+    return changes;
+}
+
+void PluginLoader::takeFile(const QString& file, const std::vector<std::shared_ptr<Library>>& known) {
+    const auto library = libraryOf(file, known);
+    PluginRecord& record = records_.emplace_back();
+    record.file = file;
+    record.metadata = library->metadata;
+    record.reason = library->complaint;
+    if (record.reason.isEmpty())
+        record.reason = admit(*library->plugin, library->metadata);
+    record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
+    record.plugin = record.reason.isEmpty() ? library->plugin : nullptr;
+    libraries_.push_back(library);
+}
+
+std::shared_ptr<PluginLoader::Library> PluginLoader::libraryOf(const QString& file,
+                                                               const std::vector<std::shared_ptr<Library>>& known) {
+    const Library::Stamp stamp = Library::stampOf(file);
+    for (const auto& library : known)
+        if (library->file == file && library->stamp == stamp)
+            return library;
+    auto library = std::make_shared<Library>();
+    library->file = file;
+    library->stamp = stamp;
+    const QString folder = QString::number(++copies_made_); // a path that was loaded once is never loaded again
+    QDir(copies_.path()).mkpath(folder);
+    library->open(copies_.filePath(folder + '/' + QFileInfo(file).fileName()));
+    return library;
 }
 
 QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metadata) {
@@ -182,6 +258,14 @@ const RobotDescription* PluginLoader::robotOf(const std::string& behavior_id) co
     for (const RobotDescription& robot : robots_)
         if (std::ranges::find(robot.behaviors, behavior_id, &BehaviorDescription::id) != robot.behaviors.end())
             return &robot;
+    return nullptr;
+}
+
+const PluginRecord* PluginLoader::recordOf(const std::string& behavior_id) const {
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+        if (std::ranges::find(robots_[i].behaviors, behavior_id, &BehaviorDescription::id) !=
+            robots_[i].behaviors.end())
+            return &*std::ranges::find(records_, owners_[i], &PluginRecord::plugin);
     return nullptr;
 }
 

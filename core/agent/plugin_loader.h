@@ -8,10 +8,9 @@
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 
 #include "core/agent/robot_plugin.h"
-
-class QPluginLoader;
 
 namespace usar::agent {
 
@@ -26,11 +25,22 @@ struct PluginRecord {
     const RobotPlugin* plugin = nullptr; ///< owned by its library; set when Loaded
 };
 
+/// What a file has become since the scan before.
+enum class PluginNews { Added, Rebuilt, Removed, Refused };
+struct PluginChange {
+    PluginNews news = PluginNews::Added;
+    PluginRecord record; ///< as it is now; of a removed one, as it was
+};
+
 /// Reads IID and metadata of every library in the folders before opening it; only what passes is loaded. A folder that
 /// is missing gives no records; a file that is not named like a library is skipped. Metadata (JSON): name, version,
 /// robots (classes on the wire), behaviors (ids, the same as in the description). Files are taken in the order of the
-/// folders and of their names; the first to claim a behavior id keeps it. Lives on the GUI thread; loaded plugins are
-/// immutable and may be asked for behaviors from any thread; libraries stay open until the program ends.
+/// folders and of their names; the first to claim a behavior id keeps it.
+///
+/// A library is loaded from a copy of its own, so that its file can be written anew at any time and what is loaded then
+/// is the new code. What was loaded stays in memory until the program ends: behaviors that run go on with the code that
+/// they began with. Lives on the GUI thread; loaded plugins are immutable and may be asked for behaviors from any
+/// thread.
 class PluginLoader {
 public:
     PluginLoader();
@@ -38,6 +48,9 @@ public:
 
     /// Replaces all records.
     void scan(const QStringList& folders);
+    /// The same folders again. Files that were not written since keep their code; descriptions move all the same.
+    std::vector<PluginChange> rescan();
+    const QStringList& folders() const { return folders_; }
     const std::vector<PluginRecord>& records() const { return records_; }
 
     /// The plugin that has this behavior. The error names the behavior, what is there instead or where nothing was
@@ -45,18 +58,26 @@ public:
     Result<const RobotPlugin*> pluginFor(const std::string& behavior_id) const;
     /// Its description; nullptr where no loaded plugin has it.
     const BehaviorDescription* behavior(const std::string& behavior_id) const;
+    /// The file that it comes from; nullptr likewise.
+    const PluginRecord* recordOf(const std::string& behavior_id) const;
     /// The robot that it belongs to; nullptr likewise.
     const RobotDescription* robotOf(const std::string& behavior_id) const;
     /// Descriptions of all loaded plugins.
     const std::vector<RobotDescription>& robots() const { return robots_; }
 
 private:
-    /// Why this one cannot be used; empty when it is loaded and its description has joined `robots_`.
-    QString judge(PluginRecord& record);
+    struct Library;
+
+    /// As it was opened before, if its file is the same still.
+    std::shared_ptr<Library> libraryOf(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
+    /// Why this one cannot be used; empty when its description has joined `robots_`.
     QString admit(const RobotPlugin& plugin, const QJsonObject& metadata);
+    void takeFile(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
 
     QStringList folders_;
-    std::vector<std::unique_ptr<QPluginLoader>> libraries_;
+    QTemporaryDir copies_;
+    int copies_made_ = 0;
+    std::vector<std::shared_ptr<Library>> libraries_; ///< of `records_`, index by index
     std::vector<PluginRecord> records_;
     std::vector<RobotDescription> robots_;
     std::vector<const RobotPlugin*> owners_; ///< of `robots_`, index by index

@@ -9,7 +9,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "core/agent/guarded_plugin.h"
+#include "core/agent/behavior_start.h"
 #include "core/mission/mission_check.h"
 #include "core/mission/result_writer.h"
 
@@ -117,14 +117,14 @@ void MissionRunner::Private::takeRobot() {
     if (phase != Phase::Spawning)
         return;
     const agent::Task task{robot_name, start_in_map, mission.area_in_map};
-    auto made = agent::makeBehavior(*behavior->plugin, mission.behavior, {task, behavior->parameters, behavior->plan});
+    const auto made = agent::startBehavior(plugins, mission.behavior, {task, behavior->parameters, behavior->plan});
     if (!made) {
         conclude(false, made.error().text(), BadInput);
         return;
     }
     phase = Phase::Flying;
     since_flight.start();
-    session.startBehavior(std::make_shared<agent::BehaviorHost>(*std::move(made), mission.behavior), task);
+    session.startBehavior(*made, task);
 }
 
 void MissionRunner::Private::look() {

@@ -90,7 +90,7 @@ void RobotSession::spawn(const SpawnRequest& request) {
     }
 }
 
-void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, const agent::Task& task) {
+void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, const agent::Task& task) {
     if (d_->refusedInReplay())
         return;
     if (!d_->figures.spawned) {
@@ -107,6 +107,13 @@ void RobotSession::startBehavior(std::shared_ptr<agent::BehaviorHost> host, cons
     d_->host = std::move(host);
     d_->figures.behavior_running = true;
     d_->noteTask();
+    d_->host->setPatience(d_->figures.lockstep ? d_->limits.behavior_lockstep : d_->limits.behavior);
+    agent::RunningBehavior::Output output = d_->host->begin();
+    if (d_->host->endHandle() >= 0) {
+        d_->end_watch = std::make_unique<QSocketNotifier>(d_->host->endHandle(), QSocketNotifier::Read);
+        connect(d_->end_watch.get(), &QSocketNotifier::activated, this, [this] { d_->behaviorEnded(); });
+    }
+    d_->takeOutput(output, false);
     d_->touched();
 }
 
@@ -115,7 +122,7 @@ void RobotSession::order(agent::Order order) {
         return;
     if (order != agent::Order::Pause)
         d_->endHand("the behavior " + d_->host->behaviorId() + " took over");
-    agent::BehaviorHost::Output output = d_->host->order(order);
+    agent::RunningBehavior::Output output = d_->host->order(order);
     d_->takeOutput(output, false);
     d_->sendDrive(false);
     d_->stepOwed();
@@ -131,7 +138,7 @@ void RobotSession::control(const agent::PlanControl& control) {
         return d_->touched();
     }
     const bool was_halted = d_->host->halted();
-    agent::BehaviorHost::Output output = d_->host->control(control);
+    agent::RunningBehavior::Output output = d_->host->control(control);
     d_->takeOutput(output, false);
     d_->sendDrive(was_halted); // at the same moment of the protocol's time as the safe command before
     d_->stepOwed();

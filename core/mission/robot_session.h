@@ -8,7 +8,7 @@
 
 #include <QObject>
 
-#include "core/agent/behavior_host.h"
+#include "core/agent/running_behavior.h"
 #include "core/link/tcp_link.h"
 #include "core/mission/scan_record.h"
 #include "core/mission/session_update.h"
@@ -42,6 +42,8 @@ struct SessionLimits {
     Seconds stale{2.0};                  ///< wall: silence of a spawned robot
     Seconds sensor_silence{3.0};         ///< protocol clock: a sensor that used to speak
     Seconds hand{0.3};                   ///< wall: a hand that holds and says no more is a dead man's
+    Seconds behavior{1.0};               ///< wall: an answer of the behavior
+    Seconds behavior_lockstep{5.0};      ///< the same where the server's time waits for it
     std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait and the newest replace older ones
 };
 
@@ -77,7 +79,7 @@ public slots:
     /// for a server takes one INIT per connection; after a lost connection it may be called as soon as there is a new
     /// one. `figures().spawn` says where it stands.
     void spawn(const usar::mission::SpawnRequest& request);
-    void startBehavior(std::shared_ptr<usar::agent::BehaviorHost> host, const usar::agent::Task& task);
+    void startBehavior(std::shared_ptr<usar::agent::RunningBehavior> host, const usar::agent::Task& task);
     void order(usar::agent::Order order);
     void setParameters(const usar::agent::ParameterSet& parameters);
     /// For the plan that decides; nothing without a behavior. Where it stands still, a server in lockstep gets no STEP

@@ -122,7 +122,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     noteMessage(line);
     if (figures.spawned && figures.spawned_at.count() == 0.0)
         figures.spawned_at = figures.now; // zero still when a sensor speaks before the first STA
-    agent::BehaviorHost::Output output;
+    agent::RunningBehavior::Output output;
     if (host)
         output = host->receive(line);
     const bool is_tick = std::holds_alternative<protocol::RobotState>(line.message);
@@ -168,7 +168,7 @@ void RobotSession::Private::noteData() {
 
 /// Commands go out before the results are worked in, so that the simulator computes its next tick meanwhile; not so
 /// for the last tick, where whoever hears the end must find time standing still.
-void RobotSession::Private::takeOutput(agent::BehaviorHost::Output& output, bool is_tick) {
+void RobotSession::Private::takeOutput(agent::RunningBehavior::Output& output, bool is_tick) {
     const bool finishing = host && host->finished();
     for (agent::CausedCommand& command : output.commands)
         if (!hand.on() || !DriveGate::isDrive(command.command))
@@ -223,6 +223,12 @@ void RobotSession::Private::takeValue(const agent::Published& value) {
         makeSafe("session: behavior finished");
         finishBehavior(*finished, true);
     }
+}
+
+void RobotSession::Private::behaviorEnded() {
+    agent::RunningBehavior::Output output = host->takeEnd();
+    takeOutput(output, false);
+    touched();
 }
 
 void RobotSession::Private::endTick() {
@@ -299,6 +305,10 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
     const agent::BehaviorFinished end = finished; // may live in what `host` answered
     if (!is_published)
         noteForRecording("finished", (end.success ? "1 " : "0 ") + end.reason);
+    if (end_watch) { // it may be what has told of the end
+        end_watch->setEnabled(false);
+        end_watch.release()->deleteLater();
+    }
     host.reset();
     stepOwed();
     figures.behavior_running = false;

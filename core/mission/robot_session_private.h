@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <QElapsedTimer>
+#include <QSocketNotifier>
 #include <QTimer>
 
 #include "core/link/recording_writer.h"
@@ -49,10 +50,12 @@ struct RobotSession::Private : link::ReplayTaker {
     void takeLine(std::string_view text);
     void noteMessage(const protocol::InfoLine& line);
     void noteData();
-    void takeOutput(agent::BehaviorHost::Output& output, bool is_tick);
+    void takeOutput(agent::RunningBehavior::Output& output, bool is_tick);
     void takePublished(const std::vector<agent::Published>& published);
     void takeValue(const agent::Published& value);
     void endTick();
+    /// Between two calls, as far as anybody can tell.
+    void behaviorEnded();
     /// Fails for names that no line can hold.
     static Result<protocol::Init> initOf(const SpawnRequest& request);
     void init(const SpawnRequest& request);
@@ -147,7 +150,8 @@ struct RobotSession::Private : link::ReplayTaker {
     ScanRecord record;
     SessionFigures figures;              ///< `traffic` as of the last countTraffic()
     std::uint64_t complaints_before = 0; ///< on earlier connections
-    std::shared_ptr<agent::BehaviorHost> host;
+    std::shared_ptr<agent::RunningBehavior> host;
+    std::unique_ptr<QSocketNotifier> end_watch; ///< of a behavior that may end between two calls
 
     std::unique_ptr<link::RecordingWriter> recorder;
     std::unique_ptr<link::Replayer> replayer;

@@ -189,6 +189,56 @@ private slots:
         QVERIFY(std::get<BehaviorFinished>(output.published[0]).reason.find("too fast") != std::string::npos);
     }
 
+    void isStoppedWhereARobotLacksASensorThatItNeeds_data() {
+        QTest::addColumn<QString>("answer");
+        QTest::addColumn<bool>("stopped");
+        QTest::newRow("the server has none") << "none" << true;
+        QTest::newRow("the server says nothing") << "silence" << true;
+        QTest::newRow("it is there and has nothing to tell") << "there" << false;
+        QTest::newRow("it speaks after all") << "speaks" << false;
+    }
+    void isStoppedWhereARobotLacksASensorThatItNeeds() {
+        QFETCH(QString, answer);
+        QFETCH(bool, stopped);
+        script.on_tick = [](const Tick&, CommandPort& port) {
+            port.send(protocol::AerialDrive{2.0, {}, {}, {}}, "up");
+        };
+        host = std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted",
+                                              std::vector<std::string>{"INS", "Touch"});
+        std::vector<Published> said;
+        std::vector<CausedCommand> last;
+        const auto take = [&](const protocol::InfoLine& line) {
+            auto output = host->receive(line);
+            said.insert(said.end(), output.published.begin(), output.published.end());
+            if (!output.commands.empty())
+                last = output.commands;
+        };
+        take(ins(1));
+        for (std::uint64_t tick = 2; tick < 60 && !host->finished(); ++tick) {
+            take(state(tick, 0.2 * static_cast<double>(tick)));
+            const bool asked = std::ranges::any_of(last, [](const CausedCommand& one) {
+                const auto* const question = std::get_if<protocol::GetConfiguration>(&one.command);
+                return question && question->type == "Touch";
+            });
+            if (!asked || answer == "silence")
+                continue;
+            protocol::ConfigurationInfo configuration;
+            configuration.type = "Touch";
+            if (answer == "there")
+                configuration.items.push_back({"Left", {{"Diameter", "0.1"}}});
+            if (answer == "speaks")
+                take({LineNumber{100}, "", protocol::TouchReadings{{}, {{"Left", true}}}, {}});
+            else
+                take({LineNumber{100}, "", configuration, {}});
+        }
+        QCOMPARE(host->finished(), stopped);
+        if (!stopped)
+            return;
+        QVERIFY(last.front().command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+        const std::string reason = std::get<BehaviorFinished>(said.back()).reason;
+        QVERIFY2(reason.find("test/scripted needs the sensor Touch") != std::string::npos, reason.c_str());
+    }
+
     void leavesAFinishedBehaviorAlone() {
         script.on_tick = [](const Tick&, CommandPort& port) { port.publish(BehaviorFinished{true, "Done."}); };
         host->receive(state(1, 1.0));

@@ -20,6 +20,15 @@ class TestPluginLoader : public QObject {
                 QFile::copy(sources[i], folder.filePath(QString::number(i) + "_" + QFileInfo(sources[i]).fileName())));
     }
 
+    /// Keeps the file and changes what is in it.
+    static void overwrite(const QString& file, const QString& source) {
+        QFile from(source);
+        QFile to(file);
+        QVERIFY(from.open(QIODevice::ReadOnly));
+        QVERIFY(to.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        QVERIFY(to.write(from.readAll()) > 0);
+    }
+
 private slots:
     void loadsAGoodPlugin() {
         QTemporaryDir folder;
@@ -114,6 +123,65 @@ private slots:
         QVERIFY(loader.records()[1].state == PluginState::Rejected);
         QVERIFY2(loader.records()[1].reason.contains("test/idle"), qPrintable(loader.records()[1].reason));
         QVERIFY(*loader.pluginFor("test/idle") == loader.records()[0].plugin);
+    }
+
+    void aFileThatIsWrittenAnewIsTheNewCodeAndTheOldOneRunsOn() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("robot.so");
+        overwrite(file, built + "good.so");
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.robots().front().name, std::string("Test robot"));
+        const RobotPlugin* const old = *loader.pluginFor("test/idle");
+        const auto running = old->createBehavior("test/idle", {});
+        QVERIFY(running);
+
+        overwrite(file, built + "rebuilt.so"); // into the same file, as some linkers do it
+        const auto changes = loader.rescan();
+        QCOMPARE(changes.size(), std::size_t(1));
+        QVERIFY(changes.front().news == PluginNews::Rebuilt);
+        QCOMPARE(changes.front().record.file, file);
+        QCOMPARE(loader.robots().front().name, std::string("Rebuilt robot"));
+        QVERIFY(*loader.pluginFor("test/idle") != old);
+        QVERIFY((*running)->safeCommand() == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+    }
+
+    void aSecondScanTellsWhatIsNewAndWhatIsGone() {
+        QTemporaryDir folder;
+        overwrite(folder.filePath("one.so"), built + "good.so");
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        const RobotPlugin* const first = *loader.pluginFor("test/idle");
+        QVERIFY(loader.rescan().empty());
+        QVERIFY(*loader.pluginFor("test/idle") == first);
+
+        overwrite(folder.filePath("two.so"), built + "wrong_version.so");
+        auto changes = loader.rescan();
+        QCOMPARE(changes.size(), std::size_t(1));
+        QVERIFY(changes.front().news == PluginNews::Refused);
+        QVERIFY(changes.front().record.reason.contains("version 1 of the plugin interface"));
+        QVERIFY(loader.rescan().empty()); // said once
+
+        QVERIFY(QFile::remove(folder.filePath("one.so")));
+        changes = loader.rescan();
+        QCOMPARE(changes.size(), std::size_t(1));
+        QVERIFY(changes.front().news == PluginNews::Removed);
+        QVERIFY(!loader.pluginFor("test/idle"));
+    }
+
+    void whatWasRefusedIsTakenOnceItIsMended() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("robot.so");
+        overwrite(file, built + "unresolved.so");
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QVERIFY(!loader.behavior("test/idle"));
+        overwrite(file, built + "good.so");
+        const auto changes = loader.rescan();
+        QCOMPARE(changes.size(), std::size_t(1));
+        QVERIFY(changes.front().news == PluginNews::Added);
+        QVERIFY(loader.behavior("test/idle"));
+        QCOMPARE(loader.recordOf("test/idle")->file, file);
     }
 
     void livesWithAMissingFolderAndSkipsOtherFiles() {

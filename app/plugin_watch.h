@@ -1,0 +1,28 @@
+// Sees when a plugin is built anew.
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QStringList>
+#include <QTimer>
+
+namespace usar::app {
+
+/// Watches folders and the files in them; a linker writes in many steps, so the word comes once nothing has moved for a
+/// while. GUI thread.
+class PluginWatch : public QObject {
+    Q_OBJECT
+public:
+    explicit PluginWatch(QObject* parent = nullptr);
+
+    /// Also after a change, for a file that was replaced is watched no more.
+    void watch(const QStringList& folders);
+
+signals:
+    void changed();
+
+private:
+    QFileSystemWatcher watcher_;
+    QTimer calm_;
+};
+
+} // namespace usar::app

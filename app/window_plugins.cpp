@@ -1,0 +1,103 @@
+// The plugins' part of MainWindow: what was refused, and what is built anew while the program runs.
+#include <QFileInfo>
+
+#include "app/main_window.h"
+
+namespace usar::app {
+
+namespace {
+
+QString behaviorsOf(const agent::PluginRecord& record) {
+    QStringList ids;
+    for (const QVariant& id : record.metadata.toVariantMap().value("behaviors").toList())
+        ids << id.toString();
+    return ids.join(", ");
+}
+
+} // namespace
+
+void MainWindow::registerPluginCommands() {
+    commands_.add({"plugins.rescan",
+                   tr("Look for new plugins"),
+                   tr("Robots"),
+                   tr("Loads robot plugins that were built or copied since; running behaviors go on as they are"),
+                   "reset",
+                   {QKeySequence("Ctrl+F5")}},
+                  [this](bool) { rescanPlugins(true); });
+}
+
+void MainWindow::wirePlugins() {
+    views_.behavior->setRescanAction(commands_.action("plugins.rescan"));
+    plugin_watch_.watch(control_.plugins().folders());
+    connect(&plugin_watch_, &PluginWatch::changed, this, [this] { rescanPlugins(false); });
+}
+
+void MainWindow::tellPlugins(const QStringList& folders) {
+    for (const agent::PluginRecord& record : control_.plugins().records())
+        if (record.state == agent::PluginState::Rejected)
+            say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+    if (control_.plugins().robots().empty())
+        say(Severity::Error, "plugins",
+            tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
+               "or name another folder with --plugins.")
+                .arg(folders.join(", ")));
+}
+
+void MainWindow::rescanPlugins(bool asked) {
+    const auto changes = control_.rescanPlugins();
+    plugin_watch_.watch(control_.plugins().folders());
+    for (const agent::PluginChange& change : changes)
+        tellChange(change);
+    if (changes.empty()) {
+        if (asked)
+            views_.notifications->push("plugins-same", Severity::Note, tr("No plugin is new."), true);
+        return;
+    }
+    views_.spawn_card->setRobots(robotsToSpawn(world_picture_.robot_classes));
+    selectRobot(selected_);
+    showChosenBehavior();
+}
+
+void MainWindow::tellChange(const agent::PluginChange& change) {
+    const agent::PluginRecord& record = change.record;
+    const QString name = QFileInfo(record.file).fileName();
+    QStringList old_ones;
+    for (const Robot* robot : control_.robots())
+        if (const auto* of = control_.plugins().recordOf(robot->view().behavior_id);
+            robot->running() && of && of->file == record.file)
+            old_ones << QString::fromStdString(robot->view().spawn.robot_name);
+    switch (change.news) {
+    case agent::PluginNews::Refused:
+        return say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+    case agent::PluginNews::Removed:
+        return say(Severity::Warning, record.file,
+                   tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
+    case agent::PluginNews::Added:
+        control_.cure("plugins");
+        break;
+    case agent::PluginNews::Rebuilt:
+        break;
+    }
+    control_.cure(record.file);
+    QString text = change.news == agent::PluginNews::Added
+                       ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(record))
+                       : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
+    if (!old_ones.isEmpty())
+        text += ' ' + tr("%1 goes on with the old one until it is started again.").arg(old_ones.join(", "));
+    views_.notifications->push("plugin/" + record.file, Severity::Note, text, true);
+}
+
+void MainWindow::showChosenBehavior() {
+    const std::string id = views_.behavior->behaviorId();
+    const auto* behavior = control_.plugins().behavior(id);
+    views_.spawn_card->preferBehavior(QString::fromStdString(id));
+    views_.parameters->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
+    if (const TaskDraft& draft = drafts_[selected_]; draft.behavior_id == id) {
+        views_.parameters->setValues(draft.values);
+        views_.behavior->plan().choose(draft.plan_path);
+    }
+    workshop_.follow(selected_);
+    showPlan();
+}
+
+} // namespace usar::app

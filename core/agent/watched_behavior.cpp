@@ -1,0 +1,123 @@
+#include "core/agent/watched_behavior.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <iterator>
+#include <semaphore>
+#include <thread>
+#include <utility>
+
+#include "core/base/numbers.h"
+
+namespace usar::agent {
+
+/// What both threads see. The fields belong to the thread whose turn it is: the worker's from `asked` to `answered`.
+struct WatchedBehavior::Worker {
+    explicit Worker(std::unique_ptr<BehaviorHost> watched) : host(std::move(watched)) {}
+
+    void work();
+
+    std::unique_ptr<BehaviorHost> host;
+    protocol::InfoLine line; ///< a copy: the caller's own is overwritten, whether or not the behavior has done with it
+    std::function<Output(BehaviorHost&)> call;
+    Output output;
+    protocol::Command safe;
+    bool halted = false;
+    bool finished = false;
+    std::binary_semaphore asked{0};
+    std::binary_semaphore answered{0};
+    std::atomic<bool> over{false};
+};
+
+void WatchedBehavior::Worker::work() {
+    for (;;) {
+        asked.acquire();
+        if (over)
+            return;
+        output = call(*host);
+        safe = host->safeCommand({}).command;
+        halted = host->halted();
+        finished = host->finished();
+        answered.release();
+    }
+}
+
+WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
+    : worker_(std::make_shared<Worker>(std::move(host)))
+    , behavior_id_(worker_->host->behaviorId())
+    , safe_(lastResort(protocol::VehicleKind::Unknown)) {
+    std::thread([worker = worker_] { worker->work(); }).detach();
+}
+
+WatchedBehavior::~WatchedBehavior() {
+    worker_->over = true;
+    worker_->asked.release();
+}
+
+RunningBehavior::Output WatchedBehavior::run(std::function<Output(BehaviorHost&)> call, const std::string& what) {
+    if (finished_)
+        return std::exchange(owed_, {});
+    worker_->call = std::move(call);
+    worker_->asked.release();
+    if (!worker_->answered.try_acquire_for(patience_))
+        return giveUp(what);
+    halted_ = worker_->halted;
+    finished_ = worker_->finished;
+    safe_ = worker_->safe;
+    Output output = std::exchange(worker_->output, {});
+    if (owed_.commands.empty() && owed_.published.empty())
+        return output;
+    Output both = std::exchange(owed_, {});
+    std::ranges::move(output.commands, std::back_inserter(both.commands));
+    std::ranges::move(output.published, std::back_inserter(both.published));
+    return both;
+}
+
+RunningBehavior::Output WatchedBehavior::giveUp(const std::string& what) {
+    finished_ = true;
+    halted_ = false;
+    Output output = std::exchange(owed_, {});
+    output.commands = {safeCommand(behavior_id_ + ": stopped because it hangs")};
+    output.published.push_back(BehaviorFinished{
+        false, "The behavior " + behavior_id_ + " hangs: it has not come back from " + what + " for " +
+                   fixed(patience_.count(), 1) +
+                   " s. Mend it, or let it run in a process of its own, which can be ended; then start it again."});
+    return output;
+}
+
+RunningBehavior::Output WatchedBehavior::begin() {
+    return run([](BehaviorHost& host) { return host.begin(); }, "its start");
+}
+
+RunningBehavior::Output WatchedBehavior::receive(const protocol::InfoLine& line) {
+    last_line_ = line.number;
+    if (finished_)
+        return {};
+    worker_->line = line;
+    return run([worker = worker_.get()](BehaviorHost& host) { return host.receive(worker->line); },
+               "line " + std::to_string(line.number.value));
+}
+
+RunningBehavior::Output WatchedBehavior::order(Order order) {
+    return run([order](BehaviorHost& host) { return host.order(order); }, "an order");
+}
+
+RunningBehavior::Output WatchedBehavior::control(const PlanControl& control) {
+    return run([control](BehaviorHost& host) { return host.control(control); }, "a change of its plan");
+}
+
+void WatchedBehavior::setParameters(const ParameterSet& parameters) {
+    owed_ = run(
+        [parameters](BehaviorHost& host) {
+            host.setParameters(parameters);
+            return Output{};
+        },
+        "new parameters");
+}
+
+CausedCommand WatchedBehavior::safeCommand(const std::string& source) const {
+    return {safe_, {source, last_line_}};
+}
+
+} // namespace usar::agent

@@ -1,0 +1,124 @@
+#include <atomic>
+#include <thread>
+
+#include <QtTest>
+
+#include "core/agent/watched_behavior.h"
+#include "tests/doubles/scripted_behavior.h"
+
+using namespace usar;
+using namespace usar::agent;
+using usar::test::Script;
+using usar::test::ScriptedBehavior;
+
+namespace {
+
+protocol::InfoLine stateLine(std::uint64_t number, double time_s) {
+    protocol::RobotState state;
+    state.time = Seconds(time_s);
+    return {LineNumber{number}, "STA", state, {}};
+}
+
+WatchedBehavior watched(const std::shared_ptr<Script>& script) {
+    return WatchedBehavior(std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted"));
+}
+
+} // namespace
+
+class tst_WatchedBehavior : public QObject {
+    Q_OBJECT
+
+    std::shared_ptr<Script> script; ///< a new one for each, for one that hangs is not done with the old one
+
+private slots:
+    void init() { script = std::make_shared<Script>(); }
+
+    void answersAsInTheThreadOfItsOwner() {
+        std::thread::id decided_in;
+        script->on_tick = [&](const Tick& tick, CommandPort& port) {
+            decided_in = std::this_thread::get_id();
+            port.send(protocol::AerialDrive{tick.now.count(), {}, {}, {}}, "climbing");
+            port.publish(BehaviorEvent{Severity::Note, "up"});
+        };
+        auto behavior = watched(script);
+        QVERIFY(behavior.begin().commands.empty());
+        const auto output = behavior.receive(stateLine(7, 1.5));
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QVERIFY(output.commands[0].command == protocol::Command(protocol::AerialDrive{1.5, {}, {}, {}}));
+        QCOMPARE(output.commands[0].cause.source, std::string("test/scripted: climbing"));
+        QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(7));
+        QCOMPARE(output.published.size(), std::size_t(1));
+        QVERIFY(decided_in != std::this_thread::get_id());
+    }
+
+    void aHangingBehaviorIsGivenUpWithItsOwnSafeCommand_data() {
+        QTest::addColumn<QString>("call");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("in a line") << "line"
+                                   << "has not come back from line 2";
+        QTest::newRow("in a tick") << "tick"
+                                   << "has not come back from line 2";
+        QTest::newRow("in an order") << "order"
+                                     << "has not come back from an order";
+        QTest::newRow("in a change of its plan") << "control"
+                                                 << "has not come back from a change of its plan";
+    }
+    void aHangingBehaviorIsGivenUpWithItsOwnSafeCommand() {
+        QFETCH(QString, call);
+        QFETCH(QString, words);
+        const auto let_go = std::make_shared<std::atomic<bool>>(false);
+        const auto hang = [let_go] {
+            while (!*let_go)
+                std::this_thread::yield();
+        };
+        script->safe = protocol::SkidDrive{0.0, 0.0};
+        auto behavior = watched(script);
+        behavior.setPatience(Seconds{0.2});
+        behavior.begin();
+        behavior.receive(stateLine(1, 1.0));
+        script->on_info = [=](const protocol::InfoLine&, CommandPort&) { call == "line" ? hang() : void(); };
+        script->on_tick = [=](const Tick&, CommandPort&) { call == "tick" ? hang() : void(); };
+        script->on_order = [=](Order, CommandPort&) { hang(); };
+        script->on_control = [=](const PlanControl&, CommandPort&) { hang(); };
+
+        QElapsedTimer timer;
+        timer.start();
+        const auto output = call == "order"     ? behavior.order(Order::Pause)
+                            : call == "control" ? behavior.control(PlanStep::Halt)
+                                                : behavior.receive(stateLine(2, 1.2));
+        QVERIFY(timer.elapsed() >= 190);
+        QVERIFY(behavior.finished());
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QVERIFY(output.commands[0].command == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+        const auto& finished = std::get<BehaviorFinished>(output.published.back());
+        QVERIFY(!finished.success);
+        const QString reason = QString::fromStdString(finished.reason);
+        QVERIFY2(reason.contains("test/scripted hangs") && reason.contains(words), qPrintable(reason));
+        QVERIFY(behavior.receive(stateLine(3, 1.4)).commands.empty()); // it is left alone
+        QVERIFY(behavior.safeCommand("operator").command == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+        *let_go = true;
+    }
+
+    void newParametersReachItAndAThrowAfterThemIsSaid() {
+        auto behavior = watched(script);
+        behavior.begin();
+        script->on_tick = [](const Tick&, CommandPort&) { throw std::runtime_error("lost my way"); };
+        behavior.setParameters(*ParameterSet::make({}));
+        QCOMPARE(script->parameters.size(), std::size_t(1));
+        const auto output = behavior.receive(stateLine(1, 1.0));
+        QVERIFY(std::get<BehaviorFinished>(output.published.back()).reason.find("lost my way") != std::string::npos);
+        QVERIFY(behavior.finished());
+    }
+
+    void isHaltedAsItsBehaviorIs() {
+        script->on_tick = [](const Tick&, CommandPort& port) { port.publish(PlanHalted{}); };
+        auto behavior = watched(script);
+        behavior.begin();
+        QVERIFY(!behavior.halted());
+        behavior.receive(stateLine(1, 1.0));
+        QVERIFY(behavior.halted());
+    }
+};
+
+QTEST_APPLESS_MAIN(tst_WatchedBehavior)
+#include "tst_watched_behavior.moc"

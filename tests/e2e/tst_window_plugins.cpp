@@ -1,0 +1,105 @@
+// Plugins while the window runs: built anew, taken away, and behaviors that go wrong in the air.
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+const QString built = QStringLiteral(USAR_BINARY_DIR "/tests/plugins/");
+const QString robots = QStringLiteral(USAR_BINARY_DIR "/robots");
+
+/// As a linker does: the file stays, and what is in it changes.
+void writeOver(const QString& file, const QString& source) {
+    QFile from(source);
+    QFile to(file);
+    QVERIFY(from.open(QIODevice::ReadOnly));
+    QVERIFY(to.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    QVERIFY(to.write(from.readAll()) > 0);
+}
+
+bool flies(const WindowPage& page) {
+    return page.robot(1) && page.robot(1)->figures.behavior_running && page.robot(1)->status;
+}
+
+/// In the air, with this behavior.
+bool startFlight(WindowPage& page, const std::string& behavior_id) {
+    if (!QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) || !page.spawnAt("PlayerStart"))
+        return false;
+    page.window().views().behavior->chooseBehavior(behavior_id);
+    if (page.window().views().behavior->behaviorId() != behavior_id)
+        return false;
+    page.press("Start");
+    return QTest::qWaitFor([&] { return flies(page); }, soon_ms);
+}
+
+} // namespace
+
+class tst_WindowPlugins : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void aPluginThatIsBuiltAnewIsLoadedByItself();
+    void aPluginBuiltAnewInFlightDecidesFromTheNextStartOn();
+    void theCommandSaysAlsoThatNothingIsNew();
+    void aHangingBehaviorIsStoppedAndTheRobotCanFlyOn();
+};
+
+void tst_WindowPlugins::aPluginThatIsBuiltAnewIsLoadedByItself() {
+    QTemporaryDir folder;
+    writeOver(folder.filePath("robot.so"), built + "good.so");
+    WindowPage page({.plugin_folders = {folder.path()}});
+    const auto& plugins = page.window().control().plugins();
+    QCOMPARE(plugins.robots().front().name, std::string("Test robot"));
+    writeOver(folder.filePath("robot.so"), built + "rebuilt.so");
+    QTRY_COMPARE_WITH_TIMEOUT(plugins.robots().front().name, std::string("Rebuilt robot"), soon_ms);
+    QVERIFY(page.notified("robot.so was built anew").contains("the new code"));
+    writeOver(folder.filePath("robot.so"), built + "wrong_version.so");
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("robot.so was refused").contains("Rebuild it"), soon_ms);
+    QVERIFY(QFile::remove(folder.filePath("robot.so")));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("robot.so is gone").isEmpty(), soon_ms);
+}
+
+void tst_WindowPlugins::aPluginBuiltAnewInFlightDecidesFromTheNextStartOn() {
+    QTemporaryDir folder;
+    writeOver(folder.filePath("faulty.so"), built + "faulty.so");
+    WindowPage page({.plugin_folders = {folder.path()}});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(startFlight(page, "faulty/none"));
+    writeOver(folder.filePath("faulty.so"), built + "faulty.so");
+    page.pressKey(Qt::Key_F5, Qt::ControlModifier);
+    QVERIFY2(page.notified("faulty.so was built anew").contains("R1 goes on with the old one"),
+             qPrintable(page.notified("faulty.so")));
+    const Seconds then = page.robot(1)->figures.now;
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > then + Seconds(1.0), soon_ms);
+    QVERIFY(page.robot(1)->figures.behavior_running);
+    page.press("Stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.robot(1)->figures.behavior_running, soon_ms);
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(flies(page), soon_ms);
+}
+
+void tst_WindowPlugins::theCommandSaysAlsoThatNothingIsNew() {
+    WindowPage page({.plugin_folders = {robots}});
+    page.pressKey(Qt::Key_F5, Qt::ControlModifier);
+    QVERIFY(!page.notified("No plugin is new").isEmpty());
+}
+
+void tst_WindowPlugins::aHangingBehaviorIsStoppedAndTheRobotCanFlyOn() {
+    WindowPage page({.plugin_folders = {built}});
+    QVERIFY(startFlight(page, "faulty/loop"));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("faulty/loop hangs").isEmpty(), soon_ms);
+    QVERIFY(page.notified("faulty/loop hangs").startsWith("R1"));
+    QVERIFY(!page.robot(1)->figures.behavior_running);
+    page.window().views().behavior->chooseBehavior("faulty/none");
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(flies(page), soon_ms);
+}
+
+USAR_E2E_MAIN(tst_WindowPlugins)
+#include "tst_window_plugins.moc"
