@@ -8,7 +8,7 @@ namespace usar::app {
 namespace {
 
 /// First of the candidates, relative to the program's folder, that exists; else the first.
-QString firstFolder(const QStringList& candidates) {
+QString firstThere(const QStringList& candidates) {
     const QDir bin(QCoreApplication::applicationDirPath());
     for (const QString& candidate : candidates)
         if (bin.exists(candidate))
@@ -17,7 +17,7 @@ QString firstFolder(const QStringList& candidates) {
 }
 
 QString worldsFolder() {
-    return firstFolder({"../share/worlds", "../share/usar-mission-control/worlds"});
+    return firstThere({"../share/worlds", "../share/usar-mission-control/worlds"});
 }
 
 } // namespace
@@ -48,11 +48,15 @@ QStringList worldNames() {
 }
 
 QString robotsFolder() {
-    return firstFolder({"../share/robots", "../share/usar-mission-control/robots"});
+    return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
+}
+
+QString behaviorHostProgram() {
+    return firstThere({"usar-behavior-host", "../bin/usar-behavior-host"});
 }
 
 QStringList pluginFolders() {
-    return {firstFolder({"../robots", "../lib/usar-mission-control/robots"})};
+    return {firstThere({"../robots", "../lib/usar-mission-control/robots"})};
 }
 
 } // namespace usar::app

@@ -19,5 +19,7 @@ QStringList worldNames();
 QString robotsFolder();
 /// Folders that hold behavior plugins, most specific first.
 QStringList pluginFolders();
+/// The program that behaviors run in where they have a process of their own.
+QString behaviorHostProgram();
 
 } // namespace usar::app

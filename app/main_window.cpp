@@ -39,7 +39,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     control_.loadPlugins(plugin_folders);
     control_.setResultFolder(options.result_folder);
     views_.hint->setSteps(widgets::HintStrip::firstSteps());
-    views_.spawn_card->setRobots(control_.plugins().robots());
+    views_.spawn_card->setRobots(control_.plugins().kinds());
     registerCommands();
     makeMenus();
     wireControl();

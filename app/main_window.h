@@ -160,8 +160,11 @@ private:
     /// What was built anew decides from the next start on. `asked` by the person, who is told also that nothing is new.
     void rescanPlugins(bool asked);
     void tellChange(const agent::PluginChange& change);
-    /// Form and plan of the behavior that is chosen.
+    /// Form, plan and isolation of the behavior that is chosen.
     void showChosenBehavior();
+    /// Name of the plugin that has the chosen behavior; empty where none has.
+    QString chosenPlugin() const;
+    void setIsolated(const QString& plugin, bool isolated);
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
     void complain(const QString& key, const Error& error);
@@ -205,6 +208,7 @@ private:
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up
     QStringList mission_faults_;                          ///< of the mission that is set up
+    QStringList isolated_plugins_;                        ///< by name: their behaviors have a process of their own
     std::vector<sim::FaultStatus> faults_;                ///< of the embedded simulator
     QByteArray first_layout_;
     int selected_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/locations.h"
 #include "app/simulator_files.h"
 #include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
@@ -253,7 +254,7 @@ Result<void> MissionControl::checkArea(const Rectangle& area_in_map) const {
 
 Result<void> MissionControl::startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                                            const std::map<std::string, agent::ParameterValue>& values,
-                                           const QString& plan_path) {
+                                           const QString& plan_path, bool isolate) {
     Robot* robot = this->robot(id);
     if (!robot)
         return failure("there is no such robot", std::to_string(id), "Spawn one on a start pose first");
@@ -270,7 +271,10 @@ Result<void> MissionControl::startBehavior(int id, const std::string& behavior_i
     const auto plan = mission::readOwnPlan(plan_path, behavior_id, plugins_);
     if (!plan)
         return tl::unexpected(plan.error());
-    return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters, *plan);
+    std::optional<agent::Isolation> isolation;
+    if (isolate)
+        isolation = {behaviorHostProgram()};
+    return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters, *plan, isolation);
 }
 
 Result<void> MissionControl::addFaults(const QStringList& texts) {

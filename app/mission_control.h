@@ -64,9 +64,10 @@ public:
     void remove(int id);
     /// For a robot that never came, or went with a lost link: INIT anew, as it was asked for the first time.
     void spawnAgain(int id);
-    /// `plan_path`: of a person's own POSH plan; empty: the robot's.
+    /// `plan_path`: of a person's own POSH plan; empty: the robot's. `isolate`: in a process of its own.
     Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
-                               const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path);
+                               const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
+                               bool isolate = false);
     /// Whether this mission can be flown here: plugin, parameters, area within the world, world. The parameters as the
     /// behavior takes them.
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const mission::Mission& mission) const;

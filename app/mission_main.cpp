@@ -94,13 +94,15 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         plan.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
         plan.places.erase("plan");
     }
+    plan.isolate = plan.isolate || options.isolate;
     agent::PluginLoader plugins;
-    plugins.scan(app::pluginFolders());
+    plugins.scan(app::pluginFolders() + options.plugin_folders);
     std::unique_ptr<app::HeadlessSimulator> simulator;
     mission::RunOptions run_options;
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
+    run_options.behavior_host = app::behaviorHostProgram();
     if (options.server && !(options.faults.isEmpty() && plan.faults.empty()))
         return refuse({"faults can be made in the embedded simulator only", options.server->host.toStdString(),
                        "Leave out --connect, or the faults"},

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/agent/behavior_start.h"
 #include "core/base/numbers.h"
 
 namespace usar::app {
@@ -85,9 +84,10 @@ void Robot::spawn(int id, const mission::SpawnRequest& request) {
 
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
                                   const Rectangle& area_in_map, const agent::ParameterSet& parameters,
-                                  const std::optional<agent::PlanText>& plan) {
+                                  const std::optional<agent::PlanText>& plan,
+                                  const std::optional<agent::Isolation>& isolation) {
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
-    const auto behavior = agent::startBehavior(plugins, behavior_id, {task, parameters, plan});
+    const auto behavior = agent::startBehavior(plugins, behavior_id, {task, parameters, plan}, isolation);
     if (!behavior)
         return tl::unexpected(behavior.error());
     later([=, host = *behavior, breakpoints = breakpoints_](mission::RobotSession& session) {

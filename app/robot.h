@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QThread>
 
-#include "core/agent/plugin_loader.h"
+#include "core/agent/behavior_start.h"
 #include "core/mission/robot_session.h"
 
 namespace usar::app {
@@ -63,7 +63,8 @@ public:
     /// Plugins are code of other people: what they throw or refuse comes back as an error.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
                                const Rectangle& area_in_map, const agent::ParameterSet& parameters,
-                               const std::optional<agent::PlanText>& plan);
+                               const std::optional<agent::PlanText>& plan,
+                               const std::optional<agent::Isolation>& isolation);
     /// True where the cells change by it. A map that has heights keeps its cells; a notice says so.
     bool setCellSize(double cell_size_m);
     void order(agent::Order order);

@@ -31,7 +31,7 @@ void MainWindow::connectTo(widgets::ServerChoice choice, const QString& host, qu
         draft.area_in_map.reset(); // of another world
     start_poses_.clear();
     server_now_.reset();
-    views_.spawn_card->setRobots(control_.plugins().robots());
+    views_.spawn_card->setRobots(control_.plugins().kinds());
     views_.time->setSteerable(target.embedded);
     control_.connectTo(target);
     if (control_.robot(selected_)) // a replay stays, and its map has gone with the old world's
@@ -60,7 +60,7 @@ void MainWindow::showWorld(const WorldPicture& world) {
 
 /// What plugins can drive, and then what the embedded simulator has besides: those are driven by commands alone.
 std::vector<agent::RobotDescription> MainWindow::robotsToSpawn(const QStringList& classes) const {
-    std::vector<agent::RobotDescription> robots = control_.plugins().robots();
+    std::vector<agent::RobotDescription> robots = control_.plugins().kinds();
     for (const QString& name : classes) {
         const std::string class_name = "USARBot." + name.toStdString();
         const bool known = std::ranges::any_of(
@@ -113,7 +113,7 @@ void MainWindow::selectRobot(int id) {
     keepDraft();
     selected_ = control_.robot(id) ? id : 0;
     const Robot* robot = control_.robot(selected_);
-    const auto& known = control_.plugins().robots();
+    const auto known = control_.plugins().kinds();
     const auto described = std::ranges::find_if(known, [&](const agent::RobotDescription& description) {
         return !robot || description.class_name == robot->view().spawn.class_name;
     });
@@ -161,7 +161,8 @@ void MainWindow::start() {
     if (Robot* robot = control_.robot(selected_); robot && robot->setCellSize(cell_size_m_))
         views_.map->clearHeights(cell_size_m_);
     const auto started = control_.startBehavior(selected_, views_.behavior->behaviorId(), views_.behavior->area(),
-                                                views_.parameters->values(), views_.behavior->plan().path());
+                                                views_.parameters->values(), views_.behavior->plan().path(),
+                                                views_.behavior->isolated());
     if (!started)
         return complain("start", started.error());
     control_.cure("start");
@@ -295,6 +296,7 @@ void MainWindow::openMission(const QString& path) {
                                     "Select or spawn a " + mission->robot_class + " first, then open it again"});
     views_.parameters->setValues(*prepared);
     views_.behavior->plan().choose(QString::fromStdString(mission->plan));
+    setIsolated(chosenPlugin(), mission->isolate || views_.behavior->isolated());
     views_.behavior->setArea(mission->area_in_map);
     views_.map->setArea(mission->area_in_map);
     views_.map->fit();
@@ -348,6 +350,7 @@ void MainWindow::saveMission(const QString& path) {
     mission.area_in_map = views_.behavior->area();
     mission.parameters = views_.parameters->values();
     mission.cell_size_m = cell_size_m_;
+    mission.isolate = views_.behavior->isolated();
     if (const auto saved = mission::writeMissionFile(mission, behavior->parameters, path); !saved)
         return complain("mission", saved.error());
     control_.cure("mission");

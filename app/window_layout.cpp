@@ -137,6 +137,7 @@ void MainWindow::restoreSettings() {
                                   quint16(settings.value("server/port", options_.server.port).toUInt()));
     setRecording(settings.value("record", true).toBool());
     plan_.restore(settings);
+    isolated_plugins_ = settings.value("isolated_plugins").toStringList();
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }
@@ -147,6 +148,7 @@ void MainWindow::saveSettings() {
     QSettings& settings = *written;
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", saveGeometry());
+    settings.setValue("isolated_plugins", isolated_plugins_);
     settings.setValue("layout", saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
     saveMessages(settings);

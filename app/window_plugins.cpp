@@ -28,6 +28,8 @@ void MainWindow::registerPluginCommands() {
 
 void MainWindow::wirePlugins() {
     views_.behavior->setRescanAction(commands_.action("plugins.rescan"));
+    connect(views_.behavior, &widgets::BehaviorPanel::isolationChosen, this,
+            [this](bool isolated) { setIsolated(chosenPlugin(), isolated); });
     plugin_watch_.watch(control_.plugins().folders());
     connect(&plugin_watch_, &PluginWatch::changed, this, [this] { rescanPlugins(false); });
 }
@@ -36,7 +38,7 @@ void MainWindow::tellPlugins(const QStringList& folders) {
     for (const agent::PluginRecord& record : control_.plugins().records())
         if (record.state == agent::PluginState::Rejected)
             say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
-    if (control_.plugins().robots().empty())
+    if (control_.plugins().kinds().empty())
         say(Severity::Error, "plugins",
             tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
                "or name another folder with --plugins.")
@@ -96,8 +98,21 @@ void MainWindow::showChosenBehavior() {
         views_.parameters->setValues(draft.values);
         views_.behavior->plan().choose(draft.plan_path);
     }
+    views_.behavior->setIsolated(isolated_plugins_.contains(chosenPlugin()));
     workshop_.follow(selected_);
     showPlan();
+}
+
+QString MainWindow::chosenPlugin() const {
+    const auto* record = control_.plugins().recordOf(views_.behavior->behaviorId());
+    return record ? record->metadata.value("name").toString() : QString();
+}
+
+void MainWindow::setIsolated(const QString& plugin, bool isolated) {
+    isolated_plugins_.removeAll(plugin);
+    if (isolated && !plugin.isEmpty())
+        isolated_plugins_ << plugin;
+    views_.behavior->setIsolated(isolated_plugins_.contains(chosenPlugin()));
 }
 
 } // namespace usar::app

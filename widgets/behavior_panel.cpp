@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -34,6 +35,7 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     , behavior_box_(new QComboBox)
     , rescan_(new QToolButton)
     , help_label_(mutedLabel())
+    , isolated_(new QCheckBox(tr("In a process of its own")))
     , plan_(new PlanChoice)
     , area_box_(new QWidget)
     , area_form_(new AreaForm)
@@ -60,6 +62,12 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(help_label_);
     layout->addWidget(plan_);
+    isolated_->setToolTip(
+        tr("A behavior that crashes or hangs there ends alone: its robot stops, you are told where it "
+           "died, and nothing else is disturbed. Costs well below a millisecond a tick"));
+    isolated_->setMinimumHeight(minimum_target);
+    layout->addWidget(isolated_);
+    connect(isolated_, &QCheckBox::clicked, this, &BehaviorPanel::isolationChosen);
     makeAreaBox();
     layout->addWidget(area_box_);
     layout->addWidget(summary_label_);
@@ -210,6 +218,7 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
         behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
     }
     behavior_box_->setEnabled(!busy() && !behaviors_.empty());
+    isolated_->setEnabled(behavior_box_->isEnabled());
     if (behaviors_.empty() || behaviorId() != chosen)
         showBehavior();
     if (behaviorId() != chosen)
@@ -245,6 +254,14 @@ void BehaviorPanel::chooseBehavior(const std::string& id) {
         behavior_box_->setCurrentIndex(index);
 }
 
+bool BehaviorPanel::isolated() const {
+    return isolated_->isChecked();
+}
+
+void BehaviorPanel::setIsolated(bool isolated) {
+    isolated_->setChecked(isolated);
+}
+
 std::string BehaviorPanel::behaviorId() const {
     return behavior_box_->currentData().toString().toStdString();
 }
@@ -271,6 +288,7 @@ bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
     pause_->setChecked(state == RunState::Paused);
     pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
     behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
+    isolated_->setEnabled(behavior_box_->isEnabled());
     return true;
 }
 

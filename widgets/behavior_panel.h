@@ -14,6 +14,7 @@
 #include "widgets/plan_choice.h"
 
 class QAction;
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -42,6 +43,9 @@ public:
     PlanChoice& plan() { return *plan_; }
     const PlanChoice& plan() const { return *plan_; }
     bool needsArea() const;
+    /// The chosen behavior is to run in a process of its own. Setting it is silent.
+    bool isolated() const;
+    void setIsolated(bool isolated);
 
     /// Nothing: not drawn yet. A behavior that needs no area hides it.
     void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
@@ -68,6 +72,8 @@ signals:
     void areaTyped(const usar::Rectangle& area_in_map);
     /// The person wants to draw, or has had enough of it.
     void areaToolToggled(bool active);
+    /// By the person.
+    void isolationChosen(bool isolated);
     void startRequested();
     /// False: go on. The button shows the new state only when setRunState says so.
     void pauseRequested(bool paused);
@@ -90,6 +96,7 @@ private:
     QComboBox* behavior_box_;
     QToolButton* rescan_;
     QLabel* help_label_;
+    QCheckBox* isolated_;
     PlanChoice* plan_;
     QWidget* area_box_;
     AreaForm* area_form_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/agent/plugin_loader.h"
@@ -9,9 +10,16 @@
 
 namespace usar::agent {
 
-/// Makes the behavior and hands it to a thread of its own. Plugins are code of other people: what they throw or refuse
-/// comes back as an error, and so does a behavior that no loaded plugin has.
+/// How a behavior gets a process of its own.
+struct Isolation {
+    QString program; ///< path of usar-behavior-host
+};
+
+/// Makes the behavior and hands it to a thread of its own; or, isolated, prepares a process that makes it. Plugins are
+/// code of other people: what they throw or refuse comes back as an error (isolated, from the process: as the
+/// behavior's end), and so does a behavior that no loaded plugin has.
 Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugins, const std::string& behavior_id,
-                                                       BehaviorContext context);
+                                                       BehaviorContext context,
+                                                       const std::optional<Isolation>& isolation = {});
 
 } // namespace usar::agent

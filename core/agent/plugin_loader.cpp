@@ -159,6 +159,9 @@ std::vector<PluginChange> PluginLoader::rescan() {
     robots_.clear();
     owners_.clear();
     for (const QString& folder : folders_)
+        if (QFileInfo(folder).isFile())
+            takeFile(QFileInfo(folder).absoluteFilePath(), known);
+    for (const QString& folder : folders_)
         for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files, QDir::Name))
             if (QLibrary::isLibrary(file.fileName()))
                 takeFile(file.absoluteFilePath(), known);
@@ -267,6 +270,18 @@ const PluginRecord* PluginLoader::recordOf(const std::string& behavior_id) const
             robots_[i].behaviors.end())
             return &*std::ranges::find(records_, owners_[i], &PluginRecord::plugin);
     return nullptr;
+}
+
+std::vector<RobotDescription> PluginLoader::kinds() const {
+    std::vector<RobotDescription> kinds;
+    for (const RobotDescription& robot : robots_) {
+        const auto known = std::ranges::find(kinds, robot.class_name, &RobotDescription::class_name);
+        if (known == kinds.end())
+            kinds.push_back(robot);
+        else
+            known->behaviors.insert(known->behaviors.end(), robot.behaviors.begin(), robot.behaviors.end());
+    }
+    return kinds;
 }
 
 const BehaviorDescription* PluginLoader::behavior(const std::string& behavior_id) const {

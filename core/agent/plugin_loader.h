@@ -46,7 +46,7 @@ public:
     PluginLoader();
     ~PluginLoader();
 
-    /// Replaces all records.
+    /// Replaces all records. A file stands for itself.
     void scan(const QStringList& folders);
     /// The same folders again. Files that were not written since keep their code; descriptions move all the same.
     std::vector<PluginChange> rescan();
@@ -64,6 +64,9 @@ public:
     const RobotDescription* robotOf(const std::string& behavior_id) const;
     /// Descriptions of all loaded plugins.
     const std::vector<RobotDescription>& robots() const { return robots_; }
+    /// One for each class on the wire, as the first plugin describes it, with the behaviors that all plugins have for
+    /// it.
+    std::vector<RobotDescription> kinds() const;
 
 private:
     struct Library;

@@ -27,9 +27,4 @@ private:
     std::string bytes_;
 };
 
-/// In double quotes; what is not printable ASCII as \n \r \t \\ \" or \xHH.
-void appendQuoted(std::string& text, std::string_view bytes);
-/// Cuts a quoted text off the front of `rest`. False where there is none, or a broken one.
-bool takeQuoted(std::string_view& rest, std::string& bytes);
-
 } // namespace usar::link::recording

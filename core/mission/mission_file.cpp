@@ -20,8 +20,8 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name", "world", "robot",      "start",       "behavior",
-                                            "plan", "area",  "parameters", "cell_size_m", "faults"};
+const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start",  "behavior", "plan",
+                                            "area", "parameters", "cell_size_m", "faults", "isolate"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
@@ -67,6 +67,14 @@ public:
         } else {
             target = value.toDouble();
         }
+    }
+
+    void flag(const QJsonObject& object, const QString& key, bool& target) {
+        const QJsonValue value = object[key];
+        if (value.isBool())
+            target = value.toBool();
+        else if (!value.isUndefined())
+            failAt(key, QString("\"%1\" is neither true nor false").arg(key), "write it without quotes");
     }
 
     /// False, with an error, where the value is there but is no object.
@@ -214,6 +222,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
     readFaults(reading, root, mission.faults);
+    reading.flag(root, "isolate", mission.isolate);
     if (!(mission.cell_size_m >= 0.02 && mission.cell_size_m <= 10.0))
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())

@@ -24,9 +24,9 @@ struct KeyPlace {
 /// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan in
 /// place of the one that comes with the robot; a relative path begins at the mission's folder), area {x, y, width,
 /// height} (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m,
-/// faults [] (texts, as the simulator's --fault takes them; their times count from the beginning of the mission). Only
-/// the name must be there, and an area where the behavior needs one. Angles in the file are degrees where the
-/// parameter's unit is rad.
+/// faults [] (texts, as the simulator's --fault takes them; their times count from the beginning of the mission),
+/// isolate (true: the behavior runs in a process of its own). Only the name must be there, and an area where the
+/// behavior needs one. Angles in the file are degrees where the parameter's unit is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
@@ -38,6 +38,7 @@ struct Mission {
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
     double cell_size_m = 0.25;                               ///< 0.02 .. 10
     std::vector<std::string> faults;                         ///< of the embedded simulator
+    bool isolate = false;                                    ///< the behavior has a process of its own
     /// By path ("area.width", "parameters.scan_altitude_m"), for what is found wrong only later. Empty where no file
     /// was read; whoever puts another value in takes the place of the old one out.
     std::map<std::string, KeyPlace> places;

@@ -20,6 +20,8 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
         options.recording = value;
     } else if (name == "--fault") {
         options.faults << value;
+    } else if (name == "--plugins") {
+        options.plugin_folders << value;
     } else if (name == "--seed") {
         const auto seed = readInteger(value.toStdString());
         if (!seed || *seed < 0)
@@ -70,6 +72,10 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
             options.help = true;
             return options;
         }
+        if (argument == "--isolate") {
+            options.isolate = true;
+            continue;
+        }
         if (!argument.startsWith("--")) {
             words.append(argument);
             continue;
@@ -104,6 +110,8 @@ QString missionHelp() {
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
                "  --fault TEXT         something that goes wrong in the embedded simulator, for example\n"
                "                       'wind speed=4 gust=1 from=60'; again for more. usar-sim --help lists them\n"
+               "  --plugins FOLDER     robot plugins, besides those that come with the program; again for more\n"
+               "  --isolate            the behavior runs in a process of its own, and may die there alone\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +

@@ -28,6 +28,8 @@ struct MissionOptions {
     QString result_folder;               ///< empty: default
     QString recording;                   ///< empty: none
     QStringList faults;                  ///< besides the mission's
+    QStringList plugin_folders;          ///< besides those that come with the program
+    bool isolate = false;                ///< also where the mission does not ask for it
     bool help = false;
     bool operator==(const MissionOptions&) const = default;
 };

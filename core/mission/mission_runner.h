@@ -34,6 +34,7 @@ struct RunOptions {
     std::uint64_t seed = 1; ///< told in the summary; the simulator was given it by whoever made it
     QString result_folder;  ///< empty: default
     QString recording;      ///< a new file for all that is heard and said; empty: none
+    QString behavior_host;  ///< path of usar-behavior-host, for a mission that isolates its behavior
     RunLimits limits;
 
     // What only the maker of an embedded simulator knows; absent on a real server.

@@ -63,6 +63,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
         all["plan"] = planPath(QString::fromStdString(mission.plan), folder);
     if (mission.area_in_map.empty())
         all.remove("area");
+    if (mission.isolate)
+        all["isolate"] = true;
     QJsonArray faults;
     for (const std::string& fault : mission.faults)
         faults.append(QString::fromStdString(fault));

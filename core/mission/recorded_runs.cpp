@@ -6,7 +6,7 @@
 #include <QFile>
 
 #include "core/link/recording_reader.h"
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 #include "core/posh/trace_file.h"
 
 namespace usar::mission {
@@ -46,7 +46,7 @@ Result<RecordedTraces> readTraces(const QString& path) {
     while (const auto record = (*reader)->next()) {
         const bool may_be_trace =
             record->kind == link::RecordKind::Note && record->name == "published" && record->bytes.starts_with("trace");
-        const auto published = may_be_trace ? readPublished(record->bytes) : std::nullopt;
+        const auto published = may_be_trace ? agent::readPublished(record->bytes) : std::nullopt;
         if (const auto* trace = published ? std::get_if<agent::PlanTrace>(&*published) : nullptr)
             append(recorded.traces, trace->bytes);
     }

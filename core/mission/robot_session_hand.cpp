@@ -50,7 +50,7 @@ void RobotSession::Private::setUpHand() {
 void RobotSession::Private::beginHand() {
     hand.setOn(true);
     if (host) {
-        agent::BehaviorHost::Output output = host->order(agent::Order::Pause);
+        agent::RunningBehavior::Output output = host->order(agent::Order::Pause);
         takeOutput(output, false);
         say(Severity::Note, "control",
             "You drive. The behavior " + host->behaviorId() + " is paused; resume it to give it the robot back.");

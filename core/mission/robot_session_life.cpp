@@ -6,7 +6,7 @@
 
 #include <QMetaMethod>
 
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 #include "core/mission/stream_name.h"
 #include "core/protocol/command_writer.h"
 

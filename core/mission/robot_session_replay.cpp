@@ -5,7 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 #include "core/protocol/command_reader.h"
 
 namespace usar::mission {
@@ -165,7 +165,7 @@ void RobotSession::Private::sent(const link::Record& out) {
 
 void RobotSession::Private::note(const link::Record& record_) {
     if (record_.name == "published") {
-        if (const auto value = readPublished(record_.bytes))
+        if (const auto value = agent::readPublished(record_.bytes))
             takeReplayed(*value);
     } else if (record_.name == "robot") {
         sent({.kind = link::RecordKind::Out, .line = record_.line, .name = "session: spawn", .bytes = record_.bytes});

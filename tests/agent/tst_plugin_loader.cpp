@@ -9,6 +9,7 @@ class TestPluginLoader : public QObject {
     Q_OBJECT
 
     const QString built = QString(USAR_BINARY_DIR) + "/tests/plugins/";
+    const QString robots = QString(USAR_BINARY_DIR) + "/robots/";
 
     /// A refusal says what to do.
     const QRegularExpression mends{"(Rebuild|Add|Remove|Mend|Build|Make|Give|Rename|Keep) [^.]+[.]$"};
@@ -182,6 +183,19 @@ private slots:
         QVERIFY(changes.front().news == PluginNews::Added);
         QVERIFY(loader.behavior("test/idle"));
         QCOMPARE(loader.recordOf("test/idle")->file, file);
+    }
+
+    void behaviorsOfOneKindOfRobotComeTogetherFromAllPlugins() {
+        QTemporaryDir folder;
+        fill(folder, {built + "good.so", built + "faulty.so", robots + "airrobot.so"});
+        PluginLoader loader;
+        loader.scan({folder.path()});
+        QCOMPARE(loader.robots().size(), std::size_t(3));
+        const auto kinds = loader.kinds();
+        QCOMPARE(kinds.size(), std::size_t(2));
+        QCOMPARE(kinds[1].class_name, std::string("USARBot.AirRobot"));
+        QCOMPARE(kinds[1].behaviors.front().id, std::string("faulty/none"));
+        QCOMPARE(kinds[1].behaviors.back().id, std::string("airrobot/posh"));
     }
 
     void livesWithAMissingFolderAndSkipsOtherFiles() {

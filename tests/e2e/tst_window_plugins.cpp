@@ -1,4 +1,8 @@
 // Plugins while the window runs: built anew, taken away, and behaviors that go wrong in the air.
+#include <csignal>
+
+#include <QCheckBox>
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -37,6 +41,26 @@ bool startFlight(WindowPage& page, const std::string& behavior_id) {
     return QTest::qWaitFor([&] { return flies(page); }, soon_ms);
 }
 
+/// The processes of behaviors that we have started.
+QList<int> hosts() {
+    QList<int> found;
+    for (const QString& process : QDir("/proc").entryList({"[0-9]*"}, QDir::Dirs)) {
+        QFile status("/proc/" + process + "/stat");
+        if (!status.open(QIODevice::ReadOnly))
+            continue;
+        const QByteArray text = status.readAll(); // "17 (usar-behavior-h) S 12 …"
+        const QList<QByteArray> words = text.mid(text.lastIndexOf(')') + 2).split(' ');
+        if (text.contains("(usar-behavior") && words.value(0) != "Z" &&
+            words.value(1).toLongLong() == QCoreApplication::applicationPid())
+            found << process.toInt();
+    }
+    return found;
+}
+
+QCheckBox* isolationBox(const WindowPage& page) {
+    return const_cast<WindowPage&>(page).window().views().behavior->findChild<QCheckBox*>();
+}
+
 } // namespace
 
 class tst_WindowPlugins : public QObject {
@@ -48,6 +72,9 @@ private slots:
     void aPluginBuiltAnewInFlightDecidesFromTheNextStartOn();
     void theCommandSaysAlsoThatNothingIsNew();
     void aHangingBehaviorIsStoppedAndTheRobotCanFlyOn();
+    void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything_data();
+    void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything();
+    void isolationIsChosenForAPluginAndRemembered();
 };
 
 void tst_WindowPlugins::aPluginThatIsBuiltAnewIsLoadedByItself() {
@@ -99,6 +126,68 @@ void tst_WindowPlugins::aHangingBehaviorIsStoppedAndTheRobotCanFlyOn() {
     page.window().views().behavior->chooseBehavior("faulty/none");
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(flies(page), soon_ms);
+}
+
+void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything_data() {
+    QTest::addColumn<std::string>("behavior");
+    QTest::addColumn<int>("signal");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("kill -SEGV") << std::string("faulty/none") << SIGSEGV << "died by SIGSEGV";
+    QTest::newRow("kill -KILL") << std::string("faulty/none") << SIGKILL << "died by SIGKILL";
+    QTest::newRow("a fault of its own") << std::string("faulty/segfault") << 0 << "died by SIGSEGV";
+}
+
+void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything() {
+    QFETCH(std::string, behavior);
+    QFETCH(int, signal);
+    QFETCH(QString, words);
+    WindowPage page({.plugin_folders = {built}});
+    QVERIFY(startFlight(page, "faulty/none")); // the other one, in this process
+    QVERIFY(hosts().isEmpty());
+    QVERIFY(page.spawnAt(page.map().content().start_poses.back().name));
+    QCOMPARE(page.window().selectedRobot(), 2);
+    page.window().views().behavior->chooseBehavior(behavior);
+    isolationBox(page)->click();
+    page.press("Start");
+    if (signal != 0) {
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->figures.behavior_running, soon_ms);
+        QCOMPARE(hosts().size(), 1);
+        QCOMPARE(::kill(hosts().front(), signal), 0);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified(words).isEmpty(), soon_ms);
+    const QString said = page.notified(words);
+    QVERIFY2(said.startsWith("R2: ") && said.contains(QString::fromStdString(behavior)), qPrintable(said));
+    QVERIFY2(said.contains("climbing for the") && said.contains("line ") && said.contains("(STA"), qPrintable(said));
+    QVERIFY2(said.contains("press Start to start it again"), qPrintable(said));
+    QVERIFY(!page.robot(2)->figures.behavior_running);
+
+    const Seconds then = page.robot(1)->figures.now;
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > then + Seconds(1.0), soon_ms);
+    QVERIFY(page.robot(1)->figures.behavior_running);
+    page.window().views().behavior->chooseBehavior("faulty/none");
+    QVERIFY(isolationBox(page)->isChecked());
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->figures.behavior_running, soon_ms);
+    QCOMPARE(hosts().size(), 1);
+    page.press("Stop");
+    QTRY_VERIFY_WITH_TIMEOUT(hosts().isEmpty(), soon_ms); // it goes with its behavior
+}
+
+void tst_WindowPlugins::isolationIsChosenForAPluginAndRemembered() {
+    QTemporaryDir settings;
+    const QStringList folders{built, robots};
+    {
+        WindowPage page({.plugin_folders = folders, .settings_folder = settings.path()});
+        page.window().views().behavior->chooseBehavior("airrobot/cpp");
+        QVERIFY(!isolationBox(page)->isChecked());
+        isolationBox(page)->click();
+        page.window().views().behavior->chooseBehavior("airrobot/posh"); // of the same plugin
+        QVERIFY(isolationBox(page)->isChecked());
+        page.window().close();
+    }
+    WindowPage page({.plugin_folders = folders, .settings_folder = settings.path()});
+    page.window().views().behavior->chooseBehavior("airrobot/cpp");
+    QVERIFY(isolationBox(page)->isChecked());
 }
 
 USAR_E2E_MAIN(tst_WindowPlugins)

@@ -81,7 +81,8 @@ void tst_MissionFile::takesTheSmallestFileAndFillsInTheRest() {
 void tst_MissionFile::takesEveryKey() {
     const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
         "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1,
-        "faults": ["wind speed=4", "rotor from=60"]})",
+        "faults": ["wind speed=4", "rotor from=60"],
+        "isolate": true})",
                                      "m.json");
     QVERIFY(mission.has_value());
     QCOMPARE(mission->world, std::string("b"));
@@ -89,6 +90,7 @@ void tst_MissionFile::takesEveryKey() {
     QCOMPARE(mission->start, std::string("d"));
     QCOMPARE(mission->behavior, std::string("e"));
     QCOMPARE(mission->cell_size_m, 0.1);
+    QVERIFY(mission->isolate);
     QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
 }
 
@@ -187,6 +189,8 @@ void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
     refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
             "\"lanes\" is no parameter", "number");
     refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");
+    refused("isolation is a text", good + ",\n\"isolate\": \"yes\"}", "m.json:4:12", "neither true nor false",
+            "without quotes");
     refused("a fault is a number", good + ",\n\"faults\": [1]}", "m.json:4:11", "not a text", "quotes");
     refused("parameters are a text", good + ",\n\"parameters\": \"fast\"}", "m.json:4:15", "not an object", "braces");
 }

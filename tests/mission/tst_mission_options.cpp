@@ -56,6 +56,11 @@ void tst_MissionOptions::readsTheCommandLine_data() {
                                                                 "run",
                                                                 "a.json"}
                                                  << full;
+    MissionOptions apart = plain;
+    apart.isolate = true;
+    apart.plugin_folders = QStringList{"mine", "yours"};
+    QTest::newRow("a process and plugins of one's own")
+        << QStringList{"run", "--isolate", "a.json", "--plugins", "mine", "--plugins=yours"} << apart;
     MissionOptions help;
     help.help = true;
     QTest::newRow("help") << QStringList{"--help"} << help;

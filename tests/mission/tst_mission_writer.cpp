@@ -39,6 +39,7 @@ Mission anyMission(std::mt19937& random) {
                           {"corner", std::string("north")}};
     if (random() % 2)
         mission.faults = {"wind speed=4", "rotor from=60"};
+    mission.isolate = true;
     return mission;
 }
 
@@ -65,6 +66,7 @@ void tst_MissionWriter::whatIsWrittenIsReadBack() {
         QVERIFY(back->area_in_map == mission.area_in_map);
         QCOMPARE(back->cell_size_m, mission.cell_size_m);
         QCOMPARE(back->faults, mission.faults);
+        QVERIFY(back->isolate);
         auto parameters = withAnglesInRadians(back->parameters, specs);
         const double turn_rad = std::get<double>(parameters.at("turn_rad"));
         QVERIFY(std::abs(turn_rad - std::get<double>(mission.parameters.at("turn_rad"))) < 1e-12);

@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "core/link/recording_writer.h"
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 #include "core/mission/recorded_runs.h"
 #include "core/mission/run_report_text.h"
 #include "core/posh/engine.h"

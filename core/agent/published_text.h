@@ -7,11 +7,11 @@
 
 #include "core/agent/published.h"
 
-namespace usar::mission {
+namespace usar::agent {
 
 /// Numbers read back to the same double; infinities become NaN.
-void appendText(std::string& text, const agent::Published& value);
+void appendText(std::string& text, const Published& value);
 /// Nothing for a word or a shape that this program does not know.
-std::optional<agent::Published> readPublished(std::string_view text);
+std::optional<Published> readPublished(std::string_view text);
 
-} // namespace usar::mission
+} // namespace usar::agent

@@ -2,10 +2,10 @@
 
 #include <QTest>
 
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 
 using namespace usar;
-using namespace usar::mission;
+using namespace usar::agent;
 
 Q_DECLARE_METATYPE(agent::Published)
 

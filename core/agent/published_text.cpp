@@ -1,14 +1,14 @@
-#include "core/mission/published_text.h"
+#include "core/agent/published_text.h"
 
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/quoted_text.h"
 #include "core/base/text.h"
-#include "core/link/recording_text.h"
 
-namespace usar::mission {
+namespace usar::agent {
 
 namespace {
 
@@ -34,7 +34,7 @@ public:
     void add(LineNumber value) { (text_ += ' ') += std::to_string(value.value); }
     void add(const std::string& value) {
         text_ += ' ';
-        link::recording::appendQuoted(text_, value);
+        appendQuoted(text_, value);
     }
     void add(const Vec2& point) { (add(point.x()), add(point.y())); }
     void add(const Vec3& point) { (add(point.x()), add(point.y()), add(point.z())); }
@@ -47,59 +47,59 @@ public:
             text_ += " -";
     }
 
-    void operator()(const agent::BehaviorStatus& status) {
+    void operator()(const BehaviorStatus& status) {
         word("status");
         (add(status.time), add(status.elapsed), add(status.state));
         (add(status.distance_to_goal_m), add(status.battery_used_pct), add(status.range_left_m));
         (add(status.progress_pct), add(status.time_left), add(status.distance_flown_m));
         (add(status.charges), add(int{status.paused}));
     }
-    void operator()(const agent::PoseEstimate& estimate) {
+    void operator()(const PoseEstimate& estimate) {
         word("pose");
         (add(estimate.time), add(estimate.base_in_map));
     }
-    void operator()(const agent::MapMark& mark) {
+    void operator()(const MapMark& mark) {
         word("mark");
         (add(static_cast<int>(mark.kind)), add(mark.position_in_map_m), add(mark.time), add(mark.line));
     }
-    void operator()(const agent::ScanPlacement& placement) {
+    void operator()(const ScanPlacement& placement) {
         word("scan");
         (add(placement.scan_line), add(placement.scanner_in_map));
     }
-    void operator()(const agent::PlannedPath& path) {
+    void operator()(const PlannedPath& path) {
         word("path");
         for (const Vec2& point : path.points_in_map_m)
             add(point);
     }
-    void operator()(const agent::CurrentGoal& goal) {
+    void operator()(const CurrentGoal& goal) {
         word("goal");
         add(goal.goal_in_map_m);
     }
-    void operator()(const agent::SonarZones& zones) {
+    void operator()(const SonarZones& zones) {
         word("zones");
-        for (const agent::SonarZone& zone : zones.zones) {
+        for (const SonarZone& zone : zones.zones) {
             (add(zone.name), add(zone.bearing_rad), add(zone.range_m), add(zone.maximum_m));
             (add(zone.low_risk_below_m), add(zone.high_risk_below_m), add(static_cast<int>(zone.risk)));
         }
     }
-    void operator()(const agent::BehaviorEvent& event) {
+    void operator()(const BehaviorEvent& event) {
         word("event");
         (add(static_cast<int>(event.severity)), add(event.text));
     }
-    void operator()(const agent::BehaviorFinished& finished) {
+    void operator()(const BehaviorFinished& finished) {
         word("finished");
         (add(int{finished.success}), add(finished.reason));
     }
-    void operator()(const agent::PlanTrace& trace) {
+    void operator()(const PlanTrace& trace) {
         word("trace");
         add(trace.bytes);
     }
-    void operator()(const agent::PlanHalted& halted) {
+    void operator()(const PlanHalted& halted) {
         word("halted");
         (add(halted.cycle), add(halted.time), add(halted.breakpoint), add(halted.path), add(halted.reason));
     }
-    void operator()(const agent::PlanResumed&) { word("resumed"); }
-    void operator()(const agent::PlanReplaced& replaced) {
+    void operator()(const PlanResumed&) { word("resumed"); }
+    void operator()(const PlanReplaced& replaced) {
         word("replaced");
         (add(static_cast<int>(replaced.fate)), add(replaced.plan_name), add(replaced.cycle), add(replaced.reason));
         for (const posh::Finding& finding : replaced.findings)
@@ -134,7 +134,7 @@ public:
         value = Seconds{seconds};
     }
     void take(LineNumber& value) { takeWhole(value.value); }
-    void take(std::string& value) { fine_ = link::recording::takeQuoted(rest_, value) && fine_; }
+    void take(std::string& value) { fine_ = takeQuoted(rest_, value) && fine_; }
     void take(Vec2& point) { (take(point.x()), take(point.y())); }
     void take(Vec3& point) { (take(point.x()), take(point.y()), take(point.z())); }
     void take(Pose& pose) { (take(pose.position_m), take(pose.roll_rad), take(pose.pitch_rad), take(pose.yaw_rad)); }
@@ -178,55 +178,55 @@ private:
     bool fine_ = true;
 };
 
-void read(Fields& fields, agent::BehaviorStatus& status) {
+void read(Fields& fields, BehaviorStatus& status) {
     (fields.take(status.time), fields.take(status.elapsed), fields.take(status.state));
     (fields.take(status.distance_to_goal_m), fields.take(status.battery_used_pct), fields.take(status.range_left_m));
     (fields.take(status.progress_pct), fields.take(status.time_left), fields.take(status.distance_flown_m));
     (fields.take(status.charges), fields.take(status.paused));
 }
-void read(Fields& fields, agent::PoseEstimate& estimate) {
+void read(Fields& fields, PoseEstimate& estimate) {
     (fields.take(estimate.time), fields.take(estimate.base_in_map));
 }
-void read(Fields& fields, agent::MapMark& mark) {
-    fields.takeOneOf(mark.kind, agent::MarkKind::GoalGivenUp);
+void read(Fields& fields, MapMark& mark) {
+    fields.takeOneOf(mark.kind, MarkKind::GoalGivenUp);
     (fields.take(mark.position_in_map_m), fields.take(mark.time), fields.take(mark.line));
 }
-void read(Fields& fields, agent::ScanPlacement& placement) {
+void read(Fields& fields, ScanPlacement& placement) {
     (fields.take(placement.scan_line), fields.take(placement.scanner_in_map));
 }
-void read(Fields& fields, agent::PlannedPath& path) {
+void read(Fields& fields, PlannedPath& path) {
     while (!fields.done())
         fields.take(path.points_in_map_m.emplace_back(Vec2::Zero()));
 }
-void read(Fields& fields, agent::CurrentGoal& goal) {
+void read(Fields& fields, CurrentGoal& goal) {
     fields.take(goal.goal_in_map_m);
 }
-void read(Fields& fields, agent::SonarZones& zones) {
+void read(Fields& fields, SonarZones& zones) {
     while (!fields.done()) {
-        agent::SonarZone& zone = zones.zones.emplace_back();
+        SonarZone& zone = zones.zones.emplace_back();
         (fields.take(zone.name), fields.take(zone.bearing_rad), fields.take(zone.range_m), fields.take(zone.maximum_m));
         (fields.take(zone.low_risk_below_m), fields.take(zone.high_risk_below_m));
-        fields.takeOneOf(zone.risk, agent::Risk::High);
+        fields.takeOneOf(zone.risk, Risk::High);
     }
 }
-void read(Fields& fields, agent::BehaviorEvent& event) {
+void read(Fields& fields, BehaviorEvent& event) {
     fields.takeOneOf(event.severity, Severity::Error);
     fields.take(event.text);
 }
-void read(Fields& fields, agent::BehaviorFinished& finished) {
+void read(Fields& fields, BehaviorFinished& finished) {
     (fields.take(finished.success), fields.take(finished.reason));
 }
-void read(Fields& fields, agent::PlanTrace& trace) {
+void read(Fields& fields, PlanTrace& trace) {
     fields.take(trace.bytes);
 }
 
-void read(Fields& fields, agent::PlanHalted& halted) {
+void read(Fields& fields, PlanHalted& halted) {
     (fields.take(halted.cycle), fields.take(halted.time), fields.take(halted.breakpoint));
     (fields.take(halted.path), fields.take(halted.reason));
 }
-void read(Fields&, agent::PlanResumed&) {}
-void read(Fields& fields, agent::PlanReplaced& replaced) {
-    fields.takeOneOf(replaced.fate, agent::PlanFate::Refused);
+void read(Fields&, PlanResumed&) {}
+void read(Fields& fields, PlanReplaced& replaced) {
+    fields.takeOneOf(replaced.fate, PlanFate::Refused);
     (fields.take(replaced.plan_name), fields.take(replaced.cycle), fields.take(replaced.reason));
     while (!fields.done()) {
         posh::Finding& finding = replaced.findings.emplace_back();
@@ -236,33 +236,26 @@ void read(Fields& fields, agent::PlanReplaced& replaced) {
 }
 
 template <class Value>
-std::optional<agent::Published> readAs(Fields& fields) {
+std::optional<Published> readAs(Fields& fields) {
     Value value;
     read(fields, value);
-    return fields.fine() ? std::optional<agent::Published>(std::move(value)) : std::nullopt;
+    return fields.fine() ? std::optional<Published>(std::move(value)) : std::nullopt;
 }
 
 } // namespace
 
-void appendText(std::string& text, const agent::Published& value) {
+void appendText(std::string& text, const Published& value) {
     std::visit(Writer(text), value);
 }
 
-std::optional<agent::Published> readPublished(std::string_view text) {
-    using Read = std::optional<agent::Published> (*)(Fields&);
-    static constexpr std::pair<std::string_view, Read> readers[]{{"status", readAs<agent::BehaviorStatus>},
-                                                                 {"pose", readAs<agent::PoseEstimate>},
-                                                                 {"mark", readAs<agent::MapMark>},
-                                                                 {"scan", readAs<agent::ScanPlacement>},
-                                                                 {"path", readAs<agent::PlannedPath>},
-                                                                 {"goal", readAs<agent::CurrentGoal>},
-                                                                 {"zones", readAs<agent::SonarZones>},
-                                                                 {"event", readAs<agent::BehaviorEvent>},
-                                                                 {"finished", readAs<agent::BehaviorFinished>},
-                                                                 {"trace", readAs<agent::PlanTrace>},
-                                                                 {"halted", readAs<agent::PlanHalted>},
-                                                                 {"resumed", readAs<agent::PlanResumed>},
-                                                                 {"replaced", readAs<agent::PlanReplaced>}};
+std::optional<Published> readPublished(std::string_view text) {
+    using Read = std::optional<Published> (*)(Fields&);
+    static constexpr std::pair<std::string_view, Read> readers[]{
+        {"status", readAs<BehaviorStatus>}, {"pose", readAs<PoseEstimate>},   {"mark", readAs<MapMark>},
+        {"scan", readAs<ScanPlacement>},    {"path", readAs<PlannedPath>},    {"goal", readAs<CurrentGoal>},
+        {"zones", readAs<SonarZones>},      {"event", readAs<BehaviorEvent>}, {"finished", readAs<BehaviorFinished>},
+        {"trace", readAs<PlanTrace>},       {"halted", readAs<PlanHalted>},   {"resumed", readAs<PlanResumed>},
+        {"replaced", readAs<PlanReplaced>}};
     Fields fields(text);
     const std::string_view word = fields.word();
     for (const auto& [known, reader] : readers)
@@ -271,4 +264,4 @@ std::optional<agent::Published> readPublished(std::string_view text) {
     return std::nullopt;
 }
 
-} // namespace usar::mission
+} // namespace usar::agent

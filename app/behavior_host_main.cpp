@@ -1,0 +1,17 @@
+// usar-behavior-host: one behavior in a process of its own. Started by mission-control and usar-mission, never by hand.
+#include <cstdio>
+
+#include <QCoreApplication>
+
+#include "core/agent/behavior_service.h"
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    bool ok = false;
+    const int socket = QCoreApplication::arguments().value(1).toInt(&ok);
+    if (ok && socket > 2)
+        return usar::agent::serveBehavior(socket);
+    std::fprintf(stderr, "usar-behavior-host runs a robot's behavior for mission-control and usar-mission, which start "
+                         "it where a behavior is to have a process of its own (usar-mission run --isolate).\n");
+    return 2;
+}

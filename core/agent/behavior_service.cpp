@@ -1,0 +1,158 @@
+#include "core/agent/behavior_service.h"
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+#include <utility>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "core/agent/behavior_frames.h"
+#include "core/agent/behavior_host.h"
+#include "core/agent/frame_channel.h"
+#include "core/agent/guarded_plugin.h"
+#include "core/agent/plugin_loader.h"
+#include "core/protocol/reader.h"
+
+namespace usar::agent {
+
+namespace {
+
+/// Long enough for whoever is busy; who is gone does not make us wait.
+constexpr Seconds patience_to_answer{60.0};
+constexpr std::array deadly{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGTERM};
+
+/// What a handler of signals may touch: made before the first one can come.
+struct LastWords {
+    int socket = -1;
+    std::array<std::array<char, 64>, 65> frames{}; ///< by signal, each with its length before it
+    std::array<std::size_t, 65> sizes{};
+};
+LastWords last_words;
+
+/// The connection ends here and now, for a process may take long to be dumped to the disk.
+void sayLastWords(int signal) {
+    const auto number = static_cast<std::size_t>(signal);
+    (void)::send(last_words.socket, last_words.frames[number].data(), last_words.sizes[number],
+                 MSG_NOSIGNAL | MSG_DONTWAIT);
+    ::shutdown(last_words.socket, SHUT_WR);
+    ::raise(signal); // its handler is the default one again
+}
+
+void prepareLastWords(int socket) {
+    static std::array<char, 1 << 16> stack_of_handlers; // the usual one may have run over
+    stack_t stack{};
+    stack.ss_sp = stack_of_handlers.data();
+    stack.ss_size = stack_of_handlers.size();
+    ::sigaltstack(&stack, nullptr);
+    last_words.socket = socket;
+    for (const int signal : deadly) {
+        const QByteArray frame = frames::write(frames::Reply(frames::Dying{signal}));
+        auto& bytes = last_words.frames[static_cast<std::size_t>(signal)];
+        Q_ASSERT(static_cast<std::size_t>(frame.size()) + 4 <= bytes.size());
+        bytes[0] = static_cast<char>(frame.size());
+        std::copy(frame.begin(), frame.end(), bytes.begin() + 4);
+        last_words.sizes[static_cast<std::size_t>(signal)] = static_cast<std::size_t>(frame.size()) + 4;
+        struct sigaction action {};
+        action.sa_handler = sayLastWords;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK | SA_NODEFER);
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+/// A behavior that hangs would not notice that nobody waits any more.
+void endWithTheOtherSide(int socket) {
+    std::thread([socket] {
+        pollfd watched{socket, POLLRDHUP, 0};
+        while (::poll(&watched, 1, -1) < 0) {
+        }
+        std::_Exit(0);
+    }).detach();
+}
+
+/// What is made from the first frame.
+struct Service {
+    static Result<Service> make(const frames::Start& start, PluginLoader& plugins);
+    RunningBehavior::Output answer(const frames::Request& request);
+
+    std::unique_ptr<BehaviorHost> host;
+    std::vector<ParameterSpec> parameters;
+    std::unique_ptr<protocol::Reader> reader = std::make_unique<protocol::Reader>();
+};
+
+Result<Service> Service::make(const frames::Start& start, PluginLoader& plugins) {
+    plugins.scan({QString::fromStdString(start.plugin_file)});
+    const auto plugin = plugins.pluginFor(start.behavior_id);
+    if (!plugin)
+        return tl::unexpected(plugin.error());
+    Service service;
+    service.parameters = plugins.behavior(start.behavior_id)->parameters;
+    auto parameters = ParameterSet::make(service.parameters, start.parameters);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    auto behavior = makeBehavior(**plugin, start.behavior_id, {start.task, *std::move(parameters), start.plan});
+    if (!behavior)
+        return tl::unexpected(behavior.error());
+    service.host = std::make_unique<BehaviorHost>(*std::move(behavior), start.behavior_id,
+                                                  plugins.robotOf(start.behavior_id)->sensors_needed);
+    return service;
+}
+
+RunningBehavior::Output Service::answer(const frames::Request& request) {
+    if (const auto* const line = std::get_if<frames::Line>(&request)) {
+        reader->continueAfter({line->number.value - 1});
+        return host->receive(reader->read(line->text));
+    }
+    if (const auto* const order = std::get_if<Order>(&request))
+        return host->order(*order);
+    if (const auto* const control = std::get_if<PlanControl>(&request))
+        return host->control(*control);
+    if (const auto* const values = std::get_if<std::map<std::string, ParameterValue>>(&request))
+        if (const auto set = ParameterSet::make(parameters, *values))
+            host->setParameters(*set);
+    return {};
+}
+
+} // namespace
+
+int serveBehavior(int socket) {
+    prepareLastWords(socket);
+    endWithTheOtherSide(socket);
+    FrameChannel channel(socket);
+    PluginLoader plugins;
+    std::optional<Service> service;
+    QByteArray frame;
+    while (channel.receive(frame, std::nullopt) == FrameChannel::Received::Frame) {
+        const auto request = frames::readRequest(frame);
+        const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
+        frames::Answer answer;
+        if (!request || (start == nullptr) != service.has_value()) {
+            channel.send(
+                frames::write(frames::Refusal{{"the program and its behavior host do not understand each other",
+                                               "usar-behavior-host", "Install both from the same version"}}),
+                patience_to_answer);
+            return 2;
+        }
+        if (start) {
+            auto made = Service::make(*start, plugins);
+            if (!made) {
+                channel.send(frames::write(frames::Refusal{made.error()}), patience_to_answer);
+                return 1;
+            }
+            service = *std::move(made);
+            answer.output = service->host->begin();
+        } else {
+            answer.output = service->answer(*request);
+        }
+        answer.safe = service->host->safeCommand({}).command;
+        answer.halted = service->host->halted();
+        answer.finished = service->host->finished();
+        channel.send(frames::write(std::move(answer)), patience_to_answer);
+    }
+    return 0;
+}
+
+} // namespace usar::agent

@@ -1,0 +1,76 @@
+#include "core/agent/frame_channel.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <QtEndian>
+
+namespace usar::agent {
+
+FrameChannel::~FrameChannel() {
+    ::close(socket_);
+}
+
+bool FrameChannel::waitFor(short events, std::optional<Seconds> patience) const {
+    using Clock = std::chrono::steady_clock;
+    const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience.value_or(Seconds{0.0}));
+    for (;;) {
+        int left_ms = -1;
+        if (patience)
+            left_ms = static_cast<int>(std::ceil(std::max(0.0, Seconds(until - Clock::now()).count()) * 1e3));
+        pollfd watched{socket_, events, 0};
+        const int ready = ::poll(&watched, 1, left_ms);
+        if (ready >= 0 || errno != EINTR)
+            return ready > 0;
+    }
+}
+
+bool FrameChannel::send(const QByteArray& frame, Seconds patience) {
+    QByteArray bytes(sizeof(quint32), Qt::Uninitialized);
+    qToLittleEndian(static_cast<quint32>(frame.size()), bytes.data());
+    bytes += frame; // in one piece, or the other side would wake up twice
+    for (qsizetype sent = 0; sent < bytes.size();) {
+        const ssize_t now = ::send(socket_, bytes.constData() + sent, static_cast<std::size_t>(bytes.size() - sent),
+                                   MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (now > 0)
+            sent += now;
+        else if (errno == EAGAIN && !waitFor(POLLOUT, patience))
+            return false;
+        else if (errno != EAGAIN && errno != EINTR)
+            return false;
+    }
+    return true;
+}
+
+FrameChannel::Received FrameChannel::fill(char* to, qsizetype bytes, std::optional<Seconds> patience) {
+    while (bytes > 0) {
+        const ssize_t now = ::recv(socket_, to, static_cast<std::size_t>(bytes), MSG_DONTWAIT);
+        if (now > 0) {
+            to += now;
+            bytes -= now;
+        } else if (now == 0 || (errno != EAGAIN && errno != EINTR)) {
+            return Received::Closed;
+        } else if (errno == EAGAIN && !waitFor(POLLIN, patience)) {
+            return Received::TimedOut;
+        }
+    }
+    return Received::Frame;
+}
+
+FrameChannel::Received FrameChannel::receive(QByteArray& frame, std::optional<Seconds> patience) {
+    char length[sizeof(quint32)];
+    if (const Received begun = fill(length, sizeof length, patience); begun != Received::Frame)
+        return begun;
+    const quint32 bytes = qFromLittleEndian<quint32>(length);
+    if (bytes > most_bytes)
+        return Received::Closed;
+    frame.resize(bytes);
+    return fill(frame.data(), frame.size(), patience);
+}
+
+} // namespace usar::agent

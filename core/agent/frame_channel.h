@@ -1,0 +1,37 @@
+// Frames of bytes over a connected socket between two processes.
+#pragma once
+
+#include <optional>
+
+#include <QByteArray>
+
+#include "core/base/clock.h"
+
+namespace usar::agent {
+
+/// A frame is its length (four bytes, little end first) and so many bytes. Owns the socket and closes it. Every call
+/// waits; used from one thread at a time.
+class FrameChannel {
+public:
+    enum class Received { Frame, TimedOut, Closed };
+    /// More than any message of a behavior has; a larger length is damage, and counts as the end of the connection.
+    static constexpr quint32 most_bytes = 64u << 20;
+
+    explicit FrameChannel(int socket) : socket_(socket) {}
+    ~FrameChannel();
+    Q_DISABLE_COPY_MOVE(FrameChannel)
+
+    int socket() const { return socket_; }
+    /// False where the other side is gone, or does not read for so long.
+    bool send(const QByteArray& frame, Seconds patience);
+    /// Without a patience it waits for good.
+    Received receive(QByteArray& frame, std::optional<Seconds> patience);
+
+private:
+    bool waitFor(short events, std::optional<Seconds> patience) const;
+    Received fill(char* to, qsizetype bytes, std::optional<Seconds> patience);
+
+    int socket_;
+};
+
+} // namespace usar::agent

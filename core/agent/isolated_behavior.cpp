@@ -1,0 +1,223 @@
+#include "core/agent/isolated_behavior.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <iterator>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QFile>
+
+#include "core/base/numbers.h"
+
+namespace usar::agent {
+
+namespace {
+
+/// Of a process, its libraries and the plugin's constructor.
+constexpr Seconds patience_at_start{15.0};
+constexpr std::size_t words_of_a_line = 60;
+/// Where the host finds its end of the connection.
+constexpr int host_socket = 3;
+
+std::string signalInWords(int signal) {
+    const char* const name = ::sigabbrev_np(signal);
+    return name ? "SIG" + std::string(name) + " (" + ::strsignal(signal) + ")" : "signal " + std::to_string(signal);
+}
+
+/// Waits for the end of a process that is as good as over, at most so long.
+std::optional<int> statusOf(int process, std::chrono::milliseconds patience) {
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+        int status = 0;
+        const int ended = ::waitpid(process, &status, WNOHANG);
+        if (ended == process)
+            return status;
+        if (ended < 0 || std::chrono::steady_clock::now() >= until)
+            return std::nullopt;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+} // namespace
+
+IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
+    : program_(std::move(program))
+    , start_(std::move(start))
+    , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
+
+IsolatedBehavior::~IsolatedBehavior() {
+    channel_.reset(); // it ends by that, if it is well
+    if (process_ > 0 && !statusOf(process_, std::chrono::milliseconds(200)))
+        kill();
+}
+
+void IsolatedBehavior::kill() {
+    if (process_ > 0)
+        ::kill(process_, SIGKILL);
+    reap();
+}
+
+/// One that is being dumped to the disk takes its time.
+void IsolatedBehavior::reap() {
+    if (process_ > 0)
+        std::thread([process = std::exchange(process_, 0)] { ::waitpid(process, nullptr, 0); }).detach();
+}
+
+Result<void> IsolatedBehavior::startProcess() {
+    const auto wrong = [this](const std::string& what) {
+        return failure("it cannot run in a process of its own: " + what, "behavior " + start_.behavior_id,
+                       "Install or build usar-behavior-host, or let it run in the program itself");
+    };
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        return wrong(std::strerror(errno));
+    channel_ = std::make_unique<FrameChannel>(ends[0]);
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO); // our output is for our words
+    ::posix_spawn_file_actions_adddup2(&actions, ends[1], host_socket);
+    // Ctrl+C in a terminal is for us, who then end it in order.
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    QByteArray path = QFile::encodeName(program_);
+    QByteArray option = QByteArray::number(host_socket);
+    char* arguments[] = {path.data(), option.data(), nullptr};
+    const int error = ::posix_spawn(&process_, path.constData(), &actions, &attributes, arguments, ::environ);
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    if (error == 0)
+        return {};
+    process_ = 0;
+    return wrong(program_.toStdString() + ": " + std::strerror(error));
+}
+
+RunningBehavior::Output IsolatedBehavior::begin() {
+    if (const auto started = startProcess(); !started)
+        return end(started.error().text());
+    return ask(start_, patience_at_start, "it was being made");
+}
+
+RunningBehavior::Output IsolatedBehavior::receive(const protocol::InfoLine& line) {
+    last_line_ = line.number;
+    last_text_ = line.text.substr(0, words_of_a_line);
+    if (last_text_.size() < line.text.size())
+        last_text_ += "…";
+    return ask(frames::Line{line.number, line.text}, patience_, "it worked on line");
+}
+
+RunningBehavior::Output IsolatedBehavior::order(Order order) {
+    return ask(order, patience_, "it took an order after line");
+}
+
+RunningBehavior::Output IsolatedBehavior::control(const PlanControl& control) {
+    return ask(control, patience_, "its plan was being changed after line");
+}
+
+void IsolatedBehavior::setParameters(const ParameterSet& parameters) {
+    owed_ = ask(parameters.values(), patience_, "it took new parameters after line");
+}
+
+CausedCommand IsolatedBehavior::safeCommand(const std::string& source) const {
+    return {safe_, {source, last_line_}};
+}
+
+RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Seconds patience,
+                                              const std::string& at_work) {
+    if (finished_ || !channel_)
+        return std::exchange(owed_, {});
+    QByteArray frame;
+    FrameChannel::Received received = FrameChannel::Received::Closed;
+    if (channel_->send(frames::write(request), patience))
+        received = channel_->receive(frame, patience);
+    if (received == FrameChannel::Received::TimedOut) {
+        kill();
+        return die("hangs: it has not answered for " + fixed(patience.count(), 1) + " s and was ended", at_work);
+    }
+    std::optional<frames::Reply> reply;
+    if (received == FrameChannel::Received::Frame)
+        reply = frames::readReply(frame);
+    if (reply && std::holds_alternative<frames::Answer>(*reply))
+        return take(std::get<frames::Answer>(*reply));
+    if (reply && std::holds_alternative<frames::Refusal>(*reply))
+        return end(std::get<frames::Refusal>(*reply).error.text());
+    const auto* const dying = reply ? std::get_if<frames::Dying>(&*reply) : nullptr;
+    return die(howItDied(dying ? std::optional(dying->signal) : std::nullopt), at_work);
+}
+
+RunningBehavior::Output IsolatedBehavior::take(frames::Answer& answer) {
+    halted_ = answer.halted;
+    finished_ = answer.finished;
+    safe_ = std::move(answer.safe);
+    if (!answer.output.commands.empty())
+        last_decision_ = answer.output.commands.back().cause.source;
+    for (const Published& value : answer.output.published)
+        if (const auto* const status = std::get_if<BehaviorStatus>(&value))
+            last_state_ = status->state;
+    Output output = std::exchange(owed_, {});
+    std::ranges::move(answer.output.commands, std::back_inserter(output.commands));
+    std::ranges::move(answer.output.published, std::back_inserter(output.published));
+    return output;
+}
+
+RunningBehavior::Output IsolatedBehavior::takeEnd() {
+    if (finished_ || !channel_)
+        return {};
+    QByteArray frame;
+    const FrameChannel::Received received = channel_->receive(frame, Seconds{0.0});
+    if (received == FrameChannel::Received::TimedOut)
+        return {}; // nothing has come after all
+    const auto reply = frames::readReply(frame);
+    const auto* const dying = reply ? std::get_if<frames::Dying>(&*reply) : nullptr;
+    return die(howItDied(dying ? std::optional(dying->signal) : std::nullopt), "it waited after line");
+}
+
+std::string IsolatedBehavior::howItDied(std::optional<int> signal) {
+    if (signal)
+        return "died by " + signalInWords(*signal);
+    const auto status =
+        process_ > 0 ? statusOf(std::exchange(process_, 0), std::chrono::milliseconds(500)) : std::nullopt;
+    if (status && WIFSIGNALED(*status))
+        return "died by " + signalInWords(WTERMSIG(*status));
+    if (status && WIFEXITED(*status))
+        return "ended its process with exit code " + std::to_string(WEXITSTATUS(*status));
+    return "broke the connection to its process";
+}
+
+/// The robot first: the words may be long.
+RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std::string& at_work) {
+    std::string reason = "The behavior " + start_.behavior_id + " " + how + ", while " + at_work;
+    if (last_line_.value > 0)
+        reason += " " + std::to_string(last_line_.value) + " (" + last_text_ + ")";
+    if (!last_state_.empty())
+        reason += "; its state was “" + last_state_ + "”";
+    if (!last_decision_.empty())
+        reason += "; its last command came from “" + last_decision_ + "”";
+    return end(reason + ". The robot was stopped; press Start to start it again.");
+}
+
+RunningBehavior::Output IsolatedBehavior::end(const std::string& reason) {
+    finished_ = true;
+    halted_ = false;
+    channel_.reset(); // a host that is well ends by that
+    reap();
+    Output output = std::exchange(owed_, {});
+    output.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
+    output.published.push_back(BehaviorFinished{false, reason});
+    return output;
+}
+
+} // namespace usar::agent

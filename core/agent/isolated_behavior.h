@@ -1,0 +1,70 @@
+// A behavior in a process of its own: what it breaks there breaks nothing here.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QString>
+
+#include "core/agent/behavior_frames.h"
+#include "core/agent/frame_channel.h"
+#include "core/agent/running_behavior.h"
+
+namespace usar::agent {
+
+/// Starts usar-behavior-host and asks it as it would ask a BehaviorHost: each call crosses to the other process and
+/// waits for its answer there, so that a mission is the same either way. A process that dies, or does not answer within
+/// the patience (it is killed then), gives the safe command that it named last, and BehaviorFinished says by which
+/// signal it died, in which state and at which line. Ends its process when it goes. POSIX only.
+class IsolatedBehavior final : public RunningBehavior {
+public:
+    /// `program` is the path of usar-behavior-host. Nothing is started before `begin`.
+    IsolatedBehavior(QString program, frames::Start start);
+    ~IsolatedBehavior() override;
+
+    Output begin() override;
+    Output receive(const protocol::InfoLine& line) override;
+    Output order(Order order) override;
+    Output control(const PlanControl& control) override;
+    void setParameters(const ParameterSet& parameters) override;
+    CausedCommand safeCommand(const std::string& source) const override;
+    bool halted() const override { return halted_; }
+    bool finished() const override { return finished_; }
+    const std::string& behaviorId() const override { return start_.behavior_id; }
+    void setPatience(Seconds patience) override { patience_ = patience; }
+    int endHandle() const override { return channel_ ? channel_->socket() : -1; }
+    Output takeEnd() override;
+
+    /// 0 where there is none, or none any more.
+    int processId() const { return process_; }
+
+private:
+    /// `at_work` says what it does meanwhile: "it worked on line 7 (STA …)".
+    Output ask(const frames::Request& request, Seconds patience, const std::string& at_work);
+    Output take(frames::Answer& answer);
+    Output die(const std::string& how, const std::string& at_work);
+    Output end(const std::string& reason);
+    Result<void> startProcess();
+    /// "was ended by SIGSEGV (Segmentation fault)".
+    std::string howItDied(std::optional<int> signal);
+    void kill();
+    /// Without waiting for it.
+    void reap();
+
+    QString program_;
+    frames::Start start_;
+    std::unique_ptr<FrameChannel> channel_;
+    int process_ = 0;
+    protocol::Command safe_;
+    LineNumber last_line_;
+    std::string last_text_;     ///< of that line, shortened
+    std::string last_state_;    ///< that it has told
+    std::string last_decision_; ///< state or plan node that caused its newest command
+    Output owed_;               ///< came of a call that answers nothing
+    Seconds patience_{1.0};
+    bool halted_ = false;
+    bool finished_ = false;
+};
+
+} // namespace usar::agent

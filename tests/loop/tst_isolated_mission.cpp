@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include <QJsonDocument>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/headless_simulator.h"
+#include "core/link/recording_reader.h"
+#include "core/mission/mission_runner.h"
+#include "tests/doubles/event_wait.h"
+#include "tests/doubles/test_worlds.h"
+
+using namespace usar;
+using namespace usar::mission;
+using usar::app::HeadlessSimulator;
+
+namespace {
+
+struct Flown {
+    int exit_code = -1;
+    QJsonObject summary;
+    std::vector<std::string> commands; ///< cause and line of each, in order
+};
+
+std::vector<std::string> commandsIn(const QString& recording) {
+    std::vector<std::string> commands;
+    const auto reader = link::RecordingReader::open(recording);
+    if (!reader)
+        return commands;
+    while (const auto record = (*reader)->next())
+        if (record->kind == link::RecordKind::Out)
+            commands.push_back(std::to_string(record->trigger.value) + " " + std::string(record->name) + " " +
+                               std::string(record->bytes));
+    return commands;
+}
+
+} // namespace
+
+/// Missions whose behavior has a process of its own.
+class tst_IsolatedMission : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void isCommandByCommandTheMissionWithoutIsolation_data();
+    void isCommandByCommandTheMissionWithoutIsolation();
+    void aBehaviorThatGoesWrongEndsTheMissionWithItsReason_data();
+    void aBehaviorThatGoesWrongEndsTheMissionWithItsReason();
+
+private:
+    Flown fly(const Mission& mission);
+
+    agent::PluginLoader plugins_;
+};
+
+void tst_IsolatedMission::initTestCase() {
+    const QString build = USAR_BINARY_DIR;
+    plugins_.scan({build + "/tests/plugins/faulty.so", build + "/robots"});
+    QVERIFY(plugins_.behavior("faulty/segfault"));
+    QVERIFY(plugins_.behavior("airrobot/posh"));
+}
+
+Flown tst_IsolatedMission::fly(const Mission& mission) {
+    QTemporaryDir folder;
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 7});
+    if (!simulator)
+        return {};
+    RunOptions options;
+    options.port = (*simulator)->port();
+    options.result_folder = folder.path();
+    options.recording = folder.filePath("flight.usarrec");
+    options.behavior_host = QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host");
+    Flown flown;
+    {
+        MissionRunner runner(mission, plugins_, options);
+        QSignalSpy finished(&runner, &MissionRunner::finished);
+        runner.start();
+        if (test::waitForSignal(&runner, &MissionRunner::finished, 110000))
+            flown.exit_code = finished.at(0).at(0).toInt();
+        flown.summary = runner.summary();
+    }
+    flown.commands = commandsIn(options.recording);
+    return flown;
+}
+
+void tst_IsolatedMission::isCommandByCommandTheMissionWithoutIsolation_data() {
+    QTest::addColumn<std::string>("behavior");
+    QTest::newRow("state machine") << std::string("airrobot/cpp");
+    QTest::newRow("POSH plan") << std::string("airrobot/posh");
+}
+
+void tst_IsolatedMission::isCommandByCommandTheMissionWithoutIsolation() {
+    QFETCH(std::string, behavior);
+    Mission mission;
+    mission.name = "Small field";
+    mission.behavior = behavior;
+    mission.area_in_map = {{-12.0, -8.0}, {12.0, 8.0}};
+    const Flown here = fly(mission);
+    mission.isolate = true;
+    const Flown there = fly(mission);
+    QVERIFY2(here.exit_code == 0, QJsonDocument(here.summary).toJson());
+    QVERIFY2(there.exit_code == 0, QJsonDocument(there.summary).toJson());
+    QVERIFY(here.commands.size() > 200);
+    for (std::size_t i = 0; i < std::min(here.commands.size(), there.commands.size()); ++i)
+        QVERIFY2(here.commands[i] == there.commands[i],
+                 ("command " + std::to_string(i) + ": " + here.commands[i] + " / " + there.commands[i]).c_str());
+    QCOMPARE(there.commands.size(), here.commands.size());
+    for (const char* key : {"duration_s", "distance_m", "cells", "coverage_pct"})
+        QCOMPARE(there.summary[key], here.summary[key]);
+}
+
+void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason_data() {
+    QTest::addColumn<std::string>("behavior");
+    QTest::addColumn<bool>("isolate");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("dies") << std::string("faulty/segfault") << true << "died by SIGSEGV";
+    QTest::newRow("aborts") << std::string("faulty/abort") << true << "died by SIGABRT";
+    QTest::newRow("throws") << std::string("faulty/throw") << true << "faulty/throw failed: lost my way";
+    QTest::newRow("throws in this process")
+        << std::string("faulty/throw") << false << "faulty/throw failed: lost my way";
+    QTest::newRow("hangs") << std::string("faulty/loop") << true << "faulty/loop hangs";
+    QTest::newRow("hangs in this process") << std::string("faulty/loop") << false << "faulty/loop hangs";
+}
+
+void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason() {
+    QFETCH(std::string, behavior);
+    QFETCH(bool, isolate);
+    QFETCH(QString, words);
+    Mission mission;
+    mission.name = "Fault";
+    mission.behavior = behavior;
+    mission.isolate = isolate;
+    const Flown flown = fly(mission);
+    QCOMPARE(flown.exit_code, int(MissionFailed));
+    QVERIFY2(flown.summary["reason"].toString().contains(words), qPrintable(flown.summary["reason"].toString()));
+    const auto last_drive =
+        std::ranges::find_if(flown.commands.rbegin(), flown.commands.rend(),
+                             [](const auto& command) { return command.find(" DRIVE ") != std::string::npos; });
+    QVERIFY(last_drive != flown.commands.rend());
+    QVERIFY2(last_drive->find("{AltitudeVelocity 0}") != std::string::npos, last_drive->c_str());
+}
+
+QTEST_MAIN(tst_IsolatedMission)
+#include "tst_isolated_mission.moc"
