@@ -1,10 +1,9 @@
 #include "core/agent/watched_behavior.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
+#include <condition_variable>
 #include <iterator>
-#include <semaphore>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -12,7 +11,8 @@
 
 namespace usar::agent {
 
-/// What both threads see. The fields belong to the thread whose turn it is: the worker's from `asked` to `answered`.
+/// What both threads see. All but `mutex`, `turned` and `turn` belongs to the thread whose turn it is. No semaphores:
+/// those of the library yield before they wait, which costs milliseconds where others want the processor as well.
 struct WatchedBehavior::Worker {
     explicit Worker(std::unique_ptr<BehaviorHost> watched) : host(std::move(watched)) {}
 
@@ -25,21 +25,37 @@ struct WatchedBehavior::Worker {
     protocol::Command safe;
     bool halted = false;
     bool finished = false;
-    std::binary_semaphore asked{0};
-    std::binary_semaphore answered{0};
-    std::atomic<bool> over{false};
+
+    enum class Turn { Owners, Workers, Nobodys };
+    void pass(Turn to);
+
+    std::mutex mutex;
+    std::condition_variable turned;
+    Turn turn = Turn::Owners; ///< Nobody's: it is over
 };
+
+void WatchedBehavior::Worker::pass(Turn to) {
+    {
+        const std::lock_guard lock(mutex);
+        if (turn != Turn::Nobodys)
+            turn = to;
+    }
+    turned.notify_all();
+}
 
 void WatchedBehavior::Worker::work() {
     for (;;) {
-        asked.acquire();
-        if (over)
-            return;
+        {
+            std::unique_lock lock(mutex);
+            turned.wait(lock, [this] { return turn != Turn::Owners; });
+            if (turn == Turn::Nobodys)
+                return;
+        }
         output = call(*host);
         safe = host->safeCommand({}).command;
         halted = host->halted();
         finished = host->finished();
-        answered.release();
+        pass(Turn::Owners);
     }
 }
 
@@ -51,17 +67,19 @@ WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
 }
 
 WatchedBehavior::~WatchedBehavior() {
-    worker_->over = true;
-    worker_->asked.release();
+    worker_->pass(Worker::Turn::Nobodys);
 }
 
 RunningBehavior::Output WatchedBehavior::run(std::function<Output(BehaviorHost&)> call, const std::string& what) {
     if (finished_)
         return std::exchange(owed_, {});
     worker_->call = std::move(call);
-    worker_->asked.release();
-    if (!worker_->answered.try_acquire_for(patience_))
-        return giveUp(what);
+    worker_->pass(Worker::Turn::Workers);
+    {
+        std::unique_lock lock(worker_->mutex);
+        if (!worker_->turned.wait_for(lock, patience_, [this] { return worker_->turn == Worker::Turn::Owners; }))
+            return giveUp(what);
+    }
     halted_ = worker_->halted;
     finished_ = worker_->finished;
     safe_ = worker_->safe;
