@@ -196,7 +196,8 @@ void pass(auto& io, Either<ReplacePlan> auto& asked) {
 void pass(auto& io, Either<PlanBreakpoint> auto& one) {
     (pass(io, one.id), pass(io, one.what.path), pass(io, one.what.names));
     (passEnum(io, one.what.on, posh::BreakOn::Written), passEnum(io, one.what.result, posh::ActResult::Failed));
-    (pass(io, one.what.key), pass(io, one.what.condition), pass(io, one.what.skip), pass(io, one.what.once), pass(io, one.what.enabled));
+    (pass(io, one.what.key), pass(io, one.what.condition), pass(io, one.what.skip), pass(io, one.what.once),
+     pass(io, one.what.enabled));
 }
 void pass(auto& io, Either<SetBreakpoints> auto& asked) {
     pass(io, asked.breakpoints);

@@ -69,7 +69,7 @@ private slots:
                                                        .on = posh::BreakOn::Result,
                                                        .result = posh::ActResult::Running,
                                                        .key = "lane",
-                              .condition = "(distance 0.3 <)",
+                                                       .condition = "(distance 0.3 <)",
                                                        .skip = 7,
                                                        .once = true,
                                                        .enabled = false}}}},
