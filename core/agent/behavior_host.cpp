@@ -1,6 +1,7 @@
 #include "core/agent/behavior_host.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 #include "core/base/text.h"
@@ -11,6 +12,11 @@ namespace {
 
 /// Sensors speak several times a second; what has been silent so long may not be there.
 constexpr Seconds sensors_silent{3.0};
+
+/// Those that speak only when there is something to tell (usarsim-protocol 5): their silence says nothing.
+constexpr std::array<std::string_view, 10> silent_by_nature{
+    "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
+    "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
 
 /// The type of a sensor on the wire; empty for a message that is none's.
 struct SensorType {
@@ -36,7 +42,11 @@ BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behav
                            std::vector<std::string> sensors_needed)
     : behavior_(std::move(behavior))
     , behavior_id_(std::move(behavior_id))
-    , sensors_missed_(std::move(sensors_needed)) {}
+    , sensors_missed_(std::move(sensors_needed)) {
+    std::erase_if(sensors_missed_, [](const std::string& type) {
+        return std::ranges::any_of(silent_by_nature, [&](std::string_view one) { return sameWord(one, type); });
+    });
+}
 
 BehaviorHost::~BehaviorHost() = default;
 
