@@ -325,7 +325,7 @@ QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
     list->setAccessibleName(name);
     list->setToolTip(help);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list->setMinimumHeight(48);
+    list->setMinimumHeight(24); // a line: a low dock has four such lists
     list->setIconSize({14, 14});
     connect(list, &QListWidget::itemClicked, this, &PlanPanel::jumpTo);
     connect(list, &QListWidget::itemActivated, this, &PlanPanel::jumpTo);
