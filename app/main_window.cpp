@@ -53,6 +53,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireFaults();
     wirePlan();
     wireCamera();
+    wireDrive();
     wireObjects();
     new widgets::OwnKeys(this);
     wirePlugins();
@@ -117,6 +118,7 @@ void MainWindow::wireControl() {
         presenter_.showRow(id);
         if (id == selected_)
             presenter_.showLinkState(id);
+        drive_.refresh();
         followConnection();
         commands_.refresh();
     });
@@ -125,6 +127,7 @@ void MainWindow::wireControl() {
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
         presenter_.show(id, *update, id == selected_);
         plan_.take(id, *update);
+        drive_.take(id, *update);
         if (id != selected_)
             return;
         views_.connection->setRate(update->figures.replay ? std::nullopt
@@ -157,6 +160,23 @@ void MainWindow::showClock() {
     for (const Robot* robot : control_.robots()) // a base station hears no time; robots on its server do
         if (!robot->isReplay() && timed(robot))
             return views_.time->setClock(robot->view().figures.now);
+}
+
+void MainWindow::wireDrive() {
+    connect(&drive_, &DriveDesk::changed, &commands_, &widgets::CommandRegistry::refresh);
+    connect(&drive_, &DriveDesk::realTimeWanted, this, [this] {
+        if (views_.time->speed() > 1.0)
+            setSpeed(1.0);
+    });
+    const auto openDock = [this] {
+        auto* const dock = findChild<QDockWidget*>("drive");
+        dock->show();
+        dock->raise();
+    };
+    connect(views_.driver, &widgets::ControlBadge::clicked, this, openDock);
+    connect(&drive_.gamepad(), &Gamepad::plugged, this, [this](const QString& name) {
+        views_.notifications->push("gamepad", Severity::Note, tr("The gamepad %1 is plugged in.").arg(name), true);
+    });
 }
 
 void MainWindow::wireMission() {

@@ -8,6 +8,7 @@
 #include <QThreadPool>
 
 #include "app/camera_desk.h"
+#include "app/drive_desk.h"
 #include "app/mission_control.h"
 #include "app/options.h"
 #include "app/plan_desk.h"
@@ -45,6 +46,7 @@ public:
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
     const WindowViews& views() const { return views_; }
+    DriveDesk& drive() { return drive_; }
     const PlanWorkshop& workshop() const { return workshop_; }
     /// 0 while there is none.
     int selectedRobot() const { return selected_; }
@@ -122,6 +124,7 @@ private:
     /// Those of the mission file that was opened; their times count from its start.
     void beginMissionFaults();
     void wireCamera();
+    void wireDrive();
     void wireObjects();
     /// TRACE for the selected robot, in the color that the palette shows.
     void trace(bool on);
@@ -188,7 +191,7 @@ private:
     void stepTime();
     void setSpeed(double speed);
 
-    static constexpr int layout_version = 3; ///< a layout saved by an older set of docks is not restored
+    static constexpr int layout_version = 4; ///< a layout saved by an older set of docks is not restored
 
     Options options_;
     MissionControl control_;
@@ -197,6 +200,7 @@ private:
     PlanDesk plan_{control_, views_, commands_, this};
     RobotPresenter presenter_;
     std::unique_ptr<CameraDesk> camera_; ///< ends before the views do
+    DriveDesk drive_{control_, views_, commands_, this};
     WorldEditor world_{control_, views_, commands_, this};
     PlanWorkshop workshop_{control_, views_, commands_, this};
     RadioPresenter radio_;

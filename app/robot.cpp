@@ -135,6 +135,26 @@ void Robot::stop() {
     later([](mission::RobotSession& session) { session.stop(); });
 }
 
+void Robot::takeControl() {
+    if (running() && !view_.halted) {
+        view_.paused = true;
+        pause_confirmed_ = false;
+    }
+    later([](mission::RobotSession& session) { session.takeControl(); });
+}
+
+void Robot::giveControlBack() {
+    later([](mission::RobotSession& session) { session.giveControlBack(); });
+}
+
+void Robot::drive(const mission::HandIntent& intent) {
+    later([=](mission::RobotSession& session) { session.drive(intent); });
+}
+
+void Robot::stopDriving(const QString& reason) {
+    later([=](mission::RobotSession& session) { session.stopDriving(reason); });
+}
+
 void Robot::send(const protocol::Command& command, const std::string& source) {
     later([=](mission::RobotSession& session) { session.sendCommand(command, source); });
 }

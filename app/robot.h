@@ -72,6 +72,11 @@ public:
     /// For the plan that decides. Breakpoints are kept for behaviors that start later.
     void control(const agent::PlanControl& control);
     void stop();
+    /// The person drives; a behavior that runs is paused. See RobotSession.
+    void takeControl();
+    void giveControlBack();
+    void drive(const mission::HandIntent& intent);
+    void stopDriving(const QString& reason);
     void send(const protocol::Command& command, const std::string& source);
     void requestRecord();
     void startRecording(const QString& path, const mission::RecordingFacts& facts);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/drive_desk.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "widgets/theme.h"
@@ -111,6 +112,7 @@ void RobotPresenter::showRow(int id) {
     row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
     row.state = view.recording.isEmpty() ? stateText(view) : QObject::tr("replay · %1").arg(stateText(view));
     row.stale = view.link.state != link::LinkState::Connected && !notBegun(view);
+    row.driver = controlWords(control_, robot);
     if (view.status && view.status->battery_used_pct)
         row.battery_pct = 100.0 - *view.status->battery_used_pct;
     views_.robots->updateRobot(row);

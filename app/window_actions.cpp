@@ -124,6 +124,7 @@ void MainWindow::selectRobot(int id) {
     plan_.select(selected_);
     workshop_.follow(selected_);
     camera_->select(selected_);
+    drive_.select(selected_);
     followConnection();
     views_.robots->selectRobot(selected_);
     refreshRunState();
@@ -399,6 +400,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return workshop_.letGo([this] { close(); });
     }
     saveSettings();
+    drive_.leave();
     cancelLoading(); // nobody waits for it
     if (may_close_ || !control_.anythingToSave())
         return event->accept();

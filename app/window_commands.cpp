@@ -19,6 +19,8 @@ const QList<std::pair<QString, QString>> gestures{
     {QObject::tr("Drag with the area tool"), QObject::tr("Draw the mission area; its handles change it")},
     {QObject::tr("Wheel"), QObject::tr("Zoom at the cursor")},
     {QObject::tr("Arrow keys, drag"), QObject::tr("Pan the map")},
+    {QObject::tr("W S, A D, Q E, R F held while you drive"),
+     QObject::tr("Forward and back, round, sideways, up and down; Shift slower, Space stops")},
     {QObject::tr("Drag the camera's picture, wheel on it"), QObject::tr("Turn the camera, zoom it")},
     {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")},
     {QObject::tr("Press an object in the palette, click on the map"), QObject::tr("Put it into the world")},
@@ -43,6 +45,7 @@ void MainWindow::registerCommands() {
     registerFaultCommands();
     registerPlanCommands();
     registerCameraCommands();
+    drive_.registerCommands();
     registerTraceCommands();
     registerPluginCommands();
     world_.registerCommands();
@@ -244,10 +247,28 @@ void MainWindow::makeMenus() {
                     "file.folder", "file.show_folder", "-", "file.quit"});
     commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
                                                         "mission.land", "mission.stop", "-", "mission.stop_all"});
-    commands_.fill(menuBar()->addMenu(tr("&Robots")),
-                   {"robot.select_1", "robot.select_2", "robot.select_3", "robot.select_4", "robot.select_5",
-                    "robot.select_6", "robot.select_7", "robot.select_8", "robot.select_9", "-", "radio.station",
-                    "robot.spawn_again", "robot.remove", "-", "robot.trace", "-", "plugins.rescan"});
+    commands_.fill(menuBar()->addMenu(tr("&Robots")), {"robot.select_1",
+                                                       "robot.select_2",
+                                                       "robot.select_3",
+                                                       "robot.select_4",
+                                                       "robot.select_5",
+                                                       "robot.select_6",
+                                                       "robot.select_7",
+                                                       "robot.select_8",
+                                                       "robot.select_9",
+                                                       "-",
+                                                       "radio.station",
+                                                       "robot.spawn_again",
+                                                       "robot.remove",
+                                                       "-",
+                                                       "drive.take",
+                                                       "drive.stop",
+                                                       "drive.faster",
+                                                       "drive.slower",
+                                                       "-",
+                                                       "robot.trace",
+                                                       "-",
+                                                       "plugins.rescan"});
     auto* server = menuBar()->addMenu(tr("&Server"));
     commands_.fill(server, {"link.connect", "link.disconnect", "-"});
     fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));

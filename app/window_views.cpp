@@ -31,6 +31,8 @@ void makeTopBar(QMainWindow& window, WindowViews& views) {
     views.connection->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(views.time = new TimeBar);
     bar->addSeparator();
+    bar->addWidget(views.driver = new ControlBadge);
+    bar->addSeparator();
     bar->addWidget(views.record = new RecordBadge);
     bar->addSeparator();
     bar->addWidget(views.stop_all = new StopButton);
@@ -118,6 +120,9 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     views.world_dock =
         addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
     window.tabifyDockWidget(behavior, views.world_dock); // what robots do, and what is there for them
+    auto* drive =
+        addDock(window, views, "drive", QObject::tr("Drive"), Qt::LeftDockWidgetArea, views.drive = new DrivePanel);
+    window.tabifyDockWidget(views.world_dock, drive);
     behavior->raise();
     auto* radio =
         addDock(window, views, "radio", QObject::tr("Radio"), Qt::BottomDockWidgetArea, views.radio = new RadioView);

@@ -11,6 +11,8 @@
 #include "widgets/command_box.h"
 #include "widgets/command_palette.h"
 #include "widgets/connection_bar.h"
+#include "widgets/control_badge.h"
+#include "widgets/drive_panel.h"
 #include "widgets/fault_panel.h"
 #include "widgets/hint_strip.h"
 #include "widgets/laser_fan_view.h"
@@ -44,6 +46,8 @@ struct WindowViews {
     widgets::TimeBar* time = nullptr;
     widgets::StopButton* stop_all = nullptr;
     widgets::RecordBadge* record = nullptr;
+    widgets::ControlBadge* driver = nullptr; ///< who drives the selected robot
+    widgets::DrivePanel* drive = nullptr;
     widgets::HintStrip* hint = nullptr;
     widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is opened
     widgets::ReplayBar* replay = nullptr;       ///< visible while a replay is selected

@@ -48,8 +48,22 @@ void paintElided(QPainter* painter, const QRect& rect, const QString& text) {
                       painter->fontMetrics().elidedText(text, Qt::ElideRight, rect.width()));
 }
 
+/// On the right of the title: who drives. What is left of the line is returned.
+QRect paintDriver(QPainter* painter, QRect line, const RobotRow& robot) {
+    if (robot.driver.robot.isEmpty() || robot.stale)
+        return line;
+    const bool person = robot.driver.driver == Driver::Person;
+    painter->setFont(themeFont(FontRole::Small, person ? QFont::DemiBold : QFont::Normal));
+    painter->setPen(person ? tokens().accent : tokens().text_muted);
+    const QString text = painter->fontMetrics().elidedText(controlText(robot.driver), Qt::ElideRight, line.width() / 2);
+    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, text);
+    line.setRight(line.right() - painter->fontMetrics().horizontalAdvance(text) - gap::small);
+    return line;
+}
+
 void paintTitle(QPainter* painter, QRect line, const RobotRow& robot) {
     const Tokens& t = tokens();
+    line = paintDriver(painter, line, robot);
     painter->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     painter->setPen(robot.stale ? t.stale : t.text);
     paintElided(painter, line, robot.name);

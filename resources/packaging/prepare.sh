@@ -4,7 +4,8 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 build_packages=(g++ cmake ninja-build ccache pkg-config qt6-base-dev libqcustomplot-dev libbullet-dev libsdformat-dev
-                libpng-dev libjpeg62-turbo-dev libexpected-dev libeigen3-dev fonts-dejavu-core)
+                libpng-dev libjpeg62-turbo-dev libexpected-dev libeigen3-dev libsdl2-dev
+                fonts-dejavu-core)
 test_packages=(libbenchmark-dev gdal-bin pngcheck clang libclang-rt-14-dev)
 
 say() { printf '%s\n' "$*" >&2; }

@@ -14,6 +14,7 @@
 #include "widgets/behavior_panel.h"
 #include "widgets/command_palette.h"
 #include "widgets/connection_bar.h"
+#include "widgets/drive_panel.h"
 #include "widgets/empty_state.h"
 #include "widgets/hint_strip.h"
 #include "widgets/laser_fan_view.h"
@@ -131,6 +132,16 @@ std::unique_ptr<QWidget> openToast() {
     return under;
 }
 
+std::unique_ptr<QWidget> drivenRobot() {
+    auto panel = std::make_unique<DrivePanel>();
+    panel->setState({.robot = QStringLiteral("R1"),
+                     .control = {QStringLiteral("R1"), Driver::Person, QStringLiteral("keys")},
+                     .can_take = true,
+                     .taken = true,
+                     .axes = {true, true, true, true}});
+    return panel;
+}
+
 std::unique_ptr<QWidget> palette() {
     auto under = std::make_unique<QWidget>();
     auto* commands = new CommandRegistry(under.get());
@@ -211,6 +222,7 @@ void tst_PanelReach::panels() {
     QTest::newRow("notifications") << Maker(filledNotifications);
     QTest::newRow("messages") << Maker(filledMessages);
     QTest::newRow("plan") << Maker(filledPlan);
+    QTest::newRow("drive") << Maker(drivenRobot);
 }
 
 void tst_PanelReach::everything() {

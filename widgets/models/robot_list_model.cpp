@@ -69,6 +69,8 @@ QVariant RobotListModel::data(const QModelIndex& index, int role) const {
         return {};
     const RobotRow& robot = row(index.row());
     QStringList parts = {robot.name, robot.class_name, robot.state};
+    if (!robot.driver.robot.isEmpty())
+        parts << controlText(robot.driver);
     if (robot.battery_pct)
         parts << tr("battery %1 %").arg(figure(*robot.battery_pct, 0));
     if (robot.stale)

@@ -7,6 +7,8 @@
 #include <QAbstractListModel>
 #include <QString>
 
+#include "widgets/control_badge.h"
+
 namespace usar::widgets {
 
 /// A robot as the list needs it. `id` is the window's own; `number` 1..9 chooses color and key.
@@ -17,7 +19,8 @@ struct RobotRow {
     QString class_name; ///< "AirRobot"
     QString state;      ///< in words: "scanning lane 4 of 9"
     std::optional<double> battery_pct;
-    bool stale = false; ///< nobody vouches for state and battery any more
+    bool stale = false;    ///< nobody vouches for state and battery any more
+    ControlWords driver{}; ///< who drives it
     bool operator==(const RobotRow&) const = default;
 };
 
