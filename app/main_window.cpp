@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QScreen>
@@ -98,6 +99,8 @@ void MainWindow::wireControl() {
                 start_poses_ = poses.poses;
                 views_.map->setStartPoses(poses.poses);
                 views_.connection->setStatus({widgets::ConnectionState::Connected, level, {}, Seconds{0.0}});
+                if (awaiting_world_ && awaiting_world_->world == level.toStdString())
+                    setUp(*std::exchange(awaiting_world_, std::nullopt));
             });
     connect(&control_, &MissionControl::robotAdded, this, [this](int id) {
         presenter_.showRow(id);

@@ -147,6 +147,10 @@ private:
     void disconnectFromServer();
     void showWorld(const WorldPicture& world);
     void spawn(const widgets::SpawnChoice& choice);
+    /// The mission's world, where the embedded simulator has another one with nobody in it; else nothing.
+    QString worldToOpenFor(const mission::Mission& mission) const;
+    void setUp(const mission::Mission& mission);
+    void selectRobotFor(const std::string& robot_class);
     void showPlan();
     void start();
     void give(agent::Order order);
@@ -211,6 +215,8 @@ private:
     std::vector<protocol::StartPose> start_poses_;
     std::map<int, TaskDraft> drafts_;                     ///< by robot; 0: for the robot that is spawned next
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up
+    std::string next_class_;                              ///< of the robot that a mission wants; empty: any
+    std::optional<mission::Mission> awaiting_world_;      ///< set up once its world is there
     QStringList mission_faults_;                          ///< of the mission that is set up
     QStringList isolated_plugins_;                        ///< by name: their behaviors have a process of their own
     std::vector<sim::FaultStatus> faults_;                ///< of the embedded simulator

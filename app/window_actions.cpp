@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "app/locations.h"
 #include "app/main_window.h"
 #include "app/simulator_files.h"
 #include "core/mission/mission_writer.h"
@@ -115,7 +116,8 @@ void MainWindow::selectRobot(int id) {
     const Robot* robot = control_.robot(selected_);
     const auto known = control_.plugins().kinds();
     const auto described = std::ranges::find_if(known, [&](const agent::RobotDescription& description) {
-        return !robot || description.class_name == robot->view().spawn.class_name;
+        const std::string& wanted = robot ? robot->view().spawn.class_name : next_class_;
+        return wanted.empty() || description.class_name == wanted;
     });
     views_.behavior->setBehaviors(described == known.end() ? std::vector<agent::BehaviorDescription>()
                                                            : described->behaviors);
@@ -286,31 +288,67 @@ void MainWindow::openMission(const QString& path) {
     const auto mission = mission::readMissionFile(path);
     if (!mission)
         return complain("mission", mission.error());
-    const auto prepared = control_.prepareMission(*mission);
+    if (const QString world = worldToOpenFor(*mission); !world.isEmpty()) {
+        chooseWorld(world);
+        awaiting_world_ = *mission;
+        return;
+    }
+    setUp(*mission);
+}
+
+QString MainWindow::worldToOpenFor(const mission::Mission& mission) const {
+    const QString wanted = QString::fromStdString(mission.world);
+    const QString here = control_.level().isEmpty() ? options_.server.simulator.world : control_.level();
+    const bool may_change = control_.server().embedded && control_.robots().empty();
+    return may_change && here != wanted && worldNames().contains(wanted) ? wanted : QString();
+}
+
+void MainWindow::setUp(const mission::Mission& mission) {
+    const auto prepared = control_.prepareMission(mission);
     if (!prepared)
         return complain("mission", prepared.error());
-    if (const auto faults = readFaults(textsOf(mission->faults)); !faults)
-        return complain("mission", mission::atValue(*mission, "faults", faults.error()));
-    views_.behavior->chooseBehavior(mission->behavior);
-    if (views_.behavior->behaviorId() != mission->behavior)
-        return complain("mission", {"the selected robot cannot fly this mission", mission->behavior,
-                                    "Select or spawn a " + mission->robot_class + " first, then open it again"});
+    if (const auto faults = readFaults(textsOf(mission.faults)); !faults)
+        return complain("mission", mission::atValue(mission, "faults", faults.error()));
+    selectRobotFor(mission.robot_class);
+    views_.behavior->chooseBehavior(mission.behavior);
+    if (views_.behavior->behaviorId() != mission.behavior)
+        return complain("mission",
+                        mission::atValue(mission, "behavior",
+                                         {"this behavior does not drive the mission's robot", mission.robot_class,
+                                          "Name the robot that " + mission.behavior + " is for"}));
     views_.parameters->setValues(*prepared);
-    views_.behavior->plan().choose(QString::fromStdString(mission->plan));
-    setIsolated(chosenPlugin(), mission->isolate || views_.behavior->isolated());
-    views_.behavior->setArea(mission->area_in_map);
-    views_.map->setArea(mission->area_in_map);
+    views_.behavior->plan().choose(QString::fromStdString(mission.plan));
+    setIsolated(chosenPlugin(), mission.isolate || views_.behavior->isolated());
+    views_.behavior->setArea(mission.area_in_map);
+    views_.map->setArea(mission.area_in_map);
     views_.map->fit();
-    cell_size_m_ = mission->cell_size_m;
-    mission_faults_ = textsOf(mission->faults);
+    cell_size_m_ = mission.cell_size_m;
+    mission_faults_ = textsOf(mission.faults);
     keepDraft();
     showPlan();
     applyParameters();
     control_.cure("mission");
+    const QString name = QString::fromStdString(mission.name);
     say(Severity::Note, "mission-ready",
-        selected_ == 0 ? tr("Mission %1 is ready. Double-click the start pose %2, then press Start.")
-                             .arg(QString::fromStdString(mission->name), QString::fromStdString(mission->start))
-                       : tr("Mission %1 is ready. Press Start.").arg(QString::fromStdString(mission->name)));
+        selected_ == 0 ? tr("Mission %1 is ready. Double-click the start pose %2: a %3 comes. Then press Start.")
+                             .arg(name, QString::fromStdString(mission.start),
+                                  QString::fromStdString(mission.robot_class).section('.', -1))
+                       : tr("Mission %1 is ready. Press Start.").arg(name));
+}
+
+/// The selected robot where it is of this class, or another one that has nothing to do; else none, and the next one
+/// that is spawned will be.
+void MainWindow::selectRobotFor(const std::string& robot_class) {
+    const auto fits = [&](const Robot* robot) {
+        return robot && !robot->isReplay() && robot->view().spawn.class_name == robot_class;
+    };
+    if (fits(control_.robot(selected_)))
+        return;
+    const std::vector<Robot*> robots = control_.robots();
+    const auto idle = std::ranges::find_if(robots, [&](const Robot* one) { return fits(one) && !one->running(); });
+    next_class_ = robot_class;
+    views_.spawn_card->chooseClass(QString::fromStdString(robot_class));
+    selectRobot(idle == robots.end() ? 0 : (*idle)->view().id);
 }
 
 void MainWindow::chooseMissionFile() {

@@ -140,6 +140,7 @@ void MainWindow::openSnapshot(const QString& path) {
 }
 
 void MainWindow::chooseWorld(const QString& name_or_folder) {
+    awaiting_world_.reset();
     SimulatorSpec spec = options_.server.simulator;
     spec.world = name_or_folder;
     load(spec, tr("Opening %1").arg(titleOf(QDir(name_or_folder).dirName())));
@@ -151,6 +152,7 @@ void MainWindow::wireLoading() {
     connect(&loader_, &SimulationLoader::loaded, this, &MainWindow::takeLoaded);
     connect(&loader_, &SimulationLoader::refused, this, [this](const QString& reason) {
         views_.progress->end();
+        awaiting_world_.reset();
         commands_.refresh();
         say(Severity::Error, "simulator", reason);
     });
@@ -176,6 +178,7 @@ void MainWindow::takeLoaded(const SimulatorSpec& spec) {
 }
 
 void MainWindow::abandonLoading() {
+    awaiting_world_.reset();
     cancelLoading();
     say(Severity::Note, "opening-cancelled", tr("Opening was cancelled; everything is as it was."));
 }

@@ -92,6 +92,11 @@ void SpawnCard::listBehaviors() {
     preferBehavior(preferred_behavior_);
 }
 
+void SpawnCard::chooseClass(const QString& class_name) {
+    if (const int row = class_->findData(class_name); row >= 0)
+        class_->setCurrentIndex(row);
+}
+
 void SpawnCard::preferBehavior(const QString& id) {
     preferred_behavior_ = id;
     if (const int row = id.isEmpty() ? -1 : behavior_->findData(id); row >= 0)

@@ -33,6 +33,8 @@ public:
     /// What can be spawned, with the behaviors that plugins have for it; the class that is chosen stays so if it is
     /// among them. Keeps no pointer into the list.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
+    /// As if the person had chosen it; an unknown one changes nothing.
+    void chooseClass(const QString& class_name);
     /// The behavior that is set up: chosen where the class has it.
     void preferBehavior(const QString& id);
     /// Beside `at` (global), within the widget that it lies over.

@@ -207,9 +207,9 @@ void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace_data() {
         << "{\n \"name\": \"x\",\n \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9},\n"
            " \"parameters\": {\"scan_altitude\": 6}\n}"
         << "scan_altitude";
-    QTest::newRow("another world") << "{\n \"name\": \"x\",\n \"world\": \"volcano\",\n"
-                                      " \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9}\n}"
-                                   << "mission.json:3:11: this mission belongs to the world volcano";
+    QTest::newRow("an unknown world") << "{\n \"name\": \"x\",\n \"world\": \"atlantis\",\n"
+                                         " \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9}\n}"
+                                      << "mission.json:3:11: this mission belongs to the world atlantis";
 }
 
 void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace() {

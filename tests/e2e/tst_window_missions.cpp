@@ -1,0 +1,99 @@
+// Missions of every robot, opened in the real window and begun there.
+#include <QDir>
+#include <QTest>
+
+#include "core/mission/mission_file.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+
+using namespace usar;
+
+namespace {
+
+constexpr const char* missions_folder = USAR_SOURCE_DIR "/resources/missions";
+
+QString shipped(const QString& name) {
+    return QDir(missions_folder).filePath(name + ".json");
+}
+
+} // namespace
+
+class tst_WindowMissions : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void aMissionBringsItsWorldAndItsRobot_data();
+    void aMissionBringsItsWorldAndItsRobot();
+    void aMissionForAnotherRobotWaitsForOne();
+    void aWorldWithARobotInItIsNotLeft();
+    void anotherWorldThanTheMissionsForgetsIt();
+};
+
+void tst_WindowMissions::aMissionBringsItsWorldAndItsRobot_data() {
+    QTest::addColumn<QString>("name");
+    for (const QString& file : QDir(missions_folder).entryList({"*.json"}, QDir::Files))
+        QTest::newRow(qPrintable(file)) << file.chopped(5);
+}
+
+void tst_WindowMissions::aMissionBringsItsWorldAndItsRobot() {
+    QFETCH(QString, name);
+    const auto mission = mission::readMissionFile(shipped(name));
+    QVERIFY(mission.has_value());
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.dropFile(shipped(name)));
+    QTRY_VERIFY2_WITH_TIMEOUT(!page.notified("is ready").isEmpty(), qPrintable(page.notified({})), 2 * soon_ms);
+    const QString ready = page.notified("is ready");
+    QVERIFY2(ready.contains(QString::fromStdString(mission->name)), qPrintable(ready));
+    QVERIFY2(ready.contains(QString::fromStdString(mission->robot_class).section('.', -1)), qPrintable(ready));
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt(mission->start));
+    QCOMPARE(page.robot(1)->spawn.class_name, mission->robot_class);
+    QCOMPARE(page.window().views().behavior->behaviorId(), mission->behavior);
+    page.press("Start");
+    QTRY_VERIFY2_WITH_TIMEOUT(page.robot(1)->figures.behavior_running && page.robot(1)->status,
+                              qPrintable(page.notified({})), soon_ms);
+    QCOMPARE(page.robot(1)->behavior_id, mission->behavior);
+    QVERIFY2(!page.robot(1)->finished, page.robot(1)->finished ? page.robot(1)->finished->reason.c_str() : "");
+}
+
+void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QCOMPARE(page.robot(1)->spawn.class_name, "USARBot.AirRobot");
+    page.window().openMission(shipped("p2dx_meadow"));
+    QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("a P2DX comes"), qPrintable(page.notified({})),
+                              soon_ms);
+    QCOMPARE(page.window().selectedRobot(), 0);
+    const auto mission = mission::readMissionFile(shipped("p2dx_meadow"));
+    QVERIFY(page.spawnAt(mission->start));
+    QCOMPARE(page.robot(2)->spawn.class_name, "USARBot.P2DX");
+    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().views().behavior->behaviorId(), "p2dx/cpp");
+    page.pressKey(Qt::Key_1); // and the first one has kept what it had
+    QCOMPARE(page.window().views().behavior->behaviorId(), "airrobot/cpp");
+}
+
+void tst_WindowMissions::aWorldWithARobotInItIsNotLeft() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.window().openMission(shipped("ers_soccer"));
+    QVERIFY2(!page.notified("this mission belongs to the world spqr_soccer").isEmpty(), qPrintable(page.notified({})));
+    QVERIFY(page.robot(1)->figures.spawned);
+}
+
+void tst_WindowMissions::anotherWorldThanTheMissionsForgetsIt() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().openMission(shipped("ers_soccer"));
+    page.window().commands().action("world.vmac_room")->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(page.connectionText().contains("vmac_room"), qPrintable(page.connectionText()),
+                              2 * soon_ms);
+    QVERIFY(page.notified("is ready").isEmpty());
+}
+
+QTEST_MAIN(tst_WindowMissions)
+#include "tst_window_missions.moc"
