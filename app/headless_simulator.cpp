@@ -35,6 +35,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     const auto serve = [&] { // sockets and timers are made in the thread that they live in
         host->server_ = new link::SimulatorServer(*std::move(simulation), host->worker_);
         port = host->server_->listen(0);
+        host->server_->setTimeBeginsWithRobots(true);
         host->server_->setPace(spec.speed_x ? link::Pace::Factor : link::Pace::Fast, spec.speed_x.value_or(1.0));
     };
     QMetaObject::invokeMethod(host->worker_, serve, Qt::BlockingQueuedConnection);

@@ -49,6 +49,9 @@ public:
     sim::Simulation& simulation() { return *simulation_; }
     void setUnreadLimit(qint64 bytes) { unread_limit_bytes_ = bytes; }
     void setLockstepPatience(std::chrono::milliseconds patience) { lockstep_patience_ = patience; }
+    /// Time at a factor stands still, too, while nobody has a robot: then what a robot meets does not depend on how
+    /// long its program took to ask for it.
+    void setTimeBeginsWithRobots(bool on) { time_begins_with_robots_ = on; }
 
 public slots:
     void setPace(usar::link::Pace pace, double factor = 1.0);
@@ -101,6 +104,7 @@ private:
     QElapsedTimer wall_;
     Pace pace_ = Pace::Factor;
     double factor_ = 1.0;
+    bool time_begins_with_robots_ = false;
     qint64 unread_limit_bytes_ = 8 << 20;
     std::chrono::milliseconds lockstep_patience_{10000};
     std::chrono::milliseconds held_up_{0}; ///< so long others have waited for the STEP of a client

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include <QJsonDocument>
 #include <QSignalSpy>
@@ -35,20 +36,33 @@ std::vector<std::string> commandsIn(const QString& recording) {
     return commands;
 }
 
+void areTheSame(const Flown& one, const Flown& other) {
+    QVERIFY2(one.exit_code == 0, QJsonDocument(one.summary).toJson());
+    QVERIFY2(other.exit_code == 0, QJsonDocument(other.summary).toJson());
+    QVERIFY(one.commands.size() > 200);
+    for (std::size_t i = 0; i < std::min(one.commands.size(), other.commands.size()); ++i)
+        QVERIFY2(one.commands[i] == other.commands[i],
+                 ("command " + std::to_string(i) + ": " + one.commands[i] + " / " + other.commands[i]).c_str());
+    QCOMPARE(other.commands.size(), one.commands.size());
+    for (const char* key : {"duration_s", "distance_m", "cells", "coverage_pct"})
+        QCOMPARE(other.summary[key], one.summary[key]);
+}
+
 } // namespace
 
-/// Missions whose behavior has a process of its own.
+/// Missions whose behavior has a process of its own, and missions at several speeds: command by command the same.
 class tst_IsolatedMission : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase();
     void isCommandByCommandTheMissionWithoutIsolation_data();
     void isCommandByCommandTheMissionWithoutIsolation();
+    void isTheSameAtAnySpeed();
     void aBehaviorThatGoesWrongEndsTheMissionWithItsReason_data();
     void aBehaviorThatGoesWrongEndsTheMissionWithItsReason();
 
 private:
-    Flown fly(const Mission& mission);
+    Flown fly(const Mission& mission, std::optional<double> speed_x = {});
 
     agent::PluginLoader plugins_;
 };
@@ -60,9 +74,9 @@ void tst_IsolatedMission::initTestCase() {
     QVERIFY(plugins_.behavior("airrobot/posh"));
 }
 
-Flown tst_IsolatedMission::fly(const Mission& mission) {
+Flown tst_IsolatedMission::fly(const Mission& mission, std::optional<double> speed_x) {
     QTemporaryDir folder;
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 7});
+    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 7, .speed_x = speed_x});
     if (!simulator)
         return {};
     RunOptions options;
@@ -97,16 +111,16 @@ void tst_IsolatedMission::isCommandByCommandTheMissionWithoutIsolation() {
     mission.area_in_map = {{-12.0, -8.0}, {12.0, 8.0}};
     const Flown here = fly(mission);
     mission.isolate = true;
-    const Flown there = fly(mission);
-    QVERIFY2(here.exit_code == 0, QJsonDocument(here.summary).toJson());
-    QVERIFY2(there.exit_code == 0, QJsonDocument(there.summary).toJson());
-    QVERIFY(here.commands.size() > 200);
-    for (std::size_t i = 0; i < std::min(here.commands.size(), there.commands.size()); ++i)
-        QVERIFY2(here.commands[i] == there.commands[i],
-                 ("command " + std::to_string(i) + ": " + here.commands[i] + " / " + there.commands[i]).c_str());
-    QCOMPARE(there.commands.size(), here.commands.size());
-    for (const char* key : {"duration_s", "distance_m", "cells", "coverage_pct"})
-        QCOMPARE(there.summary[key], here.summary[key]);
+    areTheSame(here, fly(mission));
+}
+
+void tst_IsolatedMission::isTheSameAtAnySpeed() {
+    Mission mission;
+    mission.name = "Small field";
+    mission.area_in_map = {{-12.0, -8.0}, {12.0, 8.0}};
+    const Flown at_once = fly(mission);
+    areTheSame(at_once, fly(mission, 20.0));
+    areTheSame(at_once, fly(mission, 100.0));
 }
 
 void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason_data() {
