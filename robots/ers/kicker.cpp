@@ -60,7 +60,7 @@ void Kicker::watchBalance(const modules::SensorModule& sensors) {
     base_in_map_ = ins->value.base_in_map;
     const bool lies = std::abs(base_in_map_->roll_rad) > lying_rad || std::abs(base_in_map_->pitch_rad) > lying_rad;
     if (lies && !fallen_)
-        events_.push_back({Severity::Warning, "The robot has fallen over; it is righted."});
+        events_.emplace_back(Severity::Warning, "The robot has fallen over; it is righted.");
     fallen_ = lies;
     const Vec2 here_m = base_in_map_->position_m.head<2>();
     const double step_m = (here_m - way_from_m_).norm();
