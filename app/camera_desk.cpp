@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/robot_name.h"
 #include "core/base/text.h"
 
 namespace usar::app {
@@ -16,10 +17,6 @@ constexpr int turn_interval_ms = 100;
 constexpr double most_pan_rad = pi;
 constexpr double most_tilt_rad = pi / 2.0;
 const std::string cause = "camera";
-
-QString nameOf(const Robot& robot) {
-    return QString::fromStdString(robot.view().spawn.robot_name);
-}
 
 QString classOf(const Robot& robot) {
     return QString::fromStdString(robot.view().spawn.class_name).section('.', -1);

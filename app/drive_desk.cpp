@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/robot_name.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -12,13 +13,9 @@ using mission::HandSource;
 using mission::Reins;
 
 constexpr int beat_ms = 50;
-constexpr int answer_patience_ms = 1000;
+constexpr int reins_patience_ms = 1000;
 constexpr double speed_step = 0.1;
-constexpr std::string_view cause = "by hand: ";
-
-QString nameOf(const Robot& robot) {
-    return QString::fromStdString(robot.view().spawn.robot_name);
-}
+constexpr std::string_view by_hand = "by hand: ";
 
 QString wordFor(const mission::ControlState& state) {
     if (!state.held)
@@ -227,11 +224,11 @@ void DriveDesk::take(int id, const mission::SessionUpdate& update) {
     const mission::ControlState& state = update.figures.control;
     if (state.reins == Reins::Hand)
         confirmed_ = true;
-    else if (taken_ && (confirmed_ || since_asked_.elapsed() > answer_patience_ms))
+    else if (taken_ && (confirmed_ || since_asked_.elapsed() > reins_patience_ms))
         setTaken(false);
     velocity_.take(update);
     for (const mission::SentCommand& command : update.commands)
-        if (command.cause.source.starts_with(cause) && protocol::isDrive(command.command))
+        if (command.cause.source.starts_with(by_hand) && protocol::isDrive(command.command))
             views_.drive->setEcho(QString::fromStdString(command.text));
     const auto twist = velocity_.twist();
     widgets::BodyVelocity shown;
