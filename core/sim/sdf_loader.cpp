@@ -1,5 +1,6 @@
 #include "core/sim/sdf_loader.h"
 
+#include <mutex>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -62,6 +63,9 @@ tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem
 } // namespace
 
 Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
+    // The library has one console for the whole process; a world that was given up may still be read by its thread.
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
     const Listener listener;
     std::error_code trouble;
     sdf::Root root;
