@@ -99,6 +99,7 @@ void MainWindow::wireControl() {
                 start_poses_ = poses.poses;
                 views_.map->setStartPoses(poses.poses);
                 views_.connection->setStatus({widgets::ConnectionState::Connected, level, {}, Seconds{0.0}});
+                commands_.refresh();
                 if (awaiting_world_ && awaiting_world_->world == level.toStdString())
                     setUp(*std::exchange(awaiting_world_, std::nullopt));
             });

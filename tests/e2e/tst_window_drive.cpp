@@ -178,8 +178,9 @@ void tst_WindowDrive::takingControlPausesABehavior() {
     page.pressKey(Qt::Key_Return, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(page.lastCause().startsWith("airrobot/") && page.position_m().z() > 1.0, flight_ms);
     QVERIFY(page.takeControl());
-    QVERIFY(page.robot(1)->paused);
-    QVERIFY(!page.notified("is paused").isEmpty());
+    QTRY_VERIFY(page.robot(1)->paused);
+    QTRY_VERIFY(!page.notified("is paused").isEmpty());
+    QTRY_VERIFY2(!page.lastCause().startsWith("airrobot/"), qPrintable(page.lastCause()));
     const qsizetype said = page.driveCount();
     QTest::qWait(1000);
     QCOMPARE(page.driveCount(), said); // no word of the behavior's comes through
@@ -308,8 +309,11 @@ void tst_WindowDrive::itSaysWhatCannotBeDriven() {
     QVERIFY(!page.window().commands().action("drive.take")->isEnabled());
     QCOMPARE(page.control(), QString("no robot to drive"));
     page.screenshot("drive-empty");
+    QTRY_VERIFY(page.window().commands().action("radio.station")->isEnabled());
     page.pressKey(Qt::Key_B, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(empty->accessibleName().contains("does not move"), soon_ms);
+    QTRY_VERIFY(page.robot(1));
+    QTRY_VERIFY2_WITH_TIMEOUT(empty->accessibleName().contains("does not move"), qPrintable(empty->accessibleName()),
+                              soon_ms);
     QVERIFY(!page.window().commands().action("drive.take")->isEnabled());
 }
 
