@@ -95,5 +95,5 @@ void tst_WindowMissions::anotherWorldThanTheMissionsForgetsIt() {
     QVERIFY(page.notified("is ready").isEmpty());
 }
 
-QTEST_MAIN(tst_WindowMissions)
+USAR_E2E_MAIN(tst_WindowMissions)
 #include "tst_window_missions.moc"
