@@ -5,8 +5,8 @@
 
 #include <QFile>
 
-#include "core/link/recording_reader.h"
 #include "core/agent/published_text.h"
+#include "core/link/recording_reader.h"
 #include "core/posh/trace_file.h"
 
 namespace usar::mission {

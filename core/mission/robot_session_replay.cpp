@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "core/agent/published_text.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/agent/published_text.h"
 #include "core/protocol/command_reader.h"
 
 namespace usar::mission {

@@ -5,8 +5,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/link/recording_writer.h"
 #include "core/agent/published_text.h"
+#include "core/link/recording_writer.h"
 #include "core/mission/recorded_runs.h"
 #include "core/mission/run_report_text.h"
 #include "core/posh/engine.h"
