@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/robot_name.h"
 #include "core/posh/literal.h"
 #include "widgets/breakpoint_dialog.h"
 #include "widgets/models/figures.h"
@@ -16,10 +17,6 @@ using widgets::PlanMark;
 using News = PlanWatch::News;
 
 namespace {
-
-QString flierName(const Robot& robot) {
-    return QString::fromStdString(robot.view().spawn.robot_name);
-}
 
 /// The mark of that path, made where there is none.
 PlanMark& markAt(std::vector<PlanMark>& marks, const std::string& path) {
@@ -145,7 +142,7 @@ void PlanDesk::showHalt() {
         return views_.plan->haltBar().setText({});
     const agent::PlanHalted& halted = *shown->view().halted;
     QString text = tr("%1 stands still: %2 · cycle %3, %4 s")
-                       .arg(flierName(*shown), QString::fromStdString(halted.reason))
+                       .arg(nameOf(*shown), QString::fromStdString(halted.reason))
                        .arg(halted.cycle)
                        .arg(widgets::figure(halted.time.count(), 1));
     if (!shown->view().figures.lockstep)
@@ -214,9 +211,9 @@ void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
     dropTemporary();
     stepping_ = false;
     if (halted.breakpoint)
-        views_.notifications->push(
-            "plan-halted/" + flierName(robot), Severity::Note,
-            tr("%1 stands still: %2.").arg(flierName(robot), QString::fromStdString(halted.reason)), id != selected_);
+        views_.notifications->push("plan-halted/" + nameOf(robot), Severity::Note,
+                                   tr("%1 stands still: %2.").arg(nameOf(robot), QString::fromStdString(halted.reason)),
+                                   id != selected_);
     emit timeWanted(false);
     if (id != selected_)
         return;
@@ -229,7 +226,7 @@ void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
 }
 
 void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
-    views_.notifications->cured("plan-halted/" + flierName(*control_.robot(id)));
+    views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
     if (id != selected_ || stepping_) // it will stand still again in a moment
@@ -239,7 +236,7 @@ void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
 }
 
 void PlanDesk::takeNews(int id, const agent::PlanReplaced& replaced) {
-    const QString who = flierName(*control_.robot(id));
+    const QString who = nameOf(*control_.robot(id));
     const QString plan = QString::fromStdString(replaced.plan_name);
     const QString key = "plan-replaced/" + who;
     if (replaced.fate == PlanFate::Kept)
