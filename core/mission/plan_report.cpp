@@ -8,14 +8,6 @@
 
 namespace usar::mission {
 
-namespace {
-
-posh::Findings findingsIn(const std::string& text, const std::vector<agent::PrimitiveDescription>* primitives) {
-    return primitives ? agent::bindPlan(text, *primitives).findings : posh::readPlan(text).findings;
-}
-
-} // namespace
-
 QJsonObject toJson(const posh::Finding& finding, const QString& file) {
     const bool is_error = posh::severityOf(finding.code) == Severity::Error;
     QJsonObject object{
@@ -28,21 +20,44 @@ QJsonObject toJson(const posh::Finding& finding, const QString& file) {
     return object;
 }
 
+namespace {
+
+QJsonObject noteToJson(const posh::Spot& at, const std::string& message, const QString& file) {
+    return {{"code", "N501"},
+            {"severity", "note"},
+            {"line", static_cast<qint64>(at.line)},
+            {"column", static_cast<qint64>(at.column)},
+            {"message", QString::fromStdString(message)},
+            {"file", file}};
+}
+
+Result<void> print(const QJsonObject& object, QIODevice& output) {
+    const QByteArray json = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
+    if (output.write(json) != json.size())
+        return failure("the output takes no more: " + output.errorString().toStdString(),
+                       object["file"].toString().toStdString(), "Make room, or write elsewhere");
+    return {};
+}
+
+} // namespace
+
 Result<void> reportFindings(const posh::Findings& findings, const QString& file, QIODevice& output) {
-    for (const posh::Finding& finding : findings) {
-        const QByteArray json = QJsonDocument(toJson(finding, file)).toJson(QJsonDocument::Compact) + '\n';
-        if (output.write(json) != json.size())
-            return failure("the output takes no more: " + output.errorString().toStdString(), file.toStdString(),
-                           "Make room, or write elsewhere");
-    }
+    for (const posh::Finding& finding : findings)
+        if (auto printed = print(toJson(finding, file), output); !printed)
+            return printed;
     return {};
 }
 
 Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output,
                         const std::vector<agent::PrimitiveDescription>* primitives) {
-    const posh::Findings findings = findingsIn(readPlanText(input), primitives);
+    const std::string text = readPlanText(input);
+    const posh::PlanReading reading = posh::readPlan(text);
+    const posh::Findings findings = primitives ? agent::bindPlan(text, *primitives).findings : reading.findings;
     if (auto reported = reportFindings(findings, file, output); !reported)
         return tl::unexpected(reported.error());
+    if (const std::string note = agent::clockRemark(reading.plan); !note.empty())
+        if (auto printed = print(noteToJson(posh::collectionOf(reading.plan)->at, note, file), output); !printed)
+            return tl::unexpected(printed.error());
     return !posh::hasErrors(findings);
 }
 

@@ -22,7 +22,8 @@ QJsonObject toJson(const posh::Finding& finding, const QString& file);
 Result<void> reportFindings(const posh::Findings& findings, const QString& file, QIODevice& output);
 
 /// Reads the plan that `input` holds and reports on it; with the senses and acts of a robot also on what does not fit
-/// that robot. True where it has no errors.
+/// that robot. What the window says besides of a plan that asks for real time (agent::clockRemark) is a "note", N501.
+/// True where it has no errors.
 Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output,
                         const std::vector<agent::PrimitiveDescription>* primitives = nullptr);
 

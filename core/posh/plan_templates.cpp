@@ -36,7 +36,7 @@ const std::vector<PlanTemplate>& planTemplates() {
       ((stay  doNothing))))
 
   ; The goal ends the plan: put the sense here that says the mission is over.
-  (RDC robot (goal ((fail)))
+  (DC robot (goal ((fail)))
     (drives
       ((mission mission)))))
 )"}};

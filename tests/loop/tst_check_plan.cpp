@@ -3,6 +3,11 @@
 #include <QProcess>
 #include <QTest>
 
+#include "core/agent/posh_binding.h"
+#include "core/posh/plan_reader.h"
+
+using namespace usar;
+
 /// The verb of the program: what it prints, and how it exits.
 class tst_CheckPlan : public QObject {
     Q_OBJECT
@@ -10,6 +15,8 @@ private slots:
     void exitsByTheWorstOfItsFiles_data();
     void exitsByTheWorstOfItsFiles();
     void printsOneObjectForEachFinding();
+    void saysWhatTheWindowSaysOfRealTime_data();
+    void saysWhatTheWindowSaysOfRealTime();
     void readsStandardInput();
     void thePlanOfThePageFitsItsRobot();
 };
@@ -78,6 +85,27 @@ void tst_CheckPlan::printsOneObjectForEachFinding() {
     QCOMPARE(finding["file"].toString(), file);
 }
 
+void tst_CheckPlan::saysWhatTheWindowSaysOfRealTime_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("as a plan of any robot") << QStringList{"-"};
+    QTest::newRow("as the plan of one robot") << QStringList{"--robot", "AirRobot", "-"};
+}
+
+void tst_CheckPlan::saysWhatTheWindowSaysOfRealTime() {
+    QFETCH(QStringList, arguments);
+    const QByteArray plan = "(\n  (RDC d (drives ((a doNothing)))))";
+    const Ended ended = run(arguments, plan);
+    QCOMPARE(ended.exit_code, 0);
+    QCOMPARE(ended.out.count('\n'), 1);
+    const QJsonObject note = QJsonDocument::fromJson(ended.out).object();
+    QCOMPARE(note["code"].toString(), QString("N501"));
+    QCOMPARE(note["severity"].toString(), QString("note"));
+    QCOMPARE(note["line"].toInt(), 2);
+    QCOMPARE(note["column"].toInt(), 3);
+    const std::string of_the_window = agent::clockRemark(posh::readPlan(plan.toStdString()).plan);
+    QCOMPARE(note["message"].toString(), QString::fromStdString(of_the_window));
+}
+
 void tst_CheckPlan::readsStandardInput() {
     const Ended ended = run({"-"}, "((DC d (drives ())))");
     QCOMPARE(ended.exit_code, 1);
@@ -92,7 +120,7 @@ void tst_CheckPlan::thePlanOfThePageFitsItsRobot() {
     const QByteArray plan = text.mid(begin, text.indexOf("```", begin) - begin);
     QVERIFY(plan.contains("lookout"));
     const Ended ended = run({"--robot", "AirRobot", "-"}, plan);
-    QVERIFY2(ended.exit_code == 0 && ended.out.isEmpty(), ended.out);
+    QVERIFY2(ended.exit_code == 0 && ended.out.isEmpty(), ended.out + ended.err);
 }
 
 QTEST_APPLESS_MAIN(tst_CheckPlan)

@@ -36,6 +36,7 @@ private slots:
     void aSoundPlanHasNothingToSay();
     void aFindingHasItsCodePlaceAndFile();
     void aWarningLeavesThePlanSound();
+    void realTimeThatIsNotKeptIsANote();
     void anOpenParenthesisIsNamed();
     void aFileWithoutEndIsNoPlan();
     void aFullDiskIsAnError();
@@ -67,6 +68,18 @@ void tst_PlanReport::aWarningLeavesThePlanSound() {
     QCOMPARE(report.findings.size(), 1);
     QCOMPARE(report.findings[0]["code"].toString(), QString("W401"));
     QCOMPARE(report.findings[0]["severity"].toString(), QString("warning"));
+}
+
+void tst_PlanReport::realTimeThatIsNotKeptIsANote() {
+    const Report report = reportOn("(\n ( srdc d (drives ((a act)))))");
+    QVERIFY(report.sound);
+    QCOMPARE(report.findings.size(), 1);
+    const QJsonObject note = report.findings[0];
+    QCOMPARE(note["code"].toString(), QString("N501"));
+    QCOMPARE(note["severity"].toString(), QString("note"));
+    QCOMPARE(note["line"].toInt(), 2);
+    QCOMPARE(note["column"].toInt(), 2); // of the form
+    QVERIFY(note["message"].toString().contains("robot's clock"));
 }
 
 void tst_PlanReport::anOpenParenthesisIsNamed() {
