@@ -6,7 +6,6 @@
 
 #include <QMetaMethod>
 
-#include "core/agent/published_text.h"
 #include "core/mission/stream_name.h"
 #include "core/protocol/command_writer.h"
 
@@ -186,11 +185,9 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
     if (observed)
         collector.addPublished(published);
     for (const agent::Published& value : published) {
-        if (recorder) {
-            std::string text;
-            appendText(text, value);
-            noteForRecording("published", text);
-        }
+        if (host)
+            so_far.take(value);
+        notePublished(value);
         takeValue(value);
     }
 }
@@ -310,6 +307,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
         end_watch.release()->deleteLater();
     }
     host.reset();
+    so_far.clear();
     stepOwed();
     figures.behavior_running = false;
     lookForObservers();

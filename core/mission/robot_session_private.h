@@ -17,6 +17,7 @@
 
 #include "core/link/recording_writer.h"
 #include "core/link/replay.h"
+#include "core/mission/behavior_so_far.h"
 #include "core/mission/complaint_book.h"
 #include "core/mission/drive_gate.h"
 #include "core/mission/hand_driver.h"
@@ -106,6 +107,7 @@ struct RobotSession::Private : link::ReplayTaker {
     /// The behavior that `record` names has begun.
     void noteTask();
     void noteForRecording(const char* topic, std::string_view text);
+    void notePublished(const agent::Published& value);
     void watchRecording();
     void endRecording();
     void beginReplay(std::unique_ptr<link::RecordingReader> recording);
@@ -151,6 +153,7 @@ struct RobotSession::Private : link::ReplayTaker {
     SessionFigures figures;              ///< `traffic` as of the last countTraffic()
     std::uint64_t complaints_before = 0; ///< on earlier connections
     std::shared_ptr<agent::RunningBehavior> host;
+    BehaviorSoFar so_far;                       ///< of `host`
     std::unique_ptr<QSocketNotifier> end_watch; ///< of a behavior that may end between two calls
 
     std::unique_ptr<link::RecordingWriter> recorder;

@@ -5,7 +5,9 @@
 
 #include <QDateTime>
 
+#include "core/agent/published_text.h"
 #include "core/base/numbers.h"
+#include "core/link/recording_format.h"
 #include "core/protocol/command_writer.h"
 
 namespace usar::mission {
@@ -13,6 +15,9 @@ namespace usar::mission {
 namespace {
 
 constexpr std::chrono::milliseconds look_after{500};
+
+/// Of a trace in one note: a byte takes up to four letters there, and a note of two records would be none.
+constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8;
 
 std::string rectangleText(const Rectangle& area) {
     std::string text;
@@ -75,8 +80,13 @@ Result<void> RobotSession::Private::beginRecording(const QString& path, Recordin
     if (const auto init = initOf(request);
         init && (figures.spawn == SpawnState::Asked || figures.spawn == SpawnState::Done))
         noteForRecording("robot", protocol::write(*init));
-    if (host)
-        noteTask();
+    if (!host)
+        return {};
+    noteTask();
+    for (const agent::MapMark& mark : record.marks)
+        notePublished(mark);
+    for (const agent::Published& value : so_far.all())
+        notePublished(value);
     return {};
 }
 
@@ -92,6 +102,20 @@ void RobotSession::Private::noteForRecording(const char* topic, std::string_view
                          .trigger = state->line(),
                          .name = topic,
                          .bytes = text});
+}
+
+void RobotSession::Private::notePublished(const agent::Published& value) {
+    if (!recorder)
+        return;
+    const auto* const trace = std::get_if<agent::PlanTrace>(&value);
+    if (trace && trace->bytes.size() > longest_piece) {
+        for (std::size_t at = 0; at < trace->bytes.size(); at += longest_piece)
+            notePublished(agent::PlanTrace{trace->bytes.substr(at, longest_piece)});
+        return;
+    }
+    std::string text;
+    appendText(text, value);
+    noteForRecording("published", text);
 }
 
 void RobotSession::Private::watchRecording() {

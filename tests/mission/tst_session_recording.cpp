@@ -7,6 +7,7 @@
 
 #include "core/link/recording_reader.h"
 #include "core/link/recording_text.h"
+#include "core/posh/trace_codec.h"
 #include "tests/mission/session_fixture.h"
 
 using namespace usar;
@@ -85,6 +86,7 @@ private slots:
     void aReplayIsWhatWasLive();
     void seekingBackAndForthEndsInTheSame();
     void aRecordingBegunInTheMiddleKnowsItsRobotAndNumbers();
+    void aRecordingBegunInTheMiddleKnowsWhatHoldsAndTheWholePlan();
     void nothingCanBeSentInAReplayAndThatIsSaidOnce();
     void aFileThatCannotBeOpenedIsNamed();
     void aRecordingThatCannotBeWrittenIsANoticeAndTheSessionGoesOn();
@@ -256,6 +258,72 @@ void tst_SessionRecording::aRecordingBegunInTheMiddleKnowsItsRobotAndNumbers() {
     QCOMPARE(told.lines.front(), std::to_string(before + 1) + " STA {Type AerialVehicle} {Time 0.40} {Battery 1200}");
     QVERIFY(session.figures().spawned && session.figures().behavior_running);
     QCOMPARE(session.record().behavior_id, std::string("test/scripted"));
+}
+
+void tst_SessionRecording::aRecordingBegunInTheMiddleKnowsWhatHoldsAndTheWholePlan() {
+    SessionFixture live(SessionFixture::patientLimits());
+    QVERIFY(live.spawnNow());
+    const agent::PlannedPath path{{{1.0, 2.0}, {3.0, 4.0}}};
+    const agent::CurrentGoal goal{{{3.0, 4.0, 5.0}}};
+    const std::string trace_of_before = std::string(posh::trace_codec::magic) + "another plan";
+    const std::string trace = std::string(posh::trace_codec::magic) + std::string(2'000'000, '\x01');
+    auto script = std::make_shared<test::Script>();
+    int ticks = 0;
+    script->on_tick = [&](const agent::Tick& tick, agent::CommandPort& port) {
+        if (++ticks == 1) {
+            port.publish(agent::PlanTrace{trace_of_before});
+            port.publish(agent::CurrentGoal{{{0.0, 0.0, 0.0}}});
+            port.publish(path);
+            port.publish(agent::MapMark{agent::MarkKind::Path, {7.0, 2.0, 0.0}, tick.now, tick.line});
+            port.publish(agent::PlanTrace{trace});
+            port.publish(goal);
+            port.publish(agent::PlanHalted{.cycle = 3});
+            port.publish(agent::PlanResumed{});
+        }
+        port.publish(agent::PlanTrace{std::to_string(ticks)});
+    };
+    live.session.startBehavior(test::hostOf(script), {"R1", {}, {}});
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(live.tickNow());
+    const QString file = newPath();
+    QVERIFY(live.session.startRecording(file, {}));
+    QVERIFY(live.tickNow());
+    live.session.stopRecording();
+
+    RobotSession session;
+    Told told(session);
+    QSignalSpy ended(&session, &RobotSession::replayEnded);
+    session.openRecording(file);
+    session.orderReplay({.play = true, .speed = as_fast_as_it_can});
+    QTRY_COMPARE(ended.size(), 1);
+    const auto all = [&]<class Value>(const Value&) {
+        std::vector<Value> values;
+        for (const agent::Published& published : told.published)
+            if (const auto* const value = std::get_if<Value>(&published))
+                values.push_back(*value);
+        return values;
+    };
+    const auto traced = [&all] {
+        std::string bytes;
+        for (const agent::PlanTrace& piece : all(agent::PlanTrace{}))
+            bytes += piece.bytes;
+        return bytes;
+    };
+    QTRY_VERIFY(traced() == trace + "1234"); // what came before belongs to another plan
+    QCOMPARE(all(agent::PlannedPath{}), std::vector{path});
+    QCOMPARE(all(agent::CurrentGoal{}), std::vector{goal});
+    QCOMPARE(all(agent::MapMark{}).size(), std::size_t(1));
+    QVERIFY(all(agent::PlanHalted{}).empty());
+
+    live.session.stop();
+    const QString later = newPath();
+    QVERIFY(live.session.startRecording(later, {}));
+    QVERIFY(live.tickNow());
+    live.session.stopRecording();
+    const auto reader = link::RecordingReader::open(later);
+    QVERIFY(reader);
+    while (const auto record = (*reader)->next())
+        QVERIFY(record->name != "published" && record->name != "behavior"); // nothing runs
 }
 
 void tst_SessionRecording::nothingCanBeSentInAReplayAndThatIsSaidOnce() {
