@@ -14,8 +14,9 @@ struct KeywordName {
 };
 
 Keyword among(std::string_view word, std::initializer_list<KeywordName> entries) {
+    const char first = lowerCase(word.front()); // most names are told by it
     for (const KeywordName& entry : entries)
-        if (sameWord(word, entry.word))
+        if (first == lowerCase(entry.word.front()) && sameWord(word, entry.word))
             return entry.keyword;
     return Keyword::None;
 }

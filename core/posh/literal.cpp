@@ -1,6 +1,7 @@
 #include "core/posh/literal.h"
 
 #include <charconv>
+#include <cmath>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -80,15 +81,6 @@ private:
     std::string out_;
 };
 
-template <class Number>
-std::optional<Number> wholeNumber(std::string_view word) {
-    if (word.starts_with('+'))
-        word.remove_prefix(1);
-    Number value{};
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return problem == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
-}
-
 std::string spelledFloat(double value) {
     std::string text;
     appendShortest(text, value);
@@ -123,11 +115,16 @@ std::string quoted(std::string_view text) {
 }
 
 std::optional<std::int64_t> integerOf(std::string_view word) {
-    return wholeNumber<std::int64_t>(word);
+    if (word.starts_with('+'))
+        word.remove_prefix(1);
+    std::int64_t value = 0;
+    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return problem == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
 std::optional<double> floatOf(std::string_view word) {
-    return wholeNumber<double>(word);
+    const NumberPrefix number = readNumberPrefix(word);
+    return number.used == word.size() && std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
 std::string spelled(const Value& value) {

@@ -14,13 +14,14 @@ namespace usar::posh {
 /// `text` and `tokens` must outlive it. Complaints return false, so that a reading function can return them.
 class TokenCursor {
 public:
-    TokenCursor(std::string_view text, const TokenList& tokens) : text_(text), list_(&tokens) {}
+    TokenCursor(std::string_view text, const TokenList& tokens)
+        : text_(text)
+        , list_(&tokens)
+        , tokens_(tokens.tokens.data())
+        , last_(tokens.tokens.size() - 1) {}
 
     /// The last token (End) for all that lies beyond it.
-    const Token& peek(std::size_t ahead = 0) const {
-        const std::size_t index = index_ + ahead;
-        return index < list_->tokens.size() ? list_->tokens[index] : list_->tokens.back();
-    }
+    const Token& peek(std::size_t ahead = 0) const { return tokens_[index_ + ahead < last_ ? index_ + ahead : last_]; }
     bool at(TokenKind kind, std::size_t ahead = 0) const { return peek(ahead).kind == kind; }
     bool atNumber(std::size_t ahead = 0) const { return at(TokenKind::Integer, ahead) || at(TokenKind::Float, ahead); }
     std::string_view word(std::size_t ahead = 0) const { return textOf(text_, peek(ahead).at); }
@@ -58,6 +59,8 @@ public:
 private:
     std::string_view text_;
     const TokenList* list_;
+    const Token* tokens_; ///< of the list
+    std::size_t last_;    ///< of them
     std::size_t index_ = 0;
     std::size_t errors_passed_ = 0; ///< Bad tokens before index_
     std::vector<Spot> openers_;
