@@ -10,19 +10,24 @@ namespace usar::submarine {
 
 namespace {
 
-constexpr double no_echo_share = 0.99; ///< of the reach
-/// So long below its height without rising to it, the robot is in the shallows and turns all the same.
-constexpr Seconds in_the_shallows{15.0};
+constexpr double no_echo_share = 0.99;    ///< of the reach
 constexpr double steepest_rise_m_s = 1.0; ///< of the bottom; what changes faster is a cliff, and no rate to go by
 constexpr Seconds smoothed_over{1.5};
-constexpr Seconds another_coast{60.0};
-constexpr Seconds soonest{3.0}; ///< a maneuver may end: the hull has to stop first
+/// So long below its height without rising to it, the robot is in the shallows.
+constexpr Seconds in_the_shallows{15.0};
+/// So long above its height without coming down so much, its hull does not follow the planes: at the surface its stern
+/// would have to leave the water.
+constexpr Seconds in_vain{20.0};
+constexpr double comes_down_m = 0.5;
 constexpr double stands_m_s = 0.03;
+constexpr double astern_m_s = -0.1;
 constexpr double usual_speed_m_s = 1.28;
-constexpr double backing_pitch_rad = radians(-12.0); ///< with its nose down a hull that backs off rises
-constexpr double turn_per_m = 0.15;                  ///< with the rudder hard over, ahead and astern
-constexpr double half_circle_m = pi / turn_per_m;
-constexpr double turn_back_m = 60.0;
+constexpr double braking_pitch_rad = radians(8.0);   ///< steeper, its planes would push it down
+constexpr double backing_pitch_rad = radians(-5.0);  ///< with its nose down a hull that backs off rises
+constexpr double returning_pitch_rad = radians(8.0); ///< it may come back where the bottom is higher
+constexpr double steers_at_rad = 0.3;                ///< off its course the rudder is hard over
+constexpr double arrived_m = 8.0;
+constexpr double longest_way_back = 3.0; ///< times as far as it is
 
 } // namespace
 
@@ -42,18 +47,24 @@ void Diver::perceive(const agent::Tick& tick, const std::optional<Limits>& limit
     watchRay();
     watchSearch(dt);
     watchClock();
+    watchLevel();
     stepManeuver();
 }
 
 void Diver::reckon(Seconds dt, const modules::StateModule& state) {
-    if (state.latest())
-        for (const protocol::JointAngle& fin : state.latest()->joints)
+    double rudder_rad = 0.0;
+    if (state.latest()) {
+        for (const protocol::JointAngle& fin : state.latest()->joints) {
             if (sameWord(fin.name, "SternPlaneAngle"))
                 plane_now_rad_ = fin.angle_rad;
+            else if (sameWord(fin.name, "RudderAngle"))
+                rudder_rad = fin.angle_rad;
+        }
+    }
     hull_.step(dt, propeller_share_, plane_now_rad_);
-    const double step_m = std::abs(hull_.speed_m_s()) * dt.count();
-    way_m_ += step_m;
-    turned_rad_ += turn_per_m * step_m;
+    const double step_m = hull_.speed_m_s() * dt.count();
+    way_m_ += std::abs(step_m);
+    trail_.step(step_m, rudder_rad / limits_.value_or(Limits{}).rudder_rad);
 }
 
 void Diver::takeReadings() {
@@ -78,10 +89,9 @@ void Diver::takeReadings() {
 void Diver::reckonBottom() {
     if (!heights_.last_m || !heights_.present_m)
         return;
-    const double climb_m_s = hull_.speed_m_s() * std::sin(hull_.pitch_rad());
-    const double rise_m_s = std::clamp(climb_m_s - heights_.climb_m_s(), -steepest_rise_m_s, steepest_rise_m_s);
+    rise_now_m_s_ = std::clamp(hull_.climb_m_s() - heights_.climb_m_s(), -steepest_rise_m_s, steepest_rise_m_s);
     const double share = std::min(1.0, heights_.apart / smoothed_over);
-    bottom_rise_m_s_ = std::lerp(bottom_rise_m_s_, rise_m_s, share);
+    bottom_rise_m_s_ = std::lerp(bottom_rise_m_s_, rise_now_m_s_, share);
 }
 
 void Diver::watchRay() {
@@ -92,7 +102,7 @@ void Diver::watchRay() {
 
 /// The world may end, and the sea go on.
 void Diver::watchSearch(Seconds dt) {
-    const double sink_m = -hull_.speed_m_s() * std::sin(hull_.pitch_rad()) * dt.count();
+    const double sink_m = -hull_.climb_m_s() * dt.count();
     searched_m_ = echoes_.present_m ? 0.0 : searched_m_ + sink_m;
     if (searched_m_ > settings_.deepest_search_m && !ending_)
         ending_ = {false, "There is no bottom within " + fixed(settings_.deepest_search_m, 0) + " m."};
@@ -104,49 +114,65 @@ void Diver::watchClock() {
         ending_ = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
 }
 
-bool Diver::inDanger() const {
-    if (!settings_.knows_slant)
-        return tooNear(heights_, settings_, Seconds{0.0});
-    const double share = std::clamp(hull_.speed_m_s() / usual_speed_m_s, 0.0, 1.0); // what is slow stops sooner
-    return tooNear(heights_, settings_, share * Seconds(settings_.foresight_s));
+/// How long it has been too low, and how long too high without coming down.
+void Diver::watchLevel() {
+    const Level level = levelOf(heights_, settings_);
+    if (level != Level::Ascend)
+        below_since_ = now_;
+    if (level != Level::Ascend && heights_.present_m && maneuver_ == Maneuver::None)
+        trail_.keepPlace();
+    const bool falls_off = heights_.climb_m_s() > steepest_rise_m_s;
+    const bool comes_down = heights_.present_m && *heights_.present_m < came_down_to_m_ - comes_down_m;
+    if (paused_ || blind())
+        below_since_ = now_;
+    else if (level == Level::Descend && heights_.present_m && !falls_off && !comes_down)
+        return;
+    above_since_ = now_;
+    came_down_to_m_ = heights_.present_m.value_or(unknown_m);
 }
 
-/// Behind it, too.
-bool Diver::rising() const {
-    return heights_.present_m && *heights_.present_m < 2.0 * settings_.least_height_m && heights_.climb_m_s() < 0.0;
+bool Diver::divesInVain() const {
+    return settings_.knows_slant && now_ - above_since_ > in_vain;
+}
+
+/// Ahead and astern: what is slow stops sooner.
+bool Diver::inDanger() const {
+    if (!settings_.knows_slant)
+        return tooNear(heights_, 0.0, Seconds{0.0}, settings_);
+    const double share = std::clamp(std::abs(hull_.speed_m_s()) / usual_speed_m_s, 0.0, 1.0);
+    return tooNear(heights_, rise_now_m_s_, share * Seconds(settings_.foresight_s), settings_);
 }
 
 void Diver::begin(Maneuver maneuver) {
     maneuver_ = maneuver;
-    maneuver_began_ = now_;
+    below_since_ = above_since_ = now_;
     maneuver_began_m_ = way_m_;
 }
 
-/// What follows soon is still the same coast: turning to and fro there leads nowhere.
-void Diver::beginBackingOff() {
-    if (now_ - maneuver_began_ > another_coast)
-        away_ = side();
-    turned_rad_ = 0.0;
-    begin(Maneuver::BackingOff);
+/// To where it could follow the bottom; where it never could, it goes on, as the thesis's robot always does.
+void Diver::beginGoingBack() {
+    back_to_m_ = settings_.knows_slant ? trail_.placeBehind(settings_.way_back_m) : std::nullopt;
+    begin(back_to_m_ ? Maneuver::GoingBack : Maneuver::None);
 }
 
+/// Where something rises it backs off first. It goes back from there, from the shallows, and where the bottom falls out
+/// of reach.
 void Diver::stepManeuver() {
-    const Seconds lasts = now_ - maneuver_began_;
-    const bool runs_aground = settings_.knows_slant && lasts > soonest && hull_.speed_m_s() < 0.0 && rising();
-    if (maneuver_ == Maneuver::BackingOff && (lasts > Seconds(settings_.back_off_s) || runs_aground))
-        begin(Maneuver::TurningAway);
-    else if (maneuver_ == Maneuver::TurningAway && turned_rad_ > settings_.turn_away_rad)
-        begin(Maneuver::None);
+    const double way_m = way_m_ - maneuver_began_m_;
+    const bool astern = hull_.speed_m_s() < astern_m_s;
     const bool lost = echoes_.last_m && !echoes_.present_m;
-    if (maneuver_ == Maneuver::None && lost && settings_.knows_slant)
-        begin(Maneuver::TurningBack);
-    if (maneuver_ == Maneuver::TurningBack && (echoes_.present_m || way_m_ - maneuver_began_m_ > turn_back_m))
-        begin(Maneuver::None);
-    const bool may_back = maneuver_ == Maneuver::TurningAway ? lasts > soonest : maneuver_ != Maneuver::BackingOff;
-    if (may_back && inDanger())
-        beginBackingOff();
-    if (levelOf(heights_, settings_) != Level::Ascend)
-        below_since_ = now_;
+    const bool shallow = now_ - below_since_ > in_the_shallows;
+    if (maneuver_ == Maneuver::BackingOff) {
+        if (way_m > settings_.back_off_m || (astern && inDanger()))
+            beginGoingBack();
+    } else if (!astern && inDanger()) {
+        begin(Maneuver::BackingOff);
+    } else if (maneuver_ == Maneuver::GoingBack) {
+        if (trail_.distanceTo_m(*back_to_m_) < arrived_m || way_m > longest_way_back * settings_.way_back_m)
+            begin(Maneuver::None);
+    } else if (settings_.knows_slant && (lost || shallow)) {
+        beginGoingBack();
+    }
 }
 
 /// 1 is the right. It changes after a time, so that the robot does not go in a circle.
@@ -158,6 +184,8 @@ double Diver::side() const {
 double Diver::plane_rad() const {
     if (!settings_.knows_slant)
         return plumbPlane_rad(heights_, settings_, plane_now_rad_, limits_->stern_plane_rad);
+    if (divesInVain())
+        return -limits_->stern_plane_rad;
     return hull_.planeFor_rad(wantedPitch_rad(heights_, bottom_rise_m_s_, hull_.speed_m_s(), settings_));
 }
 
@@ -170,20 +198,17 @@ protocol::NauticDrive Diver::decide() {
         return halt("waiting for the ray");
     if (maneuver_ == Maneuver::BackingOff)
         return backOff();
-    if (maneuver_ == Maneuver::TurningAway)
-        return drive(1.0, awayRudder(), plane_rad(), "turning away");
-    if (maneuver_ == Maneuver::TurningBack)
-        return turnBack();
+    if (maneuver_ == Maneuver::GoingBack)
+        return goBack();
     return keepLevel();
 }
 
 protocol::NauticDrive Diver::keepLevel() {
     const char* const turning = side() > 0.0 ? "turning right" : "turning left";
-    if (now_ - below_since_ > in_the_shallows)
-        return drive(1.0, side(), plane_rad(), std::string("in the shallows, ") + turning);
     switch (levelOf(heights_, settings_)) {
     case Level::Descend:
-        return drive(1.0, 0.0, plane_rad(), heights_.present_m ? "descending" : "looking for the bottom");
+        return drive(divesInVain() ? 100.0 / settings_.propeller_pct : 1.0, 0.0, plane_rad(),
+                     heights_.present_m ? "descending" : "looking for the bottom");
     case Level::Ascend:
         return drive(1.0, 0.0, plane_rad(), "ascending");
     case Level::Keep:
@@ -192,22 +217,21 @@ protocol::NauticDrive Diver::keepLevel() {
     return drive(1.0, side(), plane_rad(), std::string("level, ") + turning);
 }
 
-/// While the hull goes astern, the rudder turns it the other way.
-double Diver::awayRudder() const {
-    return hull_.speed_m_s() < 0.0 ? -away_ : away_;
-}
-
+/// With its nose up until it stands, then back over what it has crossed.
 protocol::NauticDrive Diver::backOff() {
     if (!settings_.knows_slant)
         return drive(-1.0, 0.0, 0.0, "backing off");
     const double full_astern = -100.0 / settings_.propeller_pct;
-    return drive(full_astern, 0.0, hull_.planeFor_rad(backing_pitch_rad), "backing off");
+    const double pitch_rad = hull_.speed_m_s() > 0.0 ? braking_pitch_rad : backing_pitch_rad;
+    return drive(full_astern, 0.0, hull_.planeFor_rad(pitch_rad), "backing off");
 }
 
-/// Where the bottom falls out of reach, it stays as high as it is and goes back to where it was.
-protocol::NauticDrive Diver::turnBack() {
-    const bool around = way_m_ - maneuver_began_m_ > half_circle_m;
-    return drive(1.0, around ? 0.0 : side(), hull_.planeFor_rad(0.0), "turning back to the bottom");
+/// Without a bottom in reach it rises meanwhile.
+protocol::NauticDrive Diver::goBack() {
+    const double plane_rad = hull_.planeFor_rad(returning_pitch_rad);
+    const double right = std::clamp(-trail_.bearingOf_rad(*back_to_m_) / steers_at_rad, -1.0, 1.0);
+    const double rudder = hull_.speed_m_s() < 0.0 ? -right : right; // astern it turns the hull the other way
+    return drive(1.0, rudder, echoes_.present_m ? this->plane_rad() : plane_rad, "going back");
 }
 
 /// Left to itself the hull would glide on for twenty meters.

@@ -10,11 +10,15 @@
 #include "core/modules/queued_sensor.h"
 #include "robots/submarine/level_rule.h"
 #include "robots/submarine/limits.h"
+#include "robots/submarine/trail.h"
 
 namespace usar::submarine {
 
 /// The thesis's robot (3.5.1): one ray on its belly, a rudder, planes and a propeller. Either it corrects its height by
-/// the planes, or it is level and turns by the rudder. Owned by one behavior; time is the protocol clock.
+/// the planes, or it is level and turns by the rudder. What the thesis's robot does not know it reckons from its own
+/// fins: how its hull lies, how the bottom rises, and where it could follow that. From a coast, from shallows and from
+/// where the bottom falls out of reach it goes back there. What rises like a wall before its nose no ray of its shows.
+/// Owned by one behavior; time is the protocol clock.
 class Diver {
 public:
     explicit Diver(agent::BehaviorContext context);
@@ -34,7 +38,7 @@ public:
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
-    enum class Maneuver { None, BackingOff, TurningAway, TurningBack };
+    enum class Maneuver { None, BackingOff, GoingBack };
 
     void reckon(Seconds dt, const modules::StateModule& state);
     void takeReadings();
@@ -43,42 +47,45 @@ private:
     void watchClock();
     void stepManeuver();
     void begin(Maneuver maneuver);
-    void beginBackingOff();
+    void beginGoingBack();
     void reckonBottom();
+    void watchLevel();
     bool blind() const { return now_ - heard_at_ > blind_after; }
     bool inDanger() const;
-    bool rising() const;
+    bool divesInVain() const;
     double plane_rad() const;
     double side() const;
-    double awayRudder() const;
     protocol::NauticDrive halt(const char* state);
     protocol::NauticDrive keepLevel();
     protocol::NauticDrive backOff();
-    protocol::NauticDrive turnBack();
+    protocol::NauticDrive goBack();
     protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const std::string& state);
 
     static constexpr Seconds blind_after{2.0};
+    static constexpr double unknown_m = 1e9;
 
     Settings settings_;
     std::optional<Limits> limits_;
     modules::QueuedSensorModule readings_;
     PitchModel hull_;
+    Trail trail_;
     Echoes echoes_;  ///< as the ray has them
     Echoes heights_; ///< as the rule takes them
     double pitch_at_echo_rad_ = 0.0;
-    double bottom_rise_m_s_ = 0.0; ///< under the robot on its way
+    double rise_now_m_s_ = 0.0;    ///< of the bottom under the robot on its way, by the last two echoes
+    double bottom_rise_m_s_ = 0.0; ///< smoothed
 
     Seconds now_{0.0};
     std::optional<Seconds> began_;
     Seconds heard_at_{-1e9};
     Seconds reading_at_{0.0};
     Maneuver maneuver_ = Maneuver::None;
-    Seconds maneuver_began_{-1e9};
-    double away_ = 1.0;             ///< the side to turn away to; 1 is the right
-    double turned_rad_ = 0.0;       ///< since it began to back off, the rudder hard over
     double maneuver_began_m_ = 0.0; ///< of the way
+    std::optional<Vec2> back_to_m_;
     Seconds below_since_{0.0};
-    double searched_m_ = 0.0; ///< downward, since the last echo
+    Seconds above_since_{0.0};
+    double came_down_to_m_ = unknown_m; ///< over the bottom, in that time
+    double searched_m_ = 0.0;           ///< downward, since the last echo
     double way_m_ = 0.0;
     double propeller_share_ = 0.0; ///< as told
     double plane_now_rad_ = 0.0;   ///< as STA has it

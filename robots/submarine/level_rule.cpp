@@ -7,6 +7,7 @@ namespace usar::submarine {
 namespace {
 
 constexpr double least_speed_m_s = 0.4;
+constexpr double climb_share = 0.6;    ///< of what the hull points: its planes push it the other way
 constexpr double climb_per_m_hz = 0.2; ///< rate of climb that is wanted for each meter that is missing
 
 } // namespace
@@ -42,16 +43,15 @@ double wantedPitch_rad(const Echoes& heights, double bottom_rise_m_s, double spe
     if (!heights.present_m)
         return -settings.steepest_dive_rad;
     const double wanted_m_s = climb_per_m_hz * (settings.height_m - *heights.present_m) + bottom_rise_m_s;
-    const double slope = wanted_m_s / std::max(least_speed_m_s, speed_m_s);
+    const double slope = wanted_m_s / (climb_share * std::max(least_speed_m_s, speed_m_s));
     return std::clamp(std::asin(std::clamp(slope, -1.0, 1.0)), -settings.steepest_dive_rad,
                       settings.steepest_climb_rad);
 }
 
-bool tooNear(const Echoes& heights, const Settings& settings, Seconds foresight) {
+bool tooNear(const Echoes& heights, double bottom_rise_m_s, Seconds foresight, const Settings& settings) {
     if (!heights.present_m)
         return false;
-    const double fall_m = std::min(0.0, heights.climb_m_s()) * foresight.count();
-    return *heights.present_m + fall_m < settings.least_height_m;
+    return *heights.present_m - std::max(0.0, bottom_rise_m_s) * foresight.count() < settings.least_height_m;
 }
 
 } // namespace usar::submarine

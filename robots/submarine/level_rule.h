@@ -38,7 +38,8 @@ double wantedPitch_rad(const Echoes& heights, double bottom_rise_m_s, double spe
 /// The height over the bottom where the ray meets it.
 Echoes plumb(Echoes echoes, double last_pitch_rad, double pitch_rad);
 
-/// Too near now, or before long if the bottom goes on rising as it does. `foresight` is 0 in the thesis.
-bool tooNear(const Echoes& heights, const Settings& settings, Seconds foresight);
+/// Too near now, or after this time if the bottom rises on as it does and the robot stays as high as it is. `foresight`
+/// is 0 in the thesis.
+bool tooNear(const Echoes& heights, double bottom_rise_m_s, Seconds foresight, const Settings& settings);
 
 } // namespace usar::submarine

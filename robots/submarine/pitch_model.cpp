@@ -9,12 +9,15 @@ namespace {
 
 // Of a torpedo of REMUS-100 size (robots-and-worlds 3.3); with the water that it moves along.
 constexpr double mass_kg = 38.0;
+constexpr double heave_mass_kg = 72.5;
 constexpr double inertia_kg_m2 = 8.3;
 constexpr double thrust_n = 10.0; ///< at full speed; quadratic below
 constexpr double surge_drag_kg_m = 3.9;
+constexpr double heave_drag_kg_m = 131.0;
 constexpr double pitch_drag_kg_m2 = 188.0;
 constexpr double righting_n_m = 7.3; ///< weight times the height of buoyancy over it
 constexpr double fin_moment_kg = 6.15;
+constexpr double fin_lift_kg_m = 9.64;
 
 constexpr double longest_step_s = 0.02;
 constexpr double least_flow_m2_s2 = 0.2; ///< slower, the planes have nothing to work with
@@ -34,9 +37,17 @@ void PitchModel::stepOnce(double dt_s, double thrust_now_n, double stern_plane_r
     const double flow_m2_s2 = speed_m_s_ * std::abs(speed_m_s_);
     const double moment_n_m = fin_moment_kg * flow_m2_s2 * stern_plane_rad - righting_n_m * std::sin(pitch_rad_) -
                               pitch_drag_kg_m2 * rate_rad_s_ * std::abs(rate_rad_s_);
+    const double heave_n =
+        -fin_lift_kg_m * flow_m2_s2 * stern_plane_rad - heave_drag_kg_m * heave_m_s_ * std::abs(heave_m_s_);
+    // A hull that turns its nose up goes on as it went: now across itself, downward.
+    heave_m_s_ += (heave_n / heave_mass_kg - speed_m_s_ * rate_rad_s_) * dt_s;
     speed_m_s_ += (thrust_now_n - surge_drag_kg_m * flow_m2_s2) / mass_kg * dt_s;
     rate_rad_s_ += moment_n_m / inertia_kg_m2 * dt_s;
     pitch_rad_ += rate_rad_s_ * dt_s;
+}
+
+double PitchModel::climb_m_s() const {
+    return speed_m_s_ * std::sin(pitch_rad_) + heave_m_s_ * std::cos(pitch_rad_);
 }
 
 double PitchModel::planeFor_rad(double pitch_rad) const {

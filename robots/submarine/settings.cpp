@@ -30,10 +30,12 @@ const std::vector<agent::ParameterRow<Settings>>& rows() {
         {&S::least_height_m, "least_height_m", "Least height", "Danger", "m", 0.2, 3,
          "Nearer to the bottom the robot backs off."},
         {&S::foresight_s, "foresight_s", "Foresight", "Danger", "s", 0, 10,
-         "It backs off as well where the bottom rises so fast that it would be that near after this time."},
-        {&S::back_off_s, "back_off_s", "Back for", "Danger", "s", 2, 60, "How long the robot backs off."},
-        {&S::turn_away_rad, "turn_away_rad", "Turn away", "Danger", "rad", 0, radians(360),
-         "How far it turns meanwhile and afterwards, by its own reckoning."},
+         "It backs off as well where the bottom, rising as it does, would be that near after this time."},
+        {&S::back_off_m, "back_off_m", "Back for", "Danger", "m", 1, 60,
+         "How far the robot backs off, by its own reckoning."},
+        {&S::way_back_m, "way_back_m", "Way back", "Danger", "m", 15, 200,
+         "How far it then goes back to where it could follow the bottom, by its own reckoning; also from shallows, and "
+         "where the bottom falls out of reach."},
         {&S::sweep_s, "sweep_s", "Sweep", "Camera", "s", 5, 600,
          "Time in which the camera pans from one side to the other, or longer where its mount is slow."},
     };

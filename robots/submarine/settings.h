@@ -19,9 +19,9 @@ struct Settings {
     double deepest_search_m = 40.0;
     double change_side_s = 100.0; ///< [T]
     double least_height_m = 0.5;  ///< [T]
-    double foresight_s = 3.5;
-    double back_off_s = 11.0;
-    double turn_away_rad = radians(150.0);
+    double foresight_s = 7.5;
+    double back_off_m = 8.0;
+    double way_back_m = 30.0;
     double sweep_s = 40.0;
     double dive_time_s = 0.0;
     bool operator==(const Settings&) const = default;

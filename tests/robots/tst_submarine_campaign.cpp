@@ -16,8 +16,9 @@ private slots:
         QFETCH(int, seed);
         const Dive dived = diveInTheSea(static_cast<std::uint64_t>(seed), Seconds(1800.0));
         QVERIFY(dived.ending && dived.ending->success);
-        // Steep coasts and slopes stand before it, where its one ray does not look: it may touch them.
-        QVERIFY(dived.share_near_pct > 60.0);
+        QCOMPARE(dived.truth.collisions, 0);
+        QVERIFY(dived.share_near_pct > 85.0);
+        QVERIFY(dived.rms_error_m < 1.5);
         QVERIFY(dived.truth.distance_m > 1000.0);
     }
 };

@@ -5,6 +5,7 @@
 #include "robots/submarine/camera_sweep.h"
 #include "robots/submarine/descriptions.h"
 #include "robots/submarine/level_rule.h"
+#include "robots/submarine/trail.h"
 
 using namespace usar;
 using namespace usar::submarine;
@@ -98,10 +99,6 @@ private slots:
         QCOMPARE(drives.size(), std::size_t(1));
         QCOMPARE(*drives[0].propeller_rad_s, 50.0);
         QCOMPARE(*drives[0].stern_plane_rad, -0.3);
-        sub.echo(15.0); // the end of its reach
-        sub.tick();
-        sub.tick();
-        QVERIFY(sub.state.starts_with("turning back"));
     }
 
     void turnsByTheRudderWhereItIsLevelAndToTheOtherSideAfterAWhile() {
@@ -154,19 +151,69 @@ private slots:
     }
 
     void backsOffBelowHalfAMeterAndFromABottomThatRisesFast_data() {
-        QTest::addColumn<double>("last_m");
-        QTest::addColumn<double>("present_m");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("rise_m_s");
         QTest::addColumn<bool>("near");
-        QTest::newRow("near") << 0.5 << 0.45 << true;
-        QTest::newRow("rising fast") << 3.3 << 3.0 << true;
-        QTest::newRow("rising slowly") << 3.05 << 3.0 << false;
-        QTest::newRow("falling") << 0.6 << 0.7 << false;
+        QTest::newRow("near") << 0.45 << 0.0 << true;
+        QTest::newRow("rising fast") << 3.0 << 1.0 << true;
+        QTest::newRow("rising slowly") << 3.0 << 0.3 << false;
+        QTest::newRow("falling") << 0.7 << -1.0 << false;
     }
     void backsOffBelowHalfAMeterAndFromABottomThatRisesFast() {
-        QFETCH(double, last_m);
-        QFETCH(double, present_m);
+        QFETCH(double, height_m);
+        QFETCH(double, rise_m_s);
         QFETCH(bool, near);
-        QCOMPARE(tooNear(echoes(last_m, present_m), {}, Seconds(3.0)), near);
+        QCOMPARE(tooNear(echoes(height_m, height_m), rise_m_s, Seconds(3.0), {}), near);
+    }
+
+    void goesBackWhereItsRayLosesTheBottomThatItCouldFollow_data() {
+        QTest::addColumn<int>("ticks");
+        QTest::addColumn<QString>("state");
+        QTest::newRow("for a long way") << 400 << "going back";
+        QTest::newRow("never") << 0 << "looking for the bottom";
+    }
+    void goesBackWhereItsRayLosesTheBottomThatItCouldFollow() {
+        QFETCH(int, ticks);
+        QFETCH(QString, state);
+        Sub sub;
+        learn(sub);
+        for (int i = 0; i < ticks; ++i) {
+            sub.echo(4.0);
+            sub.tick();
+        }
+        sub.echo(15.0); // the end of its reach
+        sub.tick();
+        sub.tick();
+        QCOMPARE(sub.state, state.toStdString());
+    }
+
+    void remembersPlacesBehindIt() {
+        Trail trail;
+        QVERIFY(!trail.placeBehind(30.0));
+        for (int i = 0; i < 60; ++i) {
+            trail.keepPlace();
+            trail.step(1.0, 0.0);
+        }
+        QVERIFY(std::abs(trail.distanceTo_m(trail.placeBehind(80.0).value()) - 60.0) < 1e-9); // the oldest
+        const auto place_m = trail.placeBehind(30.0);
+        QVERIFY(place_m);
+        QVERIFY(std::abs(trail.distanceTo_m(*place_m) - 32.0) < 2.1);
+        QVERIFY(std::abs(trail.bearingOf_rad(*place_m)) > radians(179.0));
+    }
+
+    void comesBackToAPlaceByItsOwnReckoning() {
+        Trail trail;
+        trail.keepPlace();
+        for (int i = 0; i < 400; ++i)
+            trail.step(0.1, 0.5);
+        for (int i = 0; i < 400; ++i)
+            trail.step(0.1, -0.5);
+        for (int i = 0; i < 300; ++i)
+            trail.step(0.1, 0.0);
+        const Vec2 place_m = trail.placeBehind(20.0).value();
+        for (int i = 0; i < 3000 && trail.distanceTo_m(place_m) > 5.0; ++i)
+            trail.step(0.1, std::clamp(-trail.bearingOf_rad(place_m) / 0.3, -1.0, 1.0));
+        QVERIFY(trail.distanceTo_m(place_m) <= 5.0);
     }
 
     void theThesissRuleMovesThePlanesOnlyWhereTheRayGoesTheWrongWay() {
@@ -193,6 +240,7 @@ private slots:
             hull.step(Seconds(0.2), 0.8, std::clamp(hull.planeFor_rad(radians(-12.0)), -0.35, 0.35));
         QVERIFY(std::abs(hull.pitch_rad() - radians(-12.0)) < radians(1.0));
         QVERIFY(std::abs(hull.speed_m_s() - 1.28) < 0.02);
+        QVERIFY2(hull.climb_m_s() < -0.1 && hull.climb_m_s() > -0.2, "its planes hold it up"); // points at -0.27 m/s
         for (int i = 0; i < 300; ++i)
             hull.step(Seconds(0.2), 0.0, 0.0);
         QVERIFY(std::abs(hull.pitch_rad()) < radians(2.0)); // it rights itself
