@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "widgets/icons.h"
@@ -100,9 +102,19 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
-    connect(view_, &PlanView::treeChanged, this, [this] {
+    connect(view_, &PlanView::treeChanged, this, [this, slider_waits = false]() mutable {
+        QSlider* const slider = time_bar_->slider();
+        if (view_->tree().empty() && slider->hasFocus()) { // or the search would have the keys until a plan comes
+            slider_waits = true;
+            view_->setFocus();
+        }
         side_->setVisible(!view_->tree().empty());
         time_bar_->setVisible(!view_->tree().empty());
+        if (!view_->tree().empty() && std::exchange(slider_waits, false))
+            QTimer::singleShot(0, slider, [this, slider] { // when it knows the plan's moments
+                if (view_->hasFocus())
+                    slider->setFocus();
+            });
         showRunning();
         search(search_->text());
     });

@@ -57,6 +57,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
         button->setMinimumSize(minimum_target, minimum_target);
     }
     slider_->setRange(0, run_steps);
+    slider_->setPageStep(run_steps / 20);
     slider_->setAccessibleName(tr("Moment of the plan's run"));
     slider_->setToolTip(tr("Click or drag to what the plan did at another moment"));
     slider_->setMinimumHeight(minimum_target);
@@ -72,8 +73,15 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     row->addWidget(live_);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
     connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // keys and wheel
-        if (action != QAbstractSlider::SliderMove)
+        if (action == QAbstractSlider::SliderMove || time_.cycle == 0)
+            return;
+        const bool is_step =
+            action == QAbstractSlider::SliderSingleStepAdd || action == QAbstractSlider::SliderSingleStepSub;
+        const QToolButton* const button = action == QAbstractSlider::SliderSingleStepAdd ? forward_ : back_;
+        if (!is_step)
             emit timeWanted(timeOf(slider_->sliderPosition()));
+        else if (button->defaultAction()) // in a short run a step of the slider is less than a cycle, and leads nowhere
+            button->defaultAction()->trigger();
     });
     setTime({});
 }
@@ -111,7 +119,7 @@ Seconds PlanTimeBar::timeOf(int value) const {
 
 void PlanTimeBar::setTime(const PlanTime& time) {
     time_ = time;
-    slider_->setEnabled(time.cycle != 0);
+    slider_->setEnabled(time.cycle != 0 || slider_->hasFocus()); // or its keys would go to a neighbor meanwhile
     arrange();
     const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
     if (words_->property("role") != role) {

@@ -4,6 +4,7 @@
 
 #include <QMouseEvent>
 #include <QStyle>
+#include <QWheelEvent>
 
 namespace usar::widgets {
 
@@ -18,6 +19,17 @@ void TimeSlider::mousePressEvent(QMouseEvent* event) {
         emit sliderMoved(here);
     }
     QSlider::mousePressEvent(event); // the handle is under the cursor now, and dragging goes on from there
+}
+
+/// The slider's own way would move the handle and tell nobody what for.
+void TimeSlider::wheelEvent(QWheelEvent* event) {
+    constexpr int notch = QWheelEvent::DefaultDeltasPerStep;
+    turned_ += event->angleDelta().y();
+    for (; turned_ >= notch; turned_ -= notch)
+        triggerAction(SliderSingleStepAdd);
+    for (; turned_ <= -notch; turned_ += notch)
+        triggerAction(SliderSingleStepSub);
+    event->accept();
 }
 
 } // namespace usar::widgets

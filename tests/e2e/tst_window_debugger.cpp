@@ -115,6 +115,7 @@ private slots:
     void breakpointsOutliveTheWindow();
     void allOfTheWindowLooksBackWhileTheRobotFlies();
     void aReplayGoesWhereThePlansSliderSays();
+    void whatIsRecordedFromTheMiddleOnShowsThePlan();
 };
 
 void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
@@ -317,6 +318,16 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     const std::size_t flown = page.robot(2)->trail_m.size() - 1;
     QVERIFY((page.robot(2)->trail_m[flown] - page.robot(1)->trail_m[flown]).norm() < 0.5);
     QVERIFY(page.notified("not ended").isEmpty() && page.notified("damaged").isEmpty());
+    QCOMPARE(QApplication::focusWidget(), slider); // so that the next keys step
+    const std::uint64_t cycle = debugger.time().cycle;
+    const auto shows = [&](std::uint64_t wanted) {
+        return debugger.time().cycle == wanted && !page.robot(2)->figures.replay->seeking &&
+               std::abs((page.robot(2)->figures.now - debugger.time().shown).count()) < 0.25;
+    };
+    for (const auto& [key, wanted] : {std::pair(Qt::Key_Right, cycle + 1), std::pair(Qt::Key_Left, cycle)}) {
+        page.pressKey(key);
+        QTRY_VERIFY_WITH_TIMEOUT(shows(wanted), soon_ms);
+    }
     QVERIFY(!offer.isEnabled() && offer.toolTip().contains("replay"));
     QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
     QTRY_VERIFY_WITH_TIMEOUT(debugger.time().shown < moment && !page.robot(2)->figures.replay->seeking &&
@@ -362,6 +373,47 @@ void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
     QTRY_VERIFY_WITH_TIMEOUT(debugger.time().shown < before && debugger.time().cycle > 1, soon_ms);
     QVERIFY(before - debugger.time().shown < Seconds{0.5});
     QTRY_VERIFY_WITH_TIMEOUT(agree(), soon_ms);
+}
+
+void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    page.pressKey(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier); // no recording
+    QVERIFY(takeOff(page));
+    page.chooseSpeed("10×");
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 60, flight_ms);
+    QVERIFY(QDir(page.resultFolder()).entryList({"*.usarrec"}).isEmpty());
+    page.pressKey(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.recording, soon_ms);
+    const std::uint64_t begun = debugger.time().cycle;
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > begun + 20, soon_ms);
+    const auto drives = [&] { // how often each began
+        std::vector<std::uint64_t> counts;
+        const widgets::PlanView& view = debugger.panel().view();
+        for (int node = 0; node < view.tree().size(); ++node)
+            if (view.tree()[node].kind == PlanNodeKind::Drive)
+                counts.push_back(view.states()[node].started);
+        return counts;
+    };
+    page.window().control().stopAll();
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
+    const auto started = drives();
+    const std::uint64_t last = debugger.time().cycle;
+    QVERIFY(std::ranges::any_of(started, [](std::uint64_t count) { return count > 0; }));
+    QVERIFY(debugger.list("Blackboard")->isVisible());
+    page.window().control().remove(1);
+    const QDir results(page.resultFolder());
+    QTRY_COMPARE_WITH_TIMEOUT(results.entryList({"*.usarrec"}).size(), 1, soon_ms);
+    page.window().openRecording(results.filePath(results.entryList({"*.usarrec"}).first()));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
+    page.window().control().robot(1)->orderReplay({.seek = Seconds{0.1}});
+    QTRY_VERIFY_WITH_TIMEOUT(!debugger.panel().view().tree().empty(), soon_ms);
+    QVERIFY2(debugger.time().cycle + 5 > begun, qPrintable(QString::number(debugger.time().cycle)));
+    page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
+    QTRY_COMPARE_WITH_TIMEOUT(debugger.time().cycle, last, soon_ms);
+    QTRY_COMPARE(drives(), started); // also what was before the recording
+    QVERIFY(debugger.list("Blackboard")->isVisible());
 }
 
 USAR_E2E_MAIN(tst_WindowDebugger)

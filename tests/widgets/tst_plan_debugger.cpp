@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "tests/widgets/plan_samples.h"
 #include "widgets/breakpoint_dialog.h"
@@ -62,6 +63,9 @@ private slots:
     void inThePastABroadBarSaysThatItCanBeReplayed_data();
     void inThePastABroadBarSaysThatItCanBeReplayed();
     void theSliderAsksForMoments();
+    void keysAndWheelStepCycles_data();
+    void keysAndWheelStepCycles();
+    void theSliderKeepsTheKeysWhileThereIsNoRun();
     void theBreakpointListIsThereWhileThereAreAny();
     void breakpointsAreSwitchedAndTakenAwayInTheList();
     void theDialogTakesNoConditionThatIsNone();
@@ -213,6 +217,66 @@ void tst_PlanDebugger::theSliderAsksForMoments() {
     bar.setTime(timeOf(50.0, false));
     QTest::keyClick(bar.slider(), Qt::Key_Home);
     QCOMPARE(asked.last().at(0).value<Seconds>(), Seconds{10.0});
+}
+
+void tst_PlanDebugger::keysAndWheelStepCycles_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("wheel");
+    QTest::addColumn<int>("cycles");
+    QTest::newRow("right") << int(Qt::Key_Right) << 0 << 1;
+    QTest::newRow("left") << int(Qt::Key_Left) << 0 << -1;
+    QTest::newRow("wheel up") << 0 << 120 << 1;
+    QTest::newRow("wheel down, two notches") << 0 << -240 << -2;
+    QTest::newRow("half a notch") << 0 << 60 << 0;
+}
+
+void tst_PlanDebugger::keysAndWheelStepCycles() {
+    QFETCH(int, key);
+    QFETCH(int, wheel);
+    QFETCH(int, cycles);
+    PlanTimeBar bar;
+    QAction other;
+    QAction back;
+    QAction forward;
+    bar.setActions(&other, &back, &forward, &other, &other);
+    int stepped = 0;
+    connect(&back, &QAction::triggered, &bar, [&stepped] { --stepped; });
+    connect(&forward, &QAction::triggered, &bar, [&stepped] { ++stepped; });
+    QSignalSpy asked(&bar, &PlanTimeBar::timeWanted);
+    QSlider* const slider = bar.slider();
+    const auto act = [&] {
+        if (key != 0)
+            return QTest::keyClick(slider, Qt::Key(key));
+        QWheelEvent turn(slider->rect().center(), slider->mapToGlobal(slider->rect().center()), {}, {0, wheel},
+                         Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(slider, &turn);
+    };
+    act();
+    QCOMPARE(stepped, 0); // there is no run
+    bar.setTime(timeOf(50.0, false));
+    act();
+    QCOMPARE(stepped, cycles);
+    QCOMPARE(asked.count(), 0);
+}
+
+void tst_PlanDebugger::theSliderKeepsTheKeysWhileThereIsNoRun() {
+    PlanTimeBar& bar = panel_->timeBar();
+    bar.setTime(timeOf(50.0, false));
+    panel_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+    bar.slider()->setFocus();
+    bar.setTime({});
+    bar.setTime(timeOf(20.0, true));
+    QVERIFY(bar.slider()->hasFocus());
+    panel_->clear(); // another robot's plan is on its way
+    bar.setTime({});
+    QVERIFY(!bar.isVisible());
+    panel_->setPlan(planOf(courier_plan));
+    bar.setTime(timeOf(20.0, false));
+    QTRY_VERIFY(bar.slider()->hasFocus());
+    panel_->view().setFocus();
+    bar.setTime({});
+    QVERIFY(!bar.slider()->isEnabled());
 }
 
 void tst_PlanDebugger::theBreakpointListIsThereWhileThereAreAny() {
