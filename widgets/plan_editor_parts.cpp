@@ -4,6 +4,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "widgets/empty_state.h"
 #include "widgets/icons.h"
 #include "widgets/plan_editor.h"
 #include "widgets/theme.h"
@@ -138,6 +139,20 @@ QListWidget* PlanEditor::makeList(const QString& name, const QString& help) {
     return list;
 }
 
+namespace {
+
+/// What will be in the list, while nothing is.
+void explainEmpty(QListWidget* list, const QString& title, const QString& hint) {
+    auto* const sheet = new EmptyState(list);
+    sheet->setText(title, hint);
+    const auto show = [sheet, list] { sheet->setVisible(list->count() == 0); };
+    QObject::connect(list->model(), &QAbstractItemModel::rowsInserted, sheet, show);
+    QObject::connect(list->model(), &QAbstractItemModel::rowsRemoved, sheet, show);
+    QObject::connect(list->model(), &QAbstractItemModel::modelReset, sheet, show);
+}
+
+} // namespace
+
 QWidget* PlanEditor::makeLists() {
     lists_ = new QTabWidget(this);
     lists_->setDocumentMode(true);
@@ -145,6 +160,11 @@ QWidget* PlanEditor::makeLists() {
     finding_list_ = makeList(tr("Findings"), tr("What is wrong with the plan; a click goes there"));
     difference_list_ = makeList(tr("Differences"), tr("What was changed; a click goes there"));
     usage_list_ = makeList(tr("Usages"), tr("Where it is used; a click goes there"));
+    explainEmpty(finding_list_, tr("No findings"), tr("What is wrong is listed while you type, with what to write."));
+    explainEmpty(difference_list_, tr("Nothing compared yet"),
+                 tr("Compare, above, lists what was changed since another version."));
+    explainEmpty(usage_list_, tr("No usages asked for"),
+                 tr("Select a part and press Shift+F12: all places that use it are listed."));
     lists_->addTab(finding_list_, tr("Findings"));
     lists_->addTab(difference_list_, tr("Differences"));
     lists_->addTab(usage_list_, tr("Usages"));

@@ -10,6 +10,7 @@
 #include "core/posh/plan_phrase.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/completion_delegate.h"
+#include "widgets/empty_state.h"
 #include "widgets/plan_editor.h"
 #include "widgets/plan_values_dialog.h"
 #include "widgets/theme.h"
@@ -45,6 +46,7 @@ private slots:
     void selectionsFollowEachOther();
     void differencesAreListed();
     void usagesAreListed();
+    void emptyListsSayHowTheyAreFilled();
     void keysOfAWindowAroundItDoNotGetInTheWay();
     void twoAreSwappedByKeys();
     void aLampShowsThatThereAreMends();
@@ -477,6 +479,29 @@ void tst_PlanEditor::usagesAreListed() {
     for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
         rows += list->accessibleName() == u"Usages" ? list->count() : 0;
     QCOMPARE(rows, 3);
+}
+
+void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
+    const auto sheet = [this](const QString& title) {
+        for (EmptyState* each : editor_->findChildren<EmptyState*>())
+            if (each->accessibleName() == title)
+                return !each->isHidden();
+        return false;
+    };
+    QCOMPARE(sheet("No findings"), editor_->findings().empty());
+    QVERIFY(sheet("Nothing compared yet") && sheet("No usages asked for"));
+    editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
+    run("compare_running");
+    QVERIFY(!sheet("Nothing compared yet"));
+    select(QStringLiteral("halt"));
+    run("usages");
+    QVERIFY(!sheet("No usages asked for"));
+    editor_->setText("((DC d (drives ((e Stop)))", QStringLiteral("a.lap"));
+    QVERIFY(!editor_->findings().empty());
+    QTRY_VERIFY(!sheet("No findings"));
+    editor_->setText("((DC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
+    QVERIFY(editor_->findings().empty());
+    QTRY_VERIFY(sheet("No findings"));
 }
 
 void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {
