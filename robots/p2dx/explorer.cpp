@@ -91,7 +91,7 @@ void Explorer::takeReadings() {
     chooseThird();
 }
 
-/// Where nothing is in reach all scans are alike.
+/// Where nothing is in reach all scans are alike: see the class.
 void Explorer::watchForIce() {
     const bool sees = std::ranges::any_of(scan_->ranges_m, [](double range_m) { return range_m < scanner_reach_m; });
     const bool same = sees && scan_->ranges_m == former_ranges_m_;

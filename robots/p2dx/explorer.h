@@ -15,6 +15,11 @@ namespace usar::p2dx {
 /// Senses say what is, acts give the DRIVE of a tick; `perceive` comes once before them. The robot roams until it is in
 /// danger; then it backs away as far as it knows the ground behind it, turns from the nearer side until the way is
 /// free, and goes straight on for a moment. Owned by one behavior.
+///
+/// A scanner that repeats itself while the robot moves is frozen, and the robot stands. One that froze where nothing
+/// was in its reach cannot be told from one that looks over an empty plain: beams that return nothing have no noise,
+/// and a long way without an echo is what a plain is like. Low things make the sonars hear what no scan shows, so they
+/// are no proof either. There the sonars alone turn it back from what is ahead, and it may touch what is beside it.
 class Explorer {
 public:
     explicit Explorer(agent::BehaviorContext context);

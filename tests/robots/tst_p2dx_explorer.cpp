@@ -149,6 +149,17 @@ private slots:
         QVERIFY(*lastDrive(toy).left_rad_s > 0.0);
     }
 
+    /// Empty scans are alike however far it moves, frozen or not.
+    void whereNothingIsInReachAFrozenScannerIsNotNoticedAndItsSonarsTurnItBack() {
+        ToyDrive toy = driveIn({}); // walls 50 m away
+        toy.run(Seconds(6.0));
+        toy.robot().scanner_frozen = true;
+        QVERIFY(toy.runInto("backing away"));
+        QVERIFY(toy.robot().position_m().cwiseAbs().maxCoeff() > 45.0);
+        QCOMPARE(toy.robot().collisions(), 0);
+        QVERIFY(toy.events().empty());
+    }
+
     void aScanThatStaysTheSameAtRestIsNoTrouble() {
         ToyDrive toy = driveIn(hall()); // its scans have no noise
         toy.order(Order::Pause);
