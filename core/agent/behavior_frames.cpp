@@ -254,7 +254,7 @@ void pass(auto& io, Either<CausedCommand> auto& caused) {
 }
 void pass(auto& io, Either<Answer> auto& answer) {
     (pass(io, answer.output.commands), pass(io, answer.output.published));
-    (pass(io, answer.safe), pass(io, answer.halted), pass(io, answer.finished));
+    (pass(io, answer.safe), pass(io, answer.halted), pass(io, answer.finished), pass(io, answer.broke));
 }
 void pass(auto& io, Either<Refusal> auto& refusal) {
     (pass(io, refusal.error.what), pass(io, refusal.error.where), pass(io, refusal.error.mend));

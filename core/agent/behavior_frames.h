@@ -14,7 +14,7 @@
 namespace usar::agent::frames {
 
 /// Raised with every change of what follows. A host of another version is refused.
-inline constexpr quint32 version = 1;
+inline constexpr quint32 version = 2;
 
 /// The first frame to the host: which behavior of which plugin, and what it is to do.
 struct Start {
@@ -39,6 +39,7 @@ struct Answer {
     protocol::Command safe; ///< what the behavior would say if it had to stop now
     bool halted = false;
     bool finished = false;
+    bool broke = false;
 };
 /// In place of the answer to Start.
 struct Refusal {

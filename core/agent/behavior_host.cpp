@@ -57,8 +57,10 @@ void BehaviorHost::guarded(Call&& call) {
     try {
         call();
     } catch (const std::exception& thrown) {
+        broke_ = true;
         fail(std::string("failed: ") + thrown.what() + ".");
     } catch (...) {
+        broke_ = true;
         fail("failed: something that is no std::exception.");
     }
 }

@@ -30,6 +30,7 @@ public:
     void setParameters(const ParameterSet& parameters) override;
     CausedCommand safeCommand(const std::string& source) const override;
     bool finished() const override { return finished_; }
+    bool broke() const override { return broke_; }
     const std::string& behaviorId() const override { return behavior_id_; }
 
 private:
@@ -52,6 +53,7 @@ private:
     LineNumber last_line_;
     bool finished_ = false;
     bool halted_ = false;
+    bool broke_ = false;
 };
 
 } // namespace usar::agent

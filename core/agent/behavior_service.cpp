@@ -150,6 +150,7 @@ int serveBehavior(int socket) {
         answer.safe = service->host->safeCommand({}).command;
         answer.halted = service->host->halted();
         answer.finished = service->host->finished();
+        answer.broke = service->host->broke();
         channel.send(frames::write(std::move(answer)), patience_to_answer);
     }
     return 0;

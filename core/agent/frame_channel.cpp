@@ -1,5 +1,6 @@
 #include "core/agent/frame_channel.h"
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -16,17 +17,19 @@ FrameChannel::~FrameChannel() {
     ::close(socket_);
 }
 
-bool FrameChannel::waitFor(short events, std::optional<Seconds> patience) const {
+FrameChannel::Waited FrameChannel::waitFor(short events, std::optional<Seconds> patience) const {
     using Clock = std::chrono::steady_clock;
     const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience.value_or(Seconds{0.0}));
     for (;;) {
         int left_ms = -1;
         if (patience)
             left_ms = static_cast<int>(std::ceil(std::max(0.0, Seconds(until - Clock::now()).count()) * 1e3));
-        pollfd watched{socket_, events, 0};
-        const int ready = ::poll(&watched, 1, left_ms);
-        if (ready >= 0 || errno != EINTR)
-            return ready > 0;
+        std::array watched{pollfd{socket_, events, 0}, pollfd{process_handle_, POLLIN, 0}}; // below 0: passed over
+        const int ready = ::poll(watched.data(), watched.size(), left_ms);
+        if (ready == 0 || (ready < 0 && errno != EINTR))
+            return Waited::TimedOut;
+        if (ready > 0)
+            return watched[0].revents != 0 ? Waited::Ready : Waited::Over;
     }
 }
 
@@ -39,7 +42,7 @@ bool FrameChannel::send(const QByteArray& frame, Seconds patience) {
                                    MSG_NOSIGNAL | MSG_DONTWAIT);
         if (now > 0)
             sent += now;
-        else if (errno == EAGAIN && !waitFor(POLLOUT, patience))
+        else if (errno == EAGAIN && waitFor(POLLOUT, patience) != Waited::Ready)
             return false;
         else if (errno != EAGAIN && errno != EINTR)
             return false;
@@ -55,8 +58,10 @@ FrameChannel::Received FrameChannel::fill(char* to, qsizetype bytes, std::option
             bytes -= now;
         } else if (now == 0 || (errno != EAGAIN && errno != EINTR)) {
             return Received::Closed;
-        } else if (errno == EAGAIN && !waitFor(POLLIN, patience)) {
-            return Received::TimedOut;
+        } else if (errno == EAGAIN) {
+            const Waited waited = waitFor(POLLIN, patience);
+            if (waited != Waited::Ready)
+                return waited == Waited::Over ? Received::Closed : Received::TimedOut;
         }
     }
     return Received::Frame;

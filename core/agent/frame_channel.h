@@ -10,7 +10,7 @@
 namespace usar::agent {
 
 /// A frame is its length (four bytes, little end first) and so many bytes. Owns the socket and closes it. Every call
-/// waits; used from one thread at a time.
+/// waits; used from one thread at a time. POSIX only; the death of the peer's process is seen on Linux.
 class FrameChannel {
 public:
     enum class Received { Frame, TimedOut, Closed };
@@ -22,16 +22,21 @@ public:
     Q_DISABLE_COPY_MOVE(FrameChannel)
 
     int socket() const { return socket_; }
+    /// A handle that can be read from when the process on the other side is over: then the connection counts as closed,
+    /// whoever else may hold its other end. What was said before is received first. Not owned; -1: none.
+    void endWith(int process_handle) { process_handle_ = process_handle; }
     /// False where the other side is gone, or does not read for so long.
     bool send(const QByteArray& frame, Seconds patience);
     /// Without a patience it waits for good.
     Received receive(QByteArray& frame, std::optional<Seconds> patience);
 
 private:
-    bool waitFor(short events, std::optional<Seconds> patience) const;
+    enum class Waited { Ready, TimedOut, Over };
+    Waited waitFor(short events, std::optional<Seconds> patience) const;
     Received fill(char* to, qsizetype bytes, std::optional<Seconds> patience);
 
     int socket_;
+    int process_handle_ = -1;
 };
 
 } // namespace usar::agent

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <iterator>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -13,6 +12,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/epoll.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -37,10 +37,15 @@ std::string signalInWords(int signal) {
     return name ? "SIG" + std::string(name) + " (" + ::strsignal(signal) + ")" : "signal " + std::to_string(signal);
 }
 
+/// Can be read from when the process is over; below 0 where the system has no such thing.
+int handleOf(int process) {
+    // The header of glibc 2.36 declares pidfd_open for C alone.
+    return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
+}
+
 /// Waits for the end of a process that is as good as over, at most so long; nothing where it lives on.
 std::optional<int> statusOf(int process, std::chrono::milliseconds patience) {
-    // The header of glibc 2.36 declares pidfd_open for C alone.
-    if (const int handle = static_cast<int>(::syscall(SYS_pidfd_open, process, 0)); handle >= 0) {
+    if (const int handle = handleOf(process); handle >= 0) {
         pollfd its_end{handle, POLLIN, 0};
         ::poll(&its_end, 1, static_cast<int>(patience.count()));
         ::close(handle);
@@ -57,9 +62,28 @@ IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
     , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
 
 IsolatedBehavior::~IsolatedBehavior() {
+    closeHandles();
     channel_.reset(); // it ends by that, if it is well
     if (process_ > 0 && !statusOf(process_, std::chrono::milliseconds(200)))
         kill();
+}
+
+void IsolatedBehavior::closeHandles() {
+    for (int* handle : {&end_handle_, &process_handle_})
+        if (const int open = std::exchange(*handle, -1); open >= 0)
+            ::close(open);
+}
+
+/// A process may be gone and its end of the connection open still, where it has left children behind.
+void IsolatedBehavior::watchForItsEnd() {
+    process_handle_ = handleOf(process_);
+    channel_->endWith(process_handle_);
+    end_handle_ = ::epoll_create1(EPOLL_CLOEXEC);
+    epoll_event readable{};
+    readable.events = EPOLLIN;
+    for (const int handle : {channel_->socket(), process_handle_})
+        if (handle >= 0)
+            ::epoll_ctl(end_handle_, EPOLL_CTL_ADD, handle, &readable);
 }
 
 void IsolatedBehavior::kill() {
@@ -99,8 +123,10 @@ Result<void> IsolatedBehavior::startProcess() {
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
-    if (error == 0)
+    if (error == 0) {
+        watchForItsEnd();
         return {};
+    }
     process_ = 0;
     return wrong(program_.toStdString() + ": " + std::strerror(error));
 }
@@ -137,7 +163,7 @@ CausedCommand IsolatedBehavior::safeCommand(const std::string& source) const {
 
 RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Seconds patience,
                                               const std::string& at_work) {
-    if (finished_ || !channel_)
+    if (finished_ || ending_ || !channel_)
         return std::exchange(owed_, {});
     QByteArray frame;
     FrameChannel::Received received = FrameChannel::Received::Closed;
@@ -154,13 +180,15 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
         return take(std::get<frames::Answer>(*reply));
     if (reply && std::holds_alternative<frames::Refusal>(*reply))
         return end(std::get<frames::Refusal>(*reply).error.text());
-    const auto* const dying = reply ? std::get_if<frames::Dying>(&*reply) : nullptr;
-    return die(howItDied(dying ? std::optional(dying->signal) : std::nullopt), at_work);
+    if (reply && std::holds_alternative<frames::Dying>(*reply))
+        return die(howItDied(std::get<frames::Dying>(*reply).signal), at_work);
+    return lose(at_work);
 }
 
 RunningBehavior::Output IsolatedBehavior::take(frames::Answer& answer) {
     halted_ = answer.halted;
     finished_ = answer.finished;
+    broke_ = answer.broke;
     safe_ = std::move(answer.safe);
     if (!answer.output.commands.empty())
         last_decision_ = answer.output.commands.back().cause.source;
@@ -168,12 +196,13 @@ RunningBehavior::Output IsolatedBehavior::take(frames::Answer& answer) {
         if (const auto* const status = std::get_if<BehaviorStatus>(&value))
             last_state_ = status->state;
     Output output = std::exchange(owed_, {});
-    std::ranges::move(answer.output.commands, std::back_inserter(output.commands));
-    std::ranges::move(answer.output.published, std::back_inserter(output.published));
+    output.append(std::move(answer.output));
     return output;
 }
 
 RunningBehavior::Output IsolatedBehavior::takeEnd() {
+    if (ending_)
+        return die(howItDied(std::nullopt), lost_at_work_);
     if (finished_ || !channel_)
         return {};
     QByteArray frame;
@@ -181,8 +210,19 @@ RunningBehavior::Output IsolatedBehavior::takeEnd() {
     if (received == FrameChannel::Received::TimedOut)
         return {}; // nothing has come after all
     const auto reply = frames::readReply(frame);
-    const auto* const dying = reply ? std::get_if<frames::Dying>(&*reply) : nullptr;
-    return die(howItDied(dying ? std::optional(dying->signal) : std::nullopt), "it waited after line");
+    const std::string at_work = "it waited after line";
+    if (reply && std::holds_alternative<frames::Dying>(*reply))
+        return die(howItDied(std::get<frames::Dying>(*reply).signal), at_work);
+    return lose(at_work);
+}
+
+RunningBehavior::Output IsolatedBehavior::lose(const std::string& at_work) {
+    ending_ = true;
+    halted_ = false;
+    lost_at_work_ = at_work;
+    closeHandles(); // or they would tell of it for ever
+    owed_.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
+    return std::exchange(owed_, {});
 }
 
 std::string IsolatedBehavior::howItDied(std::optional<int> signal) {
@@ -209,12 +249,14 @@ RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std:
         reason += "; its state was “" + last_state_ + "”";
     if (!last_decision_.empty())
         reason += "; its last command came from “" + last_decision_ + "”";
-    return end(reason + ". The robot was stopped; press Start to start it again.");
+    broke_ = true;
+    return end(reason + ". The robot was stopped; the behavior can be started again.");
 }
 
 RunningBehavior::Output IsolatedBehavior::end(const std::string& reason) {
     finished_ = true;
-    halted_ = false;
+    ending_ = halted_ = false;
+    closeHandles();
     channel_.reset(); // a host that is well ends by that
     reap();
     Output output = std::exchange(owed_, {});

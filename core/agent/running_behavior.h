@@ -1,6 +1,8 @@
 // A behavior at work, wherever it runs: in the caller's thread, in one of its own, or in a process of its own.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,12 +12,18 @@ namespace usar::agent {
 
 /// Lines and orders go in, caused commands and published values come out; each call waits for the answer, so that a
 /// mission is the same wherever its behavior runs. One that fails, hangs or dies says BehaviorFinished with the reason,
-/// after its safe command, and is not called again. Used from its owner's thread.
+/// after its safe command, and is not called again; where the reason must be found out first, `ending` is true before.
+/// Used from its owner's thread.
 class RunningBehavior {
 public:
     struct Output {
         std::vector<CausedCommand> commands;
         std::vector<Published> published;
+
+        void append(Output later) {
+            std::ranges::move(later.commands, std::back_inserter(commands));
+            std::ranges::move(later.published, std::back_inserter(published));
+        }
     };
 
     virtual ~RunningBehavior() = default;
@@ -33,6 +41,11 @@ public:
     /// Its plan stands still: time should, too.
     virtual bool halted() const = 0;
     virtual bool finished() const = 0;
+    /// It is gone, and nobody knows why yet: the robot is to be made safe now, and then `takeEnd` finds out, which may
+    /// take half a second.
+    virtual bool ending() const { return false; }
+    /// It ended by a fault of its own (it threw, hung or died), and not by what it had to say.
+    virtual bool broke() const { return false; }
     virtual const std::string& behaviorId() const = 0;
 
     /// How long an answer may take, of wall time, before the behavior counts as hanging. Before `begin`.

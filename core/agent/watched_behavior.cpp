@@ -1,8 +1,6 @@
 #include "core/agent/watched_behavior.h"
 
-#include <algorithm>
 #include <condition_variable>
-#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -25,6 +23,7 @@ struct WatchedBehavior::Worker {
     protocol::Command safe;
     bool halted = false;
     bool finished = false;
+    bool broke = false;
 
     enum class Turn { Owners, Workers, Nobodys };
     void pass(Turn to);
@@ -55,6 +54,7 @@ void WatchedBehavior::Worker::work() {
         safe = host->safeCommand({}).command;
         halted = host->halted();
         finished = host->finished();
+        broke = host->broke();
         pass(Turn::Owners);
     }
 }
@@ -82,18 +82,18 @@ RunningBehavior::Output WatchedBehavior::run(std::function<Output(BehaviorHost&)
     }
     halted_ = worker_->halted;
     finished_ = worker_->finished;
+    broke_ = worker_->broke;
     safe_ = worker_->safe;
     Output output = std::exchange(worker_->output, {});
     if (owed_.commands.empty() && owed_.published.empty())
         return output;
     Output both = std::exchange(owed_, {});
-    std::ranges::move(output.commands, std::back_inserter(both.commands));
-    std::ranges::move(output.published, std::back_inserter(both.published));
+    both.append(std::move(output));
     return both;
 }
 
 RunningBehavior::Output WatchedBehavior::giveUp(const std::string& what) {
-    finished_ = true;
+    finished_ = broke_ = true;
     halted_ = false;
     Output output = std::exchange(owed_, {});
     output.commands = {safeCommand(behavior_id_ + ": stopped because it hangs")};

@@ -26,6 +26,7 @@ public:
     CausedCommand safeCommand(const std::string& source) const override;
     bool halted() const override { return halted_; }
     bool finished() const override { return finished_; }
+    bool broke() const override { return broke_; }
     const std::string& behaviorId() const override { return behavior_id_; }
     void setPatience(Seconds patience) override { patience_ = patience; }
 
@@ -43,6 +44,7 @@ private:
     Seconds patience_{1.0};
     bool halted_ = false;
     bool finished_ = false;
+    bool broke_ = false;
 };
 
 } // namespace usar::agent

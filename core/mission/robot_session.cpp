@@ -147,8 +147,11 @@ void RobotSession::control(const agent::PlanControl& control) {
 }
 
 void RobotSession::setParameters(const agent::ParameterSet& parameters) {
-    if (d_->host)
-        d_->host->setParameters(parameters);
+    if (!d_->host)
+        return;
+    d_->host->setParameters(parameters);
+    if (agent::RunningBehavior::Output nothing; d_->host->ending())
+        d_->takeOutput(nothing, false);
 }
 
 void RobotSession::stop() {

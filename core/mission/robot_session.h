@@ -129,7 +129,8 @@ signals:
     /// Also said as a notice: silence after INIT, or the server hung up on it. Data may still come after silence (a
     /// paused simulator); then `spawned` follows.
     void spawnFailed(const QString& reason);
-    void behaviorFinished(bool success, const QString& reason);
+    /// `broke`: by a fault of its own; it may be started again.
+    void behaviorFinished(bool success, const QString& reason, bool broke);
     /// At most one every 16 ms; costs nothing while nobody is connected to it.
     void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);

@@ -168,10 +168,14 @@ void RobotSession::Private::noteData() {
 /// Commands go out before the results are worked in, so that the simulator computes its next tick meanwhile; not so
 /// for the last tick, where whoever hears the end must find time standing still.
 void RobotSession::Private::takeOutput(agent::RunningBehavior::Output& output, bool is_tick) {
-    const bool finishing = host && host->finished();
+    const bool finishing = host && (host->finished() || host->ending());
     for (agent::CausedCommand& command : output.commands)
         if (!hand.on() || !DriveGate::isDrive(command.command))
             send(command);
+    if (host && host->ending()) {
+        makeSafe(host->behaviorId() + ": its process has ended");
+        output.append(host->takeEnd());
+    }
     if (is_tick)
         tickHand();
     if (is_tick && !finishing)
@@ -306,6 +310,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
         end_watch->setEnabled(false);
         end_watch.release()->deleteLater();
     }
+    const bool broke = host && host->broke();
     host.reset();
     so_far.clear();
     stepOwed();
@@ -319,7 +324,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
             emitFrame();
     }
     if (!replayer)
-        emit q.behaviorFinished(end.success, QString::fromStdString(end.reason));
+        emit q.behaviorFinished(end.success, QString::fromStdString(end.reason), broke);
 }
 
 void RobotSession::Private::worthSaving() {

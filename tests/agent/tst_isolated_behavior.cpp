@@ -44,9 +44,17 @@ QString reasonOf(const RunningBehavior::Output& output) {
     return {};
 }
 
+/// What it says last, once the robot has been made safe.
+RunningBehavior::Output withItsEnd(RunningBehavior& behavior, RunningBehavior::Output output) {
+    if (behavior.ending())
+        output.append(behavior.takeEnd());
+    return output;
+}
+
 bool isSafe(const RunningBehavior::Output& output) {
-    return output.commands.size() == 1 &&
-           output.commands[0].command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0});
+    return !output.commands.empty() && std::ranges::all_of(output.commands, [](const CausedCommand& command) {
+        return command.command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0});
+    });
 }
 
 } // namespace
@@ -113,6 +121,10 @@ void tst_IsolatedBehavior::aBehaviorThatEndsItsProcessIsStoppedAndTheWordsSayHow
                            << "died by SIGABRT";
     QTest::newRow("exit") << "exit"
                           << "ended its process with exit code 3";
+    QTest::newRow("killed, with a child that lives on") << "orphan"
+                                                        << "died by SIGKILL";
+    QTest::newRow("hangs up and lives on") << "hang up"
+                                           << "broke the connection to its process";
 }
 
 void tst_IsolatedBehavior::aBehaviorThatEndsItsProcessIsStoppedAndTheWordsSayHow() {
@@ -123,7 +135,7 @@ void tst_IsolatedBehavior::aBehaviorThatEndsItsProcessIsStoppedAndTheWordsSayHow
     Lines lines;
     for (int i = 0; i < 3; ++i)
         QVERIFY(!behavior->receive(lines.next()).commands.empty());
-    const auto output = behavior->receive(lines.next());
+    const auto output = withItsEnd(*behavior, behavior->receive(lines.next()));
     const QString reason = reasonOf(output);
     QVERIFY2(reason.contains(words), qPrintable(reason));
     QVERIFY2(reason.contains("worked on line 4 (STA {Type AerialVehicle}"), qPrintable(reason));
@@ -154,7 +166,7 @@ void tst_IsolatedBehavior::aKilledOneIsSeenBetweenTwoLines() {
     QSignalSpy seen(&notifier, &QSocketNotifier::activated);
     QCOMPARE(::kill(behavior->processId(), signal), 0);
     QVERIFY(seen.wait(5000));
-    const auto output = behavior->takeEnd();
+    const auto output = withItsEnd(*behavior, behavior->takeEnd());
     QVERIFY2(reasonOf(output).contains("died by " + name), qPrintable(reasonOf(output)));
     QVERIFY2(reasonOf(output).contains("it waited after line 1 (STA"), qPrintable(reasonOf(output)));
     QVERIFY(isSafe(output));
@@ -197,7 +209,7 @@ void tst_IsolatedBehavior::whatCannotBeStartedSaysWhy() {
                                      .task = {},
                                      .parameters = {},
                                      .plan = {}});
-    const auto output = behavior.begin();
+    const auto output = withItsEnd(behavior, behavior.begin());
     QVERIFY2(reasonOf(output).contains(words), qPrintable(reasonOf(output)));
     QVERIFY(behavior.finished());
 }

@@ -1,7 +1,9 @@
+#include <atomic>
 #include <csignal>
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThread>
 
 #include "core/agent/isolated_behavior.h"
 #include "tests/mission/session_fixture.h"
@@ -22,6 +24,8 @@ std::shared_ptr<agent::IsolatedBehavior> climbing(const std::string& id) {
                              .plan = {}});
 }
 
+constexpr int tick_ms = 200;
+
 bool stops(const QByteArray& drive) {
     return drive.contains("{AltitudeVelocity 0}") && drive.contains("{LinearVelocity 0}");
 }
@@ -34,6 +38,7 @@ class tst_IsolatedSession : public QObject {
 private slots:
     void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms_data();
     void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms();
+    void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick_data();
     void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick();
     void whatCannotBeStartedEndsTheBehaviorAndNotTheRobot();
 };
@@ -55,7 +60,6 @@ void tst_IsolatedSession::aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms() {
     QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty());
     QVERIFY(!stops(f.server.heardOf("DRIVE").last()));
 
-    constexpr int tick_ms = 200;
     QElapsedTimer timer;
     timer.start();
     QCOMPARE(::kill(behavior->processId(), signal), 0); // between two ticks: nobody asks it anything
@@ -73,15 +77,53 @@ void tst_IsolatedSession::aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms() {
     QTRY_VERIFY(f.server.heardOf("DRIVE").size() > before);
 }
 
+void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick_data() {
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<int>("finding_out_ms"); // at the least: the robot has stopped before
+    QTest::newRow("by a signal that it tells of") << "segfault"
+                                                  << "died by SIGSEGV" << 0;
+    QTest::newRow("by one that nobody can tell of") << "orphan"
+                                                    << "died by SIGKILL" << 0;
+    QTest::newRow("it ends") << "exit"
+                             << "exit code 3" << 0;
+    QTest::newRow("it hangs up and lives on") << "hang up"
+                                              << "broke the connection" << 400;
+}
+
 void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick() {
+    QFETCH(QString, fault);
+    QFETCH(QString, words);
+    QFETCH(int, finding_out_ms);
     SessionFixture f(SessionFixture::patientLimits());
     QVERIFY(f.spawnNow());
     QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
-    f.session.startBehavior(climbing("faulty/segfault"), {});
-    for (int i = 0; i < 4 && finished.isEmpty(); ++i)
+    f.session.startBehavior(climbing("faulty/" + fault.toStdString()), {});
+    for (int i = 0; i < 3; ++i)
         QVERIFY(f.tickNow());
-    QTRY_COMPARE(finished.size(), 1);
-    QTRY_VERIFY(stops(f.server.heardOf("DRIVE").last()));
+    QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty() && !stops(f.server.heardOf("DRIVE").last()));
+
+    // The server goes to a thread of its own, for the session's waits while it finds out the reason.
+    QElapsedTimer timer;
+    std::atomic<qint64> stopped_ms = -1;
+    f.server.on_command = [&](const QByteArray& line) {
+        if (stopped_ms < 0 && line.startsWith("DRIVE") && stops(line))
+            stopped_ms = timer.elapsed();
+    };
+    QThread elsewhere;
+    f.server.moveToThread(&elsewhere);
+    elsewhere.start();
+    timer.start();
+    QMetaObject::invokeMethod(&f.server, [&] { f.server.tick(); });
+    const bool told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
+    QMetaObject::invokeMethod(
+        &f.server, [&] { f.server.moveToThread(thread()); }, Qt::BlockingQueuedConnection);
+    elsewhere.quit();
+    elsewhere.wait();
+    QVERIFY(told);
+    QVERIFY2(stopped_ms >= 0 && stopped_ms <= tick_ms + 50, qPrintable(QString::number(stopped_ms)));
+    QVERIFY2(timer.elapsed() >= finding_out_ms, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY2(finished[0][1].toString().contains(words), qPrintable(finished[0][1].toString()));
     QVERIFY(finished[0][1].toString().contains("while it worked on line"));
     QVERIFY(!f.session.figures().behavior_running);
 }

@@ -1,9 +1,10 @@
 // Behaviors of an AirRobot that climb for some ticks and then go wrong, each in its own way.
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
-#include <thread>
+
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <QObject>
 
@@ -42,8 +43,12 @@ private:
             std::_Exit(3);
         if (fault_ == "throw")
             throw std::runtime_error("lost my way");
-        while (fault_ == "loop")
-            std::this_thread::sleep_for(std::chrono::milliseconds(1)); // on two cores a busy one would starve the rest
+        if (fault_ == "orphan") // a child that lives on holds the connection to the program
+            ::fork() == 0 ? void(::sleep(20)), ::_exit(0) : void(::kill(::getpid(), SIGKILL));
+        if (fault_ == "hang up") // where usar-behavior-host has the connection
+            ::shutdown(3, SHUT_WR);
+        while (fault_ == "loop" || fault_ == "hang up")
+            ::pause(); // on two cores a busy one would starve the rest
     }
 
     std::string fault_;
@@ -60,7 +65,7 @@ class FaultyPlugin : public QObject, public agent::RobotPlugin {
 public:
     agent::RobotDescription description() const override {
         agent::RobotDescription robot{"USARBot.AirRobot", "AirRobot", {}, {}};
-        for (const char* fault : {"none", "segfault", "abort", "exit", "loop", "throw"}) {
+        for (const char* fault : {"none", "segfault", "abort", "exit", "loop", "throw", "orphan", "hang up"}) {
             agent::BehaviorDescription behavior;
             behavior.id = std::string("faulty/") + fault;
             behavior.name = std::string("Climb, then: ") + fault;
