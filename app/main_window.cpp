@@ -112,6 +112,8 @@ void MainWindow::wireControl() {
     });
     connect(&control_, &MissionControl::robotRemoved, this, [this](int id, const QString& name, int instead) {
         views_.robots->removeRobot(id);
+        if (offers_.contains(missionKey(id)))
+            control_.cure(missionKey(id));
         presenter_.remove(name);
         drafts_.erase(id);
         showFaultChoices();
@@ -190,6 +192,13 @@ void MainWindow::wireMission() {
         showTitle();
         returnToRealTime();
     });
+    connect(&control_, &MissionControl::behaviorBroke, this, &MainWindow::offerToStartAgain);
+    connect(views_.notifications->model(), &widgets::NotificationModel::offerTaken, this, [this](const QString& key) {
+        if (const auto offered = offers_.find(key); offered != offers_.end())
+            std::function<void()>(offered->second)(); // a copy: it may cure what it was offered for
+    });
+    connect(views_.notifications->model(), &widgets::NotificationModel::cured, this,
+            [this](const QString& key) { offers_.erase(key); });
     connect(&control_, &MissionControl::resultsWritten, this, [this](int, const QStringList& files) {
         views_.notifications->push("saved", Severity::Note,
                                    tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)),

@@ -1,6 +1,8 @@
 // The window: views in docks, commands in one registry, and the wires between them and MissionControl.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 
 #include <QMainWindow>
@@ -153,6 +155,13 @@ private:
     void selectRobotFor(const std::string& robot_class);
     void showPlan();
     void start();
+    /// What is the same for every start.
+    void begun(int id);
+    /// The behavior that broke, on its robot.
+    void startAgain(int id);
+    void offerToStartAgain(int id, const QString& key, const QString& text);
+    /// Whose behavior broke and was not started again: the selected one, or any; 0: none.
+    int brokenRobot() const;
     void give(agent::Order order);
     void refreshRunState();
     void showMessages();
@@ -174,6 +183,9 @@ private:
     void setIsolated(const QString& plugin, bool isolated);
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
+    /// With a button beside the sentence, which does this as long as the trouble is not cured.
+    void offer(Severity severity, const QString& key, const QString& text, const widgets::Offer& offer,
+               std::function<void()> accept);
     void complain(const QString& key, const Error& error);
     void exportFailed(const QString& reason);
     void chooseImagePort();
@@ -220,6 +232,7 @@ private:
     QStringList mission_faults_;                          ///< of the mission that is set up
     QStringList isolated_plugins_;                        ///< by name: their behaviors have a process of their own
     std::vector<sim::FaultStatus> faults_;                ///< of the embedded simulator
+    std::map<QString, std::function<void()>> offers_;     ///< by the key of the notification
     QByteArray first_layout_;
     int selected_ = 0;
     link::LinkState link_state_ = link::LinkState::Disconnected;

@@ -258,23 +258,38 @@ Result<void> MissionControl::startBehavior(int id, const std::string& behavior_i
     Robot* robot = this->robot(id);
     if (!robot)
         return failure("there is no such robot", std::to_string(id), "Spawn one on a start pose first");
-    const agent::BehaviorDescription* description = plugins_.behavior(behavior_id);
-    if (!description)
-        return tl::unexpected(plugins_.pluginFor(behavior_id).error());
-    if (description->needs_area && area_in_map.empty())
-        return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
-    if (const auto inside = checkArea(area_in_map); !inside)
-        return tl::unexpected(inside.error());
-    const auto parameters = agent::ParameterSet::make(description->parameters, values);
-    if (!parameters)
-        return tl::unexpected(parameters.error());
     const auto plan = mission::readOwnPlan(plan_path, behavior_id, plugins_);
     if (!plan)
         return tl::unexpected(plan.error());
+    return startOn(*robot, {behavior_id, area_in_map, values, *plan, isolate});
+}
+
+Result<void> MissionControl::startOn(Robot& robot, const StartedBehavior& start) {
+    const agent::BehaviorDescription* description = plugins_.behavior(start.id);
+    if (!description)
+        return tl::unexpected(plugins_.pluginFor(start.id).error());
+    if (description->needs_area && start.area_in_map.empty())
+        return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
+    if (const auto inside = checkArea(start.area_in_map); !inside)
+        return tl::unexpected(inside.error());
+    const auto parameters = agent::ParameterSet::make(description->parameters, start.parameters);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
     std::optional<agent::Isolation> isolation;
-    if (isolate)
+    if (start.isolated)
         isolation = {behaviorHostProgram()};
-    return robot->startBehavior(plugins_, behavior_id, area_in_map, *parameters, *plan, isolation);
+    return robot.startBehavior(plugins_, start.id, start.area_in_map, *parameters, start.plan, isolation);
+}
+
+Result<void> MissionControl::startAgain(int id) {
+    Robot* robot = this->robot(id);
+    if (!robot || !robot->started())
+        return failure("nothing was started there", std::to_string(id), "Choose a behavior, then start it");
+    if (!robot->view().figures.spawned)
+        return failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
+    StartedBehavior start = *robot->started();
+    start.isolated = true;
+    return startOn(*robot, start);
 }
 
 Result<void> MissionControl::addFaults(const QStringList& texts) {
@@ -326,8 +341,12 @@ void MissionControl::exportResults(int id) {
 
 void MissionControl::finished(Robot* robot, bool success, const QString& reason) {
     const int id = robot->view().id;
-    note(success ? Severity::Note : Severity::Warning, QString("mission-%1").arg(id),
-         QString("%1: %2").arg(QString::fromStdString(robot->view().spawn.robot_name), reason));
+    const QString key = missionKey(id);
+    const QString text = QString("%1: %2").arg(QString::fromStdString(robot->view().spawn.robot_name), reason);
+    if (robot->view().broke)
+        emit behaviorBroke(id, key, text);
+    else
+        note(success ? Severity::Note : Severity::Warning, key, text);
     emit behaviorFinished(id, success, reason);
     if (!robot->view().tiles.empty())
         keeper_.save(*robot); // even where all was saved before: now the end belongs to it

@@ -27,6 +27,11 @@ struct ServerTarget {
     SimulatorSpec simulator;
 };
 
+/// Of what is said about the end of a robot's behavior.
+inline QString missionKey(int id) {
+    return QString("mission-%1").arg(id);
+}
+
 /// Owns the robots' sessions, the simulator thread and the keeper of scans; lives in the GUI thread and never waits in
 /// it. One connection speaks for one robot, so a further one is kept open for the robot that is spawned next: it learns
 /// the start poses, and its state is the state of the link.
@@ -68,6 +73,9 @@ public:
     Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                                const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
                                bool isolate = false);
+    /// What the robot did when its behavior broke: the same with the same parameters, area and plan, in a process of
+    /// its own.
+    Result<void> startAgain(int id);
     /// Whether this mission can be flown here: plugin, parameters, area within the world, world. The parameters as the
     /// behavior takes them.
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const mission::Mission& mission) const;
@@ -116,6 +124,8 @@ signals:
     void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void robotUpdated(int id, std::shared_ptr<const usar::mission::SessionUpdate> update);
     void behaviorFinished(int id, bool success, const QString& reason);
+    /// It threw, hung or died, which `text` says; `startAgain` may help. In place of `noticed`, with such a key.
+    void behaviorBroke(int id, const QString& key, const QString& text);
     void resultsWritten(int id, const QStringList& files);
     /// The scan is still in memory.
     void exportFailed(int id, const QString& reason);
@@ -141,6 +151,7 @@ private:
     /// The next robot of a snapshot gets the connection that is free.
     void goOnWithNext();
     void finished(Robot* robot, bool success, const QString& reason);
+    Result<void> startOn(Robot& robot, const StartedBehavior& start);
     void exported(int id, const QStringList& files);
     void closeWhenSaved();
     Result<void> checkArea(const Rectangle& area_in_map) const;

@@ -50,12 +50,14 @@ void Robot::connectSession() {
         take(*update);
         emit updated(update);
     });
-    connect(session_, &mission::RobotSession::behaviorFinished, this, [this](bool success, const QString& reason) {
-        view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
-        view_.figures.behavior_running = view_.paused = false;
-        view_.halted.reset();
-        emit behaviorFinished(success, reason);
-    });
+    connect(session_, &mission::RobotSession::behaviorFinished, this,
+            [this](bool success, const QString& reason, bool broke) {
+                view_.broke = broke;
+                view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
+                view_.figures.behavior_running = view_.paused = false;
+                view_.halted.reset();
+                emit behaviorFinished(success, reason);
+            });
     connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
     connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
     connect(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
@@ -94,6 +96,9 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
         session.startBehavior(host, task);
         session.control(breakpoints);
     });
+    started_ = {behavior_id, area_in_map, parameters.values(), plan, isolation.has_value()};
+    asked_plan_.reset();
+    view_.broke = false;
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
@@ -122,12 +127,16 @@ void Robot::order(agent::Order order) {
 }
 
 void Robot::setParameters(const agent::ParameterSet& parameters) {
+    if (started_)
+        started_->parameters = parameters.values();
     later([=](mission::RobotSession& session) { session.setParameters(parameters); });
 }
 
 void Robot::control(const agent::PlanControl& control) {
     if (const auto* const breakpoints = std::get_if<agent::SetBreakpoints>(&control))
         breakpoints_ = *breakpoints;
+    if (const auto* const replace = std::get_if<agent::ReplacePlan>(&control))
+        asked_plan_ = replace->plan;
     later([=](mission::RobotSession& session) { session.control(control); });
 }
 
@@ -284,7 +293,13 @@ void Robot::take(const agent::Published& published) {
                               view_.halted.reset();
                           },
                           [this](const agent::PlanHalted& halted) { view_.halted = halted; },
-                          [this](const agent::PlanResumed&) { view_.halted.reset(); }, [](const auto&) {}},
+                          [this](const agent::PlanResumed&) { view_.halted.reset(); },
+                          [this](const agent::PlanReplaced& replaced) {
+                              const auto asked = std::exchange(asked_plan_, {});
+                              if (started_ && asked && replaced.fate != agent::PlanFate::Refused)
+                                  started_->plan = asked;
+                          },
+                          [](const auto&) {}},
                published);
 }
 

@@ -36,9 +36,19 @@ struct RobotView {
     std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
     bool paused = false;                             ///< by the person, or until the behavior ends it
     bool unsaved = false;                            ///< scanned since the last export
-    std::optional<agent::PlanHalted> halted;         ///< the plan stands still
-    QString recording;                               ///< the file that is replayed; empty: live
+    bool broke = false;                      ///< the behavior ended by a fault of its own; none was started since
+    std::optional<agent::PlanHalted> halted; ///< the plan stands still
+    QString recording;                       ///< the file that is replayed; empty: live
     int looks_back_on = 0; ///< `connection` of the robot that flew when this replay of it was opened; 0: of none
+};
+
+/// A behavior as it was started, with what became of its parameters and its plan meanwhile.
+struct StartedBehavior {
+    std::string id;
+    Rectangle area_in_map;
+    std::map<std::string, agent::ParameterValue> parameters;
+    std::optional<agent::PlanText> plan; ///< in place of the robot's own
+    bool isolated = false;
 };
 
 /// Lives in the GUI thread; the session lives in its own. Calls are queued to it and never wait.
@@ -65,6 +75,8 @@ public:
                                const Rectangle& area_in_map, const agent::ParameterSet& parameters,
                                const std::optional<agent::PlanText>& plan,
                                const std::optional<agent::Isolation>& isolation);
+    /// The newest; nothing before the first.
+    const std::optional<StartedBehavior>& started() const { return started_; }
     /// True where the cells change by it. A map that has heights keeps its cells; a notice says so.
     bool setCellSize(double cell_size_m);
     void order(agent::Order order);
@@ -118,6 +130,8 @@ private:
     RobotView view_;
     bool pause_confirmed_ = false; ///< the behavior has said that it pauses
     agent::SetBreakpoints breakpoints_;
+    std::optional<StartedBehavior> started_;
+    std::optional<agent::PlanText> asked_plan_; ///< to take the place of the one that runs
 };
 
 } // namespace usar::app

@@ -168,13 +168,19 @@ void MainWindow::start() {
                                                 views_.behavior->isolated());
     if (!started)
         return complain("start", started.error());
-    control_.cure("start");
-    plan_.begin(selected_);
+    begun(selected_);
     beginMissionFaults();
     views_.hint->setDone(2, true);
     views_.map->setAreaSummary({}); // a plan's figures; the behavior says its own now
     views_.map->fit();
     refreshRunState();
+}
+
+void MainWindow::begun(int id) {
+    control_.cure("start");
+    if (offers_.contains(missionKey(id)))
+        control_.cure(missionKey(id));
+    plan_.begin(id);
 }
 
 void MainWindow::give(agent::Order order) {
@@ -278,6 +284,12 @@ void MainWindow::showTitle() {
 
 void MainWindow::say(Severity severity, const QString& key, const QString& text) {
     views_.notifications->push(key, severity, text);
+}
+
+void MainWindow::offer(Severity severity, const QString& key, const QString& text, const widgets::Offer& offer,
+                       std::function<void()> accept) {
+    offers_[key] = std::move(accept);
+    views_.notifications->push(key, severity, text, offer);
 }
 
 void MainWindow::complain(const QString& key, const Error& error) {

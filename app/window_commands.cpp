@@ -116,6 +116,14 @@ void MainWindow::registerMissionCommands() {
                    !views_.behavior->behaviorId().empty();
         });
     commands_.add(
+        {"mission.start_again",
+         tr("Start again what broke"),
+         tr("Mission"),
+         tr("A behavior that threw, hung or died: the same with the same parameters, in a process of its own"),
+         "play",
+         {QKeySequence("Ctrl+Shift+Return")}},
+        [this](bool) { startAgain(brokenRobot()); }, [this] { return brokenRobot() != 0; });
+    commands_.add(
         {"mission.pause",
          tr("Pause or resume"),
          tr("Mission"),
@@ -245,8 +253,9 @@ void MainWindow::makeMenus() {
     commands_.fill(menuBar()->addMenu(tr("&File")),
                    {"file.open", "file.save", "-", "file.record", "file.open_recording", "-", "file.export",
                     "file.folder", "file.show_folder", "-", "file.quit"});
-    commands_.fill(menuBar()->addMenu(tr("&Mission")), {"mission.area", "-", "mission.start", "mission.pause",
-                                                        "mission.land", "mission.stop", "-", "mission.stop_all"});
+    commands_.fill(menuBar()->addMenu(tr("&Mission")),
+                   {"mission.area", "-", "mission.start", "mission.start_again", "mission.pause", "mission.land",
+                    "mission.stop", "-", "mission.stop_all"});
     commands_.fill(menuBar()->addMenu(tr("&Robots")), {"robot.select_1",
                                                        "robot.select_2",
                                                        "robot.select_3",

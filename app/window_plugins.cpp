@@ -1,4 +1,5 @@
-// The plugins' part of MainWindow: what was refused, and what is built anew while the program runs.
+// The plugins' part of MainWindow: what was refused, what is built anew while the program runs, and what broke in the
+// air.
 #include <QFileInfo>
 
 #include "app/main_window.h"
@@ -113,6 +114,39 @@ void MainWindow::setIsolated(const QString& plugin, bool isolated) {
     if (isolated && !plugin.isEmpty())
         isolated_plugins_ << plugin;
     views_.behavior->setIsolated(isolated_plugins_.contains(chosenPlugin()));
+}
+
+void MainWindow::startAgain(int id) {
+    if (const auto started = control_.startAgain(id); !started)
+        return complain("start", started.error());
+    begun(id);
+    presenter_.showRow(id);
+    refreshRunState();
+    commands_.refresh();
+}
+
+int MainWindow::brokenRobot() const {
+    const auto broke = [this](int id) {
+        const Robot* const robot = control_.robot(id);
+        return robot && robot->view().broke && robot->view().figures.spawned;
+    };
+    if (broke(selected_))
+        return selected_;
+    for (const Robot* robot : control_.robots())
+        if (broke(robot->view().id))
+            return robot->view().id;
+    return 0;
+}
+
+void MainWindow::offerToStartAgain(int id, const QString& key, const QString& text) {
+    const QString name = QString::fromStdString(control_.robot(id)->view().spawn.robot_name);
+    const bool was_isolated = control_.robot(id)->started()->isolated;
+    QString help = was_isolated ? tr("The same behavior with the same parameters")
+                                : tr("The same behavior with the same parameters, in a process of its own, where it "
+                                     "can disturb nothing else");
+    help += " (" + commands_.action("mission.start_again")->shortcut().toString(QKeySequence::NativeText) + ")";
+    offer(Severity::Warning, key, text, {tr("Start %1 again").arg(name), help}, [this, id] { startAgain(id); });
+    commands_.refresh();
 }
 
 } // namespace usar::app

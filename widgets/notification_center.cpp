@@ -1,6 +1,5 @@
 #include "widgets/notification_center.h"
 
-#include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -35,11 +34,11 @@ NotificationCenter::NotificationCenter(QWidget* parent)
     view_->setContextMenuPolicy(Qt::ActionsContextMenu);
     view_->setAccessibleName(tr("Notifications"));
     setFocusProxy(view_);
-    auto* copy = new QAction(tr("Copy"), view_);
-    copy->setShortcut(QKeySequence::Copy);
-    copy->setShortcutContext(Qt::WidgetShortcut);
-    view_->addAction(copy);
-    connect(copy, &QAction::triggered, this, &NotificationCenter::copySelected);
+    connect(addRowAction(tr("Copy"), QKeySequence::Copy), &QAction::triggered, this, &NotificationCenter::copySelected);
+    take_offer_ = addRowAction({}, Qt::Key_Return);
+    connect(take_offer_, &QAction::triggered, this,
+            [this] { model_->takeOffer(model_->row(view_->currentIndex().row()).key); });
+    connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, &NotificationCenter::showOffer);
     connect(view_, &QListView::activated, this,
             [this](const QModelIndex& index) { emit activated(model_->row(index.row()).key); });
     empty_state_ = new EmptyState(view_);
@@ -50,6 +49,23 @@ NotificationCenter::NotificationCenter(QWidget* parent)
     connect(model_, &QAbstractItemModel::modelReset, this, &NotificationCenter::updateState);
     connect(model_, &QAbstractItemModel::dataChanged, this, &NotificationCenter::updateState);
     updateState();
+}
+
+/// For its menu, and its key where the list has the focus.
+QAction* NotificationCenter::addRowAction(const QString& text, const QKeySequence& keys) {
+    auto* action = new QAction(text, view_);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    view_->addAction(action);
+    return action;
+}
+
+void NotificationCenter::showOffer() {
+    const QModelIndex current = view_->currentIndex();
+    const bool offers = current.isValid() && model_->row(current.row()).offers();
+    take_offer_->setEnabled(offers); // or Return would be lost to rows without one
+    take_offer_->setVisible(offers);
+    take_offer_->setText(offers ? model_->row(current.row()).offer.text : QString());
 }
 
 QWidget* NotificationCenter::makeTools() {
@@ -83,6 +99,12 @@ void NotificationCenter::push(const QString& key, Severity severity, const QStri
         model_->markRead();
 }
 
+void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const Offer& offer) {
+    model_->push(key, severity, text, QDateTime::currentDateTime(), true, offer);
+    if (isVisible())
+        model_->markRead();
+}
+
 void NotificationCenter::cured(const QString& key) {
     model_->cure(key);
 }
@@ -110,6 +132,7 @@ void NotificationCenter::updateState() {
     clear_cured_->setEnabled(open < all);
     clear_all_->setEnabled(all > 0);
     empty_state_->setVisible(all == 0);
+    showOffer();
 }
 
 } // namespace usar::widgets

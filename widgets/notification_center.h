@@ -1,6 +1,7 @@
 // The tab where every error and event can be read again: grouped, counted, greyed when cured.
 #pragma once
 
+#include <QAction>
 #include <QLabel>
 #include <QListView>
 #include <QToolButton>
@@ -34,6 +35,8 @@ public slots:
               const QDateTime& when = QDateTime::currentDateTime(), std::optional<bool> toast = std::nullopt);
     /// The same, now: a note that a person waits for ("Saved 5 files") is worth a toast.
     void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
+    /// The same, now, with a button beside the sentence; `NotificationModel::offerTaken` follows a click on it.
+    void push(const QString& key, usar::Severity severity, const QString& text, const usar::widgets::Offer& offer);
     /// The trouble with that key is over; its row stays, greyed.
     void cured(const QString& key);
     /// Takes open ones away too: the person has read them.
@@ -51,11 +54,15 @@ protected:
 private:
     QWidget* makeTools();
     void copySelected();
+    QAction* addRowAction(const QString& text, const QKeySequence& keys);
+    /// Of the current row.
+    void showOffer();
     void updateState();
 
     NotificationModel* model_;
     QListView* view_;
     QLabel* summary_;
+    QAction* take_offer_ = nullptr;
     QToolButton* clear_cured_ = nullptr;
     QToolButton* clear_all_ = nullptr;
     EmptyState* empty_state_;

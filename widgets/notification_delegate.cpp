@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QListView>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QTextLayout>
 
@@ -51,6 +52,27 @@ int textHeight(const QString& text, int width) {
     return static_cast<int>(std::ceil(height));
 }
 
+/// Of the line below the sentence.
+int footHeight(const Notification& n) {
+    return n.offers() ? minimum_target : QFontMetrics(themeFont(FontRole::Small)).height();
+}
+
+QRect offerRect(const QRect& row, const Notification& n) {
+    const int width = QFontMetrics(themeFont()).horizontalAdvance(n.offer.text) + 2 * gap::medium;
+    return {row.right() - gap::small - width, row.bottom() - gap::tiny - minimum_target, width, minimum_target};
+}
+
+void paintOffer(QPainter& painter, const QRect& row, const Notification& n) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(tokens().accent);
+    painter.setBrush(tokens().raised);
+    const QRect box = offerRect(row, n);
+    painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    painter.setPen(tokens().text);
+    painter.setFont(themeFont());
+    painter.drawText(box, Qt::AlignCenter, n.offer.text);
+}
+
 } // namespace
 
 void NotificationDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -72,18 +94,32 @@ void NotificationDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
     painter->setFont(themeFont());
     painter->setPen(n.cured ? t.stale : t.text);
     painter->drawText(QRectF(rest), n.text, wrapping());
-    rest.setTop(rest.bottom() - QFontMetrics(themeFont(FontRole::Small)).height());
+    rest.setTop(rest.bottom() - footHeight(n));
     painter->setFont(themeFont(FontRole::Small));
     painter->setPen(n.cured ? t.stale : t.text_muted);
-    painter->drawText(rest, Qt::AlignLeft | Qt::AlignBottom, metaText(n));
+    painter->drawText(rest, Qt::AlignLeft | (n.offers() ? Qt::AlignVCenter : Qt::AlignBottom), metaText(n));
+    if (n.offers())
+        paintOffer(*painter, option.rect, n);
     painter->restore();
 }
 
 QSize NotificationDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
     const int width = std::max(120, view ? view->viewport()->width() : option.rect.width());
-    const int text = textHeight(notificationAt(index).text, width - left_px - gap::small);
-    return {width, text + QFontMetrics(themeFont(FontRole::Small)).height() + 3 * gap::tiny};
+    const Notification& n = notificationAt(index);
+    return {width, textHeight(n.text, width - left_px - gap::small) + footHeight(n) + 3 * gap::tiny};
+}
+
+bool NotificationDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                                       const QModelIndex& index) {
+    const Notification& n = notificationAt(index);
+    if (event->type() != QEvent::MouseButtonRelease || !n.offers())
+        return false;
+    const auto* const mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::LeftButton || !offerRect(option.rect, n).contains(mouse->position().toPoint()))
+        return false;
+    static_cast<NotificationModel*>(model)->takeOffer(QString(n.key));
+    return true;
 }
 
 } // namespace usar::widgets

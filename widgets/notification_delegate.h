@@ -1,4 +1,5 @@
-// Paints a notification's row: severity icon, the sentence wrapped, and a muted line with word, time, count, cure.
+// Paints a notification's row: severity icon, the sentence wrapped, a muted line with word, time, count, cure, and a
+// button where something is offered.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -12,6 +13,9 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    /// A click on the button takes the offer.
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 

@@ -14,7 +14,8 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     , key_(notification.key)
     , sign_(new QLabel(this))
     , word_(new QLabel(this))
-    , text_(new QLabel(this)) {
+    , text_(new QLabel(this))
+    , offer_(new QPushButton(this)) {
     setProperty("role", "card");
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
@@ -38,11 +39,16 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     grid->addWidget(word_, 0, 1);
     grid->addWidget(close, 0, 2);
     grid->addWidget(text_, 1, 1, 1, 2);
+    offer_->setFocusPolicy(Qt::NoFocus);
+    offer_->setCursor(Qt::ArrowCursor);
+    offer_->setMinimumHeight(minimum_target);
+    grid->addWidget(offer_, 2, 1, 1, 2, Qt::AlignRight);
     grid->setColumnStretch(1, 1);
     life_.setSingleShot(true);
     life_.setInterval(lifetime_ms);
     connect(&life_, &QTimer::timeout, this, &Toast::finished);
     connect(close, &QToolButton::clicked, this, &Toast::finished);
+    connect(offer_, &QPushButton::clicked, this, &Toast::offerTaken);
     show(notification);
 }
 
@@ -52,9 +58,20 @@ void Toast::show(const Notification& notification) {
     word_->setText(notification.count > 1 ? word + QStringLiteral("  ×%1").arg(notification.count) : word);
     text_->setText(notification.text);
     setAccessibleName(word + QStringLiteral(": ") + notification.text);
+    offer_->setText(notification.offer.text);
+    offer_->setToolTip(notification.offer.help);
+    offer_->setAccessibleDescription(notification.offer.help);
+    offer_->setVisible(notification.offers());
     paintSign();
-    life_.start();
+    startLife();
     QWidget::show();
+}
+
+void Toast::startLife() {
+    if (offer_->isHidden())
+        life_.start();
+    else
+        life_.stop();
 }
 
 void Toast::paintSign() {
@@ -75,7 +92,7 @@ void Toast::enterEvent(QEnterEvent* event) {
 }
 
 void Toast::leaveEvent(QEvent* event) {
-    life_.start();
+    startLife();
     QFrame::leaveEvent(event);
 }
 

@@ -1,8 +1,9 @@
-// One passing message over the window: severity, sentence, count, and a button that takes it away.
+// One passing message over the window: severity, sentence, count, what is offered, and a button that takes it away.
 #pragma once
 
 #include <QFrame>
 #include <QLabel>
+#include <QPushButton>
 #include <QTimer>
 
 #include "widgets/models/notification_model.h"
@@ -10,7 +11,7 @@
 namespace usar::widgets {
 
 /// A child widget, never a window, and without focus: keys stay where they are. Goes after its lifetime, which does
-/// not run while the mouse is over it. GUI thread.
+/// not run while the mouse is over it; one that offers something stays until that is taken or withdrawn. GUI thread.
 class Toast : public QFrame {
     Q_OBJECT
 public:
@@ -24,8 +25,9 @@ public:
     QString text() const { return text_->text(); }
 
 signals:
-    /// Anywhere but on the button.
+    /// Anywhere but on a button.
     void clicked();
+    void offerTaken();
     /// By its button or because its time is over.
     void finished();
 
@@ -38,12 +40,14 @@ protected:
 private:
     /// Icon and word in the severity's color of the current theme.
     void paintSign();
+    void startLife();
 
     QString key_;
     Severity severity_ = Severity::Note;
     QLabel* sign_;
     QLabel* word_;
     QLabel* text_;
+    QPushButton* offer_;
     QTimer life_{this};
 };
 

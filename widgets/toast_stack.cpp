@@ -18,6 +18,7 @@ ToastStack::ToastStack(QWidget* covered, NotificationModel* model) : QObject(cov
     covered->installEventFilter(this);
     connect(model, &NotificationModel::pushed, this, &ToastStack::push);
     connect(model, &NotificationModel::cured, this, &ToastStack::take);
+    connect(this, &ToastStack::offerTaken, model, &NotificationModel::takeOffer);
     connect(model, &QAbstractItemModel::modelReset, this, [this] {
         while (!toasts_.empty())
             take(QString(toasts_.back()->key()));
@@ -42,6 +43,7 @@ void ToastStack::push(const Notification& notification) {
     const bool note = notification.severity == Severity::Note;
     auto* toast = new Toast(notification, note ? std::min(note_lifetime_ms, lifetime_ms_) : lifetime_ms_, covered_);
     connect(toast, &Toast::finished, this, [this, toast] { take(QString(toast->key())); });
+    connect(toast, &Toast::offerTaken, this, [this, toast] { emit offerTaken(toast->key()); });
     connect(toast, &Toast::clicked, this, [this, toast] {
         const QString key = toast->key();
         take(key);

@@ -33,6 +33,8 @@ public:
 signals:
     /// A toast was clicked: open the notifications.
     void openRequested(const QString& key);
+    /// By the button of a toast; the model tells everybody.
+    void offerTaken(const QString& key);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

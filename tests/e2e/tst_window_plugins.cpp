@@ -4,11 +4,13 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QListView>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "widgets/toast.h"
 
 using namespace usar;
 
@@ -57,6 +59,36 @@ QList<int> hosts() {
     return found;
 }
 
+/// On a toast; nullptr where none says so.
+QPushButton* offerButton(WindowPage& page, const QString& text) {
+    for (widgets::Toast* toast : page.map().findChildren<widgets::Toast*>())
+        for (QPushButton* button : toast->findChildren<QPushButton*>())
+            if (button->isVisible() && button->text() == text)
+                return button;
+    return nullptr;
+}
+
+/// As a person may: on the toast, by the key, or on the row of the list.
+void takeOffer(WindowPage& page, const QString& text, const QString& by) {
+    if (by == "key")
+        return page.pressKey(Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
+    if (by == "toast") {
+        QPushButton* const button = offerButton(page, text);
+        QVERIFY(button && button->toolTip().contains("Ctrl+Shift+Return"));
+        return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    auto* const dock = page.window().views().notifications_dock;
+    dock->show();
+    dock->raise();
+    auto* const list = dock->findChild<QListView*>();
+    QTRY_VERIFY(list->isVisible());
+    const QModelIndex row = list->model()->index(0, 0);
+    QVERIFY(row.data(Qt::AccessibleTextRole).toString().endsWith("Press Return to do this: " + text + "."));
+    list->setFocus();
+    list->setCurrentIndex(row);
+    QTest::keyClick(list, Qt::Key_Return);
+}
+
 QCheckBox* isolationBox(const WindowPage& page) {
     return const_cast<WindowPage&>(page).window().views().behavior->findChild<QCheckBox*>();
 }
@@ -72,6 +104,9 @@ private slots:
     void aPluginBuiltAnewInFlightDecidesFromTheNextStartOn();
     void theCommandSaysAlsoThatNothingIsNew();
     void aHangingBehaviorIsStoppedAndTheRobotCanFlyOn();
+    void whatBrokeIsStartedAgainByTheButtonInItsMessage_data();
+    void whatBrokeIsStartedAgainByTheButtonInItsMessage();
+    void theOfferOfARobotGoesWithItAndWithAnotherStart();
     void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything_data();
     void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything();
     void isolationIsChosenForAPluginAndRemembered();
@@ -158,7 +193,7 @@ void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyEl
     const QString said = page.notified(words);
     QVERIFY2(said.startsWith("R2: ") && said.contains(QString::fromStdString(behavior)), qPrintable(said));
     QVERIFY2(said.contains("climbing for the") && said.contains("line ") && said.contains("(STA"), qPrintable(said));
-    QVERIFY2(said.contains("press Start to start it again"), qPrintable(said));
+    QVERIFY2(said.contains("can be started again"), qPrintable(said));
     QVERIFY(!page.robot(2)->figures.behavior_running);
 
     const Seconds then = page.robot(1)->figures.now;
@@ -171,6 +206,74 @@ void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyEl
     QCOMPARE(hosts().size(), 1);
     page.press("Stop");
     QTRY_VERIFY_WITH_TIMEOUT(hosts().isEmpty(), soon_ms); // it goes with its behavior
+}
+
+void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage_data() {
+    QTest::addColumn<std::string>("behavior");
+    QTest::addColumn<bool>("isolated");
+    QTest::addColumn<QString>("by");
+    QTest::newRow("killed, by the toast") << std::string("faulty/none") << true << "toast";
+    QTest::newRow("killed, by its key") << std::string("faulty/none") << true << "key";
+    QTest::newRow("killed, by the list") << std::string("faulty/none") << true << "list";
+    QTest::newRow("hung in the program, by the toast") << std::string("faulty/loop") << false << "toast";
+}
+
+void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage() {
+    QFETCH(std::string, behavior);
+    QFETCH(bool, isolated);
+    QFETCH(QString, by);
+    WindowPage page({.plugin_folders = {built}});
+    QVERIFY(startFlight(page, "faulty/none")); // the other one, in this process
+    QVERIFY(page.spawnAt(page.map().content().start_poses.back().name));
+    page.window().views().behavior->chooseBehavior(behavior);
+    page.window().views().parameters->setValues({{"ticks", 7LL}});
+    if (isolated)
+        isolationBox(page)->click();
+    QVERIFY(!page.window().commands().action("mission.start_again")->isEnabled());
+    page.press("Start");
+    if (isolated) {
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->figures.behavior_running, soon_ms);
+        QCOMPARE(hosts().size(), 1);
+        QCOMPARE(::kill(hosts().front(), SIGKILL), 0);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("The behavior " + QString::fromStdString(behavior)).isEmpty(), soon_ms);
+    QVERIFY(!page.robot(2)->figures.behavior_running);
+    page.pressKey(Qt::Key_1); // to another robot, with another behavior's form: the offer is for whom it names
+    page.window().views().parameters->setValues({{"ticks", 3LL}});
+    QCOMPARE(page.window().selectedRobot(), 1);
+
+    const Seconds then = page.robot(2)->figures.now;
+    takeOffer(page, "Start R2 again", by);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->figures.behavior_running, soon_ms);
+    QCOMPARE(hosts().size(), 1); // wherever it ran before
+    const auto& started = *page.window().control().robot(2)->started();
+    QCOMPARE(started.id, behavior);
+    QCOMPARE(std::get<long long>(started.parameters.at("ticks")), 7LL);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->status->time > then, soon_ms); // it flies on
+    QVERIFY(offerButton(page, "Start R2 again") == nullptr);
+    QVERIFY(!page.window().commands().action("mission.start_again")->isEnabled());
+    QVERIFY(page.robot(1)->figures.behavior_running); // nobody else has noticed anything
+    const Seconds now = page.robot(1)->figures.now;
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > now, soon_ms);
+}
+
+void tst_WindowPlugins::theOfferOfARobotGoesWithItAndWithAnotherStart() {
+    WindowPage page({.plugin_folders = {built}});
+    QVERIFY(startFlight(page, "faulty/throw"));
+    QTRY_VERIFY_WITH_TIMEOUT(offerButton(page, "Start R1 again"), soon_ms);
+    page.window().views().behavior->chooseBehavior("faulty/none");
+    page.press("Start");
+    QVERIFY(!offerButton(page, "Start R1 again"));
+    QVERIFY(!page.window().commands().action("mission.start_again")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(flies(page), soon_ms);
+    page.press("Stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.robot(1)->figures.behavior_running, soon_ms);
+    QVERIFY(!offerButton(page, "Start R1 again")); // whoever stops it does not want that
+    page.window().views().behavior->chooseBehavior("faulty/throw");
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(offerButton(page, "Start R1 again"), soon_ms);
+    page.window().control().remove(1);
+    QVERIFY(!offerButton(page, "Start R1 again"));
 }
 
 void tst_WindowPlugins::isolationIsChosenForAPluginAndRemembered() {

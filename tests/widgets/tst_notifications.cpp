@@ -53,6 +53,8 @@ private slots:
     void clickOnAToastOpensThePanel();
     void toastNeverStealsTheFocus();
     void toastsFollowTheCorner();
+    void anOfferStaysUntilItIsTakenOrCured();
+    void anOfferIsTakenInItsRowByMouseAndKey();
 };
 
 void tst_Notifications::initTestCase() {
@@ -360,6 +362,58 @@ void tst_Notifications::toastsFollowTheCorner() {
     QVERIFY(toast->x() >= 16);
     stack.setBottomMargin(40);
     QCOMPARE(toast->geometry().bottom(), 400 - 41);
+}
+
+void tst_Notifications::anOfferStaysUntilItIsTakenOrCured() {
+    QWidget window;
+    window.resize(800, 600);
+    NotificationModel model;
+    ToastStack stack(&window, &model);
+    stack.setLifetime(50);
+    window.show();
+    QSignalSpy taken(&model, &NotificationModel::offerTaken);
+    const Offer offer{QStringLiteral("Start R2 again"), QStringLiteral("The same (Ctrl+Return)")};
+    model.push(QStringLiteral("r2"), Severity::Warning, QStringLiteral("It died."), noon, {}, offer);
+    model.push(link_key, Severity::Error, no_answer, noon);
+    QTRY_COMPARE(stack.count(), 1); // the other one has gone by itself
+    auto* const button = window.findChild<QPushButton*>();
+    QVERIFY(button->isVisible());
+    QCOMPARE(button->text(), offer.text);
+    QCOMPARE(button->toolTip(), offer.help);
+    QVERIFY(button->height() >= minimum_target);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(taken.size(), 1);
+    QCOMPARE(taken[0][0].toString(), QStringLiteral("r2"));
+    model.cure(QStringLiteral("r2"));
+    QCOMPARE(stack.count(), 0);
+    model.takeOffer(QStringLiteral("r2"));
+    QCOMPARE(taken.size(), 1);
+}
+
+void tst_Notifications::anOfferIsTakenInItsRowByMouseAndKey() {
+    NotificationCenter center;
+    center.resize(400, 300);
+    center.push(QStringLiteral("r2"), Severity::Warning, QStringLiteral("It died."),
+                Offer{QStringLiteral("Again"), {}});
+    center.push(QStringLiteral("a"), Severity::Warning, QStringLiteral("It rains."));
+    center.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&center));
+    auto* const list = center.findChild<QListView*>();
+    QSignalSpy taken(center.model(), &NotificationModel::offerTaken);
+    QSignalSpy activated(&center, &NotificationCenter::activated);
+    const QRect row = list->visualRect(center.model()->index(1));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row.center() - QPoint(100, 10)); // on the sentence
+    QCOMPARE(taken.size(), 0);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row.bottomRight() - QPoint(30, 14));
+    QCOMPARE(taken.size(), 1);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(taken.size(), 2);
+    QCOMPARE(activated.size(), 0);
+    list->setCurrentIndex(center.model()->index(0));
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(taken.size(), 2);
+    QCOMPARE(activated.size(), 1);
 }
 
 QTEST_MAIN(tst_Notifications)

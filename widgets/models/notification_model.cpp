@@ -45,8 +45,8 @@ QColor severityColor(Severity severity) {
 }
 
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
-                             std::optional<bool> toast) {
-    Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note)};
+                             std::optional<bool> toast, const Offer& offer) {
+    Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note), offer};
     if (const std::optional<int> known = indexOf(key)) {
         fresh.count = row(*known).cured ? 1 : row(*known).count + 1;
         if (*known > 0) {
@@ -80,6 +80,11 @@ void NotificationModel::cure(const QString& key) {
     emit dataChanged(index(*known), index(*known));
     tellUnread();
     emit cured(key);
+}
+
+void NotificationModel::takeOffer(const QString& key) {
+    if (const std::optional<int> known = indexOf(key); known && row(*known).offers())
+        emit offerTaken(key);
 }
 
 void NotificationModel::clear() {
@@ -124,6 +129,8 @@ QVariant NotificationModel::data(const QModelIndex& index, int role) const {
     QString text = severityWord(n.severity) + QStringLiteral(": ") + n.text;
     if (n.count > 1)
         text += QStringLiteral(" ×%1").arg(n.count);
+    if (n.offers() && role == Qt::AccessibleTextRole)
+        text += tr(" Press Return to do this: %1.").arg(n.offer.text);
     return n.cured ? text + QStringLiteral(" (") + tr("cured") + u')' : text;
 }
 

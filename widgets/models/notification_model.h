@@ -12,6 +12,12 @@
 
 namespace usar::widgets {
 
+/// What a person may want next, as a button beside the sentence; who hears `offerTaken` does it.
+struct Offer {
+    QString text; ///< "Start R2 again"; empty: nothing is offered
+    QString help; ///< what will happen, with the shortcut
+};
+
 struct Notification {
     QString key; ///< what it is about: the same key is the same trouble ("link", "export")
     Severity severity = Severity::Note;
@@ -21,6 +27,9 @@ struct Notification {
     bool cured = false;
     bool unread = true;
     bool toast = true; ///< shown in passing, too
+    Offer offer = {};  ///< of the newest report
+
+    bool offers() const { return !offer.text.isEmpty() && !cured; }
 };
 
 /// "Note", "Warning", "Error".
@@ -39,9 +48,11 @@ public:
     /// Moves the group of `key` to the top, with the newest text and severity, or makes one; a cured one is open again
     /// and counts from 1. Warnings and errors are toasts unless `toast` says otherwise.
     void push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
-              std::optional<bool> toast = std::nullopt);
-    /// The trouble is over. An unknown key is no news.
+              std::optional<bool> toast = std::nullopt, const Offer& offer = {});
+    /// The trouble is over, and nothing is offered any more. An unknown key is no news.
     void cure(const QString& key);
+    /// The person wants what was offered; nothing where nothing is.
+    void takeOffer(const QString& key);
     /// Takes away open ones too, without a word that they were cured.
     void clear();
     /// Takes away what is cured.
@@ -63,6 +74,7 @@ signals:
     void pushed(const usar::widgets::Notification& notification);
     /// Once: a cure of what is cured says nothing.
     void cured(const QString& key);
+    void offerTaken(const QString& key);
     /// Only when the number is another one.
     void unreadChanged(int unread);
 
