@@ -37,7 +37,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , camera_(std::make_unique<CameraDesk>(control_, *views_.camera))
     , radio_(control_, views_) {
     const QStringList plugin_folders = options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders;
-    control_.loadPlugins(plugin_folders);
+    loadPlugins(plugin_folders);
     control_.setResultFolder(options.result_folder);
     views_.hint->setSteps(widgets::HintStrip::firstSteps());
     views_.spawn_card->setRobots(control_.plugins().kinds());

@@ -172,7 +172,10 @@ private:
     void returnToRealTime();
     void showTitle();
     void wirePlugins();
+    /// As the settings isolate them: before anything else is read from there.
+    void loadPlugins(const QStringList& folders);
     void tellPlugins(const QStringList& folders);
+    void tellRefused(const agent::PluginRecord& record);
     /// What was built anew decides from the next start on. `asked` by the person, who is told also that nothing is new.
     void rescanPlugins(bool asked);
     void tellChange(const agent::PluginChange& change);
@@ -181,6 +184,7 @@ private:
     /// Name of the plugin that has the chosen behavior; empty where none has.
     QString chosenPlugin() const;
     void setIsolated(const QString& plugin, bool isolated);
+    void applyIsolation();
     void setTheme(widgets::Theme theme);
     void say(Severity severity, const QString& key, const QString& text);
     /// With a button beside the sentence, which does this as long as the trouble is not cured.

@@ -41,6 +41,9 @@ public:
     explicit MissionControl(QObject* parent = nullptr);
     ~MissionControl() override;
 
+    /// Before `loadPlugins` or `rescanPlugins`: those plugins, by name, have a process of their own. `marks_folder` is
+    /// where it is remembered which one ended the program.
+    void isolatePlugins(const QStringList& names, const QString& marks_folder);
     void loadPlugins(const QStringList& folders) { plugins_.scan(folders); }
     std::vector<agent::PluginChange> rescanPlugins() { return plugins_.rescan(); }
     const agent::PluginLoader& plugins() const { return plugins_; }

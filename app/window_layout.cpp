@@ -137,7 +137,6 @@ void MainWindow::restoreSettings() {
                                   quint16(settings.value("server/port", options_.server.port).toUInt()));
     setRecording(settings.value("record", true).toBool());
     plan_.restore(settings);
-    isolated_plugins_ = settings.value("isolated_plugins").toStringList();
     if (options_.result_folder.isEmpty())
         control_.setResultFolder(settings.value("result_folder").toString());
 }

@@ -1,5 +1,7 @@
 // The plugins' part of MainWindow: what was refused, what is built anew while the program runs, and what broke in the
 // air.
+#include <algorithm>
+
 #include <QFileInfo>
 
 #include "app/main_window.h"
@@ -35,10 +37,31 @@ void MainWindow::wirePlugins() {
     connect(&plugin_watch_, &PluginWatch::changed, this, [this] { rescanPlugins(false); });
 }
 
+void MainWindow::loadPlugins(const QStringList& folders) {
+    isolated_plugins_ = QSettings().value("isolated_plugins").toStringList();
+    applyIsolation();
+    control_.loadPlugins(folders);
+}
+
+/// Marks lie beside the settings.
+void MainWindow::applyIsolation() {
+    control_.isolatePlugins(isolated_plugins_, QFileInfo(QSettings().fileName()).path() + "/plugins");
+}
+
+void MainWindow::tellRefused(const agent::PluginRecord& record) {
+    const QString text = tr("Plugin %1 was refused: %2").arg(record.file, record.reason);
+    if (!record.dangerous)
+        return say(Severity::Warning, record.file, text);
+    const QString name = record.metadata.value("name").toString();
+    const widgets::Offer isolation{tr("Give %1 its own process").arg(name),
+                                   tr("Its code then runs there only, and cannot end this program any more")};
+    offer(Severity::Warning, record.file, text, isolation, [this, name] { setIsolated(name, true); });
+}
+
 void MainWindow::tellPlugins(const QStringList& folders) {
     for (const agent::PluginRecord& record : control_.plugins().records())
         if (record.state == agent::PluginState::Rejected)
-            say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+            tellRefused(record);
     if (control_.plugins().kinds().empty())
         say(Severity::Error, "plugins",
             tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
@@ -71,7 +94,12 @@ void MainWindow::tellChange(const agent::PluginChange& change) {
             old_ones << QString::fromStdString(robot->view().spawn.robot_name);
     switch (change.news) {
     case agent::PluginNews::Refused:
-        return say(Severity::Warning, record.file, tr("Plugin %1 was refused: %2").arg(record.file, record.reason));
+        return tellRefused(record);
+    case agent::PluginNews::Moved:
+        control_.cure(record.file);
+        return views_.notifications->push("plugin/" + record.file, Severity::Note,
+                                          record.isolated ? tr("The plugin %1 has a process of its own now.").arg(name)
+                                                          : tr("The plugin %1 runs in the program now.").arg(name));
     case agent::PluginNews::Removed:
         return say(Severity::Warning, record.file,
                    tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
@@ -113,6 +141,12 @@ void MainWindow::setIsolated(const QString& plugin, bool isolated) {
     isolated_plugins_.removeAll(plugin);
     if (isolated && !plugin.isEmpty())
         isolated_plugins_ << plugin;
+    applyIsolation();
+    if (std::ranges::any_of(control_.plugins().records(), [&](const agent::PluginRecord& record) {
+            return record.metadata.value("name").toString() == plugin &&
+                   (isolated ? record.dangerous : record.isolated);
+        }))
+        rescanPlugins(false);
     views_.behavior->setIsolated(isolated_plugins_.contains(chosenPlugin()));
 }
 

@@ -263,6 +263,45 @@ void pass(auto& io, Either<Dying> auto& dying) {
     pass(io, dying.signal);
 }
 
+void pass(auto& io, Either<ParameterSpec> auto& spec) {
+    (pass(io, spec.id), pass(io, spec.label), pass(io, spec.group), pass(io, spec.unit), pass(io, spec.default_value));
+    (pass(io, spec.minimum), pass(io, spec.maximum), pass(io, spec.help), pass(io, spec.choices));
+}
+void pass(auto& io, Either<BehaviorDescription> auto& behavior) {
+    (pass(io, behavior.id), pass(io, behavior.name), pass(io, behavior.help), pass(io, behavior.needs_area));
+    (pass(io, behavior.parameters), pass(io, behavior.plan_name), pass(io, behavior.plan_text));
+}
+void pass(auto& io, Either<PoshParameter> auto& parameter) {
+    (pass(io, parameter.name), pass(io, parameter.default_value), pass(io, parameter.unit));
+    (pass(io, parameter.minimum), pass(io, parameter.maximum), pass(io, parameter.choices), pass(io, parameter.help));
+}
+void pass(auto& io, Either<PrimitiveDescription> auto& primitive) {
+    (pass(io, primitive.name), passEnum(io, primitive.kind, PrimitiveKind::Act), pass(io, primitive.parameters));
+    (passEnum(io, primitive.answer, AnswerType::Symbol), pass(io, primitive.unit), pass(io, primitive.help));
+    (pass(io, primitive.needs), pass(io, primitive.minimum), pass(io, primitive.maximum), pass(io, primitive.choices));
+}
+void pass(auto& io, Either<Describe> auto& asked) {
+    pass(io, asked.plugin_file);
+}
+void pass(auto& io, Either<Description> auto& description) {
+    auto& robot = description.robot;
+    (pass(io, robot.class_name), pass(io, robot.name), pass(io, robot.sensors_needed), pass(io, robot.behaviors));
+    pass(io, robot.primitives);
+}
+void pass(auto& io, Either<Preview> auto& asked) {
+    (pass(io, asked.behavior_id), pass(io, asked.task), pass(io, asked.parameters), pass(io, asked.plan));
+}
+void pass(auto& io, Either<Seconds> auto& span) {
+    double count = span.count();
+    pass(io, count);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(span)>>)
+        span = Seconds(count);
+}
+void pass(auto& io, Either<TaskPreview> auto& preview) {
+    (pass(io, preview.path_in_map_m), pass(io, preview.length_m), pass(io, preview.duration));
+    pass(io, preview.summary);
+}
+
 template <class Frame>
 QByteArray written(const Frame& frame) {
     QByteArray bytes;

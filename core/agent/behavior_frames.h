@@ -9,12 +9,13 @@
 #include <QByteArray>
 
 #include "core/agent/plan_control.h"
+#include "core/agent/robot_plugin.h"
 #include "core/agent/running_behavior.h"
 
 namespace usar::agent::frames {
 
 /// Raised with every change of what follows. A host of another version is refused.
-inline constexpr quint32 version = 2;
+inline constexpr quint32 version = 3;
 
 /// The first frame to the host: which behavior of which plugin, and what it is to do.
 struct Start {
@@ -31,7 +32,18 @@ struct Line {
     std::string text;
 };
 
-using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>>;
+/// In place of Start: what the plugin says of itself is wanted, and then previews.
+struct Describe {
+    std::string plugin_file;
+};
+struct Preview {
+    std::string behavior_id;
+    Task task;
+    std::map<std::string, ParameterValue> parameters;
+    std::optional<PlanText> plan;
+};
+
+using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Preview>;
 
 /// To each request one, in the same order.
 struct Answer {
@@ -41,7 +53,11 @@ struct Answer {
     bool finished = false;
     bool broke = false;
 };
-/// In place of the answer to Start.
+/// To Describe. A preview is answered by one.
+struct Description {
+    RobotDescription robot;
+};
+/// In place of the answer to Start, Describe or Preview.
 struct Refusal {
     Error error;
 };
@@ -50,7 +66,7 @@ struct Dying {
     int signal = 0;
 };
 
-using Reply = std::variant<Answer, Refusal, Dying>;
+using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;
 
 QByteArray write(const Request& request);
 QByteArray write(const Reply& reply);

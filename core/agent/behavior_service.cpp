@@ -116,6 +116,38 @@ RunningBehavior::Output Service::answer(const frames::Request& request) {
     return {};
 }
 
+frames::Reply descriptionOf(const frames::Describe& asked, PluginLoader& plugins) {
+    plugins.scan({QString::fromStdString(asked.plugin_file)});
+    if (!plugins.robots().empty())
+        return frames::Description{plugins.robots().front()};
+    const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
+    return frames::Refusal{{reason.toStdString(), {}, {}}};
+}
+
+frames::Reply previewOf(const frames::Preview& asked, const PluginLoader& plugins) {
+    const auto plugin = plugins.pluginFor(asked.behavior_id);
+    if (!plugin)
+        return frames::Refusal{plugin.error()};
+    auto parameters = ParameterSet::make(plugins.behavior(asked.behavior_id)->parameters, asked.parameters);
+    if (!parameters)
+        return frames::Refusal{parameters.error()};
+    auto preview = previewTask(**plugin, asked.behavior_id, {asked.task, *std::move(parameters), asked.plan});
+    if (!preview)
+        return frames::Refusal{preview.error()};
+    return *std::move(preview);
+}
+
+/// Of what needs no behavior; nothing for all else.
+std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Request>& request, PluginLoader& plugins) {
+    if (!request)
+        return std::nullopt;
+    if (const auto* const describe = std::get_if<frames::Describe>(&*request))
+        return descriptionOf(*describe, plugins);
+    if (const auto* const preview = std::get_if<frames::Preview>(&*request))
+        return previewOf(*preview, plugins);
+    return std::nullopt;
+}
+
 } // namespace
 
 int serveBehavior(int socket) {
@@ -127,6 +159,10 @@ int serveBehavior(int socket) {
     QByteArray frame;
     while (channel.receive(frame, std::nullopt) == FrameChannel::Received::Frame) {
         const auto request = frames::readRequest(frame);
+        if (const auto about_plugin = answerAboutPlugin(request, plugins)) {
+            channel.send(frames::write(*about_plugin), patience_to_answer);
+            continue;
+        }
         const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
         frames::Answer answer;
         if (!request || (start == nullptr) != service.has_value()) {

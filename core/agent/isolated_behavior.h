@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "core/agent/behavior_frames.h"
-#include "core/agent/frame_channel.h"
+#include "core/agent/host_process.h"
 #include "core/agent/running_behavior.h"
 
 namespace usar::agent {
@@ -17,7 +17,7 @@ namespace usar::agent {
 /// waits for its answer there, so that a mission is the same either way. One that is gone (its process, or its end of
 /// the connection) or does not answer within the patience (it is killed then) gives the safe command that it named
 /// last, and BehaviorFinished says by which signal it died, in which state and at which line. Ends its process when it
-/// goes. POSIX only; on other systems than Linux the end of the connection alone tells.
+/// goes.
 class IsolatedBehavior final : public RunningBehavior {
 public:
     /// `program` is the path of usar-behavior-host. Nothing is started before `begin`.
@@ -36,11 +36,11 @@ public:
     bool broke() const override { return broke_; }
     const std::string& behaviorId() const override { return start_.behavior_id; }
     void setPatience(Seconds patience) override { patience_ = patience; }
-    int endHandle() const override { return end_handle_; }
+    int endHandle() const override { return host_ ? host_->endHandle() : -1; }
     Output takeEnd() override;
 
     /// 0 where there is none, or none any more.
-    int processId() const { return process_; }
+    int processId() const { return host_ ? host_->id() : 0; }
 
 private:
     /// `at_work` says what it does meanwhile: "it worked on line 7 (STA …)".
@@ -50,21 +50,10 @@ private:
     Output lose(const std::string& at_work);
     Output die(const std::string& how, const std::string& at_work);
     Output end(const std::string& reason);
-    Result<void> startProcess();
-    void watchForItsEnd();
-    /// "was ended by SIGSEGV (Segmentation fault)".
-    std::string howItDied(std::optional<int> signal);
-    void kill();
-    /// Without waiting for it.
-    void reap();
-    void closeHandles();
 
     QString program_;
     frames::Start start_;
-    std::unique_ptr<FrameChannel> channel_;
-    int process_ = 0;
-    int process_handle_ = -1; ///< can be read from when the process is over
-    int end_handle_ = -1;     ///< of the process and the connection together
+    std::unique_ptr<HostProcess> host_;
     protocol::Command safe_;
     LineNumber last_line_;
     std::string last_text_;     ///< of that line, shortened

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,6 +11,8 @@
 #include <QJsonArray>
 #include <QLibrary>
 #include <QPluginLoader>
+
+#include "core/agent/isolated_plugin.h"
 
 namespace usar::agent {
 
@@ -86,39 +87,41 @@ QString listed(const std::set<QString>& words) {
 
 /// A file as it was opened: its library, or what was wrong with it.
 struct PluginLoader::Library {
-    /// The file at this moment; another one once it has been written anew.
-    struct Stamp {
-        std::uintmax_t bytes = 0;
-        std::filesystem::file_time_type written;
-        bool operator==(const Stamp&) const = default;
-    };
-
-    static Stamp stampOf(const QString& file) {
-        std::error_code gone;
-        const std::filesystem::path path(file.toStdString());
-        Stamp stamp;
-        stamp.bytes = std::filesystem::file_size(path, gone);
-        stamp.written = std::filesystem::last_write_time(path, gone);
-        return stamp;
-    }
-
+    /// What can be known without its code.
+    void look();
     void open(const QString& copy);
+    void isolate(const QString& host_program);
     QString load(const QString& path);
 
     QString file;
-    Stamp stamp;
+    FileStamp stamp;
     QJsonObject metadata;
     QString complaint; ///< empty where `plugin` is there
     const RobotPlugin* plugin = nullptr;
-    std::unique_ptr<QPluginLoader> loader; ///< does not unload when it dies
+    std::unique_ptr<QPluginLoader> loader;    ///< does not unload when it dies
+    std::unique_ptr<IsolatedPlugin> isolated; ///< in place of `loader`
+    bool apart = false;                       ///< it is isolated, or was to be
+    bool dangerous = false;
 };
 
-void PluginLoader::Library::open(const QString& copy) {
+void PluginLoader::Library::look() {
     const QJsonObject raw = QPluginLoader(file).metaData();
     metadata = raw.value("MetaData").toObject();
     complaint = complaintBeforeLoading(raw);
-    if (!complaint.isEmpty())
-        return;
+}
+
+void PluginLoader::Library::isolate(const QString& host_program) {
+    apart = true;
+    auto made = IsolatedPlugin::load(host_program, file);
+    if (made) {
+        isolated = *std::move(made);
+        plugin = isolated.get();
+    } else {
+        complaint = QString::fromStdString(made.error().text());
+    }
+}
+
+void PluginLoader::Library::open(const QString& copy) {
     // A library that looks for others beside itself finds them only where it lies.
     if (!QFile::copy(file, copy) || !load(copy).isEmpty())
         complaint = load(file);
@@ -142,6 +145,16 @@ QString PluginLoader::Library::load(const QString& path) {
                "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
     return {};
 }
+
+namespace {
+
+PluginNews newsOf(const PluginRecord* before, const PluginRecord& now) {
+    if (!before || !before->plugin)
+        return PluginNews::Added;
+    return before->isolated != now.isolated ? PluginNews::Moved : PluginNews::Rebuilt;
+}
+
+} // namespace
 
 PluginLoader::PluginLoader() = default;
 PluginLoader::~PluginLoader() = default;
@@ -173,7 +186,7 @@ std::vector<PluginChange> PluginLoader::rescan() {
         if (record.state == PluginState::Rejected && !same)
             changes.push_back({PluginNews::Refused, record});
         else if (!same)
-            changes.push_back({old != before.end() && old->plugin ? PluginNews::Rebuilt : PluginNews::Added, record});
+            changes.push_back({newsOf(old == before.end() ? nullptr : &*old, record), record});
     }
     for (const PluginRecord& record : before)
         if (std::ranges::find(records_, record.file, &PluginRecord::file) == records_.end())
@@ -189,24 +202,51 @@ void PluginLoader::takeFile(const QString& file, const std::vector<std::shared_p
     record.reason = library->complaint;
     if (record.reason.isEmpty())
         record.reason = admit(*library->plugin, library->metadata);
+    if (library->loader)
+        policy_.marks.end(file); // all its code that runs by itself has run
     record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
     record.plugin = record.reason.isEmpty() ? library->plugin : nullptr;
+    record.isolated = library->apart;
+    record.dangerous = library->dangerous;
     libraries_.push_back(library);
 }
 
 std::shared_ptr<PluginLoader::Library> PluginLoader::libraryOf(const QString& file,
                                                                const std::vector<std::shared_ptr<Library>>& known) {
-    const Library::Stamp stamp = Library::stampOf(file);
-    for (const auto& library : known)
-        if (library->file == file && library->stamp == stamp)
+    const FileStamp stamp = stampOf(file);
+    for (const auto& library : known) {
+        const bool to_be_isolated = isToBeIsolated(library->metadata.value("name").toString());
+        const bool wants_to_move = to_be_isolated ? library->dangerous : library->apart;
+        if (library->file == file && library->stamp == stamp && !wants_to_move)
             return library;
+    }
     auto library = std::make_shared<Library>();
     library->file = file;
     library->stamp = stamp;
+    openLibrary(*library);
+    return library;
+}
+
+bool PluginLoader::isToBeIsolated(const QString& name) const {
+    return !policy_.host_program.isEmpty() && policy_.isolated.contains(name);
+}
+
+void PluginLoader::openLibrary(Library& library) {
+    library.look();
+    if (!library.complaint.isEmpty())
+        return;
+    if (isToBeIsolated(library.metadata.value("name").toString()))
+        return library.isolate(policy_.host_program);
+    if (policy_.marks.endedTheProgram(library.file, library.stamp)) {
+        library.dangerous = true;
+        library.complaint = "It ended the program when it was loaded the last time. Build it again, or let it run in a "
+                            "process of its own.";
+        return;
+    }
     const QString folder = QString::number(++copies_made_); // a path that was loaded once is never loaded again
     QDir(copies_.path()).mkpath(folder);
-    library->open(copies_.filePath(folder + '/' + QFileInfo(file).fileName()));
-    return library;
+    policy_.marks.begin(library.file, library.stamp);
+    library.open(copies_.filePath(folder + '/' + QFileInfo(library.file).fileName()));
 }
 
 QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metadata) {

@@ -10,9 +10,17 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
+#include "core/agent/plugin_marks.h"
 #include "core/agent/robot_plugin.h"
 
 namespace usar::agent {
+
+/// Which plugins do not come into this program, and how it survives those that do.
+struct PluginPolicy {
+    QString host_program;   ///< path of usar-behavior-host; empty: nothing is isolated
+    QStringList isolated;   ///< by the "name" of their metadata
+    PluginMarks marks = {}; ///< of loading
+};
 
 enum class PluginState { Found, Rejected, Loaded };
 
@@ -23,10 +31,13 @@ struct PluginRecord {
     PluginState state = PluginState::Found;
     QString reason;                      ///< why it was rejected; empty otherwise
     const RobotPlugin* plugin = nullptr; ///< owned by its library; set when Loaded
+    bool isolated = false;               ///< its code is in a process of its own, and none of it in this program
+    bool dangerous = false;              ///< rejected because loading it ended the program
 };
 
 /// What a file has become since the scan before.
-enum class PluginNews { Added, Rebuilt, Removed, Refused };
+/// Moved: between this program and a process of its own.
+enum class PluginNews { Added, Rebuilt, Moved, Removed, Refused };
 struct PluginChange {
     PluginNews news = PluginNews::Added;
     PluginRecord record; ///< as it is now; of a removed one, as it was
@@ -37,6 +48,9 @@ struct PluginChange {
 /// robots (classes on the wire), behaviors (ids, the same as in the description). Files are taken in the order of the
 /// folders and of their names; the first to claim a behavior id keeps it.
 ///
+/// One that is isolated by the policy is never opened here: a process of its own describes it. One whose loading ended
+/// the program is rejected, until it is built anew or isolated.
+///
 /// A library is loaded from a copy of its own, so that its file can be written anew at any time and what is loaded then
 /// is the new code. What was loaded stays in memory until the program ends: behaviors that run go on with the code that
 /// they began with. Lives on the GUI thread; loaded plugins are immutable and may be asked for behaviors from any
@@ -46,6 +60,8 @@ public:
     PluginLoader();
     ~PluginLoader();
 
+    /// Before a scan. One that was loaded into this program already is isolated from the next start on only.
+    void setPolicy(PluginPolicy policy) { policy_ = std::move(policy); }
     /// Replaces all records. A file stands for itself.
     void scan(const QStringList& folders);
     /// The same folders again. Files that were not written since keep their code; descriptions move all the same.
@@ -71,13 +87,17 @@ public:
 private:
     struct Library;
 
-    /// As it was opened before, if its file is the same still.
+    /// As it was opened before, if its file is the same still and it lives where the policy wants it.
     std::shared_ptr<Library> libraryOf(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
     /// Why this one cannot be used; empty when its description has joined `robots_`.
     QString admit(const RobotPlugin& plugin, const QJsonObject& metadata);
     void takeFile(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
 
+    void openLibrary(Library& library);
+    bool isToBeIsolated(const QString& name) const;
+
     QStringList folders_;
+    PluginPolicy policy_;
     QTemporaryDir copies_;
     int copies_made_ = 0;
     std::vector<std::shared_ptr<Library>> libraries_; ///< of `records_`, index by index

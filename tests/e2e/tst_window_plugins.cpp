@@ -110,6 +110,7 @@ private slots:
     void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything_data();
     void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything();
     void isolationIsChosenForAPluginAndRemembered();
+    void whatEndedTheProgramIsOfferedAProcessOfItsOwn();
 };
 
 void tst_WindowPlugins::aPluginThatIsBuiltAnewIsLoadedByItself() {
@@ -291,6 +292,26 @@ void tst_WindowPlugins::isolationIsChosenForAPluginAndRemembered() {
     WindowPage page({.plugin_folders = folders, .settings_folder = settings.path()});
     page.window().views().behavior->chooseBehavior("airrobot/cpp");
     QVERIFY(isolationBox(page)->isChecked());
+}
+
+void tst_WindowPlugins::whatEndedTheProgramIsOfferedAProcessOfItsOwn() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("crashing.so");
+    writeOver(file, built + "dangerous/crashes_in_the_program.so");
+    QTemporaryDir settings;
+    QDir(settings.path()).mkpath("USAR/plugins"); // what the program leaves behind that loads it
+    const agent::PluginMarks marks(settings.filePath("USAR/plugins"));
+    marks.begin(file, agent::stampOf(file));
+    WindowPage page({.plugin_folders = {folder.path()}, .settings_folder = settings.path()});
+    const auto& records = page.window().control().plugins().records();
+    QVERIFY(page.notified("crashing.so was refused").contains("ended the program"));
+    QVERIFY(records.front().dangerous);
+    QTRY_VERIFY(offerButton(page, "Give Crashing robot its own process"));
+    QTest::mouseClick(offerButton(page, "Give Crashing robot its own process"), Qt::LeftButton);
+    QVERIFY(records.front().isolated);
+    QVERIFY2(records.front().state == agent::PluginState::Loaded, qPrintable(records.front().reason));
+    QVERIFY(!page.notified("The plugin crashing.so was loaded: test/idle").isEmpty());
+    QVERIFY(!offerButton(page, "Give Crashing robot its own process"));
 }
 
 USAR_E2E_MAIN(tst_WindowPlugins)

@@ -1,0 +1,167 @@
+#include "core/agent/host_process.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QFile>
+
+namespace usar::agent {
+
+namespace {
+
+/// Where the host finds its end of the connection.
+constexpr int host_socket = 3;
+
+std::string signalInWords(int signal) {
+    const char* const name = ::sigabbrev_np(signal);
+    return name ? "SIG" + std::string(name) + " (" + ::strsignal(signal) + ")" : "signal " + std::to_string(signal);
+}
+
+/// Can be read from when the process is over; below 0 where the system has no such thing.
+int handleOf(int process) {
+    // The header of glibc 2.36 declares pidfd_open for C alone.
+    return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
+}
+
+/// Waits for the end of a process that is as good as over, at most so long; nothing where it lives on.
+std::optional<int> statusOf(int process, std::chrono::milliseconds patience) {
+    if (const int handle = handleOf(process); handle >= 0) {
+        pollfd its_end{handle, POLLIN, 0};
+        ::poll(&its_end, 1, static_cast<int>(patience.count()));
+        ::close(handle);
+    }
+    int status = 0;
+    return ::waitpid(process, &status, WNOHANG) == process ? std::optional(status) : std::nullopt;
+}
+
+/// Its number, or the error below 0.
+int spawn(const QString& program, int socket) {
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO); // our output is for our words
+    ::posix_spawn_file_actions_adddup2(&actions, socket, host_socket);
+    // Ctrl+C in a terminal is for us, who then end it in order.
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    QByteArray path = QFile::encodeName(program);
+    QByteArray option = QByteArray::number(host_socket);
+    char* arguments[] = {path.data(), option.data(), nullptr};
+    int process = 0;
+    const int error = ::posix_spawn(&process, path.constData(), &actions, &attributes, arguments, ::environ);
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
+    return error == 0 ? process : -error;
+}
+
+} // namespace
+
+Result<std::unique_ptr<HostProcess>> HostProcess::start(const QString& program, const std::string& subject) {
+    const auto wrong = [&](const std::string& what) {
+        return failure("it cannot run in a process of its own: " + what, subject,
+                       "Install or build usar-behavior-host, or let it run in the program itself");
+    };
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        return wrong(std::strerror(errno));
+    const int process = spawn(program, ends[1]);
+    ::close(ends[1]);
+    if (process > 0)
+        return std::unique_ptr<HostProcess>(new HostProcess(process, ends[0]));
+    ::close(ends[0]);
+    return wrong(program.toStdString() + ": " + std::strerror(-process));
+}
+
+/// A process may be gone and its end of the connection open still, where it has left children behind.
+HostProcess::HostProcess(int process, int socket) : process_(process), process_handle_(handleOf(process)) {
+    channel_.emplace(socket);
+    channel_->endWith(process_handle_);
+    end_handle_ = ::epoll_create1(EPOLL_CLOEXEC);
+    epoll_event readable{};
+    readable.events = EPOLLIN;
+    for (const int handle : {socket, process_handle_})
+        if (handle >= 0)
+            ::epoll_ctl(end_handle_, EPOLL_CTL_ADD, handle, &readable);
+}
+
+HostProcess::~HostProcess() {
+    becomeDeaf();
+    channel_.reset(); // it ends by that, if it is well
+    if (process_handle_ >= 0)
+        ::close(process_handle_);
+    if (process_ > 0 && !statusOf(process_, std::chrono::milliseconds(200)))
+        kill();
+}
+
+void HostProcess::becomeDeaf() {
+    if (const int open = std::exchange(end_handle_, -1); open >= 0)
+        ::close(open);
+}
+
+void HostProcess::kill() {
+    if (process_ > 0)
+        ::kill(process_, SIGKILL);
+    reap();
+}
+
+void HostProcess::leave() {
+    becomeDeaf();
+    channel_.reset();
+    reap();
+}
+
+/// One that is being dumped to the disk takes its time.
+void HostProcess::reap() {
+    if (process_ > 0)
+        std::thread([process = std::exchange(process_, 0)] { ::waitpid(process, nullptr, 0); }).detach();
+}
+
+FrameChannel::Received HostProcess::ask(const frames::Request& request, Seconds patience,
+                                        std::optional<frames::Reply>& reply) {
+    if (!channel_->send(frames::write(request), patience))
+        return FrameChannel::Received::Closed;
+    return take(patience, reply);
+}
+
+FrameChannel::Received HostProcess::listen(std::optional<frames::Reply>& reply) {
+    return take(Seconds{0.0}, reply);
+}
+
+FrameChannel::Received HostProcess::take(std::optional<Seconds> patience, std::optional<frames::Reply>& reply) {
+    QByteArray frame;
+    const FrameChannel::Received received = channel_->receive(frame, patience);
+    if (received == FrameChannel::Received::Frame)
+        reply = frames::readReply(frame);
+    return received == FrameChannel::Received::Frame && !reply ? FrameChannel::Received::Closed : received;
+}
+
+std::string HostProcess::howItEnded(std::optional<int> signal) {
+    if (signal)
+        return "died by " + signalInWords(*signal);
+    const auto status = process_ > 0 ? statusOf(process_, std::chrono::milliseconds(500)) : std::nullopt;
+    if (status)
+        process_ = 0;
+    else
+        kill(); // it hung up and lives on
+    if (status && WIFSIGNALED(*status))
+        return "died by " + signalInWords(WTERMSIG(*status));
+    if (status && WIFEXITED(*status))
+        return "ended its process with exit code " + std::to_string(WEXITSTATUS(*status));
+    return "broke the connection to its process";
+}
+
+} // namespace usar::agent
