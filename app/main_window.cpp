@@ -58,6 +58,8 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     wireObjects();
     new widgets::OwnKeys(this);
     wirePlugins();
+    layout()->invalidate(); // or the least size would be that of all docks side by side, before they became tabs
+    layout()->activate();
     constexpr int frame_px = 40; // title bar and borders, which the size does not count
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     first_layout_ = saveState(layout_version);

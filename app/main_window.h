@@ -211,7 +211,7 @@ private:
     void stepTime();
     void setSpeed(double speed);
 
-    static constexpr int layout_version = 4; ///< a layout saved by an older set of docks is not restored
+    static constexpr int layout_version = 5; ///< a layout saved by an older set of docks is not restored
 
     Options options_;
     MissionControl control_;

@@ -21,21 +21,32 @@ QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& nam
     return dock;
 }
 
-void makeTopBar(QMainWindow& window, WindowViews& views) {
-    auto* bar = window.addToolBar(QObject::tr("Link and time"));
-    bar->setObjectName("top_bar");
+QToolBar* addBar(QMainWindow& window, const QString& name, const QString& title) {
+    auto* bar = window.addToolBar(title);
+    bar->setObjectName(name);
     bar->setMovable(false);
     bar->setFloatable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    return bar;
+}
+
+/// A bar hides its end where the window is narrow. Who drives and the stop must be seen always, so that they have a bar
+/// of their own, and there are one.
+void makeTopBars(QMainWindow& window, WindowViews& views) {
+    auto* bar = addBar(window, "top_bar", QObject::tr("Link and time"));
     bar->addWidget(views.connection = new ConnectionBar);
     views.connection->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(views.time = new TimeBar);
     bar->addSeparator();
-    bar->addWidget(views.driver = new ControlBadge);
-    bar->addSeparator();
     bar->addWidget(views.record = new RecordBadge);
-    bar->addSeparator();
-    bar->addWidget(views.stop_all = new StopButton);
+    auto* always = new QWidget;
+    auto* row = new QHBoxLayout(always);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap::small);
+    row->addStretch(1);
+    row->addWidget(views.driver = new ControlBadge);
+    row->addWidget(views.stop_all = new StopButton);
+    addBar(window, "control_bar", QObject::tr("Who drives, and the stop"))->addWidget(always);
 }
 
 void makeCenter(QMainWindow& window, WindowViews& views) {
@@ -143,7 +154,7 @@ WindowViews makeViews(QMainWindow& window) {
     // Intent and perception keep their full height; history takes from the map.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    makeTopBar(window, views);
+    makeTopBars(window, views);
     makeCenter(window, views);
     makeDocks(window, views);
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);

@@ -22,7 +22,7 @@ public:
     void setStale(bool stale);
     const LaserSection& section() const { return section_; }
     QSize sizeHint() const override { return {280, 160}; }
-    QSize minimumSizeHint() const override { return {160, 96}; }
+    QSize minimumSizeHint() const override { return {160, 72}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -22,7 +22,7 @@ public:
     void setStale(bool stale);
     const std::vector<SonarColumn>& columns() const { return columns_; }
     QSize sizeHint() const override { return {280, 150}; }
-    QSize minimumSizeHint() const override { return {200, 110}; }
+    QSize minimumSizeHint() const override { return {200, 90}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

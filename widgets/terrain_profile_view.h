@@ -24,7 +24,7 @@ public:
     /// "6.1 m above the map", or what is missing.
     QString clearanceText() const;
     QSize sizeHint() const override { return {280, 110}; }
-    QSize minimumSizeHint() const override { return {160, 72}; }
+    QSize minimumSizeHint() const override { return {160, 56}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QSettings>
 #include <QTest>
 
 #include "tests/doubles/test_files.h"
@@ -39,6 +41,7 @@ private slots:
     void speedIsChangedByCommand();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
+    void aFirstStartFitsASmallScreen();
     void theWindowIsFoundAsItWasLeft();
     void aSavedMissionIsOpenedAgain();
     void anUnwritableMissionFileIsNamed();
@@ -127,6 +130,26 @@ void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
     QTRY_VERIFY(layers->isVisible());
     run(page, "view.dock.layers");
     QTRY_VERIFY(layers->isHidden());
+}
+
+/// 1024 x 700 with a desktop's frame around it.
+void tst_WindowCommands::aFirstStartFitsASmallScreen() {
+    const QTemporaryDir nothing;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, nothing.path());
+    app::MainWindow window{app::Options{}};
+    const QSize least = window.minimumSizeHint();
+    const QSize asked = QSize(1280, 800).boundedTo(window.screen()->availableSize()).expandedTo(least);
+    QVERIFY2(window.width() <= asked.width(), qPrintable(QString::number(window.width())));
+    QVERIFY2(least.width() <= 1020 && least.height() <= 665,
+             qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
+    window.resize(least);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    for (const QWidget* sight :
+         {static_cast<QWidget*>(window.views().stop_all), static_cast<QWidget*>(window.views().driver)}) {
+        const QRect there(sight->mapTo(&window, QPoint(0, 0)), sight->size());
+        QVERIFY(sight->isVisible() && window.rect().contains(there));
+    }
 }
 
 void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {
