@@ -1,8 +1,13 @@
 // Driving by hand in the real window, against the real simulator over TCP: hold and it moves, let go and it stops.
+#include <atomic>
+
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
 
 #include "app/headless_simulator.h"
 #include "tests/doubles/fake_robot_server.h"
@@ -26,6 +31,7 @@ private slots:
     void aBehaviorThatStartsTakesOver();
     void takingControlPausesABehavior();
     void aCutLinkEndsTheControl();
+    void aKeyIsOnTheWireAtOnce();
     void aClosingWindowStopsTheRobotFirst();
     void keysThatDriveAreOrdinaryKeysOtherwise();
     void typedTextDrivesNothing();
@@ -213,6 +219,62 @@ void tst_WindowDrive::aCutLinkEndsTheControl() {
     QTRY_VERIFY2(empty->isVisible() && empty->accessibleName().contains("No link to R1"),
                  qPrintable(empty->accessibleName()));
     page.release(Qt::Key_R);
+}
+
+/// From the event of the key to the bytes at a server that has a thread of its own, and back to a stop. The figures are
+/// in README; here is asked that no beat or frame is waited for.
+void tst_WindowDrive::aKeyIsOnTheWireAtOnce() {
+    test::FakeRobotServer server;
+    QVERIFY(server.listen());
+    QElapsedTimer clock;
+    clock.start();
+    std::atomic<bool> moves = false;
+    std::atomic<qint64> changed_us = 0;
+    server.on_command = [&](const QByteArray& line) {
+        if (line.startsWith("INIT"))
+            server.keepClient();
+        if (!line.startsWith("DRIVE"))
+            return;
+        const bool now_moves = QString(line).contains(QRegularExpression("[1-9]"));
+        if (moves.exchange(now_moves) != now_moves)
+            changed_us = clock.nsecsElapsed() / 1000;
+    };
+    auto* const beat = new QTimer(&server);
+    connect(beat, &QTimer::timeout, &server, [&] { server.tick(); });
+    QThread wire;
+    server.moveToThread(&wire);
+    wire.start();
+    const auto home = qScopeGuard([&, here = thread()] {
+        QMetaObject::invokeMethod(
+            &server, [&] { server.moveToThread(here); }, Qt::BlockingQueuedConnection);
+        wire.quit();
+        wire.wait();
+    });
+    DrivePage page;
+    page.connectToServer("127.0.0.1", server.port());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.doubleClickStartPose(page.map().content().start_poses.front().name);
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned, soon_ms);
+    QMetaObject::invokeMethod(beat, [beat] { beat->start(50); });
+    page.map().setFocus();
+    QVERIFY(page.takeControl());
+
+    std::vector<qint64> presses_us;
+    std::vector<qint64> releases_us;
+    for (int i = 0; i < 25; ++i) {
+        for (const bool down : {true, false}) {
+            QTest::qWait(37); // at any moment of a beat
+            const qint64 from_us = clock.nsecsElapsed() / 1000;
+            down ? page.hold(Qt::Key_W) : page.release(Qt::Key_W);
+            QTRY_COMPARE(moves.load(), down);
+            (down ? presses_us : releases_us).push_back(changed_us - from_us);
+        }
+    }
+    for (auto* const all : {&presses_us, &releases_us})
+        std::ranges::sort(*all);
+    qInfo("key to DRIVE: median %lld us, worst %lld us; release to stop: median %lld us, worst %lld us", presses_us[12],
+          presses_us.back(), releases_us[12], releases_us.back());
+    QVERIFY2(presses_us[12] < 16000 && releases_us[12] < 16000, "half of them take longer than a frame");
 }
 
 void tst_WindowDrive::aClosingWindowStopsTheRobotFirst() {
