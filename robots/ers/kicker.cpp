@@ -22,9 +22,9 @@ constexpr double way_step_m = 0.1; ///< smaller moves are swaying
 Kicker::Kicker(agent::BehaviorContext context) : settings_(settingsFrom(context.parameters)) {}
 
 void Kicker::perceive(const agent::Tick& tick) {
-    now_ = tick.now;
-    if (!began_)
-        began_ = lost_at_ = now_;
+    if (!run_.began)
+        lost_at_ = tick.now;
+    run_.step(tick.now);
     lookForBall();
     watchBalance(tick.robot.sensors);
     watchClock();
@@ -33,15 +33,15 @@ void Kicker::perceive(const agent::Tick& tick) {
 /// A near ball that leaves the picture is between the paws: walking on kicks it.
 void Kicker::lookForBall() {
     const auto& newest = ball_.newest();
-    const bool visible = newest && now_ - newest->time < fresh && newest->value.visible.value_or(false) &&
+    const bool visible = newest && run_.now - newest->time < fresh && newest->value.visible.value_or(false) &&
                          newest->value.position && newest->value.position->x() > least_depth_m;
     if (!visible) {
         if (seen_ && bow_rad_ > settings_.near_rad) {
-            kicking_since_ = now_;
+            kicking_since_ = run_.now;
             ++kicks_;
         }
         if (seen_)
-            lost_at_ = now_;
+            lost_at_ = run_.now;
         seen_.reset();
         bow_rad_ = std::max(0.0, bow_rad_ - rise_rad);
         return;
@@ -64,23 +64,23 @@ void Kicker::watchBalance(const modules::SensorModule& sensors) {
     fallen_ = lies;
     const Vec2 here_m = base_in_map_->position_m.head<2>();
     const double step_m = (here_m - way_from_m_).norm();
-    if (now_ == *began_ || step_m > way_step_m) {
-        way_m_ += now_ == *began_ ? 0.0 : step_m;
+    if (run_.now == *run_.began || step_m > way_step_m) {
+        way_m_ += run_.now == *run_.began ? 0.0 : step_m;
         way_from_m_ = here_m;
     }
 }
 
 void Kicker::watchClock() {
     const Seconds whole(settings_.play_time_s);
-    if (whole > Seconds{0.0} && now_ - *began_ >= whole && !ending_)
-        ending_ = {true, "Played for " + fixed(whole.count(), 0) + " s; the ball was at the paws " +
-                             std::to_string(kicks_) + " times."};
+    if (run_.isOver(whole))
+        run_.ending = {true, "Played for " + fixed(whole.count(), 0) + " s; the ball was at the paws " +
+                                 std::to_string(kicks_) + " times."};
 }
 
 std::optional<protocol::MultiDrive> Kicker::walk() {
     const Strides strides = this->strides();
     protocol::MultiDrive drive;
-    if (!gait_.next(now_, strides, settings_.lift_m, drive))
+    if (!gait_.next(run_.now, strides, settings_.lift_m, drive))
         return std::nullopt;
     bowHead(drive, bow_rad_);
     return drive;
@@ -93,16 +93,16 @@ Strides Kicker::steer(double turn_right) const {
 }
 
 Strides Kicker::strides() {
-    if (paused_ || fallen_ || !gait_.standing()) {
-        state_ = paused_ ? "paused" : fallen_ ? "fallen over" : "standing up";
+    if (run_.paused || fallen_ || !gait_.standing()) {
+        run_.state = run_.paused ? "paused" : fallen_ ? "fallen over" : "standing up";
         return {};
     }
     if (seen_) {
-        state_ = bow_rad_ > settings_.near_rad ? "at the ball" : "walking to the ball";
+        run_.state = bow_rad_ > settings_.near_rad ? "at the ball" : "walking to the ball";
         return steer(settings_.steering * seen_->right);
     }
-    if (kicking_since_ && now_ - *kicking_since_ < Seconds(settings_.kick_s)) {
-        state_ = "kicking";
+    if (kicking_since_ && run_.now - *kicking_since_ < Seconds(settings_.kick_s)) {
+        run_.state = "kicking";
         return {settings_.stride_m, settings_.stride_m};
     }
     return circle();
@@ -110,33 +110,15 @@ Strides Kicker::strides() {
 
 /// Tight ones and wide ones by turns, toward where the ball was last: one size alone could lead around it for ever.
 Strides Kicker::circle() {
-    const Seconds lasts = now_ - lost_at_;
+    const Seconds lasts = run_.now - lost_at_;
     const bool tight = static_cast<long long>(lasts / Seconds(settings_.circle_s)) % 2 == 0;
-    state_ = tight ? "looking around for the ball" : "looking for the ball";
+    run_.state = tight ? "looking around for the ball" : "looking for the ball";
     const double inner_m = settings_.stride_m * (tight ? settings_.tight_share_pct : settings_.wide_share_pct) / 100.0;
     return last_on_the_right_ ? Strides{settings_.stride_m, inner_m} : Strides{inner_m, settings_.stride_m};
 }
 
-void Kicker::order(agent::Order order) {
-    if (order == agent::Order::LandNow)
-        ending_ = {false, "A person asked the robot to stop."};
-    else
-        paused_ = order == agent::Order::Pause;
-}
-
 agent::BehaviorStatus Kicker::status() const {
-    const Seconds whole(settings_.play_time_s);
-    agent::BehaviorStatus status;
-    status.time = now_;
-    status.elapsed = began_ ? now_ - *began_ : Seconds{0.0};
-    status.state = state_;
-    status.distance_flown_m = way_m_;
-    status.paused = paused_;
-    if (whole > Seconds{0.0}) {
-        status.progress_pct = std::min(100.0, 100.0 * (status.elapsed / whole));
-        status.time_left = std::max(Seconds{0.0}, whole - status.elapsed);
-    }
-    return status;
+    return run_.status(Seconds(settings_.play_time_s), way_m_);
 }
 
 } // namespace usar::ers

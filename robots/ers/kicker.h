@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/agent/robot_plugin.h"
+#include "core/agent/timed_run.h"
 #include "core/modules/specific_sensor.h"
 #include "robots/ers/gait.h"
 #include "robots/ers/settings.h"
@@ -19,7 +20,7 @@ class Kicker {
 public:
     explicit Kicker(agent::BehaviorContext context);
 
-    void hear(const protocol::InfoLine& line) { ball_.take(line, now_); }
+    void hear(const protocol::InfoLine& line) { ball_.take(line, run_.now); }
     /// Once a tick, before the others.
     void perceive(const agent::Tick& tick);
     /// What the joints are to do now; nothing between two moves.
@@ -28,13 +29,13 @@ public:
     /// It will be righted, and stands up anew.
     void standUpAgain() { gait_.reset(); }
 
-    void order(agent::Order order);
+    void order(agent::Order order) { run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
     const Settings& settings() const { return settings_; }
-    const std::string& state() const { return state_; }
+    const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
     const std::optional<Pose>& base_in_map() const { return base_in_map_; }
-    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
+    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
@@ -51,12 +52,11 @@ private:
     Strides circle();
     Strides steer(double turn_right) const;
 
+    agent::TimedRun run_;
     Settings settings_;
     modules::SpecificSensor<protocol::BallReading> ball_;
     Gait gait_;
 
-    Seconds now_{0.0};
-    std::optional<Seconds> began_;
     std::optional<ImagePlace> seen_;
     Seconds lost_at_{0.0};
     bool last_on_the_right_ = false;
@@ -68,10 +68,7 @@ private:
     Vec2 way_from_m_ = Vec2::Zero();
     double way_m_ = 0.0;
     bool fallen_ = false;
-    bool paused_ = false;
-    std::string state_ = "waiting";
     std::vector<agent::BehaviorEvent> events_;
-    std::optional<agent::BehaviorFinished> ending_;
 };
 
 } // namespace usar::ers

@@ -63,10 +63,7 @@ void Explorer::hear(const protocol::InfoLine& line) {
 }
 
 void Explorer::perceive(const agent::Tick& tick) {
-    const Seconds dt = began_ ? tick.now - now_ : Seconds{0.0};
-    now_ = tick.now;
-    if (!began_)
-        began_ = now_;
+    const Seconds dt = run_.step(tick.now);
     takeReadings();
     watchScanner();
     watchClock();
@@ -78,13 +75,13 @@ void Explorer::perceive(const agent::Tick& tick) {
 
 void Explorer::takeReadings() {
     if (ins_in_map_)
-        track_.update(now_, *ins_in_map_, motion_);
+        track_.update(run_.now, *ins_in_map_, motion_);
     if (!std::exchange(scan_is_new_, false))
         return;
     watchForIce();
     if (frozen())
         return;
-    scan_at_ = now_;
+    scan_at_ = run_.now;
     const Pose base_in_map = track_.base_in_map();
     const Fence fence{ins_in_map_ ? area_in_map_ : Rectangle{}, base_in_map.position_m.head<2>(), base_in_map.yaw_rad};
     around_ = look(*scan_, sonars_, fence, settings_);
@@ -125,12 +122,13 @@ void Explorer::watchScanner() {
 
 void Explorer::watchClock() {
     const Seconds whole(settings_.drive_time_s);
-    if (whole > Seconds{0.0} && now_ - *began_ >= whole && !ending_)
-        ending_ = {true, "Drove for " + fixed(whole.count(), 0) + " s and " + fixed(track_.distance_m(), 1) + " m."};
+    if (run_.isOver(whole))
+        run_.ending = {true,
+                       "Drove for " + fixed(whole.count(), 0) + " s and " + fixed(track_.distance_m(), 1) + " m."};
 }
 
 Seconds Explorer::scanAge() const {
-    return scan_at_ && !frozen() ? now_ - *scan_at_ : never;
+    return scan_at_ && !frozen() ? run_.now - *scan_at_ : never;
 }
 
 bool Explorer::blind() const {
@@ -138,7 +136,7 @@ bool Explorer::blind() const {
 }
 
 bool Explorer::waiting() const {
-    return paused_ || !began_ || now_ - *began_ < Seconds(settings_.rest_time_s);
+    return run_.paused || !run_.began || run_.elapsed() < Seconds(settings_.rest_time_s);
 }
 
 bool Explorer::inDanger() const {
@@ -150,7 +148,7 @@ bool Explorer::trapped() const {
 }
 
 Third Explorer::open() const {
-    return now_ < straight_until_ ? Third::Ahead : chosen_;
+    return run_.now < straight_until_ ? Third::Ahead : chosen_;
 }
 
 bool Explorer::tooClose() const {
@@ -181,7 +179,7 @@ void Explorer::stepTurn() {
     if (!turned && turned_rad_ < 2.0 * pi && maneuver_time_ < longest)
         return;
     maneuver_ = Maneuver::None;
-    straight_until_ = now_ + Seconds(settings_.keep_straight_s);
+    straight_until_ = run_.now + Seconds(settings_.keep_straight_s);
 }
 
 /// Turns that follow one another closely go to one side.
@@ -211,7 +209,7 @@ void Explorer::beginTurn(double angle_rad) {
 
 protocol::SkidDrive Explorer::drive(double left_m_s, double right_m_s, Motion motion, const char* state) {
     motion_ = motion;
-    state_ = state;
+    run_.state = state;
     protocol::SkidDrive drive;
     drive.left_rad_s = left_m_s / wheel_radius_m;
     drive.right_rad_s = right_m_s / wheel_radius_m;
@@ -220,10 +218,10 @@ protocol::SkidDrive Explorer::drive(double left_m_s, double right_m_s, Motion mo
 
 protocol::SkidDrive Explorer::halt() {
     return drive(0.0, 0.0, Motion::Standing,
-                 paused_    ? "paused"
-                 : frozen() ? "waiting for another scan"
-                 : blind()  ? "waiting for a scan"
-                            : "at rest");
+                 run_.paused ? "paused"
+                 : frozen()  ? "waiting for another scan"
+                 : blind()   ? "waiting for a scan"
+                             : "at rest");
 }
 
 protocol::SkidDrive Explorer::reverse() {
@@ -279,27 +277,8 @@ void Explorer::escape() {
         beginTurn(escape_rad);
 }
 
-bool Explorer::order(agent::Order order) {
-    if (order == agent::Order::LandNow)
-        ending_ = {false, "A person asked the robot to stop."};
-    else
-        paused_ = order == agent::Order::Pause;
-    return true;
-}
-
 agent::BehaviorStatus Explorer::status() const {
-    const Seconds whole(settings_.drive_time_s);
-    agent::BehaviorStatus status;
-    status.time = now_;
-    status.elapsed = began_ ? now_ - *began_ : Seconds{0.0};
-    status.state = state_;
-    status.distance_flown_m = track_.distance_m();
-    status.paused = paused_;
-    if (whole > Seconds{0.0}) {
-        status.progress_pct = std::min(100.0, 100.0 * (status.elapsed / whole));
-        status.time_left = std::max(Seconds{0.0}, whole - status.elapsed);
-    }
-    return status;
+    return run_.status(Seconds(settings_.drive_time_s), track_.distance_m());
 }
 
 } // namespace usar::p2dx

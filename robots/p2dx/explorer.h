@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/agent/robot_plugin.h"
+#include "core/agent/timed_run.h"
 #include "robots/p2dx/surroundings.h"
 #include "robots/p2dx/track.h"
 
@@ -50,12 +51,12 @@ public:
     void escape();
 
     /// True: it sees to the order.
-    bool order(agent::Order order);
+    bool order(agent::Order order) { return run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
-    const std::string& state() const { return state_; }
+    const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
-    agent::PoseEstimate pose() const { return {now_, track_.base_in_map()}; }
-    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
+    agent::PoseEstimate pose() const { return {run_.now, track_.base_in_map()}; }
+    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
@@ -79,6 +80,7 @@ private:
     double innerShare(double side_m) const;
     protocol::SkidDrive drive(double left_m_s, double right_m_s, Motion motion, const char* state);
 
+    agent::TimedRun run_;
     Settings settings_;
     Rectangle area_in_map_;
 
@@ -89,8 +91,6 @@ private:
     std::vector<double> former_ranges_m_; ///< of the scan before
     double moved_with_same_scan_m_ = 0.0; ///< way, and the turns of a hull's rim
 
-    Seconds now_{0.0};
-    std::optional<Seconds> began_;
     std::optional<Seconds> scan_at_;
     Surroundings around_;
     Track track_;
@@ -108,11 +108,8 @@ private:
     Vec2 escaped_from_m_ = Vec2::Constant(1e9);
 
     Motion motion_ = Motion::Standing;
-    bool paused_ = false;
     bool blind_told_ = false;
-    std::string state_ = "waiting";
     std::vector<agent::BehaviorEvent> events_;
-    std::optional<agent::BehaviorFinished> ending_;
 };
 
 /// Older scans are no guide: the robot stops.

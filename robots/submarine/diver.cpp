@@ -34,11 +34,9 @@ constexpr double longest_way_back = 3.0; ///< times as far as it is
 Diver::Diver(agent::BehaviorContext context) : settings_(settingsFrom(context.parameters)) {}
 
 void Diver::perceive(const agent::Tick& tick, const std::optional<Limits>& limits) {
-    const Seconds dt = began_ ? tick.now - now_ : Seconds{0.0};
-    now_ = tick.now;
-    if (!began_) {
-        began_ = heard_at_ = now_;
-    }
+    if (!run_.began)
+        heard_at_ = tick.now;
+    const Seconds dt = run_.step(tick.now);
     limits_ = limits;
     reckon(dt, tick.robot.state);
     takeReadings();
@@ -81,7 +79,7 @@ void Diver::takeReadings() {
         pitch_at_echo_rad_ = pitch_rad;
         reckonBottom();
         reading_at_ = reading.time;
-        heard_at_ = now_;
+        heard_at_ = run_.now;
     }
 }
 
@@ -104,35 +102,35 @@ void Diver::watchRay() {
 void Diver::watchSearch(Seconds dt) {
     const double sink_m = -hull_.climb_m_s() * dt.count();
     searched_m_ = echoes_.present_m ? 0.0 : searched_m_ + sink_m;
-    if (searched_m_ > settings_.deepest_search_m && !ending_)
-        ending_ = {false, "There is no bottom within " + fixed(settings_.deepest_search_m, 0) + " m."};
+    if (searched_m_ > settings_.deepest_search_m && !run_.ending)
+        run_.ending = {false, "There is no bottom within " + fixed(settings_.deepest_search_m, 0) + " m."};
 }
 
 void Diver::watchClock() {
     const Seconds whole(settings_.dive_time_s);
-    if (whole > Seconds{0.0} && now_ - *began_ >= whole && !ending_)
-        ending_ = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
+    if (run_.isOver(whole))
+        run_.ending = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
 }
 
 /// How long it has been too low, and how long too high without coming down.
 void Diver::watchLevel() {
     const Level level = levelOf(heights_, settings_);
     if (level != Level::Ascend)
-        below_since_ = now_;
+        below_since_ = run_.now;
     if (level != Level::Ascend && heights_.present_m && maneuver_ == Maneuver::None)
         trail_.keepPlace();
     const bool falls_off = heights_.climb_m_s() > steepest_rise_m_s;
     const bool comes_down = heights_.present_m && *heights_.present_m < came_down_to_m_ - comes_down_m;
-    if (paused_ || blind())
-        below_since_ = now_;
+    if (run_.paused || blind())
+        below_since_ = run_.now;
     else if (level == Level::Descend && heights_.present_m && !falls_off && !comes_down)
         return;
-    above_since_ = now_;
+    above_since_ = run_.now;
     came_down_to_m_ = heights_.present_m.value_or(unknown_m);
 }
 
 bool Diver::divesInVain() const {
-    return settings_.knows_slant && now_ - above_since_ > in_vain;
+    return settings_.knows_slant && run_.now - above_since_ > in_vain;
 }
 
 /// Ahead and astern: what is slow stops sooner.
@@ -145,7 +143,7 @@ bool Diver::inDanger() const {
 
 void Diver::begin(Maneuver maneuver) {
     maneuver_ = maneuver;
-    below_since_ = above_since_ = now_;
+    below_since_ = above_since_ = run_.now;
     maneuver_began_m_ = way_m_;
 }
 
@@ -161,7 +159,7 @@ void Diver::stepManeuver() {
     const double way_m = way_m_ - maneuver_began_m_;
     const bool astern = hull_.speed_m_s() < astern_m_s;
     const bool lost = echoes_.last_m && !echoes_.present_m;
-    const bool shallow = now_ - below_since_ > in_the_shallows;
+    const bool shallow = run_.now - below_since_ > in_the_shallows;
     if (maneuver_ == Maneuver::BackingOff) {
         if (way_m > settings_.back_off_m || (astern && inDanger()))
             beginGoingBack();
@@ -177,7 +175,7 @@ void Diver::stepManeuver() {
 
 /// 1 is the right. It changes after a time, so that the robot does not go in a circle.
 double Diver::side() const {
-    const double turns = (now_ - *began_).count() / settings_.change_side_s;
+    const double turns = run_.elapsed().count() / settings_.change_side_s;
     return static_cast<long long>(turns) % 2 == 0 ? 1.0 : -1.0;
 }
 
@@ -192,7 +190,7 @@ double Diver::plane_rad() const {
 protocol::NauticDrive Diver::decide() {
     if (!limits_)
         return halt("asking for its configuration");
-    if (paused_)
+    if (run_.paused)
         return halt("paused");
     if (blind())
         return halt("waiting for the ray");
@@ -243,7 +241,7 @@ protocol::NauticDrive Diver::halt(const char* state) {
 
 protocol::NauticDrive Diver::drive(double share, double rudder_share, double plane_rad, const std::string& state) {
     const Limits limits = limits_.value_or(Limits{});
-    state_ = state;
+    run_.state = state;
     propeller_share_ = share * settings_.propeller_pct / 100.0;
     protocol::NauticDrive drive;
     drive.propeller_rad_s = propeller_share_ * limits.propeller_rad_s;
@@ -252,27 +250,10 @@ protocol::NauticDrive Diver::drive(double share, double rudder_share, double pla
     return drive;
 }
 
-void Diver::order(agent::Order order) {
-    if (order == agent::Order::LandNow)
-        ending_ = {false, "A person asked the robot to stop."};
-    else
-        paused_ = order == agent::Order::Pause;
-}
-
 agent::BehaviorStatus Diver::status() const {
-    const Seconds whole(settings_.dive_time_s);
-    agent::BehaviorStatus status;
-    status.time = now_;
-    status.elapsed = began_ ? now_ - *began_ : Seconds{0.0};
-    status.state = state_;
+    agent::BehaviorStatus status = run_.status(Seconds(settings_.dive_time_s), way_m_);
     if (heights_.present_m && limits_)
         status.state += ", " + fixed(*heights_.present_m, 1) + " m over the bottom";
-    status.distance_flown_m = way_m_;
-    status.paused = paused_;
-    if (whole > Seconds{0.0}) {
-        status.progress_pct = std::min(100.0, 100.0 * (status.elapsed / whole));
-        status.time_left = std::max(Seconds{0.0}, whole - status.elapsed);
-    }
     return status;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/agent/robot_plugin.h"
+#include "core/agent/timed_run.h"
 #include "core/modules/queued_sensor.h"
 #include "robots/submarine/level_rule.h"
 #include "robots/submarine/limits.h"
@@ -24,17 +25,17 @@ public:
     explicit Diver(agent::BehaviorContext context);
 
     /// Keeps every reading of the ray until the next tick: its last and present value may come between two of them.
-    void hear(const protocol::InfoLine& line) { readings_.take(line, now_); }
+    void hear(const protocol::InfoLine& line) { readings_.take(line, run_.now); }
     /// Once a tick, before `decide`. `limits`: nothing while they are being asked for.
     void perceive(const agent::Tick& tick, const std::optional<Limits>& limits);
     protocol::NauticDrive decide();
 
-    void order(agent::Order order);
+    void order(agent::Order order) { run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
     const Settings& settings() const { return settings_; }
-    const std::string& state() const { return state_; }
+    const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
-    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
+    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
@@ -50,7 +51,7 @@ private:
     void beginGoingBack();
     void reckonBottom();
     void watchLevel();
-    bool blind() const { return now_ - heard_at_ > blind_after; }
+    bool blind() const { return run_.now - heard_at_ > blind_after; }
     bool inDanger() const;
     bool divesInVain() const;
     double plane_rad() const;
@@ -64,6 +65,7 @@ private:
     static constexpr Seconds blind_after{2.0};
     static constexpr double unknown_m = 1e9;
 
+    agent::TimedRun run_;
     Settings settings_;
     std::optional<Limits> limits_;
     modules::QueuedSensorModule readings_;
@@ -75,8 +77,6 @@ private:
     double rise_now_m_s_ = 0.0;    ///< of the bottom under the robot on its way, by the last two echoes
     double bottom_rise_m_s_ = 0.0; ///< smoothed
 
-    Seconds now_{0.0};
-    std::optional<Seconds> began_;
     Seconds heard_at_{-1e9};
     Seconds reading_at_{0.0};
     Maneuver maneuver_ = Maneuver::None;
@@ -90,11 +90,8 @@ private:
     double propeller_share_ = 0.0; ///< as told
     double plane_now_rad_ = 0.0;   ///< as STA has it
 
-    bool paused_ = false;
     bool blind_told_ = false;
-    std::string state_ = "waiting";
     std::vector<agent::BehaviorEvent> events_;
-    std::optional<agent::BehaviorFinished> ending_;
 };
 
 } // namespace usar::submarine
