@@ -1,12 +1,15 @@
-// What a behavior tells the world besides commands. Values only: they cross threads and, one day, processes.
+// What a behavior tells the world besides commands. Values only: they cross threads and processes.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "core/base/alternatives.h"
 #include "core/base/cause.h"
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
@@ -133,8 +136,27 @@ struct PlanReplaced {
     bool operator==(const PlanReplaced&) const = default;
 };
 
-using Published =
+using PublishedVariant =
     std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal, SonarZones,
                  BehaviorEvent, BehaviorFinished, PlanTrace, PlanHalted, PlanResumed, PlanReplaced>;
+
+/// What a behavior tells, to be used as the variant; what copies its alternatives is compiled in one place.
+class Published : public PublishedVariant {
+public:
+    Published();
+    Published(const Published& other);
+    Published(Published&& other) noexcept;
+    Published& operator=(const Published& other);
+    Published& operator=(Published&& other) noexcept;
+    ~Published();
+
+    /// One of the alternatives.
+    template <AlternativeOf<PublishedVariant> One>
+    Published(One&& one) : PublishedVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
+
+    bool operator==(const Published& other) const;
+    /// The variant has one that its alternatives have not, and meta types ask for it.
+    friend bool operator<(const Published&, const Published&) = delete;
+};
 
 } // namespace usar::agent

@@ -2,6 +2,9 @@
 
 namespace usar::modules {
 
+RobotModules::RobotModules() = default;
+RobotModules::~RobotModules() = default;
+
 void RobotModules::take(const protocol::InfoLine& line) {
     state.take(line);
     sensors.take(line, state.now());

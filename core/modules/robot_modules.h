@@ -10,8 +10,12 @@
 
 namespace usar::modules {
 
-/// Plain aggregate; whoever owns it feeds it every line of the robot's connection.
+/// Whoever owns it feeds it every line of the robot's connection. Not copied: made and cleared in one place, for the
+/// compiler's sake (see SensorModule).
 struct RobotModules {
+    RobotModules();
+    ~RobotModules();
+
     StateModule state;
     SensorModule sensors;
     GeometryModule geometry;

@@ -15,6 +15,9 @@ bool hasNews(const protocol::GenericMessage& message) {
     });
 }
 
+SensorModule::SensorModule() = default;
+SensorModule::~SensorModule() = default;
+
 void SensorModule::take(const protocol::InfoLine& line, Seconds now) {
     const Seconds time = protocol::timeOf(line.message).value_or(now);
     forEachSensorReading(line.message, [&]<class Sensor>(std::string_view type, const std::string& name,

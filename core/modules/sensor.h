@@ -8,9 +8,14 @@
 namespace usar::modules {
 
 /// Non-queued sensor module of the thesis (3.3): a new reading replaces the old one of the same type and name; a bare
-/// head ("no news") replaces nothing. Pointers live until the next `take`.
+/// head ("no news") replaces nothing. Pointers live until the next `take`. Not copied.
 class SensorModule {
 public:
+    SensorModule();
+    SensorModule(const SensorModule&) = delete;
+    SensorModule& operator=(const SensorModule&) = delete;
+    ~SensorModule(); // making and clearing forty stores takes the compiler seconds, so it is done in one place
+
     /// `now` is the protocol clock, used for readings without a time of their own.
     void take(const protocol::InfoLine& line, Seconds now);
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,32 +62,28 @@ private:
     std::vector<Place> places_;
 };
 
-/// A store for each row of the table of sensors. `Content<Value>` is what is kept of one sensor.
+/// The places of one row of the table; by the sensor's type, as two sensors may have the same reading.
+template <template <class> class Content, class Sensor>
+struct SensorStore {
+    SensorPlaces<Content<protocol::ReadingOf<Sensor>>> places;
+};
+
+/// A store for each row of the table of sensors. `Content<Value>` is what is kept of one sensor. Bases and no tuple: a
+/// tuple of forty takes the compiler half a second wherever it is seen.
 template <template <class> class Content, class Sensors>
 class SensorStores;
 
 template <template <class> class Content, class... Sensors>
-class SensorStores<Content, protocol::TypeList<Sensors...>> {
+class SensorStores<Content, protocol::TypeList<Sensors...>> : private SensorStore<Content, Sensors>... {
 public:
     template <class Sensor>
-    using Places = SensorPlaces<Content<protocol::ReadingOf<Sensor>>>;
-
-    template <class Sensor>
-    const Places<Sensor>& of() const {
-        return std::get<Tagged<Sensor>>(stores_).places;
+    const auto& of() const {
+        return static_cast<const SensorStore<Content, Sensor>&>(*this).places;
     }
     template <class Sensor>
-    Places<Sensor>& of() {
-        return std::get<Tagged<Sensor>>(stores_).places;
+    auto& of() {
+        return static_cast<SensorStore<Content, Sensor>&>(*this).places;
     }
-
-private:
-    /// Two sensors may have the same reading.
-    template <class Sensor>
-    struct Tagged {
-        Places<Sensor> places;
-    };
-    std::tuple<Tagged<Sensors>...> stores_;
 };
 
 /// Of a line that is no known sensor's: whether it tells anything. A bare head means "no news" (UDK).
