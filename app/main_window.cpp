@@ -44,6 +44,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     registerCommands();
     makeMenus();
     wireControl();
+    wireRobots();
     wireBars();
     wireMap();
     wirePanels();
@@ -105,6 +106,14 @@ void MainWindow::wireControl() {
                 if (awaiting_world_ && awaiting_world_->world == level.toStdString())
                     setUp(*std::exchange(awaiting_world_, std::nullopt));
             });
+    connect(&control_.simulator(), &SimulatorHost::figuresChanged, this, [this](const link::SimulatorFigures& figures) {
+        views_.time->setRealTimeFactor(figures.real_time_factor);
+        server_now_ = figures.now;
+        showClock();
+    });
+}
+
+void MainWindow::wireRobots() {
     connect(&control_, &MissionControl::robotAdded, this, [this](int id) {
         presenter_.showRow(id);
         selectRobot(id);
@@ -132,30 +141,27 @@ void MainWindow::wireControl() {
     });
     connect(&control_, &MissionControl::linkUpdated, this,
             [this](const auto& update) { presenter_.showLink(control_.connectionOf(0), *update, selected_ == 0); });
-    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
-        presenter_.show(id, *update, id == selected_);
-        plan_.take(id, *update);
-        drive_.take(id, *update);
-        if (id != selected_)
-            return;
-        views_.connection->setRate(update->figures.replay ? std::nullopt
-                                                          : std::optional(update->figures.lines_per_second));
-        showClock();
-        if (update->task && views_.map->area() != update->task->area_in_map) {
-            views_.behavior->setArea(update->task->area_in_map);
-            views_.map->setArea(update->task->area_in_map);
-            views_.map->fit();
-        }
-        showReplay();
-        showTrace();
-        refreshRunState();
-        showTitle();
-    });
-    connect(&control_.simulator(), &SimulatorHost::figuresChanged, this, [this](const link::SimulatorFigures& figures) {
-        views_.time->setRealTimeFactor(figures.real_time_factor);
-        server_now_ = figures.now;
-        showClock();
-    });
+    connect(&control_, &MissionControl::robotUpdated, this,
+            [this](int id, const auto& update) { showRobot(id, *update); });
+}
+
+void MainWindow::showRobot(int id, const mission::SessionUpdate& update) {
+    presenter_.show(id, update, id == selected_);
+    plan_.take(id, update);
+    drive_.take(id, update);
+    if (id != selected_)
+        return;
+    views_.connection->setRate(update.figures.replay ? std::nullopt : std::optional(update.figures.lines_per_second));
+    showClock();
+    if (update.task && views_.map->area() != update.task->area_in_map) {
+        views_.behavior->setArea(update.task->area_in_map);
+        views_.map->setArea(update.task->area_in_map);
+        views_.map->fit();
+    }
+    showReplay();
+    showTrace();
+    refreshRunState();
+    showTitle();
 }
 
 void MainWindow::showClock() {

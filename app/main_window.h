@@ -112,6 +112,8 @@ private:
     void spawnStation();
     void makeMenus();
     void wireControl();
+    void wireRobots();
+    void showRobot(int id, const mission::SessionUpdate& update);
     void wireBars();
     void wireMap();
     void wirePanels();

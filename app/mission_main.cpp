@@ -85,7 +85,8 @@ Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options,
     return faults;
 }
 
-int run(const mission::MissionOptions& options, mission::Mission plan) {
+/// What the command line says goes before what the file says.
+void applyTo(mission::Mission& plan, const mission::MissionOptions& options) {
     if (!options.behavior.isEmpty()) {
         plan.behavior = options.behavior.toStdString();
         plan.places.erase("behavior"); // it is not the file that would be wrong
@@ -95,47 +96,59 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
         plan.places.erase("plan");
     }
     plan.isolate = plan.isolate || options.isolate;
+}
+
+/// A simulator of our own for the mission's world, or nullptr where the command line names a server; `run_options` get
+/// what there is to know of either.
+Result<std::unique_ptr<app::HeadlessSimulator>>
+serverFor(const mission::MissionOptions& options, const mission::Mission& plan, mission::RunOptions& run_options) {
+    if (options.server) {
+        if (!(options.faults.isEmpty() && plan.faults.empty()))
+            return tl::unexpected(Error{"faults can be made in the embedded simulator only",
+                                        options.server->host.toStdString(), "Leave out --connect, or the faults"});
+        run_options.host = options.server->host;
+        run_options.port = options.server->port;
+        return nullptr;
+    }
+    auto faults = faultsOf(options, plan);
+    if (!faults)
+        return tl::unexpected(faults.error());
+    auto simulator =
+        app::HeadlessSimulator::start(QString::fromStdString(plan.world),
+                                      {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
+    if (!simulator)
+        return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
+    run_options.port = (*simulator)->port();
+    run_options.truth = (*simulator)->truth();
+    run_options.world_extent = (*simulator)->extent();
+    run_options.true_figures = [one = simulator->get()] { return one->figures(); };
+    return simulator;
+}
+
+int run(const mission::MissionOptions& options, mission::Mission plan) {
+    applyTo(plan, options);
     agent::PluginLoader plugins;
     plugins.scan(app::pluginFolders() + options.plugin_folders);
-    std::unique_ptr<app::HeadlessSimulator> simulator;
     mission::RunOptions run_options;
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
     run_options.behavior_host = app::behaviorHostProgram();
-    if (options.server && !(options.faults.isEmpty() && plan.faults.empty()))
-        return refuse({"faults can be made in the embedded simulator only", options.server->host.toStdString(),
-                       "Leave out --connect, or the faults"},
-                      knownOf(options));
-    if (options.server) {
-        run_options.host = options.server->host;
-        run_options.port = options.server->port;
-    } else {
+    const auto simulator = serverFor(options, plan, run_options);
+    if (!simulator) {
         mission::RunSummary known = knownOf(options);
         known.mission = plan.name;
         known.behavior = plan.behavior;
         known.plan = plan.plan;
-        auto faults = faultsOf(options, plan);
-        if (!faults)
-            return refuse(faults.error(), known);
-        auto started = app::HeadlessSimulator::start(
-            QString::fromStdString(plan.world),
-            {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
-        if (!started)
-            return refuse(mission::atValue(plan, "world", started.error()), known);
-        simulator = *std::move(started);
-        run_options.port = simulator->port();
-        run_options.truth = simulator->truth();
-        run_options.world_extent = simulator->extent();
-        run_options.true_figures = [&] { return simulator->figures(); };
+        return refuse(simulator.error(), known);
     }
     mission::MissionRunner runner(std::move(plan), plugins, std::move(run_options));
     ProgressBar bar;
     QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) { bar.show(progress); });
     QObject::connect(&runner, &mission::MissionRunner::noticed, [&](const auto& notice) { bar.say(notice.text); });
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
-    if (simulator)
-        simulator->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
+    if (*simulator)
+        (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
     app::QuitSignals signals_;
     QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();
