@@ -30,8 +30,8 @@ QToolBar* addBar(QMainWindow& window, const QString& name, const QString& title)
     return bar;
 }
 
-/// A bar hides its end where the window is narrow. Who drives and the stop must be seen always, so that they have a bar
-/// of their own, and there are one.
+/// A bar hides its end where the window is narrow; who drives and the stop must always be seen, so they have a bar of
+/// their own.
 void makeTopBars(QMainWindow& window, WindowViews& views) {
     auto* bar = addBar(window, "top_bar", QObject::tr("Link and time"));
     bar->addWidget(views.connection = new ConnectionBar);
