@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QtTest>
 
 #include "robots/airrobot/craft.h"
@@ -8,14 +10,14 @@ using namespace usar::airrobot;
 class TestCraft : public QObject {
     Q_OBJECT
 
-    modules::RobotModules robot;
+    std::optional<modules::RobotModules> robot;
     agent::CommandPort port;
     SensorLayout layout;
     std::uint64_t line = 0;
     double now_s = 0.0;
     std::unique_ptr<Craft> craft;
 
-    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+    void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
 
     /// One tick over flat ground `height_m` below, with these sonars nearer than 5 m; the scanner's level rays see what
     /// stands `left_m` and `right_m` beside.
@@ -37,7 +39,7 @@ class TestCraft : public QObject {
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
-        craft->perceive({Seconds(now_s), LineNumber{line}, robot}, layout, true, port);
+        craft->perceive({Seconds(now_s), LineNumber{line}, *robot}, layout, true, port);
     }
     protocol::AerialDrive fly() {
         craft->fly({Vec2(30, 0), Vec2(5, 0), 1.0, "test"}, port);
@@ -47,7 +49,7 @@ class TestCraft : public QObject {
 
 private slots:
     void init() {
-        robot = {};
+        robot.emplace();
         port = {};
         layout = stockLayout();
         line = 0;

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QtTest>
 
 #include "robots/airrobot/ins_reset.h"
@@ -8,13 +10,13 @@ using namespace usar::airrobot;
 class TestInsReset : public QObject {
     Q_OBJECT
 
-    modules::RobotModules robot;
+    std::optional<modules::RobotModules> robot;
     agent::CommandPort port;
     Settings settings;
     std::uint64_t line = 0;
     double now_s = 0.0;
 
-    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+    void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
     void tick(InsReset& reset, const Vec3& truth_m, const Vec3& ins_m) {
         now_s += 0.2;
         tell(protocol::InsReading{{}, "INS", Pose{ins_m, 0, 0, 0}});
@@ -22,7 +24,7 @@ class TestInsReset : public QObject {
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
-        reset.step(Seconds(now_s), robot, port, settings);
+        reset.step(Seconds(now_s), *robot, port, settings);
     }
     std::vector<protocol::SetInsPose> sent() {
         std::vector<protocol::SetInsPose> found;
@@ -33,7 +35,7 @@ class TestInsReset : public QObject {
 
 private slots:
     void init() {
-        robot = {};
+        robot.emplace();
         port = {};
         settings = {};
         line = 0;
@@ -108,7 +110,7 @@ private slots:
         InsReset reset;
         reset.start(Seconds(now_s));
         for (int i = 0; i < 40 && reset.state() != ResetState::Failed; ++i)
-            reset.step(Seconds(now_s += 0.2), robot, port, settings);
+            reset.step(Seconds(now_s += 0.2), *robot, port, settings);
         QCOMPARE(reset.state(), ResetState::Failed);
         QVERIFY(sent().empty());
     }

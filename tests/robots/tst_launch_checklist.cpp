@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QtTest>
 
 #include "robots/airrobot/launch_checklist.h"
@@ -8,19 +10,19 @@ using namespace usar::airrobot;
 class TestLaunchChecklist : public QObject {
     Q_OBJECT
 
-    modules::RobotModules robot;
+    std::optional<modules::RobotModules> robot;
     agent::CommandPort port;
     LaunchChecklist checklist;
     std::uint64_t line = 0;
     double now_s = 100.0;
     std::vector<std::string> asked;
 
-    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+    void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
 
     /// One tick of a server that answers what `answers` says; then the step.
     LaunchState tick(bool answers) {
         now_s += 0.2;
-        for (const auto& question : {robot.geometry.next(Seconds(now_s)), robot.configuration.next(Seconds(now_s))}) {
+        for (const auto& question : {robot->geometry.next(Seconds(now_s)), robot->configuration.next(Seconds(now_s))}) {
             if (!question)
                 continue;
             if (const auto* geometry = std::get_if<protocol::GetGeometry>(&*question)) {
@@ -39,7 +41,7 @@ class TestLaunchChecklist : public QObject {
                         {{"X", {{"MaxRange", "7", 7.0}, {"MaxLinearVelocity", "1.5", 1.5}}}}});
             }
         }
-        return checklist.step(Seconds(now_s), robot, port);
+        return checklist.step(Seconds(now_s), *robot, port);
     }
     LaunchState run(bool answers, int ticks) {
         LaunchState state = LaunchState::Waiting;
@@ -55,7 +57,7 @@ class TestLaunchChecklist : public QObject {
 
 private slots:
     void init() {
-        robot = {};
+        robot.emplace();
         port = {};
         checklist = {};
         line = 0;

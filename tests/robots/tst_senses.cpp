@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QtTest>
 
 #include "robots/airrobot/senses.h"
@@ -8,13 +10,13 @@ using namespace usar::airrobot;
 class TestSenses : public QObject {
     Q_OBJECT
 
-    modules::RobotModules robot;
+    std::optional<modules::RobotModules> robot;
     SensorLayout layout;
     const Seconds time_out{1.5};
     std::uint64_t line = 0;
     std::unique_ptr<SenseReader> reader;
 
-    void tell(protocol::InfoMessage message) { robot.take({LineNumber{++line}, "", std::move(message), {}}); }
+    void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
     void tellState(double time_s, double battery_s = 500.0) {
         protocol::RobotState state;
         state.time = Seconds(time_s);
@@ -38,11 +40,11 @@ class TestSenses : public QObject {
         }
         tell(scan);
     }
-    Senses read() { return reader->read(robot.state.now(), LineNumber{line}, robot, layout, time_out); }
+    Senses read() { return reader->read(robot->state.now(), LineNumber{line}, *robot, layout, time_out); }
 
 private slots:
     void init() {
-        robot = {};
+        robot.emplace();
         layout = stockLayout();
         line = 0;
         reader = std::make_unique<SenseReader>();
