@@ -20,7 +20,7 @@ agent::RobotDescription describeSubmarine() {
 
 Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context) {
     if (id != diver_id)
-        return failure("the Submarine has no such behavior", "behavior " + id, std::string("Use ") + diver_id);
+        return failure("the Submarine has no such behavior", "behavior " + id, std::string("Use ").append(diver_id));
     return std::make_unique<DiverBehavior>(std::move(context));
 }
 
