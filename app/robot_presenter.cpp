@@ -59,6 +59,14 @@ bool silent(const std::optional<Seconds>& heard, Seconds now) {
     return heard && now - *heard > patience;
 }
 
+constexpr double usual_scan_maximum_m = 20.0;
+
+/// A UDK server does not say what flies.
+widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
+    using enum protocol::VehicleKind;
+    return kind == Aerial || kind == Unknown ? widgets::ScanPlane::Below : widgets::ScanPlane::Ahead;
+}
+
 } // namespace
 
 void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
@@ -148,8 +156,10 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         views_.status->setIdle(QObject::tr("Idle"));
     }
     views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
+    if (const auto* state = newest<protocol::RobotState>(update))
+        scan_plane_ = scanPlaneOf(state->kind);
     if (const auto* scan = newest<protocol::RangeScan>(update))
-        views_.laser->setScan(*scan);
+        views_.laser->setScan(*scan, usual_scan_maximum_m, scan_plane_);
     if (update.ground)
         views_.terrain->setProfile(*update.ground);
     if (const auto* zones = newestPublished<agent::SonarZones>(update)) {

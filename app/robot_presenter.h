@@ -42,7 +42,8 @@ private:
     std::map<int, mission::TraceWatch> traces_; ///< by connection
     std::map<int, std::uint64_t> not_shown_;    ///< lines that were left out of updates so far, by connection
     // Of the selected robot:
-    std::optional<Seconds> scan_heard_; ///< by the protocol's clock
+    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below; ///< of the selected robot's scanner
+    std::optional<Seconds> scan_heard_;                         ///< by the protocol's clock
     std::optional<Seconds> sonar_heard_;
 };
 

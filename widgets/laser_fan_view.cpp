@@ -12,15 +12,23 @@ namespace usar::widgets {
 LaserFanView::LaserFanView(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Laser scan"));
     setToolTip(
-        tr("Rays of the range scanner across the robot, seen from behind, and the terrain line under it. Metres."));
+        tr("Rays of the range scanner, in metres: a robot's in the air seen from behind, with the terrain line under "
+           "it; any other's seen from above, with what is ahead on top."));
 }
 
-void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m) {
+void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, ScanPlane plane) {
     section_ = laserSection(scan, maximum_m);
+    plane_ = plane;
     stale_ = false;
-    setAccessibleDescription(section_.clearance_m ? tr("%1 m above ground").arg(figure(*section_.clearance_m, 2))
-                                                  : tr("No ground in range"));
+    setAccessibleDescription(section_.clearance_m        ? clearanceText(0)
+                             : plane == ScanPlane::Below ? tr("No ground in range")
+                                                         : tr("Nothing ahead in range"));
     update();
+}
+
+QString LaserFanView::clearanceText(int digits) const {
+    const QString distance = figure(section_.clearance_m.value_or(qQNaN()), 2, digits);
+    return plane_ == ScanPlane::Below ? tr("%1 m to ground").arg(distance) : tr("%1 m ahead").arg(distance);
 }
 
 void LaserFanView::clear() {
@@ -43,20 +51,40 @@ void LaserFanView::paintEvent(QPaintEvent*) {
                                tr("No laser scan yet.\nRays and terrain appear here once a range scanner reports."));
     paintSheet(painter, *this);
     const double head = fontMetrics().height() + 12.0;
-    const double scale = (height() - head - gap::small) / section_.depthShown_m();
-    const QPointF origin(width() / 2.0, head);
+    const double room = height() - head - gap::small;
+    const double scale = room / section_.depthShown_m();
+    const QPointF origin(width() / 2.0, plane_ == ScanPlane::Below ? head : head + room);
     painter.setClipRect(rect().adjusted(1, 1, -1, -1));
-    std::vector<std::optional<QPointF>> ground;
-    for (const LaserRay& ray : section_.rays)
-        ground.push_back(ray.hit ? std::optional(origin + ray.end_m * scale) : std::nullopt);
-    paintGround(painter, ground, height(), stale_);
+    paintSurface(painter, origin, scale);
     paintRays(painter, origin, scale);
+    paintRobot(painter, origin);
+    paintWords(painter, scale);
+}
+
+QPointF LaserFanView::onScreen(const LaserRay& ray, const QPointF& origin, double scale) const {
+    const double up = plane_ == ScanPlane::Below ? 1.0 : -1.0;
+    return origin + QPointF(ray.end_m.x(), up * ray.end_m.y()) * scale;
+}
+
+void LaserFanView::paintSurface(QPainter& painter, const QPointF& origin, double scale) const {
+    std::vector<std::optional<QPointF>> surface;
+    for (const LaserRay& ray : section_.rays)
+        surface.push_back(ray.hit ? std::optional(onScreen(ray, origin, scale)) : std::nullopt);
+    if (plane_ == ScanPlane::Below)
+        return paintGround(painter, surface, height(), stale_);
+    painter.setPen(Qt::NoPen); // walls and posts are not one line
+    painter.setBrush(stale_ ? tokens().stale : tokens().ok);
+    for (const std::optional<QPointF>& hit : surface)
+        if (hit)
+            painter.drawEllipse(*hit, 1.5, 1.5);
+}
+
+void LaserFanView::paintRobot(QPainter& painter, const QPointF& origin) const {
     const QColor body = stale_ ? tokens().stale : tokens().text;
     painter.setPen(QPen(body, 2.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(origin + QPointF(-9.0, 0.0), origin + QPointF(9.0, 0.0));
     painter.setBrush(body);
     painter.drawEllipse(origin, 3.5, 3.5);
-    paintWords(painter, scale);
 }
 
 void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double scale) const {
@@ -65,14 +93,13 @@ void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double sc
     QVector<QLineF> rays;
     for (const LaserRay& ray : section_.rays)
         if (ray.hit)
-            rays << QLineF(origin, origin + ray.end_m * scale);
+            rays << QLineF(origin, onScreen(ray, origin, scale));
     painter.setPen(QPen(ink, 1.0));
     painter.drawLines(rays);
 }
 
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
-    paintSheetHead(painter, *this, tr("laser"),
-                   tr("%1 m to ground").arg(figure(section_.clearance_m.value_or(qQNaN()), 2, 5)), stale_);
+    paintSheetHead(painter, *this, tr("laser"), clearanceText(5), stale_);
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
     painter.setPen(QPen(tokens().text_muted, 1.5));

@@ -82,6 +82,7 @@ private slots:
     void depthIsRound_data();
     void depthIsRound();
     void fanDrawsGroundUnderTheRobot();
+    void fanDrawsWhatIsAheadOverTheRobot();
     void sonarsComeInRingOrder();
     void zonesKeepTheBehaviorsOrder();
     void riskIsColorAndWord_data();
@@ -234,6 +235,18 @@ void tst_Instruments::fanDrawsGroundUnderTheRobot() {
     QVERIFY(pixelsNear(view, QRect(60, ground - 2, 180, 5), tokens().ok) > 150);
     QCOMPARE(pixelsNear(view, QRect(60, ground - 40, 60, 5), tokens().ok), 0);
     QVERIFY(view.accessibleDescription().contains(QStringLiteral("6.00 m")));
+}
+
+void tst_Instruments::fanDrawsWhatIsAheadOverTheRobot() {
+    LaserFanView view;
+    view.resize(300, 180);
+    view.setScan(flatGround(6.0), 20.0, ScanPlane::Ahead); // a wall across, six meters away
+    const double head = view.fontMetrics().height() + 12.0;
+    const double room = 180 - head - 8.0;
+    const int wall = int(head + room - 6.0 * room / 8.0);
+    QVERIFY(pixelsNear(view, QRect(60, wall - 3, 180, 7), tokens().ok) > 50);
+    QCOMPARE(pixelsNear(view, QRect(60, wall + 20, 60, 5), tokens().ok), 0);
+    QCOMPARE(view.accessibleDescription(), QStringLiteral("6.00 m ahead"));
 }
 
 void tst_Instruments::sonarsComeInRingOrder() {
