@@ -111,7 +111,8 @@ void ConnectionBar::setUpAddress() {
 
 void ConnectionBar::setUpStatus() {
     status_text_->setAccessibleName(tr("State of the connection"));
-    status_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    status_text_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    status_text_->setRoomFor(QStringLiteral("Connected · point_lookout"));
     status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
     retry_->setAccessibleName(tr("Next try"));
     retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
@@ -166,7 +167,7 @@ void ConnectionBar::showWords() {
     status_text_->setText(words(status_));
     retry_->setText(retryWords(status_, retry_in_));
     retry_->setVisible(!retry_->text().isEmpty());
-    for (QLabel* label : {status_text_, retry_})
+    for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
         label->setToolTip(statusText());
 }
 

@@ -16,6 +16,8 @@
 
 namespace usar::widgets {
 
+class ElidedLabel;
+
 /// The simulator inside this program, or a USARSim server in the network.
 enum class ServerChoice { Embedded, Real };
 
@@ -85,8 +87,8 @@ private:
     QSpinBox* port_;
     QPushButton* button_;
     StateDot* dot_;
-    QLabel* status_text_; ///< ends in "…" where there is no room
-    QLabel* retry_;       ///< never does: it is what changes
+    ElidedLabel* status_text_; ///< ends in "…" where there is no room
+    QLabel* retry_;            ///< never does: it is what changes
     QToolButton* rate_;
     LinkPanel* panel_;
 };

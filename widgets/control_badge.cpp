@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/elided_label.h"
 #include "widgets/theme.h"
 
 namespace usar::widgets {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int badge_height_px = 26;
 constexpr int usual_width_px = 168;
-constexpr int least_width_px = 92;
+constexpr int least_width_px = 136; // "R1: you drive"
 
 StateShape shapeOf(Driver driver) {
     return driver == Driver::Person     ? StateShape::Busy
@@ -84,8 +85,7 @@ void ControlBadge::paintEvent(QPaintEvent*) {
     painter.setPen(words_.driver == Driver::Nobody ? t.text_muted : t.text);
     painter.setFont(themeFont(FontRole::Body, person ? QFont::DemiBold : QFont::Normal));
     const QRect line = rect().adjusted(gap::small + 16 + gap::tiny, 0, -gap::small, 0);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, line.width()));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, fittedText(text(), painter.fontMetrics(), line.width()));
 }
 
 void ControlBadge::mouseReleaseEvent(QMouseEvent* event) {

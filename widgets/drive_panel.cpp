@@ -65,7 +65,7 @@ DrivePanel::DrivePanel(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap::small);
     badge_->setBare(true);
-    column->addWidget(badge_);
+    column->addWidget(badge_, 0, Qt::AlignTop); // alone above the empty state, too
     column->addWidget(take_);
     makePads();
     makeSpeed();

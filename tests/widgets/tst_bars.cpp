@@ -7,6 +7,7 @@
 
 #include "widgets/area_form.h"
 #include "widgets/connection_bar.h"
+#include "widgets/elided_label.h"
 #include "widgets/layer_swatch.h"
 #include "widgets/layers_panel.h"
 #include "widgets/progress_strip.h"
@@ -33,6 +34,8 @@ class tst_Bars : public QObject {
 private slots:
     void saysTheStateInWords_data();
     void saysTheStateInWords();
+    void whatDoesNotFitLosesItsLastPartFirst_data();
+    void whatDoesNotFitLosesItsLastPartFirst();
     void connectsToWhatIsTyped();
     void embeddedSimulatorNeedsNoAddress();
     void addressIsKeptForTheRealServer();
@@ -85,6 +88,25 @@ void tst_Bars::saysTheStateInWords() {
     bar.setStatus(status);
     QTEST(bar.statusText(), "words");
     QTEST(bar.findChild<StateDot*>()->state(), "shape");
+}
+
+void tst_Bars::whatDoesNotFitLosesItsLastPartFirst_data() {
+    QTest::addColumn<QString>("room_for");
+    QTest::addColumn<QString>("shown");
+    QTest::newRow("all of it") << "R1: you drive · keys"
+                               << "R1: you drive · keys";
+    QTest::newRow("a part less") << "R1: you drive · ke"
+                                 << "R1: you drive";
+    QTest::newRow("just the first") << "R1: you drive"
+                                    << "R1: you drive";
+    QTest::newRow("less than the first") << "R1: you …"
+                                         << "R1: you …";
+}
+
+void tst_Bars::whatDoesNotFitLosesItsLastPartFirst() {
+    QFETCH(QString, room_for);
+    const QFontMetrics metrics(QApplication::font());
+    QTEST(fittedText("R1: you drive · keys", metrics, metrics.horizontalAdvance(room_for)), "shown");
 }
 
 void tst_Bars::connectsToWhatIsTyped() {
