@@ -73,7 +73,7 @@ void tst_SampleRobot::fliesWhereAPersonHasCopiedIt() {
     QVERIFY(QDir().rename(installed_first, prefix));
 
     copyFolder(prefix + "/share/usar-mission-control/sample", copy);
-    Outcome made = run("cmake", {"-B", "build", "-DCMAKE_PREFIX_PATH=" + prefix}, copy);
+    Outcome made = run("cmake", {"-G", "Ninja", "-B", "build", "-DCMAKE_PREFIX_PATH=" + prefix}, copy);
     QVERIFY2(made.exit_code == 0, made.output + made.said);
     made = run("cmake", {"--build", "build"}, copy);
     QVERIFY2(made.exit_code == 0, made.output + made.said);
