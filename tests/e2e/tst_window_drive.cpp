@@ -4,14 +4,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
-#include <QScopeGuard>
 #include <QTest>
-#include <QThread>
 #include <QTimer>
 
 #include "app/headless_simulator.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/doubles/meddling_relay.h"
+#include "tests/doubles/own_thread.h"
 #include "tests/e2e/drive_page.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "widgets/drive_pad.h"
@@ -241,15 +240,7 @@ void tst_WindowDrive::aKeyIsOnTheWireAtOnce() {
     };
     auto* const beat = new QTimer(&server);
     connect(beat, &QTimer::timeout, &server, [&] { server.tick(); });
-    QThread wire;
-    server.moveToThread(&wire);
-    wire.start();
-    const auto home = qScopeGuard([&, here = thread()] {
-        QMetaObject::invokeMethod(
-            &server, [&] { server.moveToThread(here); }, Qt::BlockingQueuedConnection);
-        wire.quit();
-        wire.wait();
-    });
+    const test::OwnThread wire(server);
     DrivePage page;
     page.connectToServer("127.0.0.1", server.port());
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);

@@ -4,11 +4,10 @@
 
 #include <QFile>
 #include <QListWidget>
-#include <QScopeGuard>
 #include <QTest>
-#include <QThread>
 
 #include "tests/doubles/fake_robot_server.h"
+#include "tests/doubles/own_thread.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 
@@ -111,15 +110,7 @@ void tst_WindowPlan::aCycleIsSeenAtOnce() {
         if (line.startsWith("INIT"))
             server.keepClient();
     };
-    QThread wire;
-    server.moveToThread(&wire);
-    wire.start();
-    const auto home = qScopeGuard([&, here = thread()] {
-        QMetaObject::invokeMethod(
-            &server, [&] { server.moveToThread(here); }, Qt::BlockingQueuedConnection);
-        wire.quit();
-        wire.wait();
-    });
+    const test::OwnThread wire(server);
     WindowPage page({.mission_file = missionFile(folder)});
     const PlanDock dock(page);
     page.connectToServer("127.0.0.1", server.port());

@@ -1,0 +1,31 @@
+// A double that has to answer while the test's own thread is busy.
+#pragma once
+
+#include <QObject>
+#include <QThread>
+
+namespace usar::test {
+
+/// `object` lives in a thread of its own as long as this does, and then again where this was made. Talk to it by
+/// QMetaObject::invokeMethod meanwhile.
+class OwnThread {
+public:
+    explicit OwnThread(QObject& object) : object_(object) {
+        object.moveToThread(&thread_);
+        thread_.start();
+    }
+    ~OwnThread() {
+        QMetaObject::invokeMethod(
+            &object_, [this] { object_.moveToThread(home_); }, Qt::BlockingQueuedConnection);
+        thread_.quit();
+        thread_.wait();
+    }
+    Q_DISABLE_COPY_MOVE(OwnThread)
+
+private:
+    QObject& object_;
+    QThread* const home_ = QThread::currentThread();
+    QThread thread_;
+};
+
+} // namespace usar::test
