@@ -32,7 +32,7 @@ void takeVariable(TokenCursor& cursor, Variable& variable) {
 template <class Number>
 bool setNumber(std::optional<Number> number, Value& value) {
     if (number)
-        value = *number;
+        value.emplace<Number>(*number);
     return number.has_value();
 }
 
@@ -208,7 +208,7 @@ bool readFormals(TokenCursor& cursor, std::vector<Formal>& formals) {
 bool readArguments(TokenCursor& cursor, std::vector<Argument>& arguments) {
     cursor.advance();
     NameSet seen;
-    arguments.reserve(2);
+    arguments.reserve(cursor.at(TokenKind::Close, 1) ? 1 : 2);
     for (;;) {
         const bool after_named = !arguments.empty() && !arguments.back().name.empty();
         if (!readArgument(cursor, after_named, seen, arguments.emplace_back()))

@@ -101,6 +101,7 @@ bool readElement(TokenCursor& cursor, Element& element) {
 template <class Member>
 bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, std::string_view expected,
                 bool (*read)(TokenCursor&, Member&)) {
+    levels.reserve(8);
     while (!cursor.at(TokenKind::Close)) {
         if (!cursor.take(TokenKind::Open, expected, "((name action))"))
             return false;

@@ -1,6 +1,7 @@
 #include "core/posh/keyword.h"
 
-#include <initializer_list>
+#include <array>
+#include <cstdint>
 
 #include "core/base/text.h"
 
@@ -13,40 +14,56 @@ struct KeywordName {
     Keyword keyword;
 };
 
-Keyword among(std::string_view word, std::initializer_list<KeywordName> entries) {
-    const char first = lowerCase(word.front()); // most names are told by it
-    for (const KeywordName& entry : entries)
-        if (first == lowerCase(entry.word.front()) && sameWord(word, entry.word))
-            return entry.keyword;
-    return Keyword::None;
+constexpr std::array keywords{
+    KeywordName{"trigger", Keyword::Trigger}, // by far the most frequent one
+    KeywordName{"goal", Keyword::Goal},
+    KeywordName{"C", Keyword::C},
+    KeywordName{"AP", Keyword::Ap},
+    KeywordName{"AD", Keyword::Ad},
+    KeywordName{"DC", Keyword::Dc},
+    KeywordName{"RDC", Keyword::Rdc},
+    KeywordName{"SDC", Keyword::Sdc},
+    KeywordName{"SRDC", Keyword::Srdc},
+    KeywordName{"documentation", Keyword::Documentation},
+    KeywordName{"drives", Keyword::Drives},
+    KeywordName{"elements", Keyword::Elements},
+    KeywordName{"vars", Keyword::Vars},
+    KeywordName{"nil", Keyword::Nil},
+    KeywordName{"true", Keyword::True},
+    KeywordName{"false", Keyword::False},
+    KeywordName{"hours", Keyword::Hours},
+    KeywordName{"minutes", Keyword::Minutes},
+    KeywordName{"seconds", Keyword::Seconds},
+    KeywordName{"none", Keyword::NoUnit},
+    KeywordName{"hz", Keyword::Hz},
+    KeywordName{"pm", Keyword::PerMinute},
+    KeywordName{"ticks", Keyword::Ticks},
+};
+
+/// Which lengths the keywords that begin with a character have, a bit each: nearly every name is told by it.
+constexpr std::array<std::uint16_t, 256> lengthsByFirst() {
+    std::array<std::uint16_t, 256> table{};
+    for (const KeywordName& known : keywords) {
+        const char first = lowerCase(known.word.front());
+        const auto length = static_cast<std::uint16_t>(1U << known.word.size());
+        table[static_cast<unsigned char>(first)] |= length;
+        table[static_cast<unsigned char>(first - 'a' + 'A')] |= length;
+    }
+    return table;
 }
+
+constexpr std::array<std::uint16_t, 256> lengths = lengthsByFirst();
 
 } // namespace
 
 Keyword keywordOf(std::string_view word) {
-    using enum Keyword;
-    switch (word.size()) { // nearly every word is a name: ask as little as possible
-    case 1:
-        return word == "C" || word == "c" ? C : None;
-    case 2:
-        return among(word, {{"AP", Ap}, {"AD", Ad}, {"DC", Dc}, {"hz", Hz}, {"pm", PerMinute}});
-    case 3:
-        return among(word, {{"nil", Nil}, {"RDC", Rdc}, {"SDC", Sdc}});
-    case 4:
-        return among(word, {{"goal", Goal}, {"true", True}, {"vars", Vars}, {"none", NoUnit}, {"SRDC", Srdc}});
-    case 5:
-        return among(word, {{"false", False}, {"hours", Hours}, {"ticks", Ticks}});
-    case 6:
-        return among(word, {{"drives", Drives}});
-    case 7:
-        return among(word, {{"trigger", Trigger}, {"minutes", Minutes}, {"seconds", Seconds}});
-    case 8:
-        return among(word, {{"elements", Elements}});
-    case 13:
-        return among(word, {{"documentation", Documentation}});
-    default:
-        return None;
-    }
+    if (word.empty() || word.size() > 15 ||
+        (lengths[static_cast<unsigned char>(word.front())] >> word.size() & 1U) == 0)
+        return Keyword::None;
+    for (const KeywordName& known : keywords)
+        if (sameWord(word, known.word))
+            return known.keyword;
+    return Keyword::None;
 }
 
 std::optional<CollectionKind> collectionKind(Keyword keyword) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <unordered_set>
-#include <vector>
 
 namespace usar::posh {
 
@@ -16,17 +16,21 @@ public:
     bool insert(std::string_view name) {
         if (!many_.empty())
             return many_.insert(name).second;
-        if (std::find(few_.begin(), few_.end(), name) != few_.end())
+        const auto end = few_.begin() + static_cast<std::ptrdiff_t>(count_);
+        if (std::find(few_.begin(), end, name) != end)
             return false;
-        few_.push_back(name);
-        if (few_.size() > most_compared)
+        if (count_ < few_.size()) {
+            few_[count_++] = name;
+        } else {
             many_.insert(few_.begin(), few_.end());
+            many_.insert(name);
+        }
         return true;
     }
 
 private:
-    static constexpr std::size_t most_compared = 16;
-    std::vector<std::string_view> few_;
+    std::array<std::string_view, 16> few_;
+    std::size_t count_ = 0;
     std::unordered_set<std::string_view> many_;
 };
 

@@ -4,7 +4,6 @@
 
 #include "core/base/spelling.h"
 #include "core/posh/form_index.h"
-#include "core/posh/plan_walk.h"
 #include "core/posh/plan_warnings.h"
 #include "core/posh/reference_cycles.h"
 
@@ -50,19 +49,14 @@ std::string freeVariableMessage(const std::string& name, const std::string& near
 
 void checkVariables(const Plan& plan, const FormIndex& index, Findings& findings) {
     std::size_t compared = 0;
-    for (std::size_t i = 0; i < plan.forms.size(); ++i) {
-        const bool in_collection = std::holds_alternative<Collection>(plan.forms[i]);
-        forEachCall(plan.forms[i], [&](const Call& call, bool) {
-            for (const Argument& argument : call.arguments) {
-                const auto* const variable = std::get_if<Variable>(&argument.value);
-                if (!variable || index.declares(i, variable->name))
-                    continue;
-                const bool compares = compared++ < most_compared;
-                const std::string nearest = compares ? nearestFormal(variable->name, index.formals(i)) : "";
-                findings.push_back({Code::FreeVariable, variable->at,
-                                    freeVariableMessage(variable->name, nearest, in_collection), std::nullopt});
-            }
-        });
+    for (const auto& [variable, form] : index.variables()) {
+        if (index.declares(form, variable->name))
+            continue;
+        const bool in_collection = std::holds_alternative<Collection>(plan.forms[form]);
+        const bool compares = compared++ < most_compared;
+        const std::string nearest = compares ? nearestFormal(variable->name, index.formals(form)) : "";
+        findings.push_back({Code::FreeVariable, variable->at,
+                            freeVariableMessage(variable->name, nearest, in_collection), std::nullopt});
     }
 }
 

@@ -1,9 +1,9 @@
 // Expands a plan into a program. Forms wait on a stack, not in recursion: no plan is too deep.
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
+#include "core/posh/number_table.h"
 #include "core/posh/program.h"
 #include "core/posh/value_text.h"
 
@@ -93,18 +93,23 @@ private:
     Index addPlace(const Place& place, const Name& name);
     Range addTests(const Senses& senses, Index parent);
     Index addTest(const SenseTest& test, Index place);
-    Index addCall(std::vector<ProgramCall>& calls, std::unordered_map<std::string, Index>& known, const Call& call);
+    Index addCall(std::vector<ProgramCall>& calls, NumberTable& known, const Call& call);
+    std::optional<std::string_view> textOf(const Call& call);
     Target refer(const Call& call, Waiting waiting);
     const Value* valueOf(const Argument& argument, Index scope);
     Scope scopeOf(const Waiting& waiting);
     void fail(std::string what, Spot at, std::string mend);
+    auto nameOfForm() const {
+        return [this](Index form) -> const std::string& { return nameOf(*forms_[form].first).text; };
+    }
 
     const Plan& plan_;
     std::shared_ptr<Program> program_ = std::make_shared<Program>();
-    std::unordered_map<std::string_view, std::pair<const Form*, Index>> forms_;
-    std::unordered_map<std::string, Index> names_;
-    std::unordered_map<std::string, Index> sense_calls_;
-    std::unordered_map<std::string, Index> act_calls_;
+    std::vector<std::pair<const Form*, Index>> forms_; ///< with their numbers among those of their kind
+    NumberTable form_names_;                           ///< of forms_; the first of equal names
+    NumberTable names_;
+    NumberTable sense_calls_;
+    NumberTable act_calls_;
     std::vector<Scope> scopes_; ///< one for each form of the program
     std::vector<Waiting> waiting_;
     std::string call_text_;
@@ -131,7 +136,8 @@ void Builder::findForms() {
         Index& count = std::holds_alternative<Competence>(form) ? competences
                        : std::holds_alternative<Pattern>(form)  ? patterns
                                                                 : adopts;
-        forms_.try_emplace(nameOf(form).text, &form, count++);
+        forms_.emplace_back(&form, count++);
+        form_names_.findOrNote(nameOf(form).text, static_cast<Index>(forms_.size() - 1), nameOfForm());
     }
 }
 
@@ -207,15 +213,17 @@ void Builder::addDrive(const Drive& drive, Index level) {
 }
 
 Index Builder::addPlace(const Place& place, const Name& name) {
-    const auto [known, is_new] = names_.try_emplace(name.text, static_cast<Index>(program_->names.size()));
-    if (is_new)
-        program_->names.push_back(name.text);
+    std::vector<std::string>& names = program_->names;
+    const auto fresh = static_cast<Index>(names.size());
+    const Index number = names_.findOrNote(name.text, fresh, [&](Index i) -> const std::string& { return names[i]; });
+    if (number == fresh)
+        names.push_back(name.text);
     if (program_->places.size() >= most_places)
         fail("the plan comes to more than " + std::to_string(most_places) + " places when " + name.text +
                  " is expanded",
              name.at, "Let forms refer to each other less often");
     program_->places.push_back(place);
-    program_->places.back().name = known->second;
+    program_->places.back().name = number;
     program_->places.back().at = name.at;
     return static_cast<Index>(program_->places.size() - 1);
 }
@@ -241,31 +249,40 @@ Index Builder::addTest(const SenseTest& test, Index place) {
     return static_cast<Index>(program_->tests.size() - 1);
 }
 
-/// Equal calls print alike, and unlike ones do not. Most calls of a large plan are known already.
-Index Builder::addCall(std::vector<ProgramCall>& calls, std::unordered_map<std::string, Index>& known,
-                       const Call& call) {
-    call_text_ = call.name.text;
+/// As traces print it, until the next call; nothing where the builder has failed. Fills call_values_.
+std::optional<std::string_view> Builder::textOf(const Call& call) {
     call_values_.clear();
+    if (call.arguments.empty())
+        return call.name.text;
+    call_text_ = call.name.text;
     for (const Argument& argument : call.arguments) {
         const Value* const value = valueOf(argument, scope_);
         if (!value)
-            return 0; // the builder has failed
+            return std::nullopt;
         call_text_ += call_values_.empty() ? "(" : ", ";
         if (!argument.name.empty())
             call_text_.append("$").append(argument.name).append("=");
         appendValue(call_text_, *value);
         call_values_.push_back(value);
     }
-    if (!call_values_.empty())
-        call_text_ += ')';
-    const auto [place, is_new] = known.try_emplace(call_text_, static_cast<Index>(calls.size()));
-    if (!is_new)
-        return place->second;
-    ProgramCall made{.name = call.name.text, .arguments = {}, .text = call_text_, .at = call.name.at};
+    call_text_ += ')';
+    return call_text_;
+}
+
+/// Equal calls print alike, and unlike ones do not. Most calls of a large plan are known already.
+Index Builder::addCall(std::vector<ProgramCall>& calls, NumberTable& known, const Call& call) {
+    const auto text = textOf(call);
+    if (!text)
+        return 0;
+    const auto fresh = static_cast<Index>(calls.size());
+    const Index number = known.findOrNote(*text, fresh, [&](Index i) -> const std::string& { return calls[i].text; });
+    if (number != fresh)
+        return number;
+    ProgramCall made{.name = call.name.text, .arguments = {}, .text = std::string(*text), .at = call.name.at};
     for (std::size_t i = 0; i < call_values_.size(); ++i)
         made.arguments.push_back({call.arguments[i].name, *call_values_[i]});
     calls.push_back(std::move(made));
-    return place->second;
+    return fresh;
 }
 
 const Value* Builder::valueOf(const Argument& argument, Index scope) {
@@ -285,8 +302,8 @@ Target Builder::refer(const Call& call, Waiting waiting) {
     waiting.call = &call;
     waiting.caller = scope_;
     waiting.drive = drive_;
-    if (const auto found = forms_.find(call.name.text); found != forms_.end()) {
-        std::tie(waiting.form, waiting.position) = found->second;
+    if (const Index form = form_names_.find(call.name.text, nameOfForm()); form != NumberTable::none) {
+        std::tie(waiting.form, waiting.position) = forms_[form];
         waiting_.push_back(waiting);
         return {};
     }

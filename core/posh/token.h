@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/posh/finding.h"
+#include "core/posh/keyword.h"
 
 namespace usar::posh {
 
@@ -27,6 +28,7 @@ enum class TokenKind : std::uint8_t {
 
 struct Token {
     TokenKind kind = TokenKind::End;
+    Keyword keyword = Keyword::None; ///< of a name
     bool first_on_line = false;
     Spot at;
 };

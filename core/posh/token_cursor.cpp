@@ -28,19 +28,6 @@ std::string lexicalMessage(Code code, std::string_view text, const Spot& at) {
 
 } // namespace
 
-void TokenCursor::advance() {
-    const Token& token = peek();
-    if (token.kind == TokenKind::End)
-        return;
-    if (token.kind == TokenKind::Open)
-        openers_.push_back(token.at);
-    else if (token.kind == TokenKind::Close && !openers_.empty())
-        openers_.pop_back();
-    else if (token.kind == TokenKind::Bad)
-        ++errors_passed_;
-    ++index_;
-}
-
 void TokenCursor::resumeAt(std::size_t index, std::size_t depth) {
     while (index_ < index)
         advance();
@@ -52,13 +39,6 @@ Spot TokenCursor::spotSince(const Spot& begin) const {
     Spot whole = begin;
     whole.length = last.offset + last.length - begin.offset;
     return whole;
-}
-
-bool TokenCursor::take(TokenKind kind, std::string_view expected, std::string_view mend) {
-    if (!at(kind))
-        return unexpected(expected, mend);
-    advance();
-    return true;
 }
 
 bool TokenCursor::takeKeyword(Keyword wanted, std::string_view expected, std::string_view mend) {
@@ -96,7 +76,7 @@ bool TokenCursor::fail(Code code, std::string message) {
         message = "the text ends too early; close what is open with )";
     failAt(Code::EndOfFile, token.at, std::move(message));
     if (!openers_.empty())
-        findings_.back().opener = openers_.back();
+        findings_.back().opener = tokens_[openers_.back()].at;
     return false;
 }
 

@@ -18,21 +18,35 @@ public:
         : text_(text)
         , list_(&tokens)
         , tokens_(tokens.tokens.data())
-        , last_(tokens.tokens.size() - 1) {}
+        , last_(tokens.tokens.size() - 1) {
+        openers_.reserve(32);
+    }
 
+    const Token& peek() const { return tokens_[index_]; }
     /// The last token (End) for all that lies beyond it.
-    const Token& peek(std::size_t ahead = 0) const { return tokens_[index_ + ahead < last_ ? index_ + ahead : last_]; }
-    bool at(TokenKind kind, std::size_t ahead = 0) const { return peek(ahead).kind == kind; }
+    const Token& peek(std::size_t ahead) const { return tokens_[index_ + ahead < last_ ? index_ + ahead : last_]; }
+    bool at(TokenKind kind) const { return peek().kind == kind; }
+    bool at(TokenKind kind, std::size_t ahead) const { return peek(ahead).kind == kind; }
     bool atNumber(std::size_t ahead = 0) const { return at(TokenKind::Integer, ahead) || at(TokenKind::Float, ahead); }
     std::string_view word(std::size_t ahead = 0) const { return textOf(text_, peek(ahead).at); }
     /// None for what is no name.
-    Keyword keyword(std::size_t ahead = 0) const {
-        return at(TokenKind::Name, ahead) ? keywordOf(word(ahead)) : Keyword::None;
+    Keyword keyword() const { return peek().keyword; }
+    Keyword keyword(std::size_t ahead) const { return peek(ahead).keyword; }
+    void advance() {
+        const TokenKind kind = peek().kind;
+        if (kind == TokenKind::End)
+            return;
+        if (kind == TokenKind::Open)
+            openers_.push_back(index_);
+        else if (kind == TokenKind::Close && !openers_.empty())
+            openers_.pop_back();
+        else if (kind == TokenKind::Bad)
+            ++errors_passed_;
+        ++index_;
     }
-    void advance();
 
     /// As if a parenthesis stood before the present token.
-    void pretendOpen() { openers_.push_back(peek().at); }
+    void pretendOpen() { openers_.push_back(index_); }
 
     std::size_t index() const { return index_; }
     /// Goes on at a token that lies outside of every parenthesis opened after the first `depth`.
@@ -43,7 +57,12 @@ public:
     Spot spotSince(const Spot& begin) const;
 
     /// Takes one token of the kind, or says what was expected: "the ( of a drive".
-    bool take(TokenKind kind, std::string_view expected, std::string_view mend);
+    bool take(TokenKind kind, std::string_view expected, std::string_view mend) {
+        if (!at(kind))
+            return unexpected(expected, mend);
+        advance();
+        return true;
+    }
     bool takeKeyword(Keyword keyword, std::string_view expected, std::string_view mend);
 
     /// E202 at the present token.
@@ -62,8 +81,8 @@ private:
     const Token* tokens_; ///< of the list
     std::size_t last_;    ///< of them
     std::size_t index_ = 0;
-    std::size_t errors_passed_ = 0; ///< Bad tokens before index_
-    std::vector<Spot> openers_;
+    std::size_t errors_passed_ = 0;    ///< Bad tokens before index_
+    std::vector<std::size_t> openers_; ///< which tokens opened what is not closed yet
     Findings findings_;
 };
 

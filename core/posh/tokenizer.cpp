@@ -12,7 +12,7 @@ namespace usar::posh {
 namespace {
 
 /// NameStart and NamePart make up ordinary names; Word is what else can stand in a word, sound or not.
-enum class Class : std::uint8_t { Word, NameStart, NamePart, Blank, LineEnd, Delimiter, High };
+enum class Class : std::uint8_t { Word, NameStart, NamePart, Blank, LineEnd, Open, Close, Delimiter, High };
 
 constexpr std::array<Class, 256> classTable() {
     std::array<Class, 256> table{};
@@ -26,7 +26,9 @@ constexpr std::array<Class, 256> classTable() {
     for (const char c : {' ', '\t', '\r', '\f', '\v'})
         table[static_cast<unsigned char>(c)] = Class::Blank;
     table['\n'] = Class::LineEnd;
-    for (const char c : {'(', ')', ';', ',', '"', '=', '!', '<', '>', '$', '\'', '#'})
+    table['('] = Class::Open;
+    table[')'] = Class::Close;
+    for (const char c : {';', ',', '"', '=', '!', '<', '>', '$', '\'', '#'})
         table[static_cast<unsigned char>(c)] = Class::Delimiter;
     for (std::size_t i = 128; i < 256; ++i)
         table[i] = Class::High;
@@ -53,7 +55,8 @@ public:
     TokenList run() {
         while (at_ < text_.size())
             next();
-        list_.tokens.push_back({TokenKind::End, line_is_empty_, spotFrom(at_)});
+        push(TokenKind::End, Keyword::None, spotFrom(at_));
+        keepChunk();
         return std::move(list_);
     }
 
@@ -67,6 +70,7 @@ private:
     void string();
     std::size_t escapeLength(std::size_t at, std::size_t limit) const;
     void name();
+    void number();
     void word();
     void quoted(char mark);
     std::size_t wordEnd(std::size_t from) const;
@@ -84,11 +88,30 @@ private:
         return {line_, static_cast<std::uint32_t>(begin - line_start_ - extra_bytes_ + 1),
                 static_cast<std::uint32_t>(begin), 0};
     }
-    void add(TokenKind kind, Spot at) {
+    /// From `at` to at_; gives the whole of it.
+    Spot add(TokenKind kind, Spot at) {
         at.length = static_cast<std::uint32_t>(at_ - at.offset);
-        list_.tokens.push_back({kind, line_is_empty_, at});
-        line_is_empty_ = false;
+        push(kind, kind == TokenKind::Name ? keywordOf(textOf(text_, at)) : Keyword::None, at);
+        return at;
     }
+    /// What has no character of more than one byte, from at_ to `end`.
+    void addPlain(TokenKind kind, Keyword keyword, std::size_t end) {
+        Spot at = spotFrom(at_);
+        at.length = static_cast<std::uint32_t>(end - at_);
+        at_ = end;
+        push(kind, keyword, at);
+    }
+    void push(TokenKind kind, Keyword keyword, const Spot& at) {
+        *free_++ = {kind, keyword, line_is_empty_, at};
+        line_is_empty_ = false;
+        if (free_ == chunk_.data() + chunk_.size())
+            keepChunk();
+    }
+    void keepChunk() {
+        list_.tokens.insert(list_.tokens.end(), chunk_.data(), free_);
+        free_ = chunk_.data();
+    }
+    Class classAt(std::size_t at) const { return at < text_.size() ? classOf(text_[at]) : Class::Blank; }
     /// A Bad token from `begin` to at_, whose error sits at `error_at`.
     void addBad(Code code, const Spot& begin, Spot error_at) {
         if (error_at.length == 0)
@@ -100,6 +123,8 @@ private:
 
     std::string_view text_;
     TokenList list_;
+    std::array<Token, 128> chunk_; ///< the last tokens, on their way to the list: a vector asks more of each
+    Token* free_ = chunk_.data();
     std::size_t at_ = 0;
     std::size_t line_start_ = 0;
     std::size_t extra_bytes_ = 0; ///< bytes of this line, up to at_, that begin no code point
@@ -120,6 +145,12 @@ void Tokenizer::next() {
     case Class::LineEnd:
         lineEnd();
         break;
+    case Class::Open:
+        addPlain(TokenKind::Open, Keyword::None, at_ + 1);
+        break;
+    case Class::Close:
+        addPlain(TokenKind::Close, Keyword::None, at_ + 1);
+        break;
     case Class::Delimiter:
         delimiter();
         break;
@@ -129,8 +160,10 @@ void Tokenizer::next() {
     case Class::NameStart:
         name();
         break;
-    case Class::Word:
     case Class::NamePart:
+        number();
+        break;
+    case Class::Word:
         word();
     }
 }
@@ -201,15 +234,10 @@ void Tokenizer::delimiter() {
     case '$':
     case '\'':
         return quoted(text_[at_]);
-    case '(':
-        ++at_;
-        return add(TokenKind::Open, begin);
-    case ')':
-        ++at_;
-        return add(TokenKind::Close, begin);
     case ',':
         ++at_;
-        return add(TokenKind::Comma, begin);
+        add(TokenKind::Comma, begin);
+        return;
     default:
         return predicate();
     }
@@ -257,15 +285,33 @@ std::size_t Tokenizer::wordEnd(std::size_t from) const {
 /// The usual word: letters, digits, _ and - only.
 void Tokenizer::name() {
     std::size_t end = at_ + 1;
-    while (end < text_.size() && (classOf(text_[end]) == Class::NameStart || classOf(text_[end]) == Class::NamePart))
+    while (classAt(end) == Class::NameStart || classAt(end) == Class::NamePart)
         ++end;
-    const bool goes_on =
-        end < text_.size() && (classOf(text_[end]) == Class::Word || classOf(text_[end]) == Class::High);
-    if (goes_on)
+    if (classAt(end) == Class::Word || classAt(end) == Class::High)
         return word();
-    const Spot begin = spotFrom(at_);
-    at_ = end;
-    add(TokenKind::Name, begin);
+    addPlain(TokenKind::Name, keywordOf(text_.substr(at_, end - at_)), end);
+}
+
+/// The usual number: digits with a point among them or without, perhaps behind a minus. What begins like one and is
+/// none is a word like others.
+void Tokenizer::number() {
+    std::size_t end = at_ + (text_[at_] == '-' ? 1 : 0);
+    const auto digits = [&] {
+        const std::size_t begin = end;
+        while (end < text_.size() && isDigit(text_[end]))
+            ++end;
+        return end - begin;
+    };
+    std::size_t count = digits();
+    const bool has_point = end < text_.size() && text_[end] == '.';
+    if (has_point) {
+        ++end;
+        count += digits();
+    }
+    const Class follows = classAt(end);
+    if (count == 0 || follows <= Class::NamePart || follows == Class::High)
+        return word();
+    addPlain(has_point ? TokenKind::Float : TokenKind::Integer, Keyword::None, end);
 }
 
 void Tokenizer::word() {
@@ -277,9 +323,9 @@ void Tokenizer::word() {
     passTo(end);
     if (kind.error)
         return addBad(*kind.error, begin, bad);
-    add(kind.kind, begin);
+    const Spot whole = add(kind.kind, begin);
     if (kind.starts_with_digit)
-        warn(Code::NameStartsWithDigit, list_.tokens.back().at,
+        warn(Code::NameStartsWithDigit, whole,
              "the name starts with a digit, which other readers refuse; begin it with a letter");
 }
 
@@ -298,9 +344,9 @@ void Tokenizer::quoted(char mark) {
         return addBad(*kind.error, begin, bad);
     if (mark == '$' && kind.kind != TokenKind::Name)
         return addBad(lone, begin, begin); // a number is no name
-    add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
+    const Spot whole = add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
     if (kind.starts_with_digit)
-        warn(Code::NameStartsWithDigit, list_.tokens.back().at,
+        warn(Code::NameStartsWithDigit, whole,
              "the name starts with a digit, which other readers refuse; begin it with a letter");
 }
 

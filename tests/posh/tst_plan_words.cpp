@@ -67,6 +67,14 @@ void tst_PlanWords::wordsAreToldApart_data() {
     row("fractions", "1.5 1. .5 -.5e3 2e+1 3E5", "Float@1:1 Float@1:5 Float@1:8 Float@1:11 Float@1:17 Float@1:22");
     row("names", "a _b a-1 a.b.C_d", "Name@1:1 Name@1:3 Name@1:6 Name@1:10");
     row("names that start with a digit", "3act 1e 2-x_", "Name@1:1 Name@1:6 Name@1:9");
+    row("numbers and what stands at them", "(1)(-2.5)3,4;\n5#\n-6. \"\"7\"\"",
+        "(@1:1 Integer@1:2 )@1:3 (@1:4 Float@1:5 )@1:9 Integer@1:10 ,@1:11 Integer@1:12 Integer@2:1 Float@3:1 "
+        "String@3:5 Integer@3:7 String@3:8");
+    row("no numbers, though they begin like some", "1é 2.5.6 -. - 7_ 8+ 9.a",
+        "Bad@1:1(E101@1:2) Bad@1:4(E104@1:4) Bad@1:10(E107@1:10) Bad@1:13(E107@1:13) Name@1:15 Bad@1:18(E104@1:18) "
+        "Bad@1:21(E104@1:21)");
+    row("keywords in any case, and beginnings of them", "TRIGGER trigge triggers C c DoCuMeNtAtIoN d",
+        "Name@1:1 Name@1:9 Name@1:16 Name@1:25 Name@1:27 Name@1:29 Name@1:43");
     row("malformed numbers", "1.2.3 +1x .5x 1e+ -2-",
         "Bad@1:1(E104@1:1) Bad@1:7(E104@1:7) Bad@1:11(E104@1:11) Bad@1:15(E104@1:15) Bad@1:19(E104@1:19)");
     row("malformed names", "a. a..b .a a.1 -a",
