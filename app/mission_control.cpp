@@ -1,6 +1,7 @@
 #include "app/mission_control.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/locations.h"
@@ -81,15 +82,26 @@ void MissionControl::disconnectFromServer() {
             remove(robot->view().id);
     next_.reset();
     waiting_.clear();
+    time_stopped_ = false;
     simulator_.stop();
     level_.clear();
     world_extent_in_map_ = {};
     emit linkChanged({});
 }
 
+void MissionControl::setPace(link::Pace pace, double factor) {
+    simulator_.setPace(pace, std::isinf(factor) ? 1.0 : factor);
+    time_stopped_ = simulator_.running() && pace == link::Pace::Paused;
+    for (const auto& [id, robot] : robots_)
+        robot->expectSilence(time_stopped_);
+    if (next_)
+        next_->expectSilence(time_stopped_);
+}
+
 void MissionControl::openNext() {
     next_ = std::make_unique<Robot>();
     connectRobot(next_.get());
+    next_->expectSilence(time_stopped_);
     next_->open(host_, port_, target_.embedded);
 }
 

@@ -1,7 +1,6 @@
 // The program without its window: simulator, link, robots, behaviors, results.
 #pragma once
 
-#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -57,7 +56,7 @@ public:
     /// "R1": the name that the next robot gets when the person gives none.
     QString nextRobotName() const;
     /// Of the embedded simulator; a real server's time cannot be steered.
-    void setPace(link::Pace pace, double factor) { simulator_.setPace(pace, std::isinf(factor) ? 1.0 : factor); }
+    void setPace(link::Pace pace, double factor);
     /// Next free key 1-9; an error where all are taken or there is no link.
     Result<int> spawn(mission::SpawnRequest request);
     Robot* robot(int id) const;
@@ -174,6 +173,7 @@ private:
     std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
     std::map<int, Seconds> wanted_moments_;       ///< by connection: to look back on, once it is in the file
     bool recording_ = true;
+    bool time_stopped_ = false; ///< of the embedded simulator
     std::map<int, sim::RobotTruth> truths_;        ///< for the summary only
     std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each
     bool closing_ = false;

@@ -132,6 +132,10 @@ void Robot::setParameters(const agent::ParameterSet& parameters) {
     later([=](mission::RobotSession& session) { session.setParameters(parameters); });
 }
 
+void Robot::expectSilence(bool expected) {
+    later([=](mission::RobotSession& session) { session.expectSilence(expected); });
+}
+
 void Robot::control(const agent::PlanControl& control) {
     if (const auto* const breakpoints = std::get_if<agent::SetBreakpoints>(&control))
         breakpoints_ = *breakpoints;

@@ -84,6 +84,8 @@ public:
     /// For the plan that decides. Breakpoints are kept for behaviors that start later.
     void control(const agent::PlanControl& control);
     void stop();
+    /// The server's time is stopped on purpose, or runs again.
+    void expectSilence(bool expected);
     /// The person drives; a behavior that runs is paused. See RobotSession.
     void takeControl();
     void giveControlBack();

@@ -193,6 +193,12 @@ void RobotSession::setCellSize(double cell_size_m) {
                 fixed(cell_size_m, 2) + " m.");
 }
 
+void RobotSession::expectSilence(bool expected) {
+    if (d_->silence_expected && !expected && d_->since_data.isValid())
+        d_->since_data.start(); // what came before was no silence of the robot's
+    d_->silence_expected = expected;
+}
+
 void RobotSession::noteFault(const std::string& sentence) {
     d_->record.faults.push_back(sentence);
     d_->noteForRecording("fault", sentence);

@@ -101,6 +101,8 @@ public slots:
     void requestRecord();
     /// Of the height map, 0.02 .. 10 m. Before anything is scanned: a map keeps its cells.
     void setCellSize(double cell_size_m);
+    /// The server's time is stopped on purpose, or runs again: until then silence is nothing to warn of.
+    void expectSilence(bool expected);
     /// Something was made to go wrong, or is well again: kept with the record, the recording and the messages.
     void noteFault(const std::string& sentence);
     /// An empty map, without path and marks.

@@ -173,6 +173,7 @@ struct RobotSession::Private : link::ReplayTaker {
     bool start_poses_settled = false; ///< they came, or their absence was said
     bool silence_said = false;
     bool step_held = false; ///< a plan stands still, and the server's time with it
+    bool silence_expected = false;
     bool unplaced_said = false;
     bool observed = false; ///< somebody listens to `updated`; looked up at connect and once a frame
 };

@@ -48,7 +48,7 @@ void RobotSession::Private::watchSilence() {
                       " after INIT. Does the server know " + request.class_name +
                       ", is the start pose free and above the ground, and is the simulation not paused? Spawn "
                       "again to try once more.");
-    const bool silent_by_nature = protocol::isStation(request.class_name) || step_held;
+    const bool silent_by_nature = protocol::isStation(request.class_name) || step_held || silence_expected;
     if (figures.spawn == SpawnState::Done && !silence_said && !silent_by_nature && passed(since_data, limits.stale)) {
         silence_said = true;
         trouble(Severity::Warning, "silence",

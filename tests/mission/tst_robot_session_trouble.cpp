@@ -1,6 +1,7 @@
 #include <map>
 #include <set>
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -32,6 +33,7 @@ private slots:
     void spawningAgainAfterAFailureTakesANewConnection();
     void aServerWithoutStartPosesIsNamed();
     void staleRobotsAreNamedOnceAndWelcomedBack();
+    void nobodyIsCalledSilentWhileTimeIsStopped();
     void aSensorThatStopsIsNamed();
     void damagedLinesAreCountedAndSaidOncePerKind();
     void anEndlessLineIsLeftOut();
@@ -138,6 +140,19 @@ void tst_RobotSessionTrouble::staleRobotsAreNamedOnceAndWelcomedBack() {
     QVERIFY(f.said("R1 speaks again."));
     QVERIFY(f.saidOn("silence") && f.saidOn("silence", true));
     QTRY_COMPARE(f.countSaid("its values are stale"), std::size_t(2));
+}
+
+void tst_RobotSessionTrouble::nobodyIsCalledSilentWhileTimeIsStopped() {
+    SessionFixture f;
+    QVERIFY(f.spawnNow());
+    f.session.expectSilence(true);
+    QTest::qWait(500);
+    QVERIFY(!f.saidOn("silence"));
+    QElapsedTimer since_it_runs;
+    since_it_runs.start();
+    f.session.expectSilence(false);
+    QTRY_COMPARE(f.countSaid("its values are stale"), std::size_t(1));
+    QVERIFY2(since_it_runs.elapsed() >= 150, "the stopped time counts for nothing");
 }
 
 void tst_RobotSessionTrouble::aSensorThatStopsIsNamed() {
