@@ -14,6 +14,13 @@ Seconds seconds(std::int64_t time_ms) {
     return Seconds(static_cast<double>(time_ms) / 1000.0);
 }
 
+/// Sixteen digits of a measurement would say less than six.
+QString shown(const posh::Value& answer) {
+    if (const auto* const number = std::get_if<double>(&answer))
+        return QString::fromStdString(posh::toText(posh::Value(QString::number(*number, 'g', 6).toDouble())));
+    return QString::fromStdString(posh::toText(answer));
+}
+
 widgets::PlanActivity shown(const posh::PlaceActivity& place) {
     widgets::PlanActivity activity;
     activity.running = place.running;
@@ -25,9 +32,8 @@ widgets::PlanActivity shown(const posh::PlaceActivity& place) {
     activity.skipped = place.skipped;
     activity.hold_back = QString::fromStdString(place.hold_back);
     if (place.answer)
-        activity.answer =
-            widgets::SenseAnswer{QString::fromStdString(posh::toText(place.answer->value)), place.answer->holds,
-                                 seconds(place.answer->since_ms), seconds(place.answer->asked_ms)};
+        activity.answer = widgets::SenseAnswer{shown(place.answer->value), place.answer->holds,
+                                               seconds(place.answer->since_ms), seconds(place.answer->asked_ms)};
     return activity;
 }
 

@@ -36,8 +36,9 @@ private:
         }
         for (int sense = node + 1; sense <= node + tree_[node].senses; ++sense)
             explainSense(node, sense);
-        if (tree_[node].kind == PlanNodeKind::Sense)
-            explainSense(tree_[node].parent, node);
+        const int parent = tree_[node].parent;
+        if (tree_[node].kind == PlanNodeKind::Sense && node > parent + tree_[parent].senses) // else it was said above
+            explainSense(parent, node);
     }
 
     /// Only one of several siblings runs: another one may have come first.
