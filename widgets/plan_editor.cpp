@@ -242,7 +242,7 @@ void PlanEditor::check() {
         findings_ = check(text_->planText(), &checked_plan_);
         is_checked_ = true;
     }
-    text_->setFindings(findings_);
+    text_->setFindings(findings_, notesOf(checked_plan_));
     showFindings();
     showState();
 }

@@ -3,7 +3,6 @@
 
 #include <QSaveFile>
 
-#include "core/agent/posh_binding.h"
 #include "widgets/icons.h"
 #include "widgets/plan_editor.h"
 #include "widgets/plan_picture.h"
@@ -47,8 +46,11 @@ void PlanEditor::showFindings() {
     finding_list_->clear();
     for (const posh::Finding& finding : findings_)
         addRow(*finding_list_, QString::fromStdString(posh::toText(finding)), finding.at, iconOf(finding.code));
+    for (const PlanNote& note : text_->notes())
+        addRow(*finding_list_, note.words, note.at, icon(QStringLiteral("note"), tokens().accent));
     finding_list_->setCurrentRow(std::min(row, finding_list_->count() - 1));
-    lists_->setTabText(0, findings_.empty() ? tr("Findings") : tr("Findings (%1)").arg(findings_.size()));
+    const int count = finding_list_->count();
+    lists_->setTabText(0, count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
     showFindingAtCursor();
 }
 
@@ -59,12 +61,14 @@ void PlanEditor::showFindingAtCursor() {
     const auto warnings = std::ssize(findings_) - errors;
     if (const posh::Finding* const here = text_->findingAtCursor())
         finding_->setText(QString::fromStdString(posh::toText(*here)));
+    else if (const PlanNote* const note = text_->noteAtCursor())
+        finding_->setText(note->words);
+    else if (!findings_.empty())
+        finding_->setText(tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
     else
-        finding_->setText(findings_.empty()
-                              ? (binds() ? tr("Nothing is wrong with the plan; it fits the robot. %1")
-                                               .arg(QString::fromStdString(agent::clockRemark(checked_plan_)))
-                                         : tr("Nothing is wrong with the plan."))
-                              : tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
+        finding_->setText((binds() ? tr("Nothing is wrong with the plan; it fits the robot.")
+                                   : tr("Nothing is wrong with the plan.")) +
+                          (text_->notes().empty() ? QString() : tr(" F8 goes to a note.")));
     mend_->hide();
     lamp_timer_.start();
 }

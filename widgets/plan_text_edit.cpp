@@ -129,20 +129,24 @@ PlanTextEdit::PlanTextEdit(QWidget* parent) : QPlainTextEdit(parent), gutter_(ne
     });
 }
 
-void PlanTextEdit::setPlanText(std::string_view text, const posh::Findings& findings) {
+void PlanTextEdit::setPlanText(std::string_view text, const posh::Findings& findings, std::vector<PlanNote> notes) {
     const QScopedValueRollback quiet(quiet_, true);
     running_lines_.clear();
     shown_ = {};
     setPlainText(editorText(text));
-    setFindings(findings);
+    setFindings(findings, std::move(notes));
 }
 
-void PlanTextEdit::setFindings(const posh::Findings& findings) {
+void PlanTextEdit::setFindings(const posh::Findings& findings, std::vector<PlanNote> notes) {
     findings_ = findings;
+    notes_ = std::move(notes);
     error_lines_.clear();
     warning_lines_.clear();
     for (const posh::Finding& finding : findings)
         (isError(finding) ? error_lines_ : warning_lines_).insert(static_cast<int>(finding.at.line));
+    note_lines_.clear();
+    for (const PlanNote& note : notes_)
+        note_lines_.insert(static_cast<int>(note.at.line));
     setViewportMargins(gutterWidth(), 0, 0, 0);
     mark();
 }
@@ -192,6 +196,12 @@ void PlanTextEdit::mark() {
             format.setProperty(QTextFormat::FullWidthSelection, true);
             marks.append({QTextCursor(block), format});
         }
+    for (const PlanNote& note : notes_) {
+        QTextCharFormat format;
+        format.setUnderlineStyle(QTextCharFormat::DotLine);
+        format.setUnderlineColor(tokens().accent);
+        marks.append({cursorAt(note.at), format});
+    }
     for (const posh::Finding& finding : findings_) {
         QTextCharFormat format;
         format.setUnderlineStyle(isError(finding) ? QTextCharFormat::WaveUnderline : QTextCharFormat::DotLine);
@@ -210,9 +220,11 @@ void PlanTextEdit::mark() {
 }
 
 void PlanTextEdit::nextFinding(bool backward) {
-    if (findings_.empty())
+    if (findings_.empty() && notes_.empty())
         return;
     std::set<std::pair<int, int>> places;
+    for (const PlanNote& note : notes_)
+        places.emplace(static_cast<int>(note.at.line), cursorAt(note.at).selectionStart());
     for (const posh::Finding& finding : findings_)
         places.emplace(static_cast<int>(finding.at.line), cursorAt(finding.at).selectionStart());
     const std::pair here(textCursor().blockNumber() + 1, textCursor().position());
@@ -235,11 +247,20 @@ const posh::Finding* PlanTextEdit::findingAtCursor() const {
     return found;
 }
 
+const PlanNote* PlanTextEdit::noteAtCursor() const {
+    const auto line = static_cast<std::uint32_t>(textCursor().blockNumber() + 1);
+    const auto note = std::ranges::find(notes_, line, [](const PlanNote& one) { return one.at.line; });
+    return note == notes_.end() ? nullptr : &*note;
+}
+
 QString PlanTextEdit::toolTipAt(int line) const {
     QStringList lines;
     for (const posh::Finding& finding : findings_)
         if (static_cast<int>(finding.at.line) == line)
             lines << QString::fromStdString(posh::toText(finding));
+    for (const PlanNote& note : notes_)
+        if (static_cast<int>(note.at.line) == line)
+            lines << note.words;
     return lines.join(u'\n');
 }
 
@@ -278,6 +299,11 @@ void PlanTextEdit::paintFindingMark(QPainter& painter, const QRectF& place, int 
         painter.setPen(QPen(tokens().caution, 1.5));
         const QPointF corners[] = {middle + QPointF(0, -5), middle + QPointF(5, 4), middle + QPointF(-5, 4)};
         painter.drawPolygon(corners, 3);
+    } else if (note_lines_.contains(line)) {
+        painter.setPen(QPen(tokens().accent, 1.5));
+        painter.drawEllipse(middle, 5.0, 5.0);
+        painter.drawLine(middle + QPointF(0, -0.5), middle + QPointF(0, 2.5));
+        painter.drawPoint(middle + QPointF(0, -2.5));
     }
 }
 

@@ -268,6 +268,13 @@ void tst_PlanEditor::realTimeThatIsNotKeptIsSaid() {
     QVERIFY(!says());
     editor_->setText("((SRDC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
     QVERIFY(says());
+    QVERIFY(editor_->findings().empty()); // it is no fault
+    QVERIFY2(editor_->textEdit().toolTipAt(1).contains("N501"), qPrintable(editor_->textEdit().toolTipAt(1)));
+    const auto lists = editor_->findChildren<QListWidget*>();
+    const auto list = std::ranges::find(lists, QStringLiteral("Findings"), &QListWidget::accessibleName);
+    QVERIFY(list != lists.end());
+    QCOMPARE((*list)->count(), 1);
+    QCOMPARE((*list)->item(0)->text(), editor_->textEdit().toolTipAt(1));
 }
 
 void tst_PlanEditor::neighborsAreWrappedTogether() {

@@ -27,6 +27,7 @@ private slots:
     void placesLeadToParts_data();
     void placesLeadToParts();
     void findingsAreMarkedWhereTheyStand();
+    void notesAreMarkedBesideTheirLine();
     void spotsBehindTheTextAreMarkedAtItsEnd();
     void f8GoesOverTheFindings();
     void showingAPlaceIsSilent();
@@ -111,6 +112,32 @@ void tst_PlanText::findingsAreMarkedWhereTheyStand() {
     QVERIFY2(marked.contains(QStringLiteral("4 XX")), qPrintable(marked.join('\n')));
     QVERIFY(edit.toolTipAt(2).contains(QStringLiteral("E301")));
     QVERIFY(edit.toolTipAt(1).isEmpty());
+}
+
+void tst_PlanText::notesAreMarkedBesideTheirLine() {
+    const std::string text = "(\n (RDC d (drives ((e a)))))\n";
+    const auto noted = [](const QImage& image, int width) {
+        int pixels = 0;
+        for (int x = 0; x < width; ++x)
+            for (int y = 0; y < image.height(); ++y)
+                pixels += image.pixelColor(x, y) == tokens().accent ? 1 : 0;
+        return pixels > 0;
+    };
+    PlanTextEdit edit;
+    edit.resize(400, 300);
+    edit.setPlanText(text, {});
+    QVERIFY(!noted(edit.grab().toImage(), edit.gutterWidth()));
+    edit.setPlanText(text, {}, notesOf(posh::readPlan(text).plan));
+    QVERIFY2(noted(edit.grab().toImage(), edit.gutterWidth()), "the circle beside the line");
+    QVERIFY(edit.toolTipAt(1).isEmpty());
+    QVERIFY2(edit.toolTipAt(2).startsWith(QStringLiteral("2:2: note N501: ")), qPrintable(edit.toolTipAt(2)));
+    QVERIFY(!edit.noteAtCursor());
+    QTest::keyClick(&edit, Qt::Key_F8);
+    QVERIFY(edit.noteAtCursor());
+    QCOMPARE(edit.noteAtCursor()->words, edit.toolTipAt(2));
+    edit.setFindings({});
+    QVERIFY(edit.toolTipAt(2).isEmpty());
+    QVERIFY(notesOf(posh::readPlan("((DC d (drives ((e a)))))").plan).empty());
 }
 
 void tst_PlanText::spotsBehindTheTextAreMarkedAtItsEnd() {
