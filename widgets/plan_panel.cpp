@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
@@ -12,6 +13,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "core/posh/plan_reader.h"
 #include "widgets/icons.h"
 #include "widgets/models/plan_places.h"
 #include "widgets/models/plan_reasons.h"
@@ -84,7 +86,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     head_->setSpacing(gap::tiny);
     head_->addLayout(makeSearchRow(), 1);
     head_->addLayout(makeButtonRow());
-    side_ = makeSide();
+    side_ = new SectionStack(tr("Lists of the plan"), this);
+    fillSide();
     body_->addWidget(makeText());
     body_->addWidget(view_);
     body_->addWidget(side_);
@@ -100,7 +103,11 @@ PlanPanel::PlanPanel(QWidget* parent)
     column->addWidget(time_bar_);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunning);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
-    connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showReasons);
+    connect(view_, &PlanView::selectionChanged, this, [this] {
+        showReasons();
+        if (view_->selected() >= 0 && !side_->isAncestorOf(QApplication::focusWidget())) // a list goes on being read
+            side_->show(reasons_);
+    });
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
     connect(view_, &PlanView::treeChanged, this, [this, slider_waits = false]() mutable {
         QSlider* const slider = time_bar_->slider();
@@ -227,31 +234,23 @@ QWidget* PlanPanel::makeText() {
     return pane;
 }
 
-QWidget* PlanPanel::makeSide() {
-    auto* side = new QWidget(this);
-    auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
-    running_title_ = makeTitle(tr("Running now"), side);
-    column->addWidget(running_title_);
+void PlanPanel::fillSide() {
+    running_title_ = makeTitle(tr("Running now"), side_);
     running_ = makeList(tr("Running now"), tr("What runs now, from the root on; a click goes there"));
-    column->addWidget(running_, 2);
-    verdict_ = makeTitle({}, side);
-    column->addWidget(verdict_);
+    side_->add(running_title_, running_, tr("Running"), 2);
+    verdict_ = makeTitle({}, side_);
     reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
     reasons_->setWordWrap(true);
-    column->addWidget(reasons_, 3);
-    addBoard(column, side);
-    addBreakpointList(column, side);
-    return side;
+    side_->add(verdict_, reasons_, tr("Why?"), 3);
+    side_->setTitleKept(reasons_, true); // it is the answer
+    addBoard();
+    addBreakpointList();
 }
 
 /// What the plan's acts have written down; hidden while they have not.
-void PlanPanel::addBoard(QBoxLayout* column, QWidget* side) {
-    board_title_ = makeTitle(tr("Blackboard"), side);
-    column->addWidget(board_title_);
+void PlanPanel::addBoard() {
     board_ = makeList(tr("Blackboard"), {});
-    column->addWidget(board_, 2);
+    side_->add(makeTitle(tr("Blackboard"), side_), board_, tr("Board"), 2);
     connect(board_, &QListWidget::currentRowChanged, this, &PlanPanel::keySelected);
     connect(board_, &QListWidget::itemActivated, this, &PlanPanel::keyActivated);
     showBoard();
@@ -276,8 +275,7 @@ QString PlanPanel::selectedKey() const {
 }
 
 void PlanPanel::showBoard() {
-    board_title_->setVisible(!board_values_.empty());
-    board_->setVisible(!board_values_.empty());
+    side_->setSectionShown(board_, !board_values_.empty());
     std::vector<Row> rows;
     for (const BoardValue& one : board_values_) {
         const bool is_watched = watched_keys_.contains(one.key);
@@ -290,13 +288,11 @@ void PlanPanel::showBoard() {
                                     tr("A double-click stops the plan whenever this is written; once more: no more."));
 }
 
-void PlanPanel::addBreakpointList(QBoxLayout* column, QWidget* side) {
-    breakpoints_title_ = makeTitle(tr("Breakpoints"), side);
-    column->addWidget(breakpoints_title_);
+void PlanPanel::addBreakpointList() {
     breakpoints_ = makeList(
         tr("Breakpoints"),
         tr("The tick switches one on and off, a click goes there, a double-click changes it, Delete takes it away"));
-    column->addWidget(breakpoints_, 2);
+    side_->add(makeTitle(tr("Breakpoints"), side_), breakpoints_, tr("Breakpoints"), 2);
     connect(breakpoints_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         emit breakpointSwitched(item->data(breakpoint_role).toInt(), item->checkState() == Qt::Checked);
     });
@@ -311,8 +307,7 @@ void PlanPanel::addBreakpointList(QBoxLayout* column, QWidget* side) {
 }
 
 void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
-    breakpoints_title_->setVisible(!rows.empty());
-    breakpoints_->setVisible(!rows.empty());
+    side_->setSectionShown(breakpoints_, !rows.empty());
     const QSignalBlocker quiet(breakpoints_);
     const int count = static_cast<int>(rows.size());
     while (breakpoints_->count() > count)
@@ -337,7 +332,7 @@ QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
     list->setAccessibleName(name);
     list->setToolTip(help);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list->setMinimumHeight(24); // a line: a low dock has four such lists
+    list->setMinimumHeight(24);
     list->setIconSize({14, 14});
     connect(list, &QListWidget::itemClicked, this, &PlanPanel::jumpTo);
     connect(list, &QListWidget::itemActivated, this, &PlanPanel::jumpTo);
@@ -353,7 +348,7 @@ void PlanPanel::setRobots(const QStringList& names, const QString& shown) {
 }
 
 void PlanPanel::setPlanText(std::string_view text, const posh::Findings& findings) {
-    text_->setPlanText(text, findings);
+    text_->setPlanText(text, findings, notesOf(posh::readPlan(text).plan));
     text_shown_->setEnabled(true);
     if (posh::hasErrors(findings))
         text_shown_->setChecked(true);
@@ -392,9 +387,12 @@ void PlanPanel::showFinding() {
         return severityOf(finding.code) == Severity::Error;
     });
     const auto warnings = std::ssize(all) - errors;
-    finding_->setVisible(!all.empty());
+    const PlanNote* const note = text_->noteAtCursor();
+    finding_->setVisible(!all.empty() || note);
     if (const posh::Finding* const finding = text_->findingAtCursor())
         finding_->setText(QString::fromStdString(posh::toText(*finding)));
+    else if (note)
+        finding_->setText(note->words);
     else
         finding_->setText(tr("Errors: %1, warnings: %2. F8 in the text goes to the next.").arg(errors).arg(warnings));
 }
@@ -423,6 +421,7 @@ void PlanPanel::showRunning() {
         rows.push_back({QString(2 * tree[node].depth, u' ') + tree[node].name, node});
     const bool idle = rows.empty();
     running_title_->setText(idle ? tr("Nothing runs now") : tr("Running now"));
+    side_->setTitleKept(running_, idle);
     fill(*running_, rows);
 }
 

@@ -13,6 +13,7 @@
 #include "widgets/plan_text_edit.h"
 #include "widgets/plan_time_bar.h"
 #include "widgets/plan_view.h"
+#include "widgets/section_stack.h"
 
 namespace usar::widgets {
 
@@ -26,7 +27,8 @@ struct BreakpointRow {
     bool operator==(const BreakpointRow&) const = default;
 };
 
-/// Values in by setters, wishes out by signals. A narrow panel stacks what a broad one has side by side. GUI thread.
+/// Values in by setters, wishes out by signals. A narrow panel stacks what a broad one has side by side; the lists of a
+/// low one stand behind tabs. GUI thread.
 class PlanPanel : public QWidget {
     Q_OBJECT
 public:
@@ -78,9 +80,9 @@ private:
     QBoxLayout* makeSearchRow();
     QBoxLayout* makeButtonRow();
     QWidget* makeText();
-    QWidget* makeSide();
-    void addBreakpointList(QBoxLayout* column, QWidget* side);
-    void addBoard(QBoxLayout* column, QWidget* side);
+    void fillSide();
+    void addBreakpointList();
+    void addBoard();
     void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
@@ -106,16 +108,14 @@ private:
     QSplitter* body_;
     PlanTextEdit* text_;
     QLabel* finding_;
-    QWidget* side_;
+    SectionStack* side_;
     QLabel* running_title_;
     QListWidget* running_;
     QLabel* verdict_;
     QListWidget* reasons_;
-    QLabel* board_title_;
     QListWidget* board_;
     std::vector<BoardValue> board_values_;
     QStringList watched_keys_;
-    QLabel* breakpoints_title_;
     QListWidget* breakpoints_;
     PlanHaltBar* halt_bar_;
     PlanTimeBar* time_bar_;

@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QShortcut>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 #include <QTextBlock>
 
@@ -44,6 +45,8 @@ private slots:
     void runningListJumps();
     void reasonsNameSenseValueAndSince();
     void reasonsJumpToTheirSense();
+    void aChosenSenseIsExplainedOnce();
+    void listsOfALowPanelStandBehindTabs();
     void nothingSelectedSaysWhatToDo();
     void searchCountsAndSteps();
     void returnStepsAndEscapeGoesBack();
@@ -132,6 +135,43 @@ void tst_PlanPanel::reasonsJumpToTheirSense() {
     QCOMPARE(rows.size(), 1);
     emit reasons->itemActivated(rows[0]);
     QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:0/S:0"));
+}
+
+void tst_PlanPanel::aChosenSenseIsExplainedOnce() {
+    panel_->view().selectPath(root + "/DE:0/S:0");
+    QCOMPARE(list("Reasons")->findItems(QStringLiteral("Bumped"), Qt::MatchContains).size(), 1);
+}
+
+void tst_PlanPanel::listsOfALowPanelStandBehindTabs() {
+    PlanSnapshot snapshot = working();
+    snapshot.board = {{QStringLiteral("lane"), QStringLiteral("1"), QStringLiteral("1 at 3.0 s")}};
+    panel_->setSnapshot(snapshot);
+    const auto seen = [this] {
+        QStringList names;
+        for (const char* name : {"Running now", "Reasons", "Blackboard", "Breakpoints"})
+            if (list(name)->isVisible())
+                names << QLatin1String(name);
+        return names.join(u' ');
+    };
+    auto* tabs = panel_->findChild<QTabBar*>();
+    QCOMPARE(seen(), QStringLiteral("Running now Reasons Blackboard"));
+    QVERIFY(!tabs->isVisible());
+    panel_->resize(1200, 240);
+    QTRY_COMPARE(seen(), QStringLiteral("Running now"));
+    QVERIFY(tabs->isVisible());
+    QCOMPARE(tabs->count(), 3);
+    QTRY_VERIFY(list("Running now")->height() > 3 * list("Running now")->sizeHintForRow(0));
+    tabs->setCurrentIndex(2);
+    QCOMPARE(seen(), QStringLiteral("Blackboard"));
+    panel_->setBreakpoints({{1, QStringLiteral("go, before"), {}, root, true}});
+    QCOMPARE(tabs->count(), 4);
+    QCOMPARE(seen(), QStringLiteral("Blackboard"));
+    panel_->view().selectPath(root + "/DE:0"); // why does it run, or not?
+    QCOMPARE(seen(), QStringLiteral("Reasons"));
+    QVERIFY(tabs->isVisible());
+    panel_->resize(1200, 800);
+    QTRY_COMPARE(seen(), QStringLiteral("Running now Reasons Blackboard Breakpoints"));
+    QVERIFY(!tabs->isVisible());
 }
 
 void tst_PlanPanel::nothingSelectedSaysWhatToDo() {
