@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 #include <QTreeView>
 
@@ -69,6 +70,14 @@ public:
                 return each;
         return nullptr;
     }
+    /// By a click on its tab, where the panel is so low that lists stand behind tabs.
+    bool sees(const QString& name) {
+        if (auto* const tabs = panel_.findChild<QTabBar*>(); tabs->isVisible())
+            for (int i = 0; i < tabs->count(); ++i)
+                if (tabs->tabToolTip(i) == name)
+                    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
+        return list(name)->isVisible();
+    }
     /// As marked on the selected part.
     int breakpointsSelected() const {
         const widgets::PlanMark* const mark = panel_.view().marks().at(panel_.view().selected());
@@ -108,6 +117,7 @@ private slots:
     void init() { GuiWatchdog::instance().reset(); }
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aBreakpointStopsTheSimulatorsTime();
+    void nobodyIsCalledSilentWhileAnotherRobotsPlanStandsStill();
     void whatAPlanDidIsLookedBackOn();
     void whatActsWroteDownIsSeenAndStopsThePlan();
     void whatARunCameToIsReported();
@@ -117,6 +127,26 @@ private slots:
     void aReplayGoesWhereThePlansSliderSays();
     void whatIsRecordedFromTheMiddleOnShowsThePlan();
 };
+
+void tst_WindowDebugger::nobodyIsCalledSilentWhileAnotherRobotsPlanStandsStill() {
+    const QTemporaryDir folder;
+    WindowPage page({.mission_file = missionFile(folder)});
+    Debugger debugger(page);
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) && page.spawnAt("HillTop"));
+    QVERIFY(takeOff(page));
+    QVERIFY(page.robot(1) && page.robot(2));
+    const int flies = page.robot(2)->figures.behavior_running ? 2 : 1;
+    QVERIFY(page.robot(flies)->figures.behavior_running);
+    page.window().commands().action("plan.halt")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(flies)->halted, soon_ms);
+    QTRY_VERIFY(page.window().views().time->paused());
+    QTest::qWait(2500); // longer than a robot may be silent
+    QVERIFY2(page.notified("Nothing from").isEmpty(), qPrintable(page.notified("Nothing from")));
+    page.window().commands().action("plan.continue")->trigger();
+    QTRY_VERIFY(!page.window().views().time->paused());
+    QTest::qWait(500);
+    QVERIFY2(page.notified("Nothing from").isEmpty(), qPrintable(page.notified("Nothing from")));
+}
 
 void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
     const QTemporaryDir folder;
@@ -200,14 +230,14 @@ void tst_WindowDebugger::whatActsWroteDownIsSeenAndStopsThePlan() {
                 return row;
         return -1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(board->isVisible() && rowOf("phase") >= 0, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(debugger.sees("Blackboard") && rowOf("phase") >= 0, soon_ms);
     QVERIFY(rowOf("lane") >= 0 && rowOf("returning") >= 0);
     const QRect row = board->visualItemRect(board->item(rowOf("phase")));
     QTest::mouseClick(board->viewport(), Qt::LeftButton, {}, row.center());
     QTRY_VERIFY(page.window().commands().action("plan.break_key")->isEnabled());
     QTest::mouseDClick(board->viewport(), Qt::LeftButton, {}, row.center());
     QListWidget* const breakpoints = debugger.list("Breakpoints");
-    QTRY_VERIFY(breakpoints->isVisible());
+    QTRY_VERIFY(breakpoints->count() > 0 && debugger.sees("Breakpoints"));
     QVERIFY2(breakpoints->item(0)->text().contains("phase is written"), qPrintable(breakpoints->item(0)->text()));
     QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
     static const QRegularExpression wrote(" wrote phase: ('\\S+) -> ('\\S+)$");
@@ -401,7 +431,7 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     const auto started = drives();
     const std::uint64_t last = debugger.time().cycle;
     QVERIFY(std::ranges::any_of(started, [](std::uint64_t count) { return count > 0; }));
-    QVERIFY(debugger.list("Blackboard")->isVisible());
+    QVERIFY(debugger.sees("Blackboard"));
     page.window().control().remove(1);
     const QDir results(page.resultFolder());
     QTRY_COMPARE_WITH_TIMEOUT(results.entryList({"*.usarrec"}).size(), 1, soon_ms);
@@ -413,7 +443,7 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
     QTRY_COMPARE_WITH_TIMEOUT(debugger.time().cycle, last, soon_ms);
     QTRY_COMPARE(drives(), started); // also what was before the recording
-    QVERIFY(debugger.list("Blackboard")->isVisible());
+    QVERIFY(debugger.sees("Blackboard"));
 }
 
 USAR_E2E_MAIN(tst_WindowDebugger)
