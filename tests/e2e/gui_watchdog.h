@@ -7,7 +7,7 @@
 
 /// An application that times the delivery of every event, nested ones as part of the outer. Event loops that run inside
 /// an event (a dialog) are not a block and are not counted, and neither is the time in which other programs had the
-/// processor. GUI thread.
+/// processor; where the disk had to bring a page of a program or library, only what was computed counts. GUI thread.
 class GuiWatchdog : public QApplication {
 public:
     GuiWatchdog(int& argc, char** argv) : QApplication(argc, argv) {}
@@ -21,6 +21,15 @@ public:
     void reset();
 
 private:
+    struct Moment {
+        double waited_ms = 0.0; ///< ready to run, but without a processor
+        double computed_ms = 0.0;
+        long pages_from_disk = 0;
+    };
+
+    static Moment now();
+    static double blocked_ms(double elapsed_ms, const Moment& before);
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     static constexpr qint64 allowed_ms = 500; // everything is several times slower there
 #else

@@ -348,7 +348,7 @@ void tst_WindowDrive::theSpeedLimitLimits() {
     page.hold(Qt::Key_W);
     QTRY_VERIFY(page.state().sent.forward == 1.0 && spin() > 3.2 && spin() < 3.4); // of 16.5 rad/s
     page.pressKey(Qt::Key_BracketRight);
-    QTRY_VERIFY2(spin() > 4.8 && spin() < 5.1, qPrintable(page.lastDrive()));
+    QTRY_VERIFY2(spin() > 4.8 && spin() < 5.1, qPrintable(page.lastDrive() + ": " + page.lastCause()));
     page.release(Qt::Key_W);
     QTRY_VERIFY(page.standsStill());
 }
