@@ -308,11 +308,14 @@ void PlanTextEdit::paintFindingMark(QPainter& painter, const QRectF& place, int 
 }
 
 void PlanTextEdit::resizeEvent(QResizeEvent* event) {
+    const bool was_seen = cursorRect().top() >= 0 && cursorRect().bottom() <= event->oldSize().height();
     QPlainTextEdit::resizeEvent(event);
     const QRect inside = contentsRect();
     gutter_->setGeometry(inside.left(), inside.top(), gutterWidth(), inside.height());
     if (shown_.line > 0) // it may have been chosen while there was no room
         scrollToShown();
+    else if (was_seen) // a sentence below that grows must not hide what is written
+        ensureCursorVisible();
 }
 
 void PlanTextEdit::keyPressEvent(QKeyEvent* event) {

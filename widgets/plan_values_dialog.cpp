@@ -55,6 +55,8 @@ PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& act, posh:
     , form_(new QFormLayout(this)) {
     addHead();
     addArguments();
+    if (arguments_.empty())
+        form_->addRow(new QLabel(tr("It takes no values."), this));
     addEnd();
 }
 

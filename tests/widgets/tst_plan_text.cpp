@@ -32,6 +32,7 @@ private slots:
     void f8GoesOverTheFindings();
     void showingAPlaceIsSilent();
     void linesAreSeenFromTheirBeginning();
+    void theLineOfTheCursorStaysInViewWhenRoomIsTaken();
     void cursorTellsItsPlace();
     void runningLinesAreTinted();
     void itCannotBeEdited();
@@ -187,6 +188,25 @@ void tst_PlanText::linesAreSeenFromTheirBeginning() {
     edit.showPlace({5, 10, 0, 4});
     edit.resize(400, 300);
     QTRY_COMPARE(edit.horizontalScrollBar()->value(), 0);
+}
+
+void tst_PlanText::theLineOfTheCursorStaysInViewWhenRoomIsTaken() {
+    PlanTextEdit edit;
+    edit.resize(300, 300);
+    edit.setPlanText(std::string(99, '\n'), {});
+    edit.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&edit));
+    const auto seen = [&edit] {
+        return edit.cursorRect().top() >= 0 && edit.cursorRect().bottom() <= edit.viewport()->height();
+    };
+    while (edit.cursorRect().bottom() + edit.cursorRect().height() < edit.viewport()->height())
+        edit.moveCursor(QTextCursor::Down);
+    QVERIFY(seen());
+    edit.resize(300, 200);
+    QVERIFY(seen());
+    edit.verticalScrollBar()->setValue(60); // the person looks elsewhere
+    edit.resize(300, 150);
+    QCOMPARE(edit.verticalScrollBar()->value(), 60);
 }
 
 void tst_PlanText::cursorTellsItsPlace() {

@@ -1,5 +1,8 @@
 // The values of senses and calls, edited by their types: what was not touched stays as it was written.
+#include <algorithm>
+
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -56,6 +59,7 @@ private slots:
     void anOperandIsEditedAsItsTypeWants();
     void aComparisonIsChosen();
     void argumentsKnowTypeRangeAndDefault();
+    void anActWithoutParametersSaysSo();
     void whatIsNoValueIsNotTaken();
 };
 
@@ -127,6 +131,18 @@ void tst_PlanValues::argumentsKnowTypeRangeAndDefault() {
     QCOMPARE(field<QLineEdit>(dialog, "fast")->text(), QString("$hurry"));
     QCOMPARE(dialog.call(), posh::readCallPhrase("DriveTo('home, $fast=$hurry, $speed=2.0)").value());
     QVERIFY(!field<QComboBox>(dialog, "Its answer")); // an act is not compared
+}
+
+void tst_PlanValues::anActWithoutParametersSaysSo() {
+    const auto says = [](const PlanValuesDialog& dialog) {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) { return label->text() == "It takes no values."; });
+    };
+    agent::PrimitiveDescription halt;
+    halt.name = "Halt";
+    halt.kind = agent::PrimitiveKind::Act;
+    QVERIFY(says(PlanValuesDialog(halt, posh::readCallPhrase("Halt").value(), nullptr)));
+    QVERIFY(!says(PlanValuesDialog(drive(), posh::readCallPhrase("DriveTo").value(), nullptr)));
 }
 
 void tst_PlanValues::whatIsNoValueIsNotTaken() {
