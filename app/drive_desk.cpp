@@ -284,7 +284,7 @@ void DriveDesk::show() {
     widgets::DriveState shown;
     shown.control = controlWords(control_, here);
     views_.driver->setWords(shown.control);
-    if (here)
+    if (here && !here->isReplay() && !protocol::isStation(here->view().spawn.class_name))
         shown.robot = nameOf(*here);
     if (!missing) {
         const mission::ControlState& state = here->view().figures.control;

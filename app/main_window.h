@@ -67,6 +67,7 @@ public slots:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     /// A mission, a plan, a recording, a snapshot, a world's folder or a robot file may be dropped anywhere on the
     /// window.
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -122,6 +122,19 @@ void MainWindow::arrange(const QString& raised, double bottom_part) {
                 Qt::Vertical);
 }
 
+/// The time's controls before words that can be done without: what a bar has no room for goes behind its arrow.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    using widgets::BarRoom;
+    const int columns = width() / fontMetrics().horizontalAdvance(u'0');
+    constexpr int least_wide = 175;
+    constexpr int least_medium = 150;
+    views_.connection->setRoom(columns >= least_wide     ? BarRoom::Wide
+                               : columns >= least_medium ? BarRoom::Medium
+                                                         : BarRoom::Narrow);
+    views_.record->setFiguresShown(columns >= least_medium);
+}
+
 void MainWindow::restoreSettings() {
     const QSettings settings;
     const QString theme = settings.value("theme", "dark").toString();

@@ -27,6 +27,12 @@ QLabel* mutedLabel(const QString& text = {}) {
     return label;
 }
 
+/// In all that the panel shows besides the name.
+bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescription& other) {
+    return one.id == other.id && one.help == other.help && one.needs_area == other.needs_area &&
+           one.plan_name == other.plan_name;
+}
+
 } // namespace
 
 BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
@@ -205,7 +211,7 @@ bool BehaviorPanel::mayPress(const QPushButton* button) const {
 
 void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors) {
     const std::string chosen = behaviorId();
-    behaviors_ = behaviors;
+    const auto before = std::exchange(behaviors_, behaviors);
     {
         const QSignalBlocker blocker(behavior_box_);
         behavior_box_->clear();
@@ -219,7 +225,8 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
     }
     behavior_box_->setEnabled(!busy() && !behaviors_.empty());
     isolated_->setEnabled(behavior_box_->isEnabled());
-    if (behaviors_.empty() || behaviorId() != chosen)
+    const auto old = std::ranges::find(before, behaviorId(), &agent::BehaviorDescription::id);
+    if (old == before.end() || !looksLike(*old, behaviors_[static_cast<std::size_t>(behavior_box_->currentIndex())]))
         showBehavior();
     if (behaviorId() != chosen)
         emit behaviorChosen(QString::fromStdString(behaviorId()));
@@ -232,11 +239,27 @@ void BehaviorPanel::showBehavior() {
     if (row < 0) {
         help_label_->setText(tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
                                 "command drives it."));
-        return plan_->setBehavior({}, {});
+        plan_->setBehavior({}, {});
+        return fitHelp();
     }
     const agent::BehaviorDescription& shown = behaviors_[static_cast<std::size_t>(row)];
     help_label_->setText(QString::fromStdString(shown.help));
+    behavior_box_->setToolTip(tr("What the selected robot should do\n%1").arg(help_label_->text()));
     plan_->setBehavior(shown.id, QString::fromStdString(shown.plan_name));
+    fitHelp();
+}
+
+void BehaviorPanel::fitHelp() {
+    constexpr int a_parameter_px = 40; // besides what their form needs at least
+    const int needed_px = layout()->totalMinimumHeightForWidth(width());
+    const int help_px = help_label_->heightForWidth(width() - 2 * gap::small) + gap::small;
+    const int without_px = help_label_->isHidden() ? needed_px : needed_px - help_px;
+    help_label_->setHidden(without_px + help_px + a_parameter_px > height());
+}
+
+void BehaviorPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitHelp();
 }
 
 bool BehaviorPanel::needsArea() const {
@@ -269,6 +292,7 @@ std::string BehaviorPanel::behaviorId() const {
 void BehaviorPanel::setPlanSummary(const QString& summary) {
     summary_label_->setText(summary);
     summary_label_->setVisible(!summary.isEmpty());
+    fitHelp();
 }
 
 void BehaviorPanel::setAreaToolActive(bool active) {

@@ -80,8 +80,13 @@ signals:
     void landRequested();
     void stopRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showBehavior();
+    /// Where there is no room for all, the help is in the list's tooltip alone.
+    void fitHelp();
     void makeAreaBox();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const;

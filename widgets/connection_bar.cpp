@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -104,7 +105,7 @@ void ConnectionBar::setUpAddress() {
     port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
     button_->setIcon(icon(QStringLiteral("plug")));
     button_->setText(tr("Disconnect")); // its longest word: what stands beside it must not jump
-    button_->setMinimumWidth(button_->sizeHint().width());
+    button_width_px_ = button_->sizeHint().width();
     for (QWidget* control : std::initializer_list<QWidget*>{server_, host_, port_, button_})
         control->setMinimumHeight(minimum_target);
 }
@@ -167,13 +168,20 @@ void ConnectionBar::showWords() {
     status_text_->setText(words(status_));
     retry_->setText(retryWords(status_, retry_in_));
     retry_->setVisible(!retry_->text().isEmpty());
+    const QString address =
+        server() == ServerChoice::Real ? QStringLiteral(" %1:%2").arg(host()).arg(port()) : QString();
     for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
-        label->setToolTip(statusText());
+        label->setToolTip(tr("%1\n%2%3").arg(statusText(), server_->currentText(), address));
 }
 
 QString ConnectionBar::statusText() const {
     const QStringList sentences{status_text_->text(), retry_->text()};
     return sentences.join(u' ').trimmed();
+}
+
+void ConnectionBar::setRoom(BarRoom room) {
+    if (std::exchange(room_, room) != room)
+        refresh();
 }
 
 void ConnectionBar::setRate(std::optional<double> lines_per_s) {
@@ -193,14 +201,20 @@ void ConnectionBar::press() {
 void ConnectionBar::refresh() {
     const bool off = status_.state == ConnectionState::Disconnected;
     const bool real = server() == ServerChoice::Real;
+    const bool choice_shown = off || room_ == BarRoom::Wide;
+    server_->setVisible(choice_shown);
     server_->setEnabled(off);
-    host_->setVisible(real);
-    port_->setVisible(real);
+    host_->setVisible(real && choice_shown);
+    port_->setVisible(real && choice_shown);
     host_->setEnabled(off);
     port_->setEnabled(off);
-    button_->setText(off                                           ? tr("Connect")
-                     : status_.state == ConnectionState::Connected ? tr("Disconnect")
-                                                                   : tr("Cancel"));
+    const QString word = off                                           ? tr("Connect")
+                         : status_.state == ConnectionState::Connected ? tr("Disconnect")
+                                                                       : tr("Cancel");
+    const bool wordless = room_ == BarRoom::Narrow && !off;
+    button_->setText(wordless ? QString() : word);
+    button_->setAccessibleName(word);
+    button_->setMinimumWidth(room_ == BarRoom::Narrow ? minimum_target : button_width_px_);
     button_->setIcon(icon(off ? QStringLiteral("plug") : QStringLiteral("unplug")));
     button_->setToolTip(off ? tr("Connects, and reconnects by itself when the link breaks")
                             : tr("Closes the link; what was scanned is kept"));

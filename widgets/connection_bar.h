@@ -24,6 +24,10 @@ enum class ServerChoice { Embedded, Real };
 /// Waiting: the last try failed, and the next one comes by itself.
 enum class ConnectionState { Disconnected, Connecting, Connected, Waiting };
 
+/// How much of the bar there is room for. Medium: a choice that cannot be made now is not shown. Narrow: neither is the
+/// word on the button while there is a link.
+enum class BarRoom { Wide, Medium, Narrow };
+
 /// What the bar says. `where` is shown when connected ("tall_test"); `reason` is a sentence with the mend.
 struct ConnectionStatus {
     ConnectionState state = ConnectionState::Disconnected;
@@ -51,6 +55,7 @@ public:
     quint16 port() const;
     /// Locks the choice while there is a link or a try; the same status again costs nothing.
     void setStatus(const ConnectionStatus& status);
+    void setRoom(BarRoom room);
     /// Info lines per second of wall time; nothing hides the figure.
     void setRate(std::optional<double> lines_per_s);
     /// Opens from the rate; always there, for whoever feeds it.
@@ -80,6 +85,8 @@ private:
     void refresh();
 
     ConnectionStatus status_; ///< as it was told
+    BarRoom room_ = BarRoom::Wide;
+    int button_width_px_ = 0; ///< of its longest word
     Seconds retry_in_{0.0};   ///< runs down from there
     QTimer second_{this};
     QComboBox* server_;

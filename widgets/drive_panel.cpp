@@ -176,6 +176,7 @@ void DrivePanel::setState(const DriveState& state) {
     take_->setEnabled(state.can_take);
     setRole(take_, state.taken ? "" : "primary");
     stop_->setText(state.robot.isEmpty() ? tr("STOP") : tr("STOP %1").arg(state.robot));
+    stop_->setEnabled(!state.robot.isEmpty());
     note_->setText(state.note);
     setRole(note_, state.note_is_trouble ? "caution" : "muted");
     if (axes_changed)

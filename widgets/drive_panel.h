@@ -30,7 +30,7 @@ struct BodyVelocity {
 
 /// What there is to drive, and who drives it.
 struct DriveState {
-    QString robot{}; ///< "R1"; empty: none
+    QString robot{}; ///< "R1"; empty: none that could move
     ControlWords control{};
     bool can_take = false; ///< control can be taken, or given back
     bool taken = false;    ///< a hand has it
@@ -43,7 +43,8 @@ struct DriveState {
     bool operator==(const DriveState&) const = default;
 };
 
-/// State in, wishes out. While nothing can be driven it says why; the stop button is always there. GUI thread.
+/// State in, wishes out. While nothing can be driven it says why; the stop button is always there,
+/// and off where there is nothing to stop. GUI thread.
 class DrivePanel : public QWidget {
     Q_OBJECT
 public:

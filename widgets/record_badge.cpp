@@ -39,7 +39,7 @@ void RecordBadge::setState(const std::optional<RecordState>& state) {
     if (state)
         figures_->setText(
             tr("%1 %2 MB").arg(clockText(state->elapsed), figure(static_cast<double>(state->bytes) / 1e6, 1)));
-    figures_->setToolTip(state ? tr("Written to %1").arg(state->path) : QString());
+    setToolTip(state ? tr("%1, written to %2").arg(figures_->text(), state->path) : QString());
     if (writing_ == state.has_value() && !(figures_->text().isEmpty()))
         return;
     writing_ = state.has_value();

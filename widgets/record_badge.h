@@ -28,6 +28,8 @@ public:
     void setAction(QAction* action);
     /// Nothing: nothing is being written now.
     void setState(const std::optional<RecordState>& state);
+    /// Where there is no room for them the tooltip has them.
+    void setFiguresShown(bool shown) { figures_->setVisible(shown); }
     QString text() const { return figures_->text(); }
 
 protected:

@@ -27,7 +27,8 @@ QPushButton[role="primary"]:hover { background: %primary_hover; }
 QPushButton[role="stop"] { background: %stop; }
 QPushButton[role="stop"]:hover { background: %stop_hover; }
 QPushButton[role="primary"]:focus, QPushButton[role="stop"]:focus { border: 2px solid %text; padding: 3px 15px; }
-QPushButton[role="primary"]:disabled { background: %raised; color: %stale; border: 1px solid %line; }
+QPushButton[role="primary"]:disabled, QPushButton[role="stop"]:disabled { background: %raised; color: %stale;
+    border: 1px solid %line; }
 )";
 
 } // namespace

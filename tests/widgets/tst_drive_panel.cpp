@@ -237,6 +237,7 @@ void tst_DrivePanel::thereIsAlwaysAStop() {
     QSignalSpy stop(&panel, &DrivePanel::stopRequested);
     panel.setEmpty("No robot yet", "Spawn one.");
     QVERIFY(button(panel, "STOP")->isVisible());
+    QVERIFY(!button(panel, "STOP")->isEnabled()); // nobody to stop
     QVERIFY(panel.findChild<EmptyState*>()->isVisible());
     QVERIFY(shownPads(panel).isEmpty());
     panel.setEmpty({}, {});
