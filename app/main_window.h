@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QSettings>
 #include <QThreadPool>
+#include <QTimer>
 
 #include "app/camera_desk.h"
 #include "app/drive_desk.h"
@@ -157,6 +158,7 @@ private:
     void setUp(const mission::Mission& mission);
     void selectRobotFor(const std::string& robot_class);
     void showPlan();
+    void showPreview(const Result<agent::TaskPreview>& preview);
     void start();
     /// What is the same for every start.
     void begun(int id);
@@ -182,6 +184,8 @@ private:
     /// What was built anew decides from the next start on. `asked` by the person, who is told also that nothing is new.
     void rescanPlugins(bool asked);
     void tellChange(const agent::PluginChange& change);
+    /// What has come of some, and then all that can be spawned and chosen.
+    void showPlugins(const std::vector<agent::PluginChange>& changes);
     /// Form, plan and isolation of the behavior that is chosen.
     void showChosenBehavior();
     /// Name of the plugin that has the chosen behavior; empty where none has.
@@ -236,6 +240,7 @@ private:
     double cell_size_m_ = mission::Mission{}.cell_size_m; ///< of the height map that is set up
     std::string next_class_;                              ///< of the robot that a mission wants; empty: any
     std::optional<mission::Mission> awaiting_world_;      ///< set up once its world is there
+    std::optional<mission::Mission> awaiting_plugin_;     ///< set up once its behavior's process has answered
     QStringList mission_faults_;                          ///< of the mission that is set up
     QStringList isolated_plugins_;                        ///< by name: their behaviors have a process of their own
     std::vector<sim::FaultStatus> faults_;                ///< of the embedded simulator
@@ -243,7 +248,9 @@ private:
     QByteArray first_layout_;
     int selected_ = 0;
     link::LinkState link_state_ = link::LinkState::Disconnected;
-    bool asking_ = false; ///< where else the scan should go
+    QTimer preview_due_;      ///< then a preview that is asked for is said to be
+    bool forms_wait_ = false; ///< for the process of the chosen behavior's plugin
+    bool asking_ = false;     ///< where else the scan should go
     bool may_close_ = false;
     bool held_by_plan_ = false; ///< time, not by the person
     QThreadPool disk_;          ///< writes the settings; waited for at the end

@@ -6,7 +6,6 @@
 
 #include "app/locations.h"
 #include "app/simulator_files.h"
-#include "core/agent/guarded_plugin.h"
 #include "core/mission/mission_check.h"
 
 namespace usar::app {
@@ -18,6 +17,7 @@ constexpr std::chrono::seconds closing_patience{5};
 } // namespace
 
 MissionControl::MissionControl(QObject* parent) : QObject(parent) {
+    plugins_.setNews([this](const auto& changes) { emit pluginsChanged(changes); });
     patience_.setSingleShot(true);
     patience_.setInterval(closing_patience);
     connect(&patience_, &QTimer::timeout, this, [this] {
@@ -318,17 +318,18 @@ Result<void> MissionControl::addFaults(const QStringList& texts) {
     return {};
 }
 
-Result<agent::TaskPreview> MissionControl::preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
-                                                   const std::map<std::string, agent::ParameterValue>& values) const {
-    const auto plugin = plugins_.pluginFor(behavior_id);
-    if (!plugin)
-        return tl::unexpected(plugin.error());
-    const auto parameters = agent::ParameterSet::make(plugins_.behavior(behavior_id)->parameters, values);
+void MissionControl::preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+                             const std::map<std::string, agent::ParameterValue>& values,
+                             const agent::PluginLoader::Told& told) const {
+    const agent::BehaviorDescription* const behavior = plugins_.behavior(behavior_id);
+    if (!behavior)
+        return told(tl::unexpected(plugins_.pluginFor(behavior_id).error()));
+    const auto parameters = agent::ParameterSet::make(behavior->parameters, values);
     if (!parameters)
-        return tl::unexpected(parameters.error());
+        return told(tl::unexpected(parameters.error()));
     const Robot* robot = this->robot(id);
     const Pose start_in_map = robot ? robot->view().spawn.start_in_map : Pose{};
-    return agent::previewTask(**plugin, behavior_id, {{"", start_in_map, area_in_map}, *parameters});
+    plugins_.preview(behavior_id, {{"", start_in_map, area_in_map}, *parameters}, told);
 }
 
 Result<std::map<std::string, agent::ParameterValue>>

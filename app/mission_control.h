@@ -44,7 +44,10 @@ public:
     /// where it is remembered which one ended the program.
     void isolatePlugins(const QStringList& names, const QString& marks_folder);
     void loadPlugins(const QStringList& folders) { plugins_.scan(folders); }
+    /// More may follow in `pluginsChanged`: those with a process of their own are asked, and nobody waits for them.
     std::vector<agent::PluginChange> rescanPlugins() { return plugins_.rescan(); }
+    /// The next rescan does, though its file is the same.
+    void askPluginAgain(const QString& file) { plugins_.forget(file); }
     const agent::PluginLoader& plugins() const { return plugins_; }
     SimulatorHost& simulator() { return simulator_; }
     const ServerTarget& server() const { return target_; }
@@ -82,9 +85,12 @@ public:
     /// behavior takes them.
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const mission::Mission& mission) const;
     void stopAll();
-    /// What the behavior would do with this task, before it starts. `id` may be 0: then from the map's origin.
-    Result<agent::TaskPreview> preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
-                                       const std::map<std::string, agent::ParameterValue>& values) const;
+    /// What the behavior would do with this task, before it starts. `id` may be 0: then from the map's origin. Told at
+    /// once or later, as PluginLoader does.
+    void preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+                 const std::map<std::string, agent::ParameterValue>& values,
+                 const agent::PluginLoader::Told& told) const;
+    void forgetPreview() const { plugins_.forgetPreview(); }
 
     /// In the embedded simulator, from now on. An error names the first text that is no fault.
     Result<void> addFaults(const QStringList& texts);
@@ -113,6 +119,8 @@ public:
     void cure(const QString& key) { emit cured(key); }
 
 signals:
+    /// Of what has answered.
+    void pluginsChanged(const std::vector<usar::agent::PluginChange>& changes);
     void linkChanged(const usar::link::LinkStatus& status);
     void worldKnown(const usar::app::WorldPicture& world);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);

@@ -84,14 +84,18 @@ void MainWindow::spawn(const widgets::SpawnChoice& choice) {
         views_.behavior->chooseBehavior(choice.behavior_id.toStdString());
 }
 
-/// A robot's settings go with it: a new robot takes over what was set up before it came.
+/// A robot's settings go with it: a new robot takes over what was set up before it came. The forms of a behavior whose
+/// plugin is being asked are empty, and what was in them is kept.
 void MainWindow::keepDraft() {
-    drafts_[selected_] = {views_.behavior->behaviorId(),
-                          views_.behavior->plan().path(),
-                          views_.map->area(),
-                          views_.parameters->values(),
-                          cell_size_m_,
-                          mission_faults_};
+    const std::string id = views_.behavior->behaviorId();
+    TaskDraft& draft = drafts_[selected_];
+    const bool keep_forms = forms_wait_ && draft.behavior_id == id;
+    draft = {id,
+             keep_forms ? draft.plan_path : views_.behavior->plan().path(),
+             views_.map->area(),
+             keep_forms ? draft.values : views_.parameters->values(),
+             cell_size_m_,
+             mission_faults_};
 }
 
 void MainWindow::showDraft() {
@@ -139,19 +143,29 @@ void MainWindow::selectRobot(int id) {
 
 void MainWindow::showPlan() {
     commands_.refresh();
+    control_.forgetPreview();
+    preview_due_.stop();
     const Rectangle area = views_.behavior->area();
     const Robot* robot = control_.robot(selected_);
     if (robot && (robot->running() || robot->isReplay()))
         return; // then the behavior itself says what it flies
     views_.hint->setDone(1, !area.empty());
-    views_.map->setLanes(std::vector<Vec2>{});
     if (area.empty() || !views_.behavior->needsArea() || views_.behavior->behaviorId().empty()) {
+        views_.map->setLanes(std::vector<Vec2>{});
         views_.map->setAreaSummary({});
         return views_.behavior->setPlanSummary({}); // the area form says what to do
     }
-    const auto preview = control_.preview(selected_, views_.behavior->behaviorId(), area, views_.parameters->values());
-    if (!preview)
+    preview_due_.start();
+    control_.preview(selected_, views_.behavior->behaviorId(), area, views_.parameters->values(),
+                     [this](const auto& preview) { showPreview(preview); });
+}
+
+void MainWindow::showPreview(const Result<agent::TaskPreview>& preview) {
+    preview_due_.stop();
+    if (!preview) {
+        views_.map->setLanes(std::vector<Vec2>{});
         return views_.behavior->setPlanSummary(QString::fromStdString(preview.error().text()));
+    }
     const QString summary = tr("%1 · %2 m · %3")
                                 .arg(QString::fromStdString(preview->summary), widgets::figure(preview->length_m, 0),
                                      widgets::durationText(preview->duration));
@@ -168,6 +182,8 @@ void MainWindow::start() {
                                                 views_.behavior->isolated());
     if (!started)
         return complain("start", started.error());
+    control_.forgetPreview(); // the behavior itself says what it flies now
+    preview_due_.stop();
     begun(selected_);
     beginMissionFaults();
     views_.hint->setDone(2, true);
@@ -300,6 +316,7 @@ void MainWindow::openMission(const QString& path) {
     const auto mission = mission::readMissionFile(path);
     if (!mission)
         return complain("mission", mission.error());
+    awaiting_plugin_.reset();
     if (const QString world = worldToOpenFor(*mission); !world.isEmpty()) {
         chooseWorld(world);
         awaiting_world_ = *mission;
@@ -316,6 +333,10 @@ QString MainWindow::worldToOpenFor(const mission::Mission& mission) const {
 }
 
 void MainWindow::setUp(const mission::Mission& mission) {
+    if (control_.plugins().isAsked(mission.behavior)) {
+        awaiting_plugin_ = mission;
+        return;
+    }
     const auto prepared = control_.prepareMission(mission);
     if (!prepared)
         return complain("mission", prepared.error());

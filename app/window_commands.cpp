@@ -113,7 +113,7 @@ void MainWindow::registerMissionCommands() {
         [this, running] {
             const Robot* robot = control_.robot(selected_);
             return robot && robot->view().figures.spawned && !running() && !robot->isReplay() &&
-                   !views_.behavior->behaviorId().empty();
+                   control_.plugins().behavior(views_.behavior->behaviorId());
         });
     commands_.add(
         {"mission.start_again",

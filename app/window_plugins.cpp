@@ -1,6 +1,8 @@
 // The plugins' part of MainWindow: what was refused, what is built anew while the program runs, and what broke in the
 // air.
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include <QFileInfo>
 
@@ -33,6 +35,14 @@ void MainWindow::wirePlugins() {
     views_.behavior->setRescanAction(commands_.action("plugins.rescan"));
     connect(views_.behavior, &widgets::BehaviorPanel::isolationChosen, this,
             [this](bool isolated) { setIsolated(chosenPlugin(), isolated); });
+    connect(&control_, &MissionControl::pluginsChanged, this, &MainWindow::showPlugins);
+    preview_due_.setSingleShot(true);
+    preview_due_.setInterval(std::chrono::milliseconds(150)); // a quick one does not flicker
+    connect(&preview_due_, &QTimer::timeout, this, [this] {
+        views_.map->setLanes(std::vector<Vec2>{});
+        views_.map->setAreaSummary({});
+        views_.behavior->setPlanSummary(tr("Asking the plugin's process what this would come to…"));
+    });
     plugin_watch_.watch(control_.plugins().folders());
     connect(&plugin_watch_, &PluginWatch::changed, this, [this] { rescanPlugins(false); });
 }
@@ -50,6 +60,13 @@ void MainWindow::applyIsolation() {
 
 void MainWindow::tellRefused(const agent::PluginRecord& record) {
     const QString text = tr("Plugin %1 was refused: %2").arg(record.file, record.reason);
+    if (record.isolated) {
+        const widgets::Offer again{tr("Ask again"), tr("Starts a new process, which loads the plugin as it is now")};
+        return offer(Severity::Warning, record.file, text, again, [this, file = record.file] {
+            control_.askPluginAgain(file);
+            rescanPlugins(false);
+        });
+    }
     if (!record.dangerous)
         return say(Severity::Warning, record.file, text);
     const QString name = record.metadata.value("name").toString();
@@ -72,16 +89,20 @@ void MainWindow::tellPlugins(const QStringList& folders) {
 void MainWindow::rescanPlugins(bool asked) {
     const auto changes = control_.rescanPlugins();
     plugin_watch_.watch(control_.plugins().folders());
+    if (!changes.empty())
+        return showPlugins(changes);
+    if (asked)
+        views_.notifications->push("plugins-same", Severity::Note, tr("No plugin is new."), true);
+}
+
+void MainWindow::showPlugins(const std::vector<agent::PluginChange>& changes) {
     for (const agent::PluginChange& change : changes)
         tellChange(change);
-    if (changes.empty()) {
-        if (asked)
-            views_.notifications->push("plugins-same", Severity::Note, tr("No plugin is new."), true);
-        return;
-    }
     views_.spawn_card->setRobots(robotsToSpawn(world_picture_.robot_classes));
     selectRobot(selected_);
     showChosenBehavior();
+    if (awaiting_plugin_)
+        setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // or waits on
 }
 
 void MainWindow::tellChange(const agent::PluginChange& change) {
@@ -95,6 +116,9 @@ void MainWindow::tellChange(const agent::PluginChange& change) {
     switch (change.news) {
     case agent::PluginNews::Refused:
         return tellRefused(record);
+    case agent::PluginNews::Asked:
+    case agent::PluginNews::Described:
+        return control_.cure(record.file); // its row says the rest
     case agent::PluginNews::Moved:
         control_.cure(record.file);
         return views_.notifications->push("plugin/" + record.file, Severity::Note,
@@ -121,6 +145,7 @@ void MainWindow::tellChange(const agent::PluginChange& change) {
 void MainWindow::showChosenBehavior() {
     const std::string id = views_.behavior->behaviorId();
     const auto* behavior = control_.plugins().behavior(id);
+    forms_wait_ = control_.plugins().isAsked(id);
     views_.spawn_card->preferBehavior(QString::fromStdString(id));
     views_.parameters->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
     if (const TaskDraft& draft = drafts_[selected_]; draft.behavior_id == id) {

@@ -1,9 +1,9 @@
 #include "core/agent/frame_channel.h"
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -50,12 +50,11 @@ bool FrameChannel::send(const QByteArray& frame, Seconds patience) {
     return true;
 }
 
-FrameChannel::Received FrameChannel::fill(char* to, qsizetype bytes, std::optional<Seconds> patience) {
-    while (bytes > 0) {
-        const ssize_t now = ::recv(socket_, to, static_cast<std::size_t>(bytes), MSG_DONTWAIT);
+FrameChannel::Received FrameChannel::fill(char* to, qsizetype bytes, qsizetype& got, std::optional<Seconds> patience) {
+    while (got < bytes) {
+        const ssize_t now = ::recv(socket_, to + got, static_cast<std::size_t>(bytes - got), MSG_DONTWAIT);
         if (now > 0) {
-            to += now;
-            bytes -= now;
+            got += now;
         } else if (now == 0 || (errno != EAGAIN && errno != EINTR)) {
             return Received::Closed;
         } else if (errno == EAGAIN) {
@@ -68,14 +67,18 @@ FrameChannel::Received FrameChannel::fill(char* to, qsizetype bytes, std::option
 }
 
 FrameChannel::Received FrameChannel::receive(QByteArray& frame, std::optional<Seconds> patience) {
-    char length[sizeof(quint32)];
-    if (const Received begun = fill(length, sizeof length, patience); begun != Received::Frame)
+    if (const Received begun = fill(length_.data(), sizeof length_, length_bytes_, patience); begun != Received::Frame)
         return begun;
-    const quint32 bytes = qFromLittleEndian<quint32>(length);
+    const quint32 bytes = qFromLittleEndian<quint32>(length_.data());
     if (bytes > most_bytes)
         return Received::Closed;
-    frame.resize(bytes);
-    return fill(frame.data(), frame.size(), patience);
+    frame_.resize(bytes);
+    const Received whole = fill(frame_.data(), bytes, frame_bytes_, patience);
+    if (whole == Received::Frame) {
+        frame = std::exchange(frame_, {});
+        length_bytes_ = frame_bytes_ = 0;
+    }
+    return whole;
 }
 
 } // namespace usar::agent

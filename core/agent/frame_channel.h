@@ -1,6 +1,7 @@
 // Frames of bytes over a connected socket between two processes.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <QByteArray>
@@ -9,8 +10,9 @@
 
 namespace usar::agent {
 
-/// A frame is its length (four bytes, little end first) and so many bytes. Owns the socket and closes it. Every call
-/// waits; used from one thread at a time. POSIX only; the death of the peer's process is seen on Linux.
+/// A frame is its length (four bytes, little end first) and so many bytes. Owns the socket and closes it. Calls wait as
+/// long as their patience says; used from one thread at a time. POSIX only; the death of the peer's process is seen on
+/// Linux.
 class FrameChannel {
 public:
     enum class Received { Frame, TimedOut, Closed };
@@ -27,16 +29,21 @@ public:
     void endWith(int process_handle) { process_handle_ = process_handle; }
     /// False where the other side is gone, or does not read for so long.
     bool send(const QByteArray& frame, Seconds patience);
-    /// Without a patience it waits for good.
+    /// Without a patience it waits for good. What has come of a frame by the end of it is kept for the next call.
     Received receive(QByteArray& frame, std::optional<Seconds> patience);
 
 private:
     enum class Waited { Ready, TimedOut, Over };
     Waited waitFor(short events, std::optional<Seconds> patience) const;
-    Received fill(char* to, qsizetype bytes, std::optional<Seconds> patience);
+    /// `got` of the `bytes` are there before, and after.
+    Received fill(char* to, qsizetype bytes, qsizetype& got, std::optional<Seconds> patience);
 
     int socket_;
     int process_handle_ = -1;
+    std::array<char, sizeof(quint32)> length_{}; ///< of the frame that is coming
+    QByteArray frame_;                           ///< that is coming
+    qsizetype length_bytes_ = 0;                 ///< that are there of the length
+    qsizetype frame_bytes_ = 0;                  ///< and of the frame
 };
 
 } // namespace usar::agent

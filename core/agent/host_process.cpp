@@ -1,7 +1,6 @@
 #include "core/agent/host_process.h"
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <thread>
@@ -37,10 +36,10 @@ int handleOf(int process) {
 }
 
 /// Waits for the end of a process that is as good as over, at most so long; nothing where it lives on.
-std::optional<int> statusOf(int process, std::chrono::milliseconds patience) {
+std::optional<int> statusOf(int process, Seconds patience) {
     if (const int handle = handleOf(process); handle >= 0) {
         pollfd its_end{handle, POLLIN, 0};
-        ::poll(&its_end, 1, static_cast<int>(patience.count()));
+        ::poll(&its_end, 1, static_cast<int>(patience.count() * 1e3));
         ::close(handle);
     }
     int status = 0;
@@ -103,7 +102,7 @@ HostProcess::~HostProcess() {
     channel_.reset(); // it ends by that, if it is well
     if (process_handle_ >= 0)
         ::close(process_handle_);
-    if (process_ > 0 && !statusOf(process_, std::chrono::milliseconds(200)))
+    if (process_ > 0 && !statusOf(process_, Seconds{0.2}))
         kill();
 }
 
@@ -137,6 +136,10 @@ FrameChannel::Received HostProcess::ask(const frames::Request& request, Seconds 
     return take(patience, reply);
 }
 
+bool HostProcess::tell(const frames::Request& request) {
+    return channel_->send(frames::write(request), Seconds{0.0});
+}
+
 FrameChannel::Received HostProcess::listen(std::optional<frames::Reply>& reply) {
     return take(Seconds{0.0}, reply);
 }
@@ -149,10 +152,10 @@ FrameChannel::Received HostProcess::take(std::optional<Seconds> patience, std::o
     return received == FrameChannel::Received::Frame && !reply ? FrameChannel::Received::Closed : received;
 }
 
-std::string HostProcess::howItEnded(std::optional<int> signal) {
+std::string HostProcess::howItEnded(std::optional<int> signal, Seconds patience) {
     if (signal)
         return "died by " + signalInWords(*signal);
-    const auto status = process_ > 0 ? statusOf(process_, std::chrono::milliseconds(500)) : std::nullopt;
+    const auto status = process_ > 0 ? statusOf(process_, patience) : std::nullopt;
     if (status)
         process_ = 0;
     else

@@ -23,7 +23,10 @@ public:
 
     /// Nothing in time: `TimedOut`. Its words are in `reply` where they are understood, else it counts as gone.
     FrameChannel::Received ask(const frames::Request& request, Seconds patience, std::optional<frames::Reply>& reply);
-    /// What has come without being asked for; does not wait.
+    /// Asks without waiting, also for the answer: `listen` has it once the end handle can be read from. False where it
+    /// is gone. The request is smaller than what a socket takes in (some 200 kB).
+    bool tell(const frames::Request& request);
+    /// What has come; does not wait. `TimedOut` where nothing has, or only a part of it.
     FrameChannel::Received listen(std::optional<frames::Reply>& reply);
 
     /// 0 where there is none any more.
@@ -31,12 +34,14 @@ public:
     /// Can be read from when the process or its end of the connection is gone, or has said something; -1 once `deaf`.
     int endHandle() const { return end_handle_; }
     void becomeDeaf();
+    /// Can be read from when the process is over; -1 where the system has no such thing.
+    int processHandle() const { return process_handle_; }
     void kill();
     /// Hangs up and lets it end by itself, however long that takes: it may be being dumped to the disk.
     void leave();
     /// "died by SIGSEGV (Segmentation fault)". `signal`: as its last words name it. Without them the process is waited
-    /// for, half a second at the most; one that lives on then is killed.
-    std::string howItEnded(std::optional<int> signal);
+    /// for, so long at the most; one that lives on then is killed.
+    std::string howItEnded(std::optional<int> signal, Seconds patience = Seconds{0.5});
 
 private:
     HostProcess(int process, int socket);

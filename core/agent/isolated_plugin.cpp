@@ -1,5 +1,6 @@
 #include "core/agent/isolated_plugin.h"
 
+#include <chrono>
 #include <utility>
 
 #include <QFileInfo>
@@ -10,53 +11,162 @@ namespace usar::agent {
 
 namespace {
 
-/// Of a process, its libraries and the plugin's constructor; the GUI waits for it.
-constexpr Seconds patience_for_loading{5.0};
-constexpr Seconds patience_for_a_preview{1.0};
+/// Of a process, its libraries and the plugin's constructor.
+constexpr std::chrono::seconds patience_for_loading{5};
+constexpr std::chrono::seconds patience_for_a_preview{1};
+/// One that hung up and lives on then is killed.
+constexpr std::chrono::milliseconds patience_for_its_end{500};
 
 } // namespace
 
-Result<std::unique_ptr<IsolatedPlugin>> IsolatedPlugin::load(const QString& program, const QString& file) {
-    std::unique_ptr<IsolatedPlugin> plugin(new IsolatedPlugin(program, file));
-    auto description = plugin->begin();
-    if (!description)
-        return tl::unexpected(description.error());
-    plugin->description_ = *std::move(description);
-    return plugin;
+IsolatedPlugin::IsolatedPlugin(QString program, QString file) : program_(std::move(program)), file_(std::move(file)) {
+    patience_.setSingleShot(true);
+    patience_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&patience_, &QTimer::timeout, &patience_, [this] { runOut(); });
 }
 
-Result<RobotDescription> IsolatedPlugin::begin() const {
+IsolatedPlugin::~IsolatedPlugin() {
+    ear_.reset();
+    hangUp();
+}
+
+void IsolatedPlugin::hangUp() {
+    becomeDeaf();
+    if (host_)
+        host_->leave();
+    host_.reset();
+}
+
+void IsolatedPlugin::describe(Told<void> told) {
+    told_ = std::move(told);
+    begin();
+}
+
+void IsolatedPlugin::foretell(frames::Preview wanted, Told<TaskPreview> told) {
+    wanted_ = std::move(wanted);
+    told_preview_ = std::move(told);
+    if (doing_ == Doing::Nothing)
+        goOn();
+}
+
+void IsolatedPlugin::forgetPreview() {
+    wanted_.reset();
+    told_preview_ = nullptr;
+}
+
+void IsolatedPlugin::begin() {
     auto started = HostProcess::start(program_, "plugin " + QFileInfo(file_).fileName().toStdString());
-    if (!started)
-        return tl::unexpected(started.error());
+    if (!started) {
+        doing_ = Doing::Loading;
+        return fail(started.error());
+    }
     host_ = *std::move(started);
-    auto reply = ask(frames::Describe{file_.toStdString()}, patience_for_loading, "being loaded");
-    if (!reply)
-        return tl::unexpected(reply.error());
-    return std::get<frames::Description>(*std::move(reply)).robot;
+    listenTo(host_->endHandle(), &IsolatedPlugin::listen);
+    ask(frames::Describe{file_.toStdString()}, Doing::Loading);
 }
 
-Result<frames::Reply> IsolatedPlugin::ask(const frames::Request& request, Seconds patience,
-                                          const std::string& doing) const {
-    const auto wrong = [&](const std::string& what) {
-        host_.reset();
-        return failure("it " + what + " while " + doing + " in a process of its own",
-                       "plugin " + QFileInfo(file_).fileName().toStdString(), "Mend it and build it again");
-    };
+void IsolatedPlugin::ask(const frames::Request& request, Doing doing) {
+    doing_ = doing;
+    patience_.start(doing == Doing::Loading ? patience_for_loading : patience_for_a_preview);
+    if (!host_->tell(request))
+        awaitEnd();
+}
+
+void IsolatedPlugin::goOn() {
+    if (!wanted_)
+        return;
+    if (!host_)
+        return begin();
+    ask(*std::exchange(wanted_, std::nullopt), Doing::Foretelling);
+}
+
+void IsolatedPlugin::listen() {
     std::optional<frames::Reply> reply;
-    if (host_->ask(request, patience, reply) == FrameChannel::Received::TimedOut) {
-        host_->kill();
-        return wrong("did not answer for " + fixed(patience.count(), 0) + " s");
-    }
+    if (host_->listen(reply) == FrameChannel::Received::TimedOut)
+        return; // a part of it
     if (!reply)
-        return wrong(host_->howItEnded(std::nullopt));
+        return awaitEnd();
     if (const auto* const dying = std::get_if<frames::Dying>(&*reply))
-        return wrong(host_->howItEnded(dying->signal));
-    if (auto* const refusal = std::get_if<frames::Refusal>(&*reply))
-        return tl::unexpected(std::move(refusal->error));
-    if (std::holds_alternative<frames::Answer>(*reply))
-        return wrong("answered what nobody had asked");
-    return *std::move(reply);
+        return lose(host_->howItEnded(dying->signal));
+    if (doing_ == Doing::Nothing)
+        return lose({});
+    take(*std::move(reply));
+}
+
+void IsolatedPlugin::take(frames::Reply reply) {
+    patience_.stop();
+    if (auto* const refusal = std::get_if<frames::Refusal>(&reply))
+        return fail(std::move(refusal->error));
+    if (auto* const told = std::get_if<frames::Description>(&reply); told && doing_ == Doing::Loading) {
+        doing_ = Doing::Nothing;
+        description_ = std::move(told->robot);
+        if (const auto tell = std::exchange(told_, nullptr))
+            return tell({});
+        return goOn();
+    }
+    auto* const preview = std::get_if<TaskPreview>(&reply);
+    if (!preview || doing_ != Doing::Foretelling)
+        return lose("answered what nobody had asked");
+    doing_ = Doing::Nothing;
+    if (wanted_)
+        return goOn(); // with what has been asked for since
+    if (const auto tell = std::exchange(told_preview_, nullptr))
+        tell(std::move(*preview));
+}
+
+void IsolatedPlugin::awaitEnd() {
+    ending_ = true;
+    patience_.start(patience_for_its_end);
+    listenTo(host_->processHandle(), &IsolatedPlugin::runOut);
+}
+
+void IsolatedPlugin::runOut() {
+    if (ending_)
+        return lose(host_->howItEnded(std::nullopt, Seconds{0.0}));
+    host_->kill();
+    const auto waited = std::chrono::duration_cast<std::chrono::seconds>(patience_.intervalAsDuration());
+    lose("did not answer for " + std::to_string(waited.count()) + " s");
+}
+
+void IsolatedPlugin::lose(const std::string& what) {
+    patience_.stop();
+    hangUp();
+    ending_ = false;
+    if (doing_ == Doing::Nothing)
+        return; // the next preview starts it anew
+    fail({"it " + what + " while " + (doing_ == Doing::Loading ? "being loaded" : "foretelling a task") +
+              " in a process of its own",
+          "plugin " + QFileInfo(file_).fileName().toStdString(), "Mend it and build it again"});
+}
+
+void IsolatedPlugin::fail(Error error) {
+    const Doing done = std::exchange(doing_, Doing::Nothing);
+    if (done == Doing::Loading)
+        hangUp(); // it lives, and has nothing to say
+    if (const auto tell = std::exchange(told_, nullptr))
+        return tell(tl::unexpected(std::move(error)));
+    if (done == Doing::Foretelling && wanted_)
+        return goOn(); // it was another's
+    wanted_.reset();
+    if (const auto tell = std::exchange(told_preview_, nullptr))
+        tell(tl::unexpected(std::move(error)));
+}
+
+void IsolatedPlugin::listenTo(int handle, void (IsolatedPlugin::*call)()) {
+    becomeDeaf();
+    if (handle < 0)
+        return;
+    ear_ = std::make_unique<QSocketNotifier>(handle, QSocketNotifier::Read);
+    QObject::connect(ear_.get(), &QSocketNotifier::activated, ear_.get(), [this, call] { (this->*call)(); });
+}
+
+/// It may be the ear that has just heard.
+void IsolatedPlugin::becomeDeaf() {
+    if (!ear_)
+        return;
+    ear_->setEnabled(false);
+    ear_->disconnect();
+    ear_.release()->deleteLater();
 }
 
 Result<std::unique_ptr<Behavior>> IsolatedPlugin::createBehavior(const std::string& id, BehaviorContext) const {
@@ -64,17 +174,8 @@ Result<std::unique_ptr<Behavior>> IsolatedPlugin::createBehavior(const std::stri
                    "Start it in a process of its own, or untick that for its plugin");
 }
 
-Result<TaskPreview> IsolatedPlugin::preview(const std::string& id, const BehaviorContext& context) const {
-    if (!host_)
-        if (const auto begun = begin(); !begun)
-            return tl::unexpected(begun.error());
-    auto reply = ask(frames::Preview{id, context.task, context.parameters.values(), context.plan},
-                     patience_for_a_preview, "foretelling a task");
-    if (!reply)
-        return tl::unexpected(reply.error());
-    if (auto* const preview = std::get_if<TaskPreview>(&*reply))
-        return std::move(*preview);
-    return failure("its answer is no preview", "behavior " + id, "Install the program and its host from one version");
+Result<TaskPreview> IsolatedPlugin::preview(const std::string& id, const BehaviorContext&) const {
+    return failure("its plugin is not loaded into this program", "behavior " + id, "Ask the loader for the preview");
 }
 
 } // namespace usar::agent

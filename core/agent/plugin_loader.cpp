@@ -12,6 +12,7 @@
 #include <QLibrary>
 #include <QPluginLoader>
 
+#include "core/agent/guarded_plugin.h"
 #include "core/agent/isolated_plugin.h"
 
 namespace usar::agent {
@@ -83,6 +84,39 @@ QString listed(const std::set<QString>& words) {
     return QStringList(words.begin(), words.end()).join(", ");
 }
 
+QStringList textsIn(const QJsonObject& metadata, const char* key) {
+    return metadata.value(QLatin1String(key)).toVariant().toStringList();
+}
+
+QStringList behaviorsIn(const QJsonObject& metadata) {
+    return textsIn(metadata, "behaviors");
+}
+
+/// Of a plugin that has not told more.
+std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
+    std::vector<RobotDescription> robots;
+    for (const QString& class_name : textsIn(metadata, "robots")) {
+        RobotDescription& robot = robots.emplace_back();
+        robot.class_name = class_name.toStdString();
+        robot.name = class_name.section('.', -1).toStdString();
+        for (const QString& id : behaviorsIn(metadata))
+            robot.behaviors.push_back({.id = id.toStdString(),
+                                       .name = id.toStdString() + " (asking…)",
+                                       .help = "The process of its plugin is being asked what this behavior does.",
+                                       .needs_area = false,
+                                       .parameters = {}});
+    }
+    return robots;
+}
+
+void join(std::vector<RobotDescription>& kinds, const RobotDescription& robot) {
+    const auto known = std::ranges::find(kinds, robot.class_name, &RobotDescription::class_name);
+    if (known == kinds.end())
+        kinds.push_back(robot);
+    else
+        known->behaviors.insert(known->behaviors.end(), robot.behaviors.begin(), robot.behaviors.end());
+}
+
 } // namespace
 
 /// A file as it was opened: its library, or what was wrong with it.
@@ -90,17 +124,18 @@ struct PluginLoader::Library {
     /// What can be known without its code.
     void look();
     void open(const QString& copy);
-    void isolate(const QString& host_program);
     QString load(const QString& path);
+    void describe();
 
     QString file;
     FileStamp stamp;
     QJsonObject metadata;
-    QString complaint; ///< empty where `plugin` is there
-    const RobotPlugin* plugin = nullptr;
-    std::unique_ptr<QPluginLoader> loader;    ///< does not unload when it dies
-    std::unique_ptr<IsolatedPlugin> isolated; ///< in place of `loader`
-    bool apart = false;                       ///< it is isolated, or was to be
+    QString complaint;                           ///< empty where all is well so far
+    const RobotPlugin* plugin = nullptr;         ///< none where it complains
+    std::optional<RobotDescription> description; ///< none before it has told, or where it complains
+    std::unique_ptr<QPluginLoader> loader;       ///< does not unload when it dies
+    std::unique_ptr<IsolatedPlugin> isolated;    ///< in place of `loader`
+    bool apart = false;                          ///< it is isolated, or was to be
     bool dangerous = false;
 };
 
@@ -110,21 +145,22 @@ void PluginLoader::Library::look() {
     complaint = complaintBeforeLoading(raw);
 }
 
-void PluginLoader::Library::isolate(const QString& host_program) {
-    apart = true;
-    auto made = IsolatedPlugin::load(host_program, file);
-    if (made) {
-        isolated = *std::move(made);
-        plugin = isolated.get();
-    } else {
-        complaint = QString::fromStdString(made.error().text());
-    }
-}
-
 void PluginLoader::Library::open(const QString& copy) {
     // A library that looks for others beside itself finds them only where it lies.
     if (!QFile::copy(file, copy) || !load(copy).isEmpty())
         complaint = load(file);
+    if (complaint.isEmpty())
+        describe();
+}
+
+void PluginLoader::Library::describe() {
+    try {
+        description = plugin->description();
+    } catch (const std::exception& thrown) {
+        complaint = QString("It failed while describing itself: %1. Mend its description().").arg(thrown.what());
+    } catch (...) {
+        complaint = "It failed while describing itself. Mend its description().";
+    }
 }
 
 QString PluginLoader::Library::load(const QString& path) {
@@ -146,16 +182,6 @@ QString PluginLoader::Library::load(const QString& path) {
     return {};
 }
 
-namespace {
-
-PluginNews newsOf(const PluginRecord* before, const PluginRecord& now) {
-    if (!before || !before->plugin)
-        return PluginNews::Added;
-    return before->isolated != now.isolated ? PluginNews::Moved : PluginNews::Rebuilt;
-}
-
-} // namespace
-
 PluginLoader::PluginLoader() = default;
 PluginLoader::~PluginLoader() = default;
 
@@ -163,30 +189,47 @@ void PluginLoader::scan(const QStringList& folders) {
     folders_ = folders;
     libraries_.clear();
     records_.clear();
-    rescan();
+    owed_news_.clear();
+    openAll();
+    judge(true);
 }
 
 std::vector<PluginChange> PluginLoader::rescan() {
+    openAll();
+    return judge(false);
+}
+
+void PluginLoader::forget(const QString& file) {
+    for (const auto& library : libraries_)
+        if (library->file == file)
+            library->stamp = {};
+}
+
+void PluginLoader::openAll() {
     const std::vector<std::shared_ptr<Library>> known = std::exchange(libraries_, {});
-    const std::vector<PluginRecord> before = std::exchange(records_, {});
-    robots_.clear();
-    owners_.clear();
     for (const QString& folder : folders_)
         if (QFileInfo(folder).isFile())
-            takeFile(QFileInfo(folder).absoluteFilePath(), known);
+            libraries_.push_back(libraryOf(QFileInfo(folder).absoluteFilePath(), known));
     for (const QString& folder : folders_)
         for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files, QDir::Name))
             if (QLibrary::isLibrary(file.fileName()))
-                takeFile(file.absoluteFilePath(), known);
+                libraries_.push_back(libraryOf(file.absoluteFilePath(), known));
+}
+
+std::vector<PluginChange> PluginLoader::judge(bool first_time) {
+    const std::vector<PluginRecord> before = std::exchange(records_, {});
+    robots_.clear();
+    owners_.clear();
+    for (const auto& library : libraries_)
+        records_.push_back(recordFor(*library));
 
     std::vector<PluginChange> changes;
     for (const PluginRecord& record : records_) {
         const auto old = std::ranges::find(before, record.file, &PluginRecord::file);
-        const bool same = old != before.end() && old->plugin == record.plugin && old->reason == record.reason;
-        if (record.state == PluginState::Rejected && !same)
-            changes.push_back({PluginNews::Refused, record});
-        else if (!same)
-            changes.push_back({newsOf(old == before.end() ? nullptr : &*old, record), record});
+        const bool same = old != before.end() && old->state == record.state && old->plugin == record.plugin &&
+                          old->reason == record.reason;
+        if (!same)
+            changes.push_back({newsOf(old == before.end() ? nullptr : &*old, record, first_time), record});
     }
     for (const PluginRecord& record : before)
         if (std::ranges::find(records_, record.file, &PluginRecord::file) == records_.end())
@@ -194,21 +237,38 @@ std::vector<PluginChange> PluginLoader::rescan() {
     return changes;
 }
 
-void PluginLoader::takeFile(const QString& file, const std::vector<std::shared_ptr<Library>>& known) {
-    const auto library = libraryOf(file, known);
-    PluginRecord& record = records_.emplace_back();
-    record.file = file;
-    record.metadata = library->metadata;
-    record.reason = library->complaint;
+PluginRecord PluginLoader::recordFor(const Library& library) {
+    PluginRecord record;
+    record.file = library.file;
+    record.metadata = library.metadata;
+    record.isolated = library.apart;
+    record.dangerous = library.dangerous;
+    record.reason = library.complaint;
+    if (record.reason.isEmpty() && !library.description) {
+        record.state = PluginState::Asked;
+        return record;
+    }
     if (record.reason.isEmpty())
-        record.reason = admit(*library->plugin, library->metadata);
-    if (library->loader)
-        policy_.marks.end(file); // all its code that runs by itself has run
+        record.reason = admit(library);
     record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
-    record.plugin = record.reason.isEmpty() ? library->plugin : nullptr;
-    record.isolated = library->apart;
-    record.dangerous = library->dangerous;
-    libraries_.push_back(library);
+    record.plugin = record.reason.isEmpty() ? library.plugin : nullptr;
+    return record;
+}
+
+PluginNews PluginLoader::newsOf(const PluginRecord* before, const PluginRecord& now, bool first_time) {
+    if (now.state == PluginState::Rejected)
+        return PluginNews::Refused;
+    const bool was_asked = before && before->state == PluginState::Asked;
+    if (was_asked && now.isolated)
+        return owed_news_[now.file];
+    const bool new_here = !before || (!before->plugin && !was_asked);
+    PluginNews news = new_here ? PluginNews::Added : PluginNews::Rebuilt;
+    if (!new_here && before->isolated != now.isolated)
+        news = PluginNews::Moved;
+    if (now.state != PluginState::Asked)
+        return news;
+    owed_news_[now.file] = first_time ? PluginNews::Described : news;
+    return PluginNews::Asked;
 }
 
 std::shared_ptr<PluginLoader::Library> PluginLoader::libraryOf(const QString& file,
@@ -236,7 +296,7 @@ void PluginLoader::openLibrary(Library& library) {
     if (!library.complaint.isEmpty())
         return;
     if (isToBeIsolated(library.metadata.value("name").toString()))
-        return library.isolate(policy_.host_program);
+        return isolate(library);
     if (policy_.marks.endedTheProgram(library.file, library.stamp)) {
         library.dangerous = true;
         library.complaint = "It ended the program when it was loaded the last time. Build it again, or let it run in a "
@@ -247,24 +307,35 @@ void PluginLoader::openLibrary(Library& library) {
     QDir(copies_.path()).mkpath(folder);
     policy_.marks.begin(library.file, library.stamp);
     library.open(copies_.filePath(folder + '/' + QFileInfo(library.file).fileName()));
+    policy_.marks.end(library.file); // all its code that runs by itself has run
 }
 
-QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metadata) {
-    RobotDescription description;
-    try {
-        description = plugin.description();
-    } catch (const std::exception& thrown) {
-        return QString("It failed while describing itself: %1. Mend its description().").arg(thrown.what());
-    } catch (...) {
-        return "It failed while describing itself. Mend its description().";
-    }
+void PluginLoader::isolate(Library& library) {
+    library.apart = true;
+    library.isolated = std::make_unique<IsolatedPlugin>(policy_.host_program, library.file);
+    library.isolated->describe([this, &library](const Result<void>& told) {
+        if (!told) {
+            library.complaint = QString::fromStdString(told.error().text());
+        } else {
+            library.plugin = library.isolated.get();
+            library.description = library.plugin->description();
+        }
+        const auto tell = [this] {
+            if (const auto changes = judge(false); !changes.empty() && news_)
+                news_(changes);
+        };
+        QMetaObject::invokeMethod(&self_, tell, Qt::QueuedConnection);
+    });
+}
+
+QString PluginLoader::admit(const Library& library) {
     std::set<QString> promised;
-    for (const QJsonValue& id : metadata.value("behaviors").toArray())
-        promised.insert(id.toString());
+    for (const QString& id : behaviorsIn(library.metadata))
+        promised.insert(id);
     std::set<QString> described;
-    for (const BehaviorDescription& described_behavior : description.behaviors) {
+    for (const BehaviorDescription& described_behavior : library.description->behaviors) {
         const QString id = QString::fromStdString(described_behavior.id);
-        if (!described.insert(id).second || behavior(described_behavior.id))
+        if (!described.insert(id).second || recordOf(described_behavior.id))
             return QString("The behavior %1 is there already. Give it another id.").arg(id);
         if (const auto complaint = complaintAboutParameters(described_behavior))
             return *complaint;
@@ -272,8 +343,8 @@ QString PluginLoader::admit(const RobotPlugin& plugin, const QJsonObject& metada
     if (promised != described)
         return QString("Its metadata promise the behaviors %1, but it describes %2. Make both the same.")
             .arg(listed(promised), described.empty() ? QString("none") : listed(described));
-    robots_.push_back(std::move(description));
-    owners_.push_back(&plugin);
+    robots_.push_back(*library.description);
+    owners_.push_back(library.plugin);
     return {};
 }
 
@@ -286,6 +357,9 @@ Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_i
             known += (known.empty() ? "" : ", ") + behavior.id;
         }
     }
+    if (isAsked(behavior_id))
+        return failure("its plugin is still being asked what it does", "behavior " + behavior_id,
+                       "Wait until its process has answered");
     std::string mend = "There are: " + known;
     if (known.empty())
         mend = "No robot plugin could be loaded from " + folders_.join(" or ").toStdString() +
@@ -308,20 +382,50 @@ const PluginRecord* PluginLoader::recordOf(const std::string& behavior_id) const
     for (std::size_t i = 0; i < robots_.size(); ++i)
         if (std::ranges::find(robots_[i].behaviors, behavior_id, &BehaviorDescription::id) !=
             robots_[i].behaviors.end())
-            return &*std::ranges::find(records_, owners_[i], &PluginRecord::plugin);
-    return nullptr;
+            if (const auto found = std::ranges::find(records_, owners_[i], &PluginRecord::plugin);
+                found != records_.end())
+                return &*found;
+    const auto asked = std::ranges::find_if(records_, [&](const PluginRecord& record) {
+        return record.state == PluginState::Asked &&
+               behaviorsIn(record.metadata).contains(QString::fromStdString(behavior_id));
+    });
+    return asked == records_.end() ? nullptr : &*asked;
+}
+
+bool PluginLoader::isAsked(const std::string& behavior_id) const {
+    const PluginRecord* const record = recordOf(behavior_id);
+    return record && record->state == PluginState::Asked;
 }
 
 std::vector<RobotDescription> PluginLoader::kinds() const {
     std::vector<RobotDescription> kinds;
-    for (const RobotDescription& robot : robots_) {
-        const auto known = std::ranges::find(kinds, robot.class_name, &RobotDescription::class_name);
-        if (known == kinds.end())
-            kinds.push_back(robot);
-        else
-            known->behaviors.insert(known->behaviors.end(), robot.behaviors.begin(), robot.behaviors.end());
+    auto described = robots_.begin();
+    for (const PluginRecord& record : records_) {
+        if (record.state == PluginState::Loaded)
+            join(kinds, *described++);
+        else if (record.state == PluginState::Asked)
+            for (const RobotDescription& robot : robotsPromised(record.metadata))
+                join(kinds, robot);
     }
     return kinds;
+}
+
+void PluginLoader::preview(const std::string& behavior_id, const BehaviorContext& context, const Told& told) const {
+    forgetPreview();
+    const auto plugin = pluginFor(behavior_id);
+    if (!plugin)
+        return told(tl::unexpected(plugin.error()));
+    for (const auto& library : libraries_)
+        if (library->isolated && library->plugin == *plugin)
+            return library->isolated->foretell({behavior_id, context.task, context.parameters.values(), context.plan},
+                                               told);
+    told(previewTask(**plugin, behavior_id, context));
+}
+
+void PluginLoader::forgetPreview() const {
+    for (const auto& library : libraries_)
+        if (library->isolated)
+            library->isolated->forgetPreview();
 }
 
 const BehaviorDescription* PluginLoader::behavior(const std::string& behavior_id) const {

@@ -5,7 +5,6 @@
 
 #include <QtTest>
 
-#include "core/agent/behavior_frames.h"
 #include "core/agent/plugin_loader.h"
 
 using namespace usar;
@@ -241,60 +240,6 @@ private slots:
                     "/no/robots or /none/here; build or install the program again."));
     }
 
-    void anIsolatedPluginSaysTheSameOfItself_data() {
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<std::string>("id");
-        QTest::newRow("a good one") << built + "good.so"
-                                    << "Test robot" << std::string("test/idle");
-        QTest::newRow("with parameters, senses and acts, and previews") << robots + "airrobot.so"
-                                                                        << "AirRobot" << std::string("airrobot/posh");
-    }
-
-    void anIsolatedPluginSaysTheSameOfItself() {
-        QFETCH(QString, file);
-        QFETCH(QString, name);
-        QFETCH(std::string, id);
-        PluginLoader here;
-        here.scan({file});
-        QCOMPARE(here.records().front().metadata.value("name").toString(), name);
-        PluginLoader there;
-        there.setPolicy({.host_program = host, .isolated = {name}});
-        there.scan({file});
-        QVERIFY2(there.records().front().state == PluginState::Loaded, qPrintable(there.records().front().reason));
-        QVERIFY(there.records().front().isolated && !here.records().front().isolated);
-        const auto asBytes = [](const RobotDescription& robot) {
-            return frames::write(frames::Reply(frames::Description{robot}));
-        };
-        QCOMPARE(asBytes(there.robots().front()), asBytes(here.robots().front()));
-
-        const BehaviorContext context{{"R1", {}, {{0.0, 0.0}, {40.0, 30.0}}},
-                                      *ParameterSet::make(here.behavior(id)->parameters)};
-        const auto expected = (*here.pluginFor(id))->preview(id, context);
-        const auto got = (*there.pluginFor(id))->preview(id, context);
-        QVERIFY(expected && got);
-        QVERIFY(got->path_in_map_m == expected->path_in_map_m && got->summary == expected->summary);
-        QCOMPARE(got->length_m, expected->length_m);
-        QCOMPARE(got->duration.count(), expected->duration.count());
-        const auto made = (*there.pluginFor(id))->createBehavior(id, context);
-        QVERIFY(!made && made.error().text().find("is not loaded into this program") != std::string::npos);
-    }
-
-    void anIsolatedPluginIsNeverOpenedInTheProgram() {
-        PluginLoader loader;
-        loader.setPolicy({.host_program = host, .isolated = {"Crashing robot"}});
-        loader.scan({dangerous}); // this program would not live to see it
-        QVERIFY2(loader.records().front().state == PluginState::Loaded, qPrintable(loader.records().front().reason));
-        const RobotPlugin& plugin = **loader.pluginFor("test/idle");
-        const ParameterSet parameters = *ParameterSet::make(loader.behavior("test/idle")->parameters);
-        const BehaviorContext good{{"R1", {}, {{0.0, 0.0}, {4.0, 3.0}}}, parameters};
-        QCOMPARE(plugin.preview("test/idle", good)->summary, std::string("one lane"));
-        const auto crashed = plugin.preview("test/idle", {{"R1", {}, {}}, parameters});
-        QVERIFY(!crashed);
-        QVERIFY2(crashed.error().text().find("died by SIGABRT") != std::string::npos, crashed.error().text().c_str());
-        QCOMPARE(plugin.preview("test/idle", good)->summary, std::string("one lane")); // by a new process
-    }
-
     void whatEndedTheProgramIsSkippedAtTheNextStart() {
         QTemporaryDir folder;
         QTemporaryDir marks;
@@ -328,7 +273,7 @@ private slots:
         const auto changes = next->rescan();
         QVERIFY(next->records().front().isolated && !next->records().front().dangerous);
         QVERIFY(!next->records().back().isolated); // its code is here already
-        QCOMPARE(changes.size(), std::size_t(2));  // both claim one id, so that the first to be loaded has it
+        QCOMPARE(changes.size(), std::size_t(2));  // both claim one id, and the first of them has it from now on
 
         overwrite(folder.filePath("0_crashes_in_the_program.so"), built + "twin.so"); // built anew, and well
         QVERIFY(!scan({})->records().front().dangerous);
@@ -349,5 +294,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPluginLoader)
+QTEST_GUILESS_MAIN(TestPluginLoader)
 #include "tst_plugin_loader.moc"

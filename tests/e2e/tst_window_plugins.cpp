@@ -2,9 +2,13 @@
 #include <csignal>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QListView>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -18,6 +22,7 @@ namespace {
 
 const QString built = QStringLiteral(USAR_BINARY_DIR "/tests/plugins/");
 const QString robots = QStringLiteral(USAR_BINARY_DIR "/robots");
+const QString slow = built + "dangerous/slow_to_tell.so";
 
 /// As a linker does: the file stays, and what is in it changes.
 void writeOver(const QString& file, const QString& source) {
@@ -89,6 +94,29 @@ void takeOffer(WindowPage& page, const QString& text, const QString& by) {
     QTest::keyClick(list, Qt::Key_Return);
 }
 
+/// Of a person who has chosen this before.
+void isolate(const QTemporaryDir& settings, const QString& plugin) {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    QSettings().setValue("isolated_plugins", QStringList{plugin});
+}
+
+/// The rows of the selected robot's behaviors.
+QStringList behaviorRows(WindowPage& page) {
+    const auto* const box = page.window().views().behavior->findChild<QComboBox*>();
+    QStringList rows;
+    for (int i = 0; i < box->count(); ++i)
+        rows << box->itemText(i);
+    return rows;
+}
+
+/// What the behavior's panel says a task would come to.
+bool summarized(WindowPage& page, const QString& words) {
+    for (const QLabel* label : page.window().views().behavior->findChildren<QLabel*>())
+        if (label->isVisible() && label->text().contains(words))
+            return true;
+    return false;
+}
+
 QCheckBox* isolationBox(const WindowPage& page) {
     return const_cast<WindowPage&>(page).window().views().behavior->findChild<QCheckBox*>();
 }
@@ -99,7 +127,10 @@ class tst_WindowPlugins : public QObject {
     Q_OBJECT
 private slots:
     void init() { GuiWatchdog::instance().reset(); }
-    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+    void cleanup() {
+        qunsetenv("USAR_TEST_SLOW_S");
+        QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint());
+    }
     void aPluginThatIsBuiltAnewIsLoadedByItself();
     void aPluginBuiltAnewInFlightDecidesFromTheNextStartOn();
     void theCommandSaysAlsoThatNothingIsNew();
@@ -111,6 +142,12 @@ private slots:
     void aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyElseAnything();
     void isolationIsChosenForAPluginAndRemembered();
     void whatEndedTheProgramIsOfferedAProcessOfItsOwn();
+    void aPluginThatIsAskedIsAtOnceInTheListAndFilledInLater();
+    void aPluginThatHangsWhenAskedHoldsNobodyUp();
+    void closingTheWindowWhileItAsksDoesNotWait();
+    void aPreviewThatHangsIsToldOfWhileTheWindowGoesOn();
+    void aMissionForAPluginThatIsAskedIsSetUpOnceItHasAnswered();
+    void whatIsSetUpOutlivesABuildOfAnIsolatedPlugin();
 };
 
 void tst_WindowPlugins::aPluginThatIsBuiltAnewIsLoadedByItself() {
@@ -309,9 +346,125 @@ void tst_WindowPlugins::whatEndedTheProgramIsOfferedAProcessOfItsOwn() {
     QTRY_VERIFY(offerButton(page, "Give Crashing robot its own process"));
     QTest::mouseClick(offerButton(page, "Give Crashing robot its own process"), Qt::LeftButton);
     QVERIFY(records.front().isolated);
-    QVERIFY2(records.front().state == agent::PluginState::Loaded, qPrintable(records.front().reason));
+    QTRY_VERIFY2_WITH_TIMEOUT(records.front().state == agent::PluginState::Loaded, qPrintable(records.front().reason),
+                              soon_ms);
     QVERIFY(!page.notified("The plugin crashing.so was loaded: test/idle").isEmpty());
     QVERIFY(!offerButton(page, "Give Crashing robot its own process"));
+}
+
+void tst_WindowPlugins::aPluginThatIsAskedIsAtOnceInTheListAndFilledInLater() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    qputenv("USAR_TEST_SLOW_S", "2");
+    WindowPage page({.plugin_folders = {slow}, .settings_folder = settings.path()});
+    QCOMPARE(behaviorRows(page), QStringList{"slow/idle (asking…)"});
+    QVERIFY(isolationBox(page)->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart")); // what it drives is known from its metadata
+    QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"Idle at last"}, soon_ms);
+    QVERIFY(page.window().commands().action("mission.start")->isEnabled());
+    QVERIFY(page.notified("slow_to_tell").isEmpty()); // it was there from the first, and nothing is wrong
+}
+
+void tst_WindowPlugins::aPluginThatHangsWhenAskedHoldsNobodyUp() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    qputenv("USAR_TEST_SLOW_S", "60");
+    WindowPage page({.plugin_folders = {slow, robots}, .settings_folder = settings.path()});
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY(behaviorRows(page).contains("slow/idle (asking…)"));
+    page.window().views().behavior->chooseBehavior("slow/idle");
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QCOMPARE(page.window().views().behavior->behaviorId(), std::string("slow/idle"));
+    if (clock.elapsed() < 4000) // or it has been given up already
+        QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("did not answer for 5 s").isEmpty(), soon_ms);
+    QVERIFY(page.notified("slow_to_tell.so was refused").contains("while being loaded in a process of its own"));
+    const auto* const told = page.window().views().notifications->model();
+    const auto about = told->match(told->index(0, 0), Qt::DisplayRole, "slow_to_tell.so", -1, Qt::MatchContains);
+    QCOMPARE(about.size(), 1); // in one message
+    QVERIFY(!behaviorRows(page).contains("slow/idle (asking…)"));
+    QTRY_VERIFY(hosts().isEmpty());
+
+    qunsetenv("USAR_TEST_SLOW_S");
+    QTRY_VERIFY(offerButton(page, "Ask again"));
+    QTest::mouseClick(offerButton(page, "Ask again"), Qt::LeftButton);
+    QVERIFY(behaviorRows(page).contains("slow/idle (asking…)"));
+    QTRY_VERIFY_WITH_TIMEOUT(behaviorRows(page).contains("Idle at last"), soon_ms);
+    QVERIFY(!offerButton(page, "Ask again"));
+}
+
+void tst_WindowPlugins::closingTheWindowWhileItAsksDoesNotWait() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    qputenv("USAR_TEST_SLOW_S", "60");
+    auto page = std::make_unique<WindowPage>(WindowSetup{.plugin_folders = {slow}, .settings_folder = settings.path()});
+    QTRY_VERIFY_WITH_TIMEOUT(page->hasStartPoses(), soon_ms);
+    QCOMPARE(page->window().control().plugins().records().front().state, agent::PluginState::Asked);
+    QCOMPARE(hosts().size(), 1);
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY(page->window().close());
+    page.reset();
+    QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed()))); // with all else that it ends
+    QTRY_VERIFY(hosts().isEmpty());
+}
+
+void tst_WindowPlugins::aPreviewThatHangsIsToldOfWhileTheWindowGoesOn() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    WindowPage page({.plugin_folders = {slow}, .settings_folder = settings.path()});
+    QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"Idle at last"}, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-5, -5}, {5, 5}});
+    QTRY_VERIFY_WITH_TIMEOUT(summarized(page, " wide · "), soon_ms);
+    QVERIFY(!page.map().content().area.lanes_in_map_m.empty());
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-25, -5}, {25, 5}});
+    QTRY_VERIFY(summarized(page, "Asking the plugin's process"));
+    QVERIFY(page.map().content().area.lanes_in_map_m.empty()); // they were of another area
+    QTRY_VERIFY_WITH_TIMEOUT(summarized(page, "did not answer for 1 s while foretelling"), soon_ms);
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{50, 40}, {60, 50}}); // apart from the other one, which would be moved
+    QTRY_VERIFY_WITH_TIMEOUT(summarized(page, " wide · "), soon_ms);
+    QVERIFY(!page.map().content().area.lanes_in_map_m.empty());
+}
+
+void tst_WindowPlugins::aMissionForAPluginThatIsAskedIsSetUpOnceItHasAnswered() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    const QString mission = settings.filePath("slow.json");
+    QFile file(mission);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"name": "Slow", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
+                   "behavior": "slow/idle", "area": {"x": -5, "y": -5, "width": 10, "height": 10},
+                   "parameters": {"speed_m_s": 1.5}})");
+    file.close();
+    qputenv("USAR_TEST_SLOW_S", "2");
+    WindowPage page({.plugin_folders = {robots, slow}, .mission_file = mission, .settings_folder = settings.path()});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Mission Slow is ready").isEmpty(), soon_ms);
+    QCOMPARE(page.window().views().behavior->behaviorId(), std::string("slow/idle"));
+    QCOMPARE(std::get<double>(page.window().views().parameters->values().at("speed_m_s")), 1.5);
+}
+
+void tst_WindowPlugins::whatIsSetUpOutlivesABuildOfAnIsolatedPlugin() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    const QTemporaryDir folder;
+    writeOver(folder.filePath("robot.so"), slow);
+    WindowPage page({.plugin_folders = {folder.path()}, .settings_folder = settings.path()});
+    QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"Idle at last"}, soon_ms);
+    page.window().views().parameters->setValues({{"speed_m_s", 0.5}});
+    qputenv("USAR_TEST_SLOW_S", "0.5");
+    writeOver(folder.filePath("robot.so"), slow);
+    QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"slow/idle (asking…)"}, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("robot.so was built anew").isEmpty(), soon_ms);
+    QCOMPARE(behaviorRows(page), QStringList{"Idle at last"});
+    QCOMPARE(std::get<double>(page.window().views().parameters->values().at("speed_m_s")), 0.5);
 }
 
 USAR_E2E_MAIN(tst_WindowPlugins)
