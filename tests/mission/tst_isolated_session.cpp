@@ -3,9 +3,9 @@
 
 #include <QSignalSpy>
 #include <QTest>
-#include <QThread>
 
 #include "core/agent/isolated_behavior.h"
+#include "tests/doubles/own_thread.h"
 #include "tests/mission/session_fixture.h"
 
 using namespace usar;
@@ -110,16 +110,13 @@ void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick() {
         if (stopped_ms < 0 && line.startsWith("DRIVE") && stops(line))
             stopped_ms = timer.elapsed();
     };
-    QThread elsewhere;
-    f.server.moveToThread(&elsewhere);
-    elsewhere.start();
-    timer.start();
-    QMetaObject::invokeMethod(&f.server, [&] { f.server.tick(); });
-    const bool told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
-    QMetaObject::invokeMethod(
-        &f.server, [&] { f.server.moveToThread(thread()); }, Qt::BlockingQueuedConnection);
-    elsewhere.quit();
-    elsewhere.wait();
+    bool told = false;
+    {
+        const test::OwnThread elsewhere(f.server);
+        timer.start();
+        QMetaObject::invokeMethod(&f.server, [&] { f.server.tick(); });
+        told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
+    }
     QVERIFY(told);
     QVERIFY2(stopped_ms >= 0 && stopped_ms <= tick_ms + 50, qPrintable(QString::number(stopped_ms)));
     QVERIFY2(timer.elapsed() >= finding_out_ms, qPrintable(QString::number(timer.elapsed())));
