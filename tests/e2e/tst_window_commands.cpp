@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QMenuBar>
@@ -42,6 +43,7 @@ private slots:
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
     void aFirstStartFitsASmallScreen();
+    void onASmallScreenTimeCanBeSteered();
     void theWindowIsFoundAsItWasLeft();
     void aSavedMissionIsOpenedAgain();
     void anUnwritableMissionFileIsNamed();
@@ -150,6 +152,23 @@ void tst_WindowCommands::aFirstStartFitsASmallScreen() {
         const QRect there(sight->mapTo(&window, QPoint(0, 0)), sight->size());
         QVERIFY(sight->isVisible() && window.rect().contains(there));
     }
+}
+
+void tst_WindowCommands::onASmallScreenTimeCanBeSteered() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const app::WindowViews& views = page.window().views();
+    page.window().resize(1024, 690);
+    for (QWidget* sight : {static_cast<QWidget*>(views.time), static_cast<QWidget*>(views.record),
+                           static_cast<QWidget*>(views.driver), static_cast<QWidget*>(views.stop_all)})
+        QTRY_VERIFY2(sight->isVisible() && page.window().rect().contains(
+                                               QRect(sight->mapTo(&page.window(), QPoint(0, 0)), sight->size())),
+                     qPrintable(sight->accessibleName()));
+    QVERIFY(views.driver->width() >= views.driver->sizeHint().width()); // in words
+    auto* const button = views.connection->findChild<QPushButton*>();
+    QCOMPARE(button->accessibleName(), QString("Disconnect")); // there is no room for the word
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_VERIFY(views.connection->findChild<QComboBox*>()->isVisible());
 }
 
 void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {

@@ -43,6 +43,7 @@ private slots:
     void countdownIsSeenBesideALongReason();
     void disconnectsAndGivesUpWaiting();
     void addressIsLockedWhileConnected();
+    void whatCannotBeChosenMakesRoom();
     void rateKeepsItsWidth();
     void figuresOfTheLinkOpenFromTheRate();
     void pauseAsksAndEnablesTheStep();
@@ -207,6 +208,32 @@ void tst_Bars::addressIsLockedWhileConnected() {
     QVERIFY(!bar.findChild<QComboBox*>()->isEnabled());
     bar.setStatus({});
     QVERIFY(bar.findChild<QSpinBox*>()->isEnabled());
+}
+
+void tst_Bars::whatCannotBeChosenMakesRoom() {
+    ConnectionBar bar;
+    bar.show();
+    bar.setServer(ServerChoice::Real);
+    bar.setAddress("robots.example", 3001);
+    bar.setStatus({ConnectionState::Connected, "tall_test", {}, {}});
+    auto* const servers = bar.findChild<QComboBox*>();
+    auto* const button = bar.findChild<QPushButton*>();
+    const int wide_px = bar.minimumSizeHint().width();
+    bar.setRoom(BarRoom::Medium);
+    QVERIFY(servers->isHidden() && bar.findChild<QSpinBox*>()->isHidden());
+    QCOMPARE(button->text(), QString("Disconnect"));
+    QVERIFY2(bar.findChild<ElidedLabel*>()->toolTip().contains("robots.example:3001"),
+             qPrintable(bar.findChild<ElidedLabel*>()->toolTip()));
+    const int medium_px = bar.minimumSizeHint().width();
+    bar.setRoom(BarRoom::Narrow);
+    QCOMPARE(button->text(), QString());
+    QCOMPARE(button->accessibleName(), QString("Disconnect"));
+    const int narrow_px = bar.minimumSizeHint().width();
+    QVERIFY2(wide_px > medium_px && medium_px > narrow_px,
+             qPrintable(QString("%1 %2 %3").arg(wide_px).arg(medium_px).arg(narrow_px)));
+    bar.setStatus({}); // now it can be chosen, and must be
+    QVERIFY(!servers->isHidden() && !bar.findChild<QSpinBox*>()->isHidden());
+    QCOMPARE(button->text(), QString("Connect"));
 }
 
 void tst_Bars::rateKeepsItsWidth() {

@@ -1,5 +1,9 @@
+#include <algorithm>
+
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -42,6 +46,8 @@ private slots:
     void pauseShowsWhatTheRobotDoes();
     void aPlanIsChosenWhereOneDecides();
     void anAreaIsAskedForWhereOneIsNeeded();
+    void whatIsToldAnewOfTheChosenOneIsShown();
+    void helpGoesBeforeFieldsAreSqueezed();
 
 private:
     QPushButton* button(const QString& text) const;
@@ -213,6 +219,36 @@ void tst_BehaviorPanel::anAreaIsAskedForWhereOneIsNeeded() {
     panel_->chooseBehavior("rover/cpp");
     QVERIFY(!form->isVisible());
     QVERIFY(!panel_->needsArea());
+}
+
+void tst_BehaviorPanel::whatIsToldAnewOfTheChosenOneIsShown() {
+    agent::BehaviorDescription survey = behavior("air/survey");
+    panel_->setBehaviors({survey});
+    QVERIFY(!panel_->findChild<AreaForm*>()->isVisible());
+    survey.needs_area = true;
+    panel_->setBehaviors({survey});
+    QVERIFY(panel_->findChild<AreaForm*>()->isVisible());
+}
+
+void tst_BehaviorPanel::helpGoesBeforeFieldsAreSqueezed() {
+    agent::BehaviorDescription survey = behavior("air/survey");
+    survey.needs_area = true;
+    survey.help = QString("Says at length what it does. ").repeated(12).trimmed().toStdString();
+    const auto help = [&] {
+        const auto labels = panel_->findChildren<QLabel*>();
+        return *std::ranges::find_if(labels,
+                                     [](const QLabel* one) { return one->text().startsWith("Says at length"); });
+    };
+    window_->resize(300, 900);
+    panel_->setBehaviors({survey});
+    QTRY_VERIFY(help()->isVisible());
+    window_->resize(300, 480);
+    QTRY_VERIFY(!help()->isVisible());
+    for (const QDoubleSpinBox* field : panel_->findChildren<QDoubleSpinBox*>())
+        QVERIFY2(field->height() >= field->minimumHeight(), qPrintable(field->accessibleName()));
+    QVERIFY(panel_->findChild<QComboBox*>()->toolTip().contains("Says at length"));
+    window_->resize(300, 900);
+    QTRY_VERIFY(help()->isVisible());
 }
 
 QTEST_MAIN(tst_BehaviorPanel)
