@@ -7,10 +7,11 @@
 
 /// An application that times the delivery of every event, nested ones as part of the outer. Event loops that run inside
 /// an event (a dialog) are not a block and are not counted, and neither is the time in which other programs had the
-/// processor; where the disk had to bring a page of a program or library, only what was computed counts. GUI thread.
+/// processor; where the disk had to be waited for, only what was computed counts. What is longer than half of what is
+/// allowed is taken in terms of an undisturbed machine. GUI thread.
 class GuiWatchdog : public QApplication {
 public:
-    GuiWatchdog(int& argc, char** argv) : QApplication(argc, argv) {}
+    GuiWatchdog(int& argc, char** argv);
 
     bool notify(QObject* receiver, QEvent* event) override;
 
@@ -24,11 +25,13 @@ private:
     struct Moment {
         double waited_ms = 0.0; ///< ready to run, but without a processor
         double computed_ms = 0.0;
-        long pages_from_disk = 0;
+        long waits_for_disk = 0;
     };
 
     static Moment now();
     static double blocked_ms(double elapsed_ms, const Moment& before);
+    /// How many times longer the same painting takes now than undisturbed; at least 1.
+    double slowness();
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     static constexpr qint64 allowed_ms = 500; // everything is several times slower there
@@ -36,6 +39,7 @@ private:
     static constexpr qint64 allowed_ms = 100;
 #endif
 
+    double undisturbed_ms_;
     qint64 longest_ms_ = 0;
     QString where_;
     int depth_ = 0;
