@@ -34,8 +34,32 @@ void copyFolder(const QString& from, const QString& to) {
         QVERIFY(QFile::copy(from + '/' + name, to + '/' + name));
 }
 
+/// The first block of commands under this heading of a page.
+QString commandsUnder(const QString& heading, const QString& page) {
+    QFile file(page);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QString text = QString::fromUtf8(file.readAll());
+    return text.mid(text.indexOf(heading)).section("```\n", 1, 1);
+}
+
 QJsonObject summaryIn(const QByteArray& output) {
     return QJsonDocument::fromJson(output.trimmed().split('\n').last()).object();
+}
+
+void buildAndFly(const QString& prefix, const QString& copy, const QString& behavior_id) {
+    Outcome made = run("cmake", {"-G", "Ninja", "-B", "build", "-DCMAKE_PREFIX_PATH=" + prefix}, copy);
+    QVERIFY2(made.exit_code == 0, made.output + made.said);
+    made = run("cmake", {"--build", "build"}, copy);
+    QVERIFY2(made.exit_code == 0, made.output + made.said);
+    for (const QStringList& how : {QStringList(), QStringList("--isolate")}) {
+        const Outcome flown =
+            run(prefix + "/bin/usar-mission",
+                QStringList{"run", "hop.json", "--plugins", "build/robots", "--out", "results"} + how, copy);
+        QVERIFY2(flown.exit_code == 0, flown.output + flown.said);
+        QVERIFY(summaryIn(flown.output)["success"].toBool());
+        QCOMPARE(summaryIn(flown.output)["behavior"].toString(), behavior_id);
+    }
 }
 
 } // namespace
@@ -73,19 +97,13 @@ void tst_SampleRobot::fliesWhereAPersonHasCopiedIt() {
     QVERIFY(QDir().rename(installed_first, prefix));
 
     copyFolder(prefix + "/share/usar-mission-control/sample", copy);
-    Outcome made = run("cmake", {"-G", "Ninja", "-B", "build", "-DCMAKE_PREFIX_PATH=" + prefix}, copy);
-    QVERIFY2(made.exit_code == 0, made.output + made.said);
-    made = run("cmake", {"--build", "build"}, copy);
-    QVERIFY2(made.exit_code == 0, made.output + made.said);
-
-    for (const QStringList& how : {QStringList(), QStringList("--isolate")}) {
-        const Outcome flown =
-            run(prefix + "/bin/usar-mission",
-                QStringList{"run", "hop.json", "--plugins", "build/robots", "--out", "results"} + how, copy);
-        QVERIFY2(flown.exit_code == 0, flown.output + flown.said);
-        QVERIFY(summaryIn(flown.output)["success"].toBool());
-        QCOMPARE(summaryIn(flown.output)["behavior"].toString(), QString("sample/hop"));
-    }
+    buildAndFly(prefix, copy, "sample/hop");
+    const QString renaming = commandsUnder("## 5. Your own name", copy + "/README.md");
+    QVERIFY(renaming.contains("my_robot"));
+    const Outcome renamed = run("bash", {"-e", "-c", renaming}, copy);
+    QVERIFY2(renamed.exit_code == 0, renamed.output + renamed.said);
+    buildAndFly(prefix, copy, "my_robot/hop");
+    QCOMPARE(QDir(copy + "/build/robots").entryList(QDir::Files), QStringList("my_robot.so"));
 }
 
 QTEST_GUILESS_MAIN(tst_SampleRobot)
