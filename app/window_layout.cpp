@@ -133,6 +133,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
                                : columns >= least_medium ? BarRoom::Medium
                                                          : BarRoom::Narrow);
     views_.record->setFiguresShown(columns >= least_medium);
+    views_.driver->setRoomy(columns >= least_medium);
 }
 
 void MainWindow::restoreSettings() {

@@ -1,5 +1,7 @@
 #include "widgets/control_badge.h"
 
+#include <utility>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -12,7 +14,8 @@ namespace usar::widgets {
 namespace {
 
 constexpr int badge_height_px = 26;
-constexpr int usual_width_px = 168;
+constexpr int usual_width_px = 168; // "R1: nobody drives"
+constexpr int roomy_width_px = 264; // "R1: Terrain survey (C++) drives"
 constexpr int least_width_px = 136; // "R1: you drive"
 
 StateShape shapeOf(Driver driver) {
@@ -66,8 +69,13 @@ void ControlBadge::setBare(bool bare) {
     update();
 }
 
+void ControlBadge::setRoomy(bool roomy) {
+    if (std::exchange(roomy_, roomy) != roomy)
+        updateGeometry();
+}
+
 QSize ControlBadge::sizeHint() const {
-    return {usual_width_px, badge_height_px};
+    return {roomy_ ? roomy_width_px : usual_width_px, badge_height_px};
 }
 
 QSize ControlBadge::minimumSizeHint() const {

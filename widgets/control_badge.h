@@ -33,6 +33,8 @@ public:
     QString text() const;
     /// Without the robot's name, and as wide as there is room.
     void setBare(bool bare);
+    /// Where there is room for a behavior's name, too.
+    void setRoomy(bool roomy);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -49,6 +51,7 @@ private:
     ControlWords words_;
     StateDot* dot_;
     bool bare_ = false;
+    bool roomy_ = false;
 };
 
 } // namespace usar::widgets
