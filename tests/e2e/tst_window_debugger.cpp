@@ -382,9 +382,8 @@ void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
     page.chooseSpeed("max");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
     page.window().control().remove(1);
-    const QDir results(page.resultFolder());
-    QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*.usarrec"}).isEmpty(), soon_ms);
-    page.window().openRecording(results.filePath(results.entryList({"*.usarrec"}).first()));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
+    page.window().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
     page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
     QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 100 && !page.robot(1)->figures.replay->seeking, flight_ms);
@@ -433,9 +432,8 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     QVERIFY(std::ranges::any_of(started, [](std::uint64_t count) { return count > 0; }));
     QVERIFY(debugger.sees("Blackboard"));
     page.window().control().remove(1);
-    const QDir results(page.resultFolder());
-    QTRY_COMPARE_WITH_TIMEOUT(results.entryList({"*.usarrec"}).size(), 1, soon_ms);
-    page.window().openRecording(results.filePath(results.entryList({"*.usarrec"}).first()));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
+    page.window().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
     page.window().control().robot(1)->orderReplay({.seek = Seconds{0.1}});
     QTRY_VERIFY_WITH_TIMEOUT(!debugger.panel().view().tree().empty(), soon_ms);

@@ -10,6 +10,8 @@
 #include <QSpinBox>
 #include <QUrl>
 
+#include "core/link/recording_reader.h"
+
 using namespace usar;
 
 WindowPage::WindowPage(const WindowSetup& setup) {
@@ -145,6 +147,14 @@ QString WindowPage::notified(const QString& words) const {
     for (int row = 0; row < model->rowCount(); ++row)
         if (model->row(row).text.contains(words))
             return model->row(row).text;
+    return {};
+}
+
+QString WindowPage::endedRecording() const {
+    const QDir folder(result_folder_);
+    for (const QString& name : folder.entryList({"*.usarrec"}, QDir::Files))
+        if (const auto reader = link::RecordingReader::open(folder.filePath(name)); reader && (*reader)->survey().ended)
+            return folder.filePath(name);
     return {};
 }
 

@@ -52,6 +52,9 @@ public:
     bool spawnAt(const std::string& start_pose);
     /// The newest notification with these words, whole; empty where there is none.
     QString notified(const QString& words) const;
+    /// Path of a recording in the result folder that was ended in order, which is some time after its robot went; empty
+    /// until there is one.
+    QString endedRecording() const;
     void screenshot(const QString& name);
 
     QString connectionText() { return window_->views().connection->statusText(); }
