@@ -181,7 +181,7 @@ private:
     std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
     std::map<int, Seconds> wanted_moments_;       ///< by connection: to look back on, once it is in the file
     bool recording_ = true;
-    bool time_stopped_ = false; ///< of the embedded simulator
+    bool time_stopped_ = false;                    ///< of the embedded simulator
     std::map<int, sim::RobotTruth> truths_;        ///< for the summary only
     std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each
     bool closing_ = false;
