@@ -427,6 +427,12 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     };
     page.window().control().stopAll();
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
+    const auto settled = [&] { // the robot's last words are on their way when it is known to have finished
+        const std::uint64_t shown = debugger.time().cycle;
+        QTest::qWait(500);
+        return debugger.time().cycle == shown;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(settled(), soon_ms);
     const auto started = drives();
     const std::uint64_t last = debugger.time().cycle;
     QVERIFY(std::ranges::any_of(started, [](std::uint64_t count) { return count > 0; }));
