@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/camera_receiver.h"
+#include "core/link/across_threads.h"
 #include "core/mission/camera_picture.h"
 
 namespace usar::app {
@@ -31,12 +32,13 @@ CameraFeed::CameraFeed(QObject* parent) : QObject(parent), receiver_(new CameraR
     thread_.setObjectName("camera");
     receiver_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, receiver_, &QObject::deleteLater);
-    connect(receiver_, &CameraReceiver::pictureArrived, this, [this](const QImage& picture, double frames_per_s) {
-        --receiver_->unseen;
-        emit pictureArrived(picture, frames_per_s);
-    });
-    connect(receiver_, &CameraReceiver::unreadable, this, &CameraFeed::unreadable);
-    connect(&receiver_->client, &link::ImageClient::statusChanged, this, &CameraFeed::statusChanged);
+    link::connectAcross(receiver_, &CameraReceiver::pictureArrived, this,
+                        [this](const QImage& picture, double frames_per_s) {
+                            --receiver_->unseen;
+                            emit pictureArrived(picture, frames_per_s);
+                        });
+    link::connectAcross(receiver_, &CameraReceiver::unreadable, this, &CameraFeed::unreadable);
+    link::connectAcross(&receiver_->client, &link::ImageClient::statusChanged, this, &CameraFeed::statusChanged);
     thread_.start();
 }
 
@@ -49,7 +51,7 @@ CameraFeed::~CameraFeed() {
 
 template <class Call>
 void CameraFeed::later(Call call) {
-    QMetaObject::invokeMethod(receiver_, [receiver = receiver_, call = std::move(call)] { call(receiver->client); });
+    link::post(receiver_, [receiver = receiver_, call = std::move(call)] { call(receiver->client); });
 }
 
 void CameraFeed::open(const QString& host, quint16 port) {

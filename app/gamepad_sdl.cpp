@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include "app/gamepad.h"
+#include "core/link/across_threads.h"
 #include "core/mission/stick_shaper.h"
 
 namespace usar::app {
@@ -63,7 +64,7 @@ public:
 private:
     template <class Call>
     void tell(Call call) {
-        QMetaObject::invokeMethod(&owner_, [&owner = owner_, call = std::move(call)] { call(owner); });
+        link::post(&owner_, [&owner = owner_, call = std::move(call)] { call(owner); });
     }
     void run();
     void look();

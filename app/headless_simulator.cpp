@@ -2,6 +2,7 @@
 
 #include "app/simulator_files.h"
 #include "app/true_figures.h"
+#include "core/link/across_threads.h"
 
 namespace usar::app {
 
@@ -38,7 +39,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
         host->server_->setTimeBeginsWithRobots(true);
         host->server_->setPace(spec.speed_x ? link::Pace::Factor : link::Pace::Fast, spec.speed_x.value_or(1.0));
     };
-    QMetaObject::invokeMethod(host->worker_, serve, Qt::BlockingQueuedConnection);
+    link::postAndWait(host->worker_, serve);
     if (!port)
         return tl::unexpected(port.error());
     host->port_ = *port;
@@ -53,7 +54,7 @@ HeadlessSimulator::~HeadlessSimulator() {
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
-    QObject::connect(server_, &link::SimulatorServer::faultTurned, context, tell);
+    link::connectAcross(server_, &link::SimulatorServer::faultTurned, context, tell);
 }
 
 Rectangle HeadlessSimulator::extent() const {
@@ -72,7 +73,7 @@ std::optional<mission::TrueFigures> HeadlessSimulator::figures() const {
         if (!robots.empty())
             figures = trueFiguresOf(robots.front());
     };
-    QMetaObject::invokeMethod(worker_, look, Qt::BlockingQueuedConnection);
+    link::postAndWait(worker_, look);
     return figures;
 }
 

@@ -1,13 +1,15 @@
 #include "app/radio_watch.h"
 
+#include "core/link/across_threads.h"
+
 namespace usar::app {
 
 RadioWatch::RadioWatch(QObject* parent) : QObject(parent), client_(new link::WirelessClient) {
     thread_.setObjectName("radio");
     client_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, client_, &QObject::deleteLater);
-    connect(client_, &link::WirelessClient::statusChanged, this, &RadioWatch::statusChanged);
-    connect(client_, &link::WirelessClient::reported, this, &RadioWatch::reported);
+    link::connectAcross(client_, &link::WirelessClient::statusChanged, this, &RadioWatch::statusChanged);
+    link::connectAcross(client_, &link::WirelessClient::reported, this, &RadioWatch::reported);
     thread_.start();
 }
 
@@ -17,15 +19,15 @@ RadioWatch::~RadioWatch() {
 }
 
 void RadioWatch::open(const QString& host, quint16 port) {
-    QMetaObject::invokeMethod(client_, [client = client_, host, port] { client->open(host, port); });
+    link::post(client_, [client = client_, host, port] { client->open(host, port); });
 }
 
 void RadioWatch::close() {
-    QMetaObject::invokeMethod(client_, [client = client_] { client->close(); });
+    link::post(client_, [client = client_] { client->close(); });
 }
 
 void RadioWatch::setRobots(const QStringList& names) {
-    QMetaObject::invokeMethod(client_, [client = client_, names] { client->setRobots(names); });
+    link::post(client_, [client = client_, names] { client->setRobots(names); });
 }
 
 } // namespace usar::app

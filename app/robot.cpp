@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/link/across_threads.h"
 
 namespace usar::app {
 
@@ -41,33 +42,33 @@ Robot::~Robot() {
 }
 
 void Robot::connectSession() {
-    connect(session_, &mission::RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
+    link::connectAcross(session_, &mission::RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
         view_.link = status;
         emit linkChanged();
     });
-    connect(session_, &mission::RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
-    connect(session_, &mission::RobotSession::updated, this, [this](const auto& update) {
+    link::connectAcross(session_, &mission::RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
+    link::connectAcross(session_, &mission::RobotSession::updated, this, [this](const auto& update) {
         take(*update);
         emit updated(update);
     });
-    connect(session_, &mission::RobotSession::behaviorFinished, this,
-            [this](bool success, const QString& reason, bool broke) {
-                view_.broke = broke;
-                view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
-                view_.figures.behavior_running = view_.paused = false;
-                view_.halted.reset();
-                emit behaviorFinished(success, reason);
-            });
-    connect(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
-    connect(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
-    connect(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
-    connect(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
-    connect(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
+    link::connectAcross(session_, &mission::RobotSession::behaviorFinished, this,
+                        [this](bool success, const QString& reason, bool broke) {
+                            view_.broke = broke;
+                            view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
+                            view_.figures.behavior_running = view_.paused = false;
+                            view_.halted.reset();
+                            emit behaviorFinished(success, reason);
+                        });
+    link::connectAcross(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
+    link::connectAcross(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
+    link::connectAcross(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
+    link::connectAcross(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
+    link::connectAcross(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
 }
 
 template <class Call>
 void Robot::later(Call call) {
-    QMetaObject::invokeMethod(session_, [session = session_, call = std::move(call)] { call(*session); });
+    link::post(session_, [session = session_, call = std::move(call)] { call(*session); });
 }
 
 void Robot::open(const QString& host, quint16 port, bool lockstep) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/true_figures.h"
+#include "core/link/across_threads.h"
 #include "core/mission/result_writer.h"
 
 namespace usar::app {
@@ -89,10 +90,10 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const mission::ScanRe
     const auto truth = truths_.find(&robot);
     const QJsonObject summary = summaryOf(robot.view(), truth == truths_.end() ? std::nullopt : truth->second());
     ++writing_;
-    pool_.start([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
+    pool_.start(HandedOver([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
         const Result<QStringList> files = mission::writeResults(*record, summary, to);
-        QMetaObject::invokeMethod(this, [this, id, who, files] { written(id, who, files); });
-    });
+        link::post(this, [this, id, who, files] { written(id, who, files); });
+    }));
 }
 
 void ScanKeeper::written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files) {

@@ -7,6 +7,7 @@
 #include <QThread>
 
 #include "core/base/text.h"
+#include "core/link/across_threads.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -87,7 +88,7 @@ void SimulationLoader::load(const SimulatorSpec& spec) {
         const auto watch = [&](Seconds done, Seconds whole) {
             if (!since_told.isValid() || since_told.elapsed() >= progress_interval_ms) {
                 since_told.start();
-                QMetaObject::invokeMethod(this, [this, stop, done, whole] {
+                link::post(this, [this, stop, done, whole] {
                     if (stop == stop_)
                         emit progressed(done, whole);
                 });
@@ -95,7 +96,7 @@ void SimulationLoader::load(const SimulatorSpec& spec) {
             return !*stop;
         };
         auto made = std::make_shared<Result<LoadedSimulation>>(loadSimulation(spec, watch));
-        QMetaObject::invokeMethod(this, [this, stop, spec, made] {
+        link::post(this, [this, stop, spec, made] {
             if (stop != stop_)
                 return; // given up meanwhile
             stop_.reset();

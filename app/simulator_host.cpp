@@ -4,6 +4,7 @@
 
 #include "app/simulator_files.h"
 #include "app/world_picture.h"
+#include "core/link/across_threads.h"
 
 namespace usar::app {
 
@@ -44,7 +45,7 @@ void SimulatorHost::launch(const SimulatorSpec& spec) {
             launch(*std::exchange(next_, std::nullopt));
     });
     thread_->start();
-    QMetaObject::invokeMethod(worker_, [this, spec, worker = worker_] { serve(spec, worker); });
+    link::post(worker_, [this, spec, worker = worker_] { serve(spec, worker); });
 }
 
 /// Sockets and timers end in the thread that they live in, then the thread itself.
@@ -52,7 +53,7 @@ void SimulatorHost::retire() {
     server_ = nullptr;
     if (!worker_)
         return;
-    QMetaObject::invokeMethod(worker_, [worker = worker_] {
+    link::post(worker_, [worker = worker_] {
         qDeleteAll(worker->children());
         worker->thread()->quit();
     });
@@ -86,7 +87,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
     for (const QString& sentence : channels.sentences)
         emit movedPort(sentence);
-    QMetaObject::invokeMethod(this, [this, server, worker, port = *port, picture, waiting, ports = channels.ports] {
+    link::post(this, [this, server, worker, port = *port, picture, waiting, ports = channels.ports] {
         if (worker != worker_)
             return; // retired while it was loading
         server_ = server;
@@ -97,18 +98,18 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
 
 void SimulatorHost::wire(const link::SimulatorServer& server) {
     using Server = link::SimulatorServer;
-    connect(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
-    connect(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
-    connect(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
-    connect(&server, &Server::logged, this, &SimulatorHost::noted);
-    connect(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
-    connect(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
+    link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
+    link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
+    link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
+    link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
+    link::connectAcross(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
+    link::connectAcross(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
 }
 
 void SimulatorHost::learn(const QString& robot_file) {
     if (!server_)
         return;
-    QMetaObject::invokeMethod(server_, [this, server = server_, robot_file] {
+    link::post(server_, [this, server = server_, robot_file] {
         auto robot = sim::readRobot(robot_file.toStdString());
         if (!robot)
             return emit robotRefused(QString::fromStdString(robot.error().text()));
@@ -119,23 +120,23 @@ void SimulatorHost::learn(const QString& robot_file) {
 
 void SimulatorHost::setPace(link::Pace pace, double factor) {
     if (server_)
-        QMetaObject::invokeMethod(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
+        link::post(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
 }
 
 void SimulatorHost::addFaults(const std::vector<sim::Fault>& faults) {
     if (server_)
-        QMetaObject::invokeMethod(server_, [server = server_, faults] { server->addFaults(faults, true); });
+        link::post(server_, [server = server_, faults] { server->addFaults(faults, true); });
 }
 
 void SimulatorHost::endFault(int id) {
     if (server_)
-        QMetaObject::invokeMethod(server_, [server = server_, id] { server->endFault(id); });
+        link::post(server_, [server = server_, id] { server->endFault(id); });
 }
 
 void SimulatorHost::saveSnapshot(const QString& path) {
     if (!server_)
         return;
-    QMetaObject::invokeMethod(server_, [this, server = server_, path] {
+    link::post(server_, [this, server = server_, path] {
         const auto saved = app::saveSnapshot(server->simulation(), path);
         if (saved)
             emit snapshotSaved(path);
@@ -146,12 +147,12 @@ void SimulatorHost::saveSnapshot(const QString& path) {
 
 void SimulatorHost::letOrphansGo() {
     if (server_)
-        QMetaObject::invokeMethod(server_, [server = server_] { server->letOrphansGo(); });
+        link::post(server_, [server = server_] { server->letOrphansGo(); });
 }
 
 void SimulatorHost::stepOnce() {
     if (server_)
-        QMetaObject::invokeMethod(server_, [server = server_] { server->stepOnce(); });
+        link::post(server_, [server = server_] { server->stepOnce(); });
 }
 
 } // namespace usar::app

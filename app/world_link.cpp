@@ -2,17 +2,19 @@
 
 #include <utility>
 
+#include "core/link/across_threads.h"
+
 namespace usar::app {
 
 WorldLink::WorldLink(QObject* parent) : QObject(parent), session_(new mission::WorldSession) {
     thread_.setObjectName("world");
     session_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, session_, &QObject::deleteLater);
-    connect(session_, &mission::WorldSession::changed, this, [this](const auto& view) {
+    link::connectAcross(session_, &mission::WorldSession::changed, this, [this](const auto& view) {
         view_ = view;
         emit changed();
     });
-    connect(session_, &mission::WorldSession::noticed, this, &WorldLink::noticed);
+    link::connectAcross(session_, &mission::WorldSession::noticed, this, &WorldLink::noticed);
     thread_.start();
 }
 
@@ -23,7 +25,7 @@ WorldLink::~WorldLink() {
 
 template <class Call>
 void WorldLink::later(Call call) {
-    QMetaObject::invokeMethod(session_, [session = session_, call = std::move(call)] { call(*session); });
+    link::post(session_, [session = session_, call = std::move(call)] { call(*session); });
 }
 
 void WorldLink::open(const QString& host, quint16 port) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/hand_over.h"
+
 namespace usar::widgets {
 
 using mapping::GridIndex;
@@ -110,17 +112,17 @@ void HeightLayer::renderNext() {
         batch.push_back(sources_.at(index));
     dirty_.clear();
     rendering_ = true;
-    pool_.start([this, batch = std::move(batch), style = style_, generation = generation_] {
+    pool_.start(HandedOver([this, batch = std::move(batch), style = style_, generation = generation_] {
         std::vector<std::pair<GridIndex, PagePicture>> finished;
         finished.reserve(batch.size());
         for (const PageTiles& page : batch)
             finished.emplace_back(page.index, renderPage(page, style));
         // The destructor waits for this worker, so `this` lives; an undelivered call dies with the object.
-        QMetaObject::invokeMethod(
-            this,
-            [this, finished = std::move(finished), generation]() mutable { swapIn(std::move(finished), generation); },
-            Qt::QueuedConnection);
-    });
+        QMetaObject::invokeMethod(this, HandedOver([this, finished = std::move(finished), generation]() mutable {
+                                      swapIn(std::move(finished), generation);
+                                  }),
+                                  Qt::QueuedConnection);
+    }));
 }
 
 void HeightLayer::swapIn(std::vector<std::pair<GridIndex, PagePicture>> finished, int generation) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/link/across_threads.h"
 #include "core/link/picture_maker.h"
 
 namespace usar::link {
@@ -44,7 +45,7 @@ ImageServer::ImageServer(Look look, const ImageServerOptions& options, QObject* 
     thread_.setObjectName("pictures");
     maker_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, maker_, &QObject::deleteLater);
-    connect(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
+    connectAcross(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
     thread_.start(QThread::LowPriority); // ticks first
 }
 
@@ -125,7 +126,7 @@ void ImageServer::serve(Viewer& viewer) {
     const auto camera = choiceFor(*scene, viewer.socket->peerAddress());
     const PictureOrder order{viewer.id, std::move(scene), camera, viewer.waiting.front(), options_.type};
     viewer.waiting.pop_front();
-    QMetaObject::invokeMethod(maker_, [maker = maker_, order] { maker->make(order); });
+    post(maker_, [maker = maker_, order] { maker->make(order); });
 }
 
 void ImageServer::send(quint64 id, const QByteArray& frame) {

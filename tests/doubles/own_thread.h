@@ -4,10 +4,12 @@
 #include <QObject>
 #include <QThread>
 
+#include "core/link/across_threads.h"
+
 namespace usar::test {
 
 /// `object` lives in a thread of its own as long as this does, and then again where this was made. Talk to it by
-/// QMetaObject::invokeMethod meanwhile.
+/// link::post meanwhile.
 class OwnThread {
 public:
     explicit OwnThread(QObject& object) : object_(object) {
@@ -15,8 +17,8 @@ public:
         thread_.start();
     }
     ~OwnThread() {
-        QMetaObject::invokeMethod(
-            &object_, [this] { object_.moveToThread(home_); }, Qt::BlockingQueuedConnection);
+        auto come_home = [this] { object_.moveToThread(home_); };
+        link::postAndWait(&object_, come_home);
         thread_.quit();
         thread_.wait();
     }
