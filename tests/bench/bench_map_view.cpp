@@ -5,9 +5,12 @@
 
 #include <QEventLoop>
 #include <QImage>
+#include <QPainter>
 
 #include "tests/bench/bench_application.h"
 #include "widgets/map_view.h"
+#include "widgets/theme.h"
+#include "widgets/trace_layer.h"
 
 using namespace usar;
 
@@ -50,5 +53,23 @@ void mapFrame(benchmark::State& state) {
     }
 }
 BENCHMARK(mapFrame)->Name("map frame 1080p, zoom")->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);
+
+/// A pan over a hundred thousand marks that robots have left: they are baked into an image.
+void tracesFrame(benchmark::State& state) {
+    bench::needApplication();
+    widgets::TraceLayer layer;
+    for (int i = 0; i < 100000; ++i)
+        layer.add(50.0 * Vec2(std::sin(i * 0.001), std::cos(i * 0.0013)),
+                  widgets::traceColor(protocol::TraceColor::Red));
+    widgets::MapTransform transform;
+    transform.viewport = {1000, 800};
+    transform.pixels_per_m = 8.0;
+    QImage image(1000, 800, QImage::Format_ARGB32_Premultiplied);
+    QPainter painter(&image);
+    layer.paint(painter, transform);
+    for ([[maybe_unused]] auto _ : state)
+        layer.paint(painter, transform);
+}
+BENCHMARK(tracesFrame)->Name("100,000 trace marks, painted again")->Unit(benchmark::kMillisecond);
 
 } // namespace

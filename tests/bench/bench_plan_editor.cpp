@@ -12,7 +12,7 @@ using namespace usar;
 namespace {
 
 /// One element a line, and a drive for each ten of them.
-std::string planOfLines(int lines) {
+std::string searchPlanOfLines(int lines) {
     std::string forms;
     std::string drives;
     for (int c = 0; c < lines / 14; ++c) {
@@ -44,7 +44,7 @@ void keystroke(benchmark::State& state) {
     widgets::PlanEditor editor;
     editor.resize(1280, 720);
     editor.setPrimitives(primitives());
-    editor.setText(planOfLines(static_cast<int>(state.range(0))), "large.lap");
+    editor.setText(searchPlanOfLines(static_cast<int>(state.range(0))), "large.lap");
     editor.show();
     const auto middle = editor.text().find("step-5");
     editor.textEdit().setCursorOffset(middle);

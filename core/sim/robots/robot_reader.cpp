@@ -66,9 +66,9 @@ void readSettings(const sdf::Element& parent, Numbers& numbers,
 }
 
 /// Fills a model from the elements of one file.
-class Reading {
+class RobotReading {
 public:
-    Reading(const std::filesystem::path& file, const sdf::Model& source)
+    RobotReading(const std::filesystem::path& file, const sdf::Model& source)
         : file_(file)
         , source_(source)
         , joints_(jointsOf(source)) {}
@@ -100,11 +100,11 @@ private:
     RobotModel model_;
 };
 
-Pose Reading::bodyInModel(const sdf::Link& link) {
+Pose RobotReading::bodyInModel(const sdf::Link& link) {
     return toPose(link.RawPose()) * Pose{.position_m = toVec3(link.Inertial().Pose().Pos())};
 }
 
-Result<BodyPart> Reading::partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
+Result<BodyPart> RobotReading::partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
     Pose part_in_body = toPose(collision.RawPose());
     part_in_body.position_m -= center_of_mass_m;
     const sdf::Geometry& shape = *collision.Geom();
@@ -122,7 +122,7 @@ Result<BodyPart> Reading::partOf(const sdf::Collision& collision, const Vec3& ce
     }
 }
 
-Result<BodyDescription> Reading::bodyOf(const sdf::Link& link) const {
+Result<BodyDescription> RobotReading::bodyOf(const sdf::Link& link) const {
     const ignition::math::MassMatrix3d& mass = link.Inertial().MassMatrix();
     if (!(mass.Mass() > 0.0) || mass.OffDiagonalMoments().Length() > 1e-9 ||
         link.Inertial().Pose().Rot() != ignition::math::Quaterniond::Identity)
@@ -143,7 +143,7 @@ Result<BodyDescription> Reading::bodyOf(const sdf::Link& link) const {
     return body;
 }
 
-Result<void> Reading::readFacts() {
+Result<void> RobotReading::readFacts() {
     model_.class_name = source_.Name();
     const sdf::ElementPtr facts = source_.Element()->FindElement("usar:robot");
     if (!facts)
@@ -163,7 +163,7 @@ Result<void> Reading::readFacts() {
     return readPackages(*facts);
 }
 
-Result<void> Reading::readDrive(const sdf::Element& facts) {
+Result<void> RobotReading::readDrive(const sdf::Element& facts) {
     const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
     if (!drive)
         return refuse("usar:robot has no usar:drive");
@@ -173,7 +173,7 @@ Result<void> Reading::readDrive(const sdf::Element& facts) {
     return {};
 }
 
-Result<void> Reading::readPackages(const sdf::Element& facts) {
+Result<void> RobotReading::readPackages(const sdf::Element& facts) {
     for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
         if (child->GetName() != "usar:package")
             continue;
@@ -185,7 +185,7 @@ Result<void> Reading::readPackages(const sdf::Element& facts) {
     return {};
 }
 
-Result<void> Reading::readBase() {
+Result<void> RobotReading::readBase() {
     for (uint64_t i = 0; i < source_.LinkCount(); ++i) {
         const sdf::Link& link = *source_.LinkByIndex(i);
         const bool hangs = std::ranges::any_of(
@@ -209,7 +209,7 @@ Result<void> Reading::readBase() {
 }
 
 /// Parents before children, whatever the order of the file.
-Result<void> Reading::hangLinks() {
+Result<void> RobotReading::hangLinks() {
     std::vector<std::pair<std::string, int>> open{{base_->Name(), -1}};
     for (std::size_t next = 0; next < open.size(); ++next) {
         const auto [parent_name, parent] = open[next];
@@ -226,7 +226,7 @@ Result<void> Reading::hangLinks() {
     return {};
 }
 
-Result<void> Reading::hangLink(const sdf::Joint& joint, int parent) {
+Result<void> RobotReading::hangLink(const sdf::Joint& joint, int parent) {
     const sdf::Link* const child = linkNamed(joint.ChildLinkName());
     const sdf::Link* const holder = linkNamed(joint.ParentLinkName());
     const sdf::JointAxis* const axis = joint.Axis();
@@ -254,7 +254,7 @@ Result<void> Reading::hangLink(const sdf::Joint& joint, int parent) {
     return {};
 }
 
-Result<void> Reading::readSensors() {
+Result<void> RobotReading::readSensors() {
     for (int index = -1; index < static_cast<int>(model_.links.size()); ++index) {
         const std::string name = index < 0 ? base_->Name() : model_.links[static_cast<std::size_t>(index)].name;
         const sdf::Link& link = *linkNamed(name);
@@ -265,7 +265,7 @@ Result<void> Reading::readSensors() {
     return {};
 }
 
-Result<void> Reading::readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
+Result<void> RobotReading::readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
     SensorModel model;
     model.type = attributeOf(*sensor.Element(), "usar:type").value_or("");
     model.name = sensor.Name();
@@ -280,7 +280,7 @@ Result<void> Reading::readSensor(const sdf::Sensor& sensor, int link, const std:
     return {};
 }
 
-Result<void> Reading::check() const {
+Result<void> RobotReading::check() const {
     std::set<std::string> names;
     for (const SensorModel& sensor : model_.sensors)
         if (!names.insert(sensor.type + " " + sensor.name).second)
@@ -294,8 +294,9 @@ Result<void> Reading::check() const {
     return {};
 }
 
-Result<RobotModel> Reading::read() {
-    for (const auto step : {&Reading::readFacts, &Reading::readBase, &Reading::hangLinks, &Reading::readSensors})
+Result<RobotModel> RobotReading::read() {
+    for (const auto step :
+         {&RobotReading::readFacts, &RobotReading::readBase, &RobotReading::hangLinks, &RobotReading::readSensors})
         if (auto done = (this->*step)(); !done)
             return tl::unexpected(done.error());
     if (auto done = check(); !done)
@@ -311,7 +312,7 @@ Result<RobotModel> readRobot(const std::filesystem::path& file) {
         return tl::unexpected(root.error());
     if (!root->Model())
         return failure("there is no model in it", file.string(), mend);
-    return Reading(file, *root->Model()).read();
+    return RobotReading(file, *root->Model()).read();
 }
 
 RobotsRead readRobots(const std::filesystem::path& folder) {
