@@ -63,7 +63,8 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
 MissionControl::~MissionControl() = default;
 
 void MissionControl::isolatePlugins(const QStringList& names, const QString& marks_folder) {
-    plugins_.setPolicy({behaviorHostProgram(), names, agent::PluginMarks(marks_folder)});
+    plugins_.setPolicy(
+        {.host_program = behaviorHostProgram(), .isolated = names, .marks = agent::PluginMarks(marks_folder)});
 }
 
 void MissionControl::connectTo(const ServerTarget& target) {

@@ -11,15 +11,16 @@ namespace usar::agent {
 
 namespace {
 
-/// Of a process, its libraries and the plugin's constructor.
-constexpr std::chrono::seconds patience_for_loading{5};
-constexpr std::chrono::seconds patience_for_a_preview{1};
-/// One that hung up and lives on then is killed.
-constexpr std::chrono::milliseconds patience_for_its_end{500};
+std::chrono::milliseconds forTimer(Seconds duration) {
+    return std::chrono::round<std::chrono::milliseconds>(duration);
+}
 
 } // namespace
 
-IsolatedPlugin::IsolatedPlugin(QString program, QString file) : program_(std::move(program)), file_(std::move(file)) {
+IsolatedPlugin::IsolatedPlugin(QString program, QString file, const IsolationPatience& patience)
+    : program_(std::move(program))
+    , file_(std::move(file))
+    , allowed_(patience) {
     patience_.setSingleShot(true);
     patience_.setTimerType(Qt::PreciseTimer);
     QObject::connect(&patience_, &QTimer::timeout, &patience_, [this] { runOut(); });
@@ -67,7 +68,7 @@ void IsolatedPlugin::begin() {
 
 void IsolatedPlugin::ask(const frames::Request& request, Doing doing) {
     doing_ = doing;
-    patience_.start(doing == Doing::Loading ? patience_for_loading : patience_for_a_preview);
+    patience_.start(forTimer(doing == Doing::Loading ? allowed_.loading : allowed_.preview));
     if (!host_->tell(request))
         awaitEnd();
 }
@@ -116,7 +117,7 @@ void IsolatedPlugin::take(frames::Reply reply) {
 
 void IsolatedPlugin::awaitEnd() {
     ending_ = true;
-    patience_.start(patience_for_its_end);
+    patience_.start(forTimer(allowed_.end));
     listenTo(host_->processHandle(), &IsolatedPlugin::runOut);
 }
 
@@ -124,8 +125,9 @@ void IsolatedPlugin::runOut() {
     if (ending_)
         return lose(host_->howItEnded(std::nullopt, Seconds{0.0}));
     host_->kill();
-    const auto waited = std::chrono::duration_cast<std::chrono::seconds>(patience_.intervalAsDuration());
-    lose("did not answer for " + std::to_string(waited.count()) + " s");
+    std::string said = "did not answer for ";
+    appendShortest(said, Seconds(patience_.intervalAsDuration()).count());
+    lose(said + " s");
 }
 
 void IsolatedPlugin::lose(const std::string& what) {

@@ -15,6 +15,13 @@
 
 namespace usar::agent {
 
+/// How long a process may take before it is given up and killed.
+struct IsolationPatience {
+    Seconds loading{5.0}; ///< starting the process, loading its libraries and the plugin, and its description
+    Seconds preview{1.0};
+    Seconds end{0.5}; ///< once it has hung up
+};
+
 /// Stands for the plugin where its description is asked for. Its behaviors are started as IsolatedBehavior, each in yet
 /// another process; `createBehavior` is refused. Nothing here waits: the process is asked, and what it answers, how it
 /// died or that it hangs (it is killed then) is told from the event loop. A preview that crashes or hangs ends the
@@ -25,15 +32,16 @@ public:
     template <class Answer>
     using Told = std::function<void(Result<Answer>)>;
 
-    IsolatedPlugin(QString program, QString file);
+    IsolatedPlugin(QString program, QString file, const IsolationPatience& patience = {});
     ~IsolatedPlugin() override;
     Q_DISABLE_COPY_MOVE(IsolatedPlugin)
 
-    /// Once, before all else: starts the process and has it load the plugin, which may take five seconds. The error
+    /// Once, before all else: starts the process and has it load the plugin, within the patience for loading. The error
     /// says why that went wrong, by which signal it died say. May tell before it returns where there is no process at
     /// all.
     void describe(Told<void> told);
-    /// Within a second. Takes the place of the one that was asked for before, if that is not answered yet.
+    /// Within the patience for a preview. Takes the place of the one that was asked for before, if that is not answered
+    /// yet.
     void foretell(frames::Preview wanted, Told<TaskPreview> told);
     /// Nobody is to be told any more.
     void forgetPreview();
@@ -63,6 +71,7 @@ private:
 
     QString program_;
     QString file_;
+    IsolationPatience allowed_;
     RobotDescription description_;
     std::unique_ptr<HostProcess> host_; ///< none after a crash
     std::unique_ptr<QSocketNotifier> ear_;

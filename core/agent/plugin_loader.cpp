@@ -312,7 +312,7 @@ void PluginLoader::openLibrary(Library& library) {
 
 void PluginLoader::isolate(Library& library) {
     library.apart = true;
-    library.isolated = std::make_unique<IsolatedPlugin>(policy_.host_program, library.file);
+    library.isolated = std::make_unique<IsolatedPlugin>(policy_.host_program, library.file, policy_.patience);
     library.isolated->describe([this, &library](const Result<void>& told) {
         if (!told) {
             library.complaint = QString::fromStdString(told.error().text());

@@ -13,6 +13,7 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
+#include "core/agent/isolated_plugin.h"
 #include "core/agent/plugin_marks.h"
 #include "core/agent/robot_plugin.h"
 
@@ -23,6 +24,7 @@ struct PluginPolicy {
     QString host_program;   ///< path of usar-behavior-host; empty: nothing is isolated
     QStringList isolated;   ///< by the "name" of their metadata
     PluginMarks marks = {}; ///< of loading
+    IsolationPatience patience = {};
 };
 
 /// Asked: by a process of its own, which has not answered yet.

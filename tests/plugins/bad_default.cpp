@@ -1,12 +1,12 @@
 #include "tests/plugins/minimal_plugin.h"
 
-class BadDefault : public QObject, public usar::tests::MinimalPlugin {
+class BadDefault : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "good.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 public:
     usar::agent::RobotDescription description() const override {
-        usar::agent::RobotDescription description = usar::tests::minimalDescription();
+        usar::agent::RobotDescription description = usar::test::minimalDescription();
         description.behaviors[0].parameters[0].default_value = 9.0;
         return description;
     }

@@ -17,7 +17,7 @@ const bool crashed_in_the_program = [] {
 
 } // namespace
 
-class CrashesInTheProgram : public QObject, public usar::tests::MinimalPlugin {
+class CrashesInTheProgram : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID USAR_ROBOT_PLUGIN_IID FILE "crashes_in_the_program.json")
     Q_INTERFACES(usar::agent::RobotPlugin)

@@ -5,7 +5,7 @@
 
 #include "core/agent/robot_plugin.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 class IdleBehavior : public agent::Behavior {
 public:
@@ -34,4 +34,4 @@ public:
     }
 };
 
-} // namespace usar::tests
+} // namespace usar::test

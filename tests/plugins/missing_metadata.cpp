@@ -1,6 +1,6 @@
 #include "tests/plugins/minimal_plugin.h"
 
-class MissingMetadata : public QObject, public usar::tests::MinimalPlugin {
+class MissingMetadata : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "no_behaviors.json")
     Q_INTERFACES(usar::agent::RobotPlugin)

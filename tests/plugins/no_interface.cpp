@@ -1,6 +1,6 @@
 #include "tests/plugins/minimal_plugin.h"
 
-class NoInterface : public QObject, public usar::tests::MinimalPlugin {
+class NoInterface : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "good.json")
 };

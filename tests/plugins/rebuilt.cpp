@@ -1,7 +1,7 @@
 // What an author makes of good.cpp: the same behavior, and another name to be known by.
 #include "tests/plugins/minimal_plugin.h"
 
-class RebuiltPlugin : public QObject, public usar::tests::MinimalPlugin {
+class RebuiltPlugin : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "good.json")
     Q_INTERFACES(usar::agent::RobotPlugin)

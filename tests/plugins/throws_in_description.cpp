@@ -2,7 +2,7 @@
 
 #include "tests/plugins/minimal_plugin.h"
 
-class ThrowsInDescription : public QObject, public usar::tests::MinimalPlugin {
+class ThrowsInDescription : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "good.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
