@@ -1,44 +1,155 @@
-# Sourced by app/run and tests/run: installs what is missing on Debian 12 and builds a preset.
+# Sourced by app/run and tests/run: looks whether this machine will do, installs what is missing on Debian 12 and builds.
 # shellcheck shell=bash
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+. "$root/resources/packaging/progress.sh"
 
 build_packages=(g++ cmake ninja-build ccache pkg-config qt6-base-dev libqcustomplot-dev libbullet-dev libsdformat-dev
                 libpng-dev libjpeg62-turbo-dev libexpected-dev libeigen3-dev libsdl2-dev
                 fonts-dejavu-core)
 test_packages=(libbenchmark-dev gdal-bin pngcheck clang libclang-rt-14-dev)
 
-say() { printf '%s\n' "$*" >&2; }
+# What one compiler process needs at most, in MB, and what it takes where there is plenty: it collects less garbage then,
+# which saves a sixth of the time.
+compiler_memory_mb=1300
+generous_memory_mb=2200
+
+# die SENTENCE …: nothing was begun, or what was begun is told of; the sentence says what to do.
+die() {
+    say "$*"
+    exit 2
+}
+
+free_memory_mb() { awk '/^MemAvailable:/ { print int($2 / 1024) }' /proc/meminfo; }
+
+# free_disk_mb FOLDER, which need not exist yet.
+free_disk_mb() {
+    local folder=$1
+    while [ ! -d "$folder" ]; do folder=$(dirname "$folder"); done
+    df -Pk "$folder" | awk 'NR == 2 { print int($4 / 1024) }'
+}
+
+# check_machine PRESET DISK-MB: before anything is begun. USAR_ANY_SYSTEM=1 skips the look at the release.
+check_machine() {
+    local preset=$1 disk_mb=$2 system=unknown name='an unknown system' free
+    if [ -r /etc/os-release ]; then
+        system=$(. /etc/os-release && echo "${ID:-}-${VERSION_ID:-}")
+        name=$(. /etc/os-release && echo "${PRETTY_NAME:-$system}")
+    fi
+    if [ "$system" != debian-12 ] && [ -z "${USAR_ANY_SYSTEM:-}" ]; then
+        die "This is $name, and the packages that Mission Control is built with are those of Debian 12 (bookworm):" \
+            "use that, in a container for example, or set USAR_ANY_SYSTEM=1 to try it here."
+    fi
+    free=$(free_memory_mb)
+    if [ "$free" -lt $compiler_memory_mb ]; then
+        die "Only $free MB of memory are free and the compiler needs $compiler_memory_mb MB: end other programs, or add" \
+            "swap or memory."
+    fi
+    [ ! -f "$root/build/$preset/build.ninja" ] || disk_mb=$((disk_mb / 4)) # most of it is there
+    free=$(free_disk_mb "$root/build")
+    if [ "$free" -lt "$disk_mb" ]; then
+        die "Only $free MB are free on the disk that holds $root and the build needs $disk_mb MB: make room there, or" \
+            "clone to another disk."
+    fi
+    mkdir -p "$root/build" 2>/dev/null && [ -w "$root/build" ] ||
+        die "The folder $root/build cannot be written, and all that is built goes there: clone as the user who builds."
+}
+
+# Compilers beside each other: one a core, and no more than the memory holds.
+compile_jobs() {
+    local cores by_memory
+    cores=$(nproc)
+    by_memory=$(($(free_memory_mb) / compiler_memory_mb))
+    [ "$by_memory" -ge 1 ] || by_memory=1
+    echo $((cores < by_memory ? cores : by_memory))
+}
+
+# compiler_heap_mb: what a compiler may fill before it looks for garbage; 0 leaves that to itself.
+compiler_heap_mb() {
+    if [ "$(free_memory_mb)" -ge $(($(nproc) * generous_memory_mb)) ]; then echo 900; else echo 0; fi
+}
+
+# first_error LOG: the first thing that went wrong in it, with what stands below it.
+first_error() {
+    grep -m 1 -A 12 -E '^E: |CMake Error|(fatal )?error:|undefined reference|ld: |No space left on device|Killed signal' \
+        "$1" | sed '/^--$/d; /^\[[0-9]*\/[0-9]*\]/,$d'
+}
+
+# what_to_do LOG: a sentence that fits what stands there.
+what_to_do() {
+    if grep -q 'No space left on device' "$1"; then
+        echo "The disk is full: make room, then run this again; it goes on where it stopped."
+    elif grep -q 'Killed signal' "$1"; then
+        echo "The memory did not do for the compiler: end other programs, then run this again; it goes on where it stopped."
+    elif grep -qE 'Could not resolve|Unable to fetch|Temporary failure|Failed to fetch|Unable to locate package' "$1"; then
+        echo "The package server was not reached, or has not got it: look at the network and /etc/apt/sources.list, then run this again."
+    elif grep -q 'Could not get lock' "$1"; then
+        echo "Another program installs packages at the moment: wait for it, then run this again."
+    elif grep -q 'CMake Error' "$1"; then
+        echo "If packages were changed since the last time, delete the folder build and run this again."
+    else
+        echo "If the code here is yours, mend that place and run this again; it goes on where it stopped."
+    fi
+}
+
+# give_up WHAT LOG
+give_up() {
+    say "$1 failed. The first error:"
+    first_error "$2" | sed 's/^/    /' >&2
+    say "All of it is in ${2#"$root"/}. $(what_to_do "$2")"
+    exit 2
+}
 
 # install_missing PACKAGE…: asks dpkg first, so that a prepared machine needs neither the network nor rights.
 install_missing() {
-    local missing=() package as_root=()
+    local missing=() package as_root=() log=$root/build/packages.log begin=$SECONDS
     for package in "$@"; do
         dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
     done
-    [ ${#missing[@]} -eq 0 ] && return
+    [ ${#missing[@]} -gt 0 ] || return 0
     if [ "$(id -u)" -ne 0 ]; then
-        command -v sudo >/dev/null || { say "Missing packages: ${missing[*]}. Install them as root, then run this again."; exit 2; }
+        command -v sudo >/dev/null || die "Missing packages: ${missing[*]}. Install them as root, then run this again."
         as_root=(sudo)
+        sudo -v || die "Missing packages: ${missing[*]}. Install them as root, then run this again."
     fi
     say "Installing: ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq >"$log" 2>&1 || give_up "Asking for the lists of packages" "$log"
     # Hundreds of small files: asking the disk to confirm each one is most of the time on a slow disk.
-    "${as_root[@]}" apt-get update -qq >/dev/null
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-        -o Dpkg::Options::=--force-unsafe-io -o Dpkg::Use-Pty=0 "${missing[@]}" >/dev/null ||
-        { say "apt-get could not install: ${missing[*]}"; exit 2; }
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+        -o Dpkg::Options::=--force-unsafe-io -o Dpkg::Use-Pty=0 -o APT::Status-Fd=1 "${missing[@]}" 2>&1 </dev/null |
+        tee -a "$log" | follow "Installing packages" read_apt_status || give_up "Installing packages" "$log"
+    say "Installed in $(as_time $((SECONDS - begin)))."
 }
 
-# build PRESET [CMAKE-ARG…]: headers are read and small files compiled together, which takes a third of the time.
-build() {
-    local preset=$1 log
+# steps_weight PRESET [TARGET…]: of all steps that are left to be built.
+steps_weight() {
+    local line weight sum=0 folder=$root/build/$1
     shift
+    while IFS= read -r line; do
+        [[ $line == \[* ]] || continue
+        step_weight "$line"
+        sum=$((sum + weight))
+    done < <(ninja -C "$folder" -n "$@" 2>/dev/null)
+    echo $sum
+}
+
+# build PRESET TARGETS [CMAKE-ARG…]: TARGETS is one word, names with spaces between. Headers are read and small files
+# compiled together, which takes a third of the time.
+build() {
+    local preset=$1 targets begin=$SECONDS log weight
+    read -ra targets <<<"$2"
+    shift 2
     log=$root/build/$preset.log
-    mkdir -p "$root/build"
-    say "Building $preset (the first time takes a few minutes) …"
-    (cd "$root" && cmake --preset "$preset" -DUSAR_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON "$@" && cmake --build --preset "$preset") >"$log" 2>&1 || {
-        grep -E 'error|warning|Error' "$log" | head -n 40 >&2
-        say "The build failed; all of it is in ${log#"$root"/}."
-        exit 1
-    }
+    cd "$root"
+    # The heap is chosen once: another figure would be another command for each file.
+    if [ ! -f "build/$preset/CMakeCache.txt" ]; then set -- -DUSAR_COMPILER_HEAP_MB="$(compiler_heap_mb)" "$@"; fi
+    cmake --preset "$preset" -DUSAR_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON \
+        -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@" >"$log" 2>&1 ||
+        give_up "Configuring the build $preset" "$log"
+    weight=$(steps_weight "$preset" "${targets[@]}")
+    [ "$weight" -gt 0 ] || return 0
+    [ -s "$root/build/$preset/.ninja_log" ] || say "Building $preset; this takes minutes only the first time."
+    cmake --build --preset "$preset" -j "$(compile_jobs)" --target "${targets[@]}" 2>&1 </dev/null | tee -a "$log" |
+        follow "Building $preset" read_ninja "$weight" || give_up "Building $preset" "$log"
+    say "Built $preset in $(as_time $((SECONDS - begin)))."
 }
