@@ -1,6 +1,11 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QTest>
 
 #include "core/agent/behavior_frames.h"
+#include "tests/suite/suite.h"
+
+namespace tst_behavior_frames {
 
 using namespace usar;
 using namespace usar::agent;
@@ -102,5 +107,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_BehaviorFrames)
+USAR_TEST(tst_BehaviorFrames)
+
+} // namespace tst_behavior_frames
+
 #include "tst_behavior_frames.moc"

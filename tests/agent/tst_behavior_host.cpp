@@ -1,9 +1,14 @@
 #include <functional>
 #include <stdexcept>
 
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/agent/behavior_host.h"
+#include "tests/suite/suite.h"
+
+namespace tst_behavior_host {
 
 using namespace usar;
 using namespace usar::agent;
@@ -63,7 +68,7 @@ protocol::InfoLine ins(std::uint64_t number) {
 
 } // namespace
 
-class TestBehaviorHost : public QObject {
+class tst_BehaviorHost : public QObject {
     Q_OBJECT
 
     Script script;
@@ -270,5 +275,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBehaviorHost)
+USAR_TEST(tst_BehaviorHost)
+
+} // namespace tst_behavior_host
+
 #include "tst_behavior_host.moc"

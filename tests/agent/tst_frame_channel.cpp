@@ -2,10 +2,16 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <QByteArray>
+#include <QByteArrayList>
+#include <QObject>
+#include <QTest>
 #include <QtEndian>
-#include <QtTest>
 
 #include "core/agent/frame_channel.h"
+#include "tests/suite/suite.h"
+
+namespace tst_frame_channel {
 
 using namespace usar;
 using namespace usar::agent;
@@ -75,5 +81,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_FrameChannel)
+USAR_TEST(tst_FrameChannel)
+
+} // namespace tst_frame_channel
+
 #include "tst_frame_channel.moc"

@@ -4,6 +4,9 @@
 
 #include "core/agent/guarded_plugin.h"
 #include "tests/plugins/minimal_plugin.h"
+#include "tests/suite/suite.h"
+
+namespace tst_guarded_plugin {
 
 using namespace usar;
 using namespace usar::agent;
@@ -13,7 +16,7 @@ namespace {
 enum class Fault { None, Exception, Number, Nothing };
 
 /// Fails in the way it was told to.
-class FaultyPlugin : public tests::MinimalPlugin {
+class FaultyPlugin : public test::MinimalPlugin {
 public:
     explicit FaultyPlugin(Fault fault) : fault_(fault) {}
 
@@ -79,5 +82,8 @@ void tst_GuardedPlugin::aMissingBehaviorIsAnError() {
     QVERIFY(!makeBehavior(FaultyPlugin(Fault::Nothing), "test/idle", {}));
 }
 
-QTEST_APPLESS_MAIN(tst_GuardedPlugin)
+USAR_TEST(tst_GuardedPlugin)
+
+} // namespace tst_guarded_plugin
+
 #include "tst_guarded_plugin.moc"

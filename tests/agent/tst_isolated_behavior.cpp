@@ -1,11 +1,19 @@
 #include <csignal>
 
-#include <QtTest>
+#include <QObject>
+#include <QSignalSpy>
+#include <QSocketNotifier>
+#include <QString>
+#include <QStringLiteral>
+#include <QTest>
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/isolated_behavior.h"
 #include "core/agent/plugin_loader.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_isolated_behavior {
 
 using namespace usar;
 using namespace usar::agent;
@@ -223,5 +231,8 @@ void tst_IsolatedBehavior::itsProcessEndsWithIt() {
     QTRY_VERIFY(::kill(process, 0) != 0);
 }
 
-QTEST_GUILESS_MAIN(tst_IsolatedBehavior)
+USAR_TEST(tst_IsolatedBehavior)
+
+} // namespace tst_isolated_behavior
+
 #include "tst_isolated_behavior.moc"

@@ -1,15 +1,18 @@
 #include <limits>
 
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/agent/parameters.h"
+#include "tests/suite/suite.h"
+
+namespace tst_parameters {
 
 using namespace usar;
 using namespace usar::agent;
 
-Q_DECLARE_METATYPE(usar::agent::ParameterValue)
-
-class TestParameters : public QObject {
+class tst_Parameters : public QObject {
     Q_OBJECT
 
     const std::vector<ParameterSpec> specs{
@@ -86,5 +89,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestParameters)
+USAR_TEST(tst_Parameters)
+
+} // namespace tst_parameters
+
 #include "tst_parameters.moc"

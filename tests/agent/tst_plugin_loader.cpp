@@ -3,14 +3,27 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QIODevice>
+#include <QObject>
+#include <QRegularExpression>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "core/agent/plugin_loader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plugin_loader {
 
 using namespace usar;
 using namespace usar::agent;
 
-class TestPluginLoader : public QObject {
+class tst_PluginLoader : public QObject {
     Q_OBJECT
 
     const QString built = QString(USAR_BINARY_DIR) + "/tests/plugins/";
@@ -294,5 +307,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPluginLoader)
+USAR_TEST(tst_PluginLoader)
+
+} // namespace tst_plugin_loader
+
 #include "tst_plugin_loader.moc"

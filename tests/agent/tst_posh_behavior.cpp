@@ -6,6 +6,9 @@
 #include "core/posh/trace_file.h"
 #include "core/posh/trace_text.h"
 #include "tests/agent/toy_rover.h"
+#include "tests/suite/suite.h"
+
+namespace tst_posh_behavior {
 
 using namespace usar;
 using namespace usar::agent;
@@ -474,5 +477,8 @@ void tst_PoshBehavior::theEndOfTheBehaviorEndsItsAct() {
     QVERIFY(QString::fromStdString(trace.text()).endsWith("DriveFor(10) stopped\n"));
 }
 
-QTEST_APPLESS_MAIN(tst_PoshBehavior)
+USAR_TEST(tst_PoshBehavior)
+
+} // namespace tst_posh_behavior
+
 #include "tst_posh_behavior.moc"

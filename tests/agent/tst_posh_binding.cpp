@@ -4,6 +4,9 @@
 #include "core/agent/posh_binding.h"
 #include "core/posh/plan_reader.h"
 #include "tests/agent/toy_rover.h"
+#include "tests/suite/suite.h"
+
+namespace tst_posh_binding {
 
 using namespace usar;
 using namespace usar::agent;
@@ -132,5 +135,8 @@ void tst_PoshBinding::theRegistryDescribesWithoutARobot() {
     QVERIFY(!registry.find("Fly"));
 }
 
-QTEST_APPLESS_MAIN(tst_PoshBinding)
+USAR_TEST(tst_PoshBinding)
+
+} // namespace tst_posh_binding
+
 #include "tst_posh_binding.moc"

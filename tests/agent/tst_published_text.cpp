@@ -3,11 +3,12 @@
 #include <QTest>
 
 #include "core/agent/published_text.h"
+#include "tests/suite/suite.h"
+
+namespace tst_published_text {
 
 using namespace usar;
 using namespace usar::agent;
-
-Q_DECLARE_METATYPE(agent::Published)
 
 class tst_PublishedText : public QObject {
     Q_OBJECT
@@ -107,5 +108,8 @@ void tst_PublishedText::rejectsTheRest() {
     QVERIFY(!readPublished(text.toStdString()));
 }
 
-QTEST_APPLESS_MAIN(tst_PublishedText)
+USAR_TEST(tst_PublishedText)
+
+} // namespace tst_published_text
+
 #include "tst_published_text.moc"

@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/agent/timed_run.h"
+#include "tests/suite/suite.h"
+
+namespace tst_timed_run {
 
 using namespace usar;
 using namespace usar::agent;
 
-class TestTimedRun : public QObject {
+class tst_TimedRun : public QObject {
     Q_OBJECT
 
 private slots:
@@ -55,5 +59,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTimedRun)
+USAR_TEST(tst_TimedRun)
+
+} // namespace tst_timed_run
+
 #include "tst_timed_run.moc"

@@ -1,10 +1,16 @@
 #include <atomic>
 #include <thread>
 
-#include <QtTest>
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/agent/watched_behavior.h"
 #include "tests/doubles/scripted_behavior.h"
+#include "tests/suite/suite.h"
+
+namespace tst_watched_behavior {
 
 using namespace usar;
 using namespace usar::agent;
@@ -120,5 +126,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_WatchedBehavior)
+USAR_TEST(tst_WatchedBehavior)
+
+} // namespace tst_watched_behavior
+
 #include "tst_watched_behavior.moc"

@@ -5,6 +5,9 @@
 #include "core/posh/engine.h"
 #include "core/posh/stub_host.h"
 #include "core/posh/trace_encoder.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_watch {
 
 using namespace usar;
 using namespace usar::app;
@@ -212,5 +215,8 @@ void tst_PlanWatch::withoutARunThereIsNothing() {
     QVERIFY(watch.empty() && watch.paths().empty());
 }
 
-QTEST_APPLESS_MAIN(tst_PlanWatch)
+USAR_TEST(tst_PlanWatch)
+
+} // namespace tst_plan_watch
+
 #include "tst_plan_watch.moc"

@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "tests/architecture/include_graph.h"
+#include "tests/suite/suite.h"
+
+namespace tst_layering {
 
 namespace {
 
@@ -135,5 +138,8 @@ void tst_Layering::theTestItselfSeesAForbiddenArrow() {
     QCOMPARE(includeCycle({{"a.h", 1, "b.h", false}, {"b.h", 1, "a.h", false}}).size(), 2);
 }
 
-QTEST_APPLESS_MAIN(tst_Layering)
+USAR_TEST(tst_Layering)
+
+} // namespace tst_layering
+
 #include "tst_layering.moc"

@@ -2,6 +2,9 @@
 
 #include "core/base/geometry.h"
 #include "core/base/random.h"
+#include "tests/suite/suite.h"
+
+namespace tst_geometry {
 
 using namespace usar;
 
@@ -89,5 +92,8 @@ void tst_Geometry::rectanglesKnowWhatTheyHold() {
     QCOMPARE((Rectangle{{1, 1}, {0, 0}}.area_m2()), 0.0);
 }
 
-QTEST_APPLESS_MAIN(tst_Geometry)
+USAR_TEST(tst_Geometry)
+
+} // namespace tst_geometry
+
 #include "tst_geometry.moc"

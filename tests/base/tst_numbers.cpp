@@ -9,6 +9,9 @@
 #include "core/base/numbers.h"
 #include "core/base/plain_decimal.h"
 #include "core/base/random.h"
+#include "tests/suite/suite.h"
+
+namespace tst_numbers {
 
 using namespace usar;
 
@@ -155,5 +158,8 @@ void tst_Numbers::ignoresTheLocale() {
     std::setlocale(LC_ALL, "C");
 }
 
-QTEST_APPLESS_MAIN(tst_Numbers)
+USAR_TEST(tst_Numbers)
+
+} // namespace tst_numbers
+
 #include "tst_numbers.moc"

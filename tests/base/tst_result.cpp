@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "core/base/result.h"
+#include "tests/suite/suite.h"
+
+namespace tst_result {
 
 using namespace usar;
 
@@ -47,5 +50,8 @@ void tst_Result::anErrorReadsAsSentences() {
     QCOMPARE(QString::fromStdString(error.text()), text);
 }
 
-QTEST_APPLESS_MAIN(tst_Result)
+USAR_TEST(tst_Result)
+
+} // namespace tst_result
+
 #include "tst_result.moc"

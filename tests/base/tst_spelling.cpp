@@ -1,10 +1,13 @@
 #include <QTest>
 
 #include "core/base/spelling.h"
+#include "tests/suite/suite.h"
+
+namespace tst_spelling {
 
 using namespace usar;
 
-class TestSpelling : public QObject {
+class tst_Spelling : public QObject {
     Q_OBJECT
 private slots:
     void countsTheLettersToMend_data() {
@@ -41,5 +44,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSpelling)
+USAR_TEST(tst_Spelling)
+
+} // namespace tst_spelling
+
 #include "tst_spelling.moc"

@@ -2,7 +2,7 @@
 
 #include "core/protocol/command_writer.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 SimulatedFlight::SimulatedFlight(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<agent::Behavior> behavior,
                                  const Pose& start_in_map, const protocol::Token& robot_class)
@@ -67,4 +67,4 @@ double SimulatedFlight::coverage_pct(const Rectangle& area_in_map) const {
     return total == 0 ? 0.0 : 100.0 * static_cast<double>(known) / static_cast<double>(total);
 }
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -14,7 +14,7 @@
 #include "core/protocol/reader.h"
 #include "core/sim/simulation.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// Owns simulation, connection, behavior and the map that comes of it.
 class SimulatedFlight {
@@ -52,4 +52,4 @@ private:
     std::vector<std::string> events_;
 };
 
-} // namespace usar::tests
+} // namespace usar::test

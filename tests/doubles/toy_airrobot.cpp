@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace usar::tests {
+#include "tests/doubles/toy_time.h"
+
+namespace usar::test {
 
 namespace {
 
-constexpr int substeps = 10;
-constexpr double tick_s = 0.2;
 constexpr double lag_s = 0.35;
 constexpr double gravity_m_s2 = 9.81;
 constexpr double leg_m = 0.2;
-constexpr double hull_radius_m = 0.5;
+constexpr double airrobot_radius_m = 0.5;
 
 double toward(double value, double goal, double dt_s) {
     return value + (goal - value) * std::min(1.0, dt_s / lag_s);
@@ -140,7 +140,7 @@ std::vector<protocol::InfoMessage> ToyAirRobot::step() {
     battery_ -= Seconds(tick_s);
     integrateIns();
     if (!on_ground_) {
-        const double clearance_m = world_.distance_m(base_.position_m) - hull_radius_m;
+        const double clearance_m = world_.distance_m(base_.position_m) - airrobot_radius_m;
         const double over_ground_m = base_.position_m.z() - world_.ground_m(base_.position_m.head<2>());
         if (clearance_m < 0.0 && over_ground_m > 1.0)
             ++collisions_;
@@ -230,4 +230,4 @@ std::vector<std::string> ToyFlight::events() const {
     return texts;
 }
 
-} // namespace usar::tests
+} // namespace usar::test

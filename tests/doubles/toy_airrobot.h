@@ -11,7 +11,7 @@
 #include "robots/airrobot/sensor_layout.h"
 #include "tests/doubles/toy_world.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 struct ToyFaults {
     bool ins_drifts = false;
@@ -99,4 +99,4 @@ private:
     std::vector<Vec3> path_m_;
 };
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -4,15 +4,15 @@
 #include <array>
 #include <cmath>
 
-namespace usar::tests {
+#include "tests/doubles/toy_time.h"
+
+namespace usar::test {
 
 namespace {
 
-constexpr double tick_s = 0.2;
-constexpr int substeps = 10;
 constexpr double wheel_radius_m = 0.097;
 constexpr double wheel_separation_m = 0.337;
-constexpr double hull_radius_m = 0.22;
+constexpr double p2dx_radius_m = 0.22;
 constexpr double scanner_ahead_m = 0.056;
 constexpr double sonars_ahead_m = 0.2;
 constexpr double floor_echo_m = 0.92;
@@ -54,12 +54,12 @@ double ToyRoom::cast(const Vec2& from_m, double direction_rad, double maximum_m,
 }
 
 bool ToyRoom::touches(const Vec2& at_m) const {
-    const Vec2 reach_m = Vec2::Constant(hull_radius_m);
+    const Vec2 reach_m = Vec2::Constant(p2dx_radius_m);
     if (!walls_m.contains(at_m - reach_m) || !walls_m.contains(at_m + reach_m))
         return true;
     return std::ranges::any_of(boxes, [&](const ToyBox& box) {
         const Vec2 nearest_m = at_m.cwiseMax(box.at_m.min_m).cwiseMin(box.at_m.max_m);
-        return (nearest_m - at_m).norm() < hull_radius_m;
+        return (nearest_m - at_m).norm() < p2dx_radius_m;
     });
 }
 
@@ -170,4 +170,4 @@ void ToyDrive::order(agent::Order order) {
     keep(host_.order(order));
 }
 
-} // namespace usar::tests
+} // namespace usar::test

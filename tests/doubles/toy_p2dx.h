@@ -9,7 +9,7 @@
 
 #include "core/agent/behavior_host.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 struct ToyBox {
     Rectangle at_m;
@@ -94,4 +94,4 @@ private:
     std::optional<agent::BehaviorFinished> ending_;
 };
 
-} // namespace usar::tests
+} // namespace usar::test

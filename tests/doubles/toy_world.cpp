@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace usar::tests {
+namespace usar::test {
 
 namespace {
 
@@ -61,4 +61,4 @@ double ToyWorld::distance_m(const Vec3& point_m) const {
     return nearest_m;
 }
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -6,7 +6,7 @@
 
 #include "core/base/geometry.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// A crown of radius 0 is a bare trunk.
 struct ToyTree {
@@ -26,4 +26,4 @@ struct ToyWorld {
     double distance_m(const Vec3& point_m) const;
 };
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -44,13 +44,3 @@ private:
     QString where_;
     int depth_ = 0;
 };
-
-/// The program of an end-to-end test: QTEST_MAIN with the watchdog as its application.
-#define USAR_E2E_MAIN(TestClass)                                                                                       \
-    int main(int argc, char** argv) {                                                                                  \
-        GuiWatchdog application(argc, argv);                                                                           \
-        QApplication::setApplicationName("Mission Control");                                                           \
-        QApplication::setOrganizationName("USAR");                                                                     \
-        TestClass test;                                                                                                \
-        return QTest::qExec(&test, argc, argv);                                                                        \
-    }

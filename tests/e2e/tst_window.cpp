@@ -5,15 +5,15 @@
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window {
 
 using namespace usar;
 
 namespace {
-
-QStringList filesIn(const QString& folder, const QString& ending) {
-    return QDir(folder).entryList({"*" + ending}, QDir::Files);
-}
 
 /// Runs a reader that is not ours; its output on failure.
 QString complaintOf(const QString& program, const QStringList& arguments) {
@@ -127,5 +127,8 @@ void tst_Window::anUnwritableFolderIsNamedAndNothingIsLost() {
     QVERIFY(page.robot(1)->unsaved);
 }
 
-USAR_E2E_MAIN(tst_Window)
+USAR_TEST(tst_Window)
+
+} // namespace tst_window
+
 #include "tst_window.moc"

@@ -7,8 +7,11 @@
 #include "core/link/image_server.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
 #include "widgets/camera_canvas.h"
 #include "widgets/empty_state.h"
+
+namespace tst_window_camera {
 
 using namespace usar;
 
@@ -97,7 +100,9 @@ void tst_WindowCamera::zoomAndTurningChangeThePicture() {
     raiseCamera(page);
     spawnClass(page, "P2DX");
     QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
-    QTest::qWait(1500); // until the robot stands still
+    QVERIFY(page.comesToRest());
+    const int at_rest = camera(page).pictureCount();
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= at_rest + 2, soon_ms); // the next may be on its way
     const QImage wide = camera(page).picture();
     trigger(page, "camera.zoom_in");
     trigger(page, "camera.zoom_in");
@@ -125,7 +130,9 @@ void tst_WindowCamera::ofTwoRobotsTheSelectedOnesCameraIsShown() {
     spawnClass(page, "P2DX");
     QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
     spawnClass(page, "P2AT", "HillTop", 2);
-    QTest::qWait(2000); // until both stand still
+    QVERIFY(page.comesToRest(1) && page.comesToRest(2));
+    const int at_rest = camera(page).pictureCount();
+    QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= at_rest + 2, soon_ms); // the next may be on its way
     QTRY_COMPARE_WITH_TIMEOUT(camera(page).picture().size(), QSize(320, 240), soon_ms);
     const QImage second = camera(page).picture();
     page.pressKey(Qt::Key_1);
@@ -144,10 +151,9 @@ void tst_WindowCamera::aHiddenDockAsksForNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() >= 3, soon_ms);
     page.window().findChild<QDockWidget*>("instruments")->raise();
     QTRY_VERIFY(!camera(page).wantsPictures());
-    QTest::qWait(500); // the one that was asked for
+    QVERIFY(page.clockGoesOn(Seconds(1.0))); // the one that was asked for
     const int seen = camera(page).pictureCount();
-    QTest::qWait(700);
-    QCOMPARE(camera(page).pictureCount(), seen);
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return camera(page).pictureCount() == seen; }, Seconds(0.8)));
     raiseCamera(page);
     QTRY_VERIFY_WITH_TIMEOUT(camera(page).pictureCount() > seen, soon_ms);
 }
@@ -178,5 +184,8 @@ void tst_WindowCamera::thePictureIsSaved() {
     QVERIFY(page.notified("could not be saved").contains("Choose a folder"));
 }
 
-USAR_E2E_MAIN(tst_WindowCamera)
+USAR_TEST(tst_WindowCamera)
+
+} // namespace tst_window_camera
+
 #include "tst_window_camera.moc"

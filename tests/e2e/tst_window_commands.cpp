@@ -14,6 +14,9 @@
 #include "tests/doubles/test_files.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_commands {
 
 using namespace usar;
 
@@ -84,14 +87,19 @@ void tst_WindowCommands::timeIsPausedSteppedAndRunByCommand() {
     QVERIFY(page.spawnAt("PlayerStart"));
     QVERIFY(!enabled(page, "time.step"));
     run(page, "time.pause");
-    QTest::qWait(300); // what was on its way arrives
-    const Seconds stood = page.robot(1)->figures.now;
-    QTest::qWait(600);
-    QCOMPARE(page.robot(1)->figures.now.count(), stood.count());
+    Seconds stood{0.0};
+    const auto stands = [&] { // for as long as three states would take; what was on its way has come then
+        stood = page.robot(1)->figures.now;
+        const test::Beats states(200);
+        return test::holdsUntil([&] { return page.robot(1)->figures.now == stood; },
+                                [&] { return states.count() >= 3; });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(stands(), soon_ms);
+    const Seconds before = stood;
     run(page, "time.step");
-    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > stood, soon_ms);
-    QTest::qWait(300);
-    QVERIFY(page.robot(1)->figures.now < stood + Seconds(0.25));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > before, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(stands(), soon_ms);
+    QVERIFY(stood < before + Seconds(0.25));
     run(page, "time.pause");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > stood + Seconds(1.0), soon_ms);
 }
@@ -243,5 +251,8 @@ void tst_WindowCommands::cellsOfAMissionAreThoseOfTheMap() {
     QVERIFY(QString(header.readAll()).contains(QRegularExpression("XDIM\\s+0\\.5\\b")));
 }
 
-USAR_E2E_MAIN(tst_WindowCommands)
+USAR_TEST(tst_WindowCommands)
+
+} // namespace tst_window_commands
+
 #include "tst_window_commands.moc"

@@ -13,9 +13,13 @@
 
 #include "app/simulator_host.h"
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
 #include "widgets/report_dialog.h"
 #include "widgets/theme.h"
+
+namespace tst_window_debugger {
 
 using namespace usar;
 using widgets::PlanNodeKind;
@@ -90,16 +94,6 @@ private:
     QSignalSpy clock_;
 };
 
-QString missionFile(const QTemporaryDir& folder) {
-    const QString path = folder.filePath("planned.json");
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return {};
-    file.write(R"({ "name": "Planned", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
-        "behavior": "airrobot/posh", "area": { "x": -10, "y": -10, "width": 20, "height": 20 } })");
-    return path;
-}
-
 /// Spawned, started, and its plan on show.
 bool takeOff(WindowPage& page) {
     if (!QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) || !page.spawnAt("PlayerStart"))
@@ -130,7 +124,7 @@ private slots:
 
 void tst_WindowDebugger::nobodyIsCalledSilentWhileAnotherRobotsPlanStandsStill() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) && page.spawnAt("HillTop"));
     QVERIFY(takeOff(page));
@@ -140,17 +134,19 @@ void tst_WindowDebugger::nobodyIsCalledSilentWhileAnotherRobotsPlanStandsStill()
     page.window().commands().action("plan.halt")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(flies)->halted, soon_ms);
     QTRY_VERIFY(page.window().views().time->paused());
-    QTest::qWait(2500); // longer than a robot may be silent
-    QVERIFY2(page.notified("Nothing from").isEmpty(), qPrintable(page.notified("Nothing from")));
+    const auto nobodyIsCalledSilent = [&] { return page.notified("Nothing from").isEmpty(); };
+    const test::Beats seconds(1000); // a robot may be silent for two
+    QVERIFY2(test::holdsUntil(nobodyIsCalledSilent, [&] { return seconds.count() >= 3; }),
+             qPrintable(page.notified("Nothing from")));
     page.window().commands().action("plan.continue")->trigger();
     QTRY_VERIFY(!page.window().views().time->paused());
-    QTest::qWait(500);
-    QVERIFY2(page.notified("Nothing from").isEmpty(), qPrintable(page.notified("Nothing from")));
+    QVERIFY2(page.holdsWhileClockGoesOn(nobodyIsCalledSilent, Seconds(0.6), flies),
+             qPrintable(page.notified("Nothing from")));
 }
 
 void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(takeOff(page));
     QVERIFY(debugger.select("FlyToGoal", PlanNodeKind::Act));
@@ -166,10 +162,13 @@ void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
     // The simulator tells its time, which is that of its next tick, a few times a second.
     QTRY_VERIFY(std::abs((debugger.simulatorTime() - stood).count()) < 0.3);
     const Seconds simulator_stood = debugger.simulatorTime();
-    QTest::qWait(2500); // and no silence is complained of
-    QCOMPARE(debugger.robotTime(), stood);
-    QCOMPARE(debugger.simulatorTime(), simulator_stood);
-    QVERIFY(page.notified("Nothing from").isEmpty());
+    const test::Beats seconds(1000); // a robot may be silent for two
+    QVERIFY(test::holdsUntil(
+        [&] {
+            return debugger.robotTime() == stood && debugger.simulatorTime() == simulator_stood &&
+                   page.notified("Nothing from").isEmpty();
+        },
+        [&] { return seconds.count() >= 3; }));
     page.screenshot("debugger-halted");
 
     page.pressKey(Qt::Key_F11);
@@ -189,7 +188,7 @@ void tst_WindowDebugger::aBreakpointStopsTheSimulatorsTime() {
 
 void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(takeOff(page));
     QVERIFY(debugger.select("ClimbTo", PlanNodeKind::Act));
@@ -219,7 +218,7 @@ void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
 
 void tst_WindowDebugger::whatActsWroteDownIsSeenAndStopsThePlan() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(takeOff(page));
     QListWidget* const board = debugger.list("Blackboard");
@@ -253,7 +252,7 @@ void tst_WindowDebugger::whatActsWroteDownIsSeenAndStopsThePlan() {
 
 void tst_WindowDebugger::whatARunCameToIsReported() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QAction* const report = page.window().commands().action("plan.report");
     QVERIFY(!report->isEnabled());
@@ -274,7 +273,7 @@ void tst_WindowDebugger::whatARunCameToIsReported() {
 
 void tst_WindowDebugger::aDriveThatIsOffLetsAnotherWin() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(takeOff(page));
     const auto& commands = page.window().commands();
@@ -293,7 +292,7 @@ void tst_WindowDebugger::aDriveThatIsOffLetsAnotherWin() {
 void tst_WindowDebugger::breakpointsOutliveTheWindow() {
     const QTemporaryDir folder;
     const QTemporaryDir settings;
-    const WindowSetup setup{.mission_file = missionFile(folder), .settings_folder = settings.path()};
+    const WindowSetup setup{.mission_file = plannedMission(folder), .settings_folder = settings.path()};
     {
         WindowPage page(setup);
         Debugger debugger(page);
@@ -316,7 +315,7 @@ void tst_WindowDebugger::breakpointsOutliveTheWindow() {
 
 void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     const QAction& offer = *page.window().commands().action("plan.look_back");
     QVERIFY(!offer.isEnabled() && offer.toolTip().contains("No robot"));
@@ -328,7 +327,6 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
     QTRY_VERIFY(!debugger.time().live);
     const Seconds moment = debugger.time().shown;
-    QTest::qWait(200); // the buttons take their places
     page.screenshot("debugger-past");
     const Seconds flown_until = page.robot(1)->figures.now;
     debugger.press("Replay from here");
@@ -376,7 +374,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
 
 void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     QVERIFY(takeOff(page));
     page.chooseSpeed("max");
@@ -406,7 +404,7 @@ void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
 
 void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     const QTemporaryDir folder;
-    WindowPage page({.mission_file = missionFile(folder)});
+    WindowPage page({.mission_file = plannedMission(folder)});
     Debugger debugger(page);
     page.pressKey(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier); // no recording
     QVERIFY(takeOff(page));
@@ -429,8 +427,7 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
     const auto settled = [&] { // the robot's last words are on their way when it is known to have finished
         const std::uint64_t shown = debugger.time().cycle;
-        QTest::qWait(500);
-        return debugger.time().cycle == shown;
+        return page.holdsWhileClockGoesOn([&] { return debugger.time().cycle == shown; }, Seconds(0.6));
     };
     QTRY_VERIFY_WITH_TIMEOUT(settled(), soon_ms);
     const auto started = drives();
@@ -450,5 +447,8 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     QVERIFY(debugger.sees("Blackboard"));
 }
 
-USAR_E2E_MAIN(tst_WindowDebugger)
+USAR_TEST(tst_WindowDebugger)
+
+} // namespace tst_window_debugger
+
 #include "tst_window_debugger.moc"

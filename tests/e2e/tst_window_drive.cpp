@@ -13,8 +13,11 @@
 #include "tests/doubles/own_thread.h"
 #include "tests/e2e/drive_page.h"
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/suite/suite.h"
 #include "widgets/drive_pad.h"
 #include "widgets/empty_state.h"
+
+namespace tst_window_drive {
 
 using namespace usar;
 
@@ -30,7 +33,6 @@ private slots:
     void aBehaviorThatStartsTakesOver();
     void takingControlPausesABehavior();
     void aCutLinkEndsTheControl();
-    void aKeyIsOnTheWireAtOnce();
     void aClosingWindowStopsTheRobotFirst();
     void keysThatDriveAreOrdinaryKeysOtherwise();
     void typedTextDrivesNothing();
@@ -45,23 +47,19 @@ void tst_WindowDrive::aHeldKeyDrivesAndLettingItGoStops() {
     page.openDock();
     QVERIFY(page.spawnClass("P2DX"));
     QCOMPARE(page.control(), QString("R1: nobody drives"));
-    QTest::qWait(1500); // until it stands
+    QVERIFY(page.comesToRest());
     QVERIFY(page.takeControl());
     QCOMPARE(page.control(), QString("R1: you drive"));
     QVERIFY(page.driveBy(Qt::Key_W, 0.5));
     QCOMPARE(page.control(), QString("R1: you drive · keys"));
     QVERIFY2(page.panel().echo().startsWith("DRIVE {Left "), qPrintable(page.panel().echo()));
     QCOMPARE(page.lastCause(), QString("by hand: keys"));
-    QElapsedTimer since;
-    since.start();
     page.release(Qt::Key_W);
     QTRY_VERIFY(page.standsStill());
-    QVERIFY2(since.elapsed() < 150, qPrintable(QString::number(since.elapsed()))); // to the screen and back
     QCOMPARE(page.lastCause(), QString("by hand: stop, the keys were let go"));
-    QTest::qWait(1000); // it brakes
+    QVERIFY(page.comesToRest()); // it brakes
     const Vec3 stood_m = page.position_m();
-    QTest::qWait(700);
-    QVERIFY((page.position_m() - stood_m).norm() < 0.05);
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return (page.position_m() - stood_m).norm() < 0.05; }, Seconds(0.8)));
     const QList<QLabel*> labels = page.panel().findChildren<QLabel*>();
     QVERIFY(std::ranges::any_of(labels,
                                 [](const QLabel* label) { return label->text().contains("the keys were let go"); }));
@@ -151,10 +149,10 @@ void tst_WindowDrive::everyOtherEndOfAHoldStops() {
     }
     QTRY_VERIFY2(page.standsStill(id), qPrintable(page.lastDrive(id)));
     QTRY_VERIFY2(page.lastCause(id).contains(words), qPrintable(page.lastCause(id)));
-    QTest::qWait(150); // a stop may be said twice
+    QVERIFY(page.clockGoesOn(Seconds(0.2), id)); // a stop may be said twice
     const qsizetype said = page.driveCount(id);
-    QTest::qWait(600); // the key is still down
-    QCOMPARE(page.driveCount(id), said);
+    // The key is still down.
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return page.driveCount(id) == said; }, Seconds(0.6), id));
     QVERIFY(!page.state(id).held);
 }
 
@@ -187,8 +185,8 @@ void tst_WindowDrive::takingControlPausesABehavior() {
     QTRY_VERIFY(!page.notified("is paused").isEmpty());
     QTRY_VERIFY2(!page.lastCause().startsWith("airrobot/"), qPrintable(page.lastCause()));
     const qsizetype said = page.driveCount();
-    QTest::qWait(1000);
-    QCOMPARE(page.driveCount(), said); // no word of the behavior's comes through
+    // No word of the behavior's comes through.
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return page.driveCount() == said; }, Seconds(1.0)));
     page.hold(Qt::Key_W);
     QTRY_COMPARE(page.lastCause(), QString("by hand: keys"));
     page.release(Qt::Key_W);
@@ -218,54 +216,6 @@ void tst_WindowDrive::aCutLinkEndsTheControl() {
     QTRY_VERIFY2(empty->isVisible() && empty->accessibleName().contains("No link to R1"),
                  qPrintable(empty->accessibleName()));
     page.release(Qt::Key_R);
-}
-
-/// From the event of the key to the bytes at a server that has a thread of its own, and back to a stop. The figures are
-/// in README; here is asked that no beat or frame is waited for.
-void tst_WindowDrive::aKeyIsOnTheWireAtOnce() {
-    test::FakeRobotServer server;
-    QVERIFY(server.listen());
-    QElapsedTimer clock;
-    clock.start();
-    std::atomic<bool> moves = false;
-    std::atomic<qint64> changed_us = 0;
-    server.on_command = [&](const QByteArray& line) {
-        if (line.startsWith("INIT"))
-            server.keepClient();
-        if (!line.startsWith("DRIVE"))
-            return;
-        const bool now_moves = QString(line).contains(QRegularExpression("[1-9]"));
-        if (moves.exchange(now_moves) != now_moves)
-            changed_us = clock.nsecsElapsed() / 1000;
-    };
-    auto* const beat = new QTimer(&server);
-    connect(beat, &QTimer::timeout, &server, [&] { server.tick(); });
-    const test::OwnThread wire(server);
-    DrivePage page;
-    page.connectToServer("127.0.0.1", server.port());
-    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    page.doubleClickStartPose(page.map().content().start_poses.front().name);
-    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.spawned, soon_ms);
-    QMetaObject::invokeMethod(beat, [beat] { beat->start(50); });
-    page.map().setFocus();
-    QVERIFY(page.takeControl());
-
-    std::vector<qint64> presses_us;
-    std::vector<qint64> releases_us;
-    for (int i = 0; i < 25; ++i) {
-        for (const bool down : {true, false}) {
-            QTest::qWait(37); // at any moment of a beat
-            const qint64 from_us = clock.nsecsElapsed() / 1000;
-            down ? page.hold(Qt::Key_W) : page.release(Qt::Key_W);
-            QTRY_COMPARE(moves.load(), down);
-            (down ? presses_us : releases_us).push_back(changed_us - from_us);
-        }
-    }
-    for (auto* const all : {&presses_us, &releases_us})
-        std::ranges::sort(*all);
-    qInfo("key to DRIVE: median %lld us, worst %lld us; release to stop: median %lld us, worst %lld us", presses_us[12],
-          presses_us.back(), releases_us[12], releases_us.back());
-    QVERIFY2(presses_us[12] < 16000 && releases_us[12] < 16000, "half of them take longer than a frame");
 }
 
 void tst_WindowDrive::aClosingWindowStopsTheRobotFirst() {
@@ -329,8 +279,7 @@ void tst_WindowDrive::typedTextDrivesNothing() {
     const qsizetype said = page.driveCount();
     QTest::keyClicks(line, "was");
     QCOMPARE(line->text(), QString("was"));
-    QTest::qWait(300);
-    QCOMPARE(page.driveCount(), said);
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return page.driveCount() == said; }, Seconds(0.4)));
 }
 
 void tst_WindowDrive::theSpeedLimitLimits() {
@@ -384,5 +333,8 @@ void tst_WindowDrive::aFlyerTakesOffByKeys() {
     QTRY_VERIFY(page.standsStill());
 }
 
-USAR_E2E_MAIN(tst_WindowDrive)
+USAR_TEST(tst_WindowDrive)
+
+} // namespace tst_window_drive
+
 #include "tst_window_drive.moc"

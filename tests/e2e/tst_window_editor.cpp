@@ -8,18 +8,17 @@
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_editor {
 
 using namespace usar;
 
 namespace {
 
 const char* const lookout = "((DC lookout (drives ((stay Hover)))))";
-
-QString fileIn(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
-    QFile file(folder.filePath(name));
-    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? file.fileName() : QString();
-}
 
 QByteArray textOf(const QString& path) {
     QFile file(path);
@@ -152,5 +151,8 @@ void tst_WindowEditor::aChangedPlanIsAskedForAtClosing() {
     QCOMPARE(textOf(path), QByteArray(lookout));
 }
 
-USAR_E2E_MAIN(tst_WindowEditor)
+USAR_TEST(tst_WindowEditor)
+
+} // namespace tst_window_editor
+
 #include "tst_window_editor.moc"

@@ -4,7 +4,10 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
 #include "widgets/quantity_box.h"
+
+namespace tst_window_faults {
 
 using namespace usar;
 
@@ -127,5 +130,8 @@ void tst_WindowFaults::aWrongFaultInAMissionFileIsNamedWithItsPlace() {
     QTRY_VERIFY_WITH_TIMEOUT(told().contains("Did you mean 'wind'"), soon_ms);
 }
 
-USAR_E2E_MAIN(tst_WindowFaults)
+USAR_TEST(tst_WindowFaults)
+
+} // namespace tst_window_faults
+
 #include "tst_window_faults.moc"

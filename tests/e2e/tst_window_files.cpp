@@ -8,6 +8,9 @@
 #include "tests/doubles/test_worlds.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_files {
 
 using namespace usar;
 using doubles::pathOf;
@@ -178,5 +181,8 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-USAR_E2E_MAIN(tst_WindowFiles)
+USAR_TEST(tst_WindowFiles)
+
+} // namespace tst_window_files
+
 #include "tst_window_files.moc"

@@ -11,6 +11,9 @@
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_flood {
 
 using namespace usar;
 
@@ -112,5 +115,8 @@ void tst_WindowFlood::twentyThousandLinesASecondAreAllReadAndTheWindowStaysFree(
     QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint());
 }
 
-USAR_E2E_MAIN(tst_WindowFlood)
+USAR_TEST(tst_WindowFlood)
+
+} // namespace tst_window_flood
+
 #include "tst_window_flood.moc"

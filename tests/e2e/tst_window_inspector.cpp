@@ -3,6 +3,9 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/inspector_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_inspector {
 
 using namespace usar;
 
@@ -75,8 +78,7 @@ void tst_WindowInspector::aHeldListStandsStill() {
     o.inspector.pressButton("messages.pause");
     const int before = o.inspector.rows();
     QTRY_VERIFY_WITH_TIMEOUT(o.inspector.count().contains("waiting"), soon_ms);
-    QTest::qWait(500);
-    QCOMPARE(o.inspector.rows(), before);
+    QVERIFY(o.page.holdsWhileClockGoesOn([&] { return o.inspector.rows() == before; }, Seconds(0.6)));
     o.page.pressKey(Qt::Key_F8);
     QTRY_VERIFY(o.inspector.rows() > before);
     QVERIFY(!o.inspector.count().contains("waiting"));
@@ -162,8 +164,7 @@ void tst_WindowInspector::anErrorIsSaidByColumnAndNotSentAtOnce() {
     QVERIFY2(o.inspector.box().complaint().contains("Column 25: "), qPrintable(o.inspector.box().complaint()));
     QCOMPARE(o.inspector.box().line()->diagnostics().size(), std::size_t(1));
     o.page.screenshot("inspector-error");
-    QTest::qWait(200);
-    QCOMPARE(o.inspector.rowOf(wrong), -1);
+    QVERIFY(o.page.holdsWhileClockGoesOn([&] { return o.inspector.rowOf(wrong) == -1; }, Seconds(0.4)));
     o.inspector.press(Qt::Key_Return);
     QTRY_VERIFY(o.inspector.rowOf(wrong) >= 0);
 }
@@ -234,5 +235,8 @@ void tst_WindowInspector::messagesOfTwoRobotsAreToldApart() {
     QVERIFY(!o.inspector.list().view()->isColumnHidden(widgets::MessageModel::Robot));
 }
 
-USAR_E2E_MAIN(tst_WindowInspector)
+USAR_TEST(tst_WindowInspector)
+
+} // namespace tst_window_inspector
+
 #include "tst_window_inspector.moc"

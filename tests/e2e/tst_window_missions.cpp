@@ -5,6 +5,9 @@
 #include "core/mission/mission_file.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_missions {
 
 using namespace usar;
 
@@ -95,5 +98,8 @@ void tst_WindowMissions::anotherWorldThanTheMissionsForgetsIt() {
     QVERIFY(page.notified("is ready").isEmpty());
 }
 
-USAR_E2E_MAIN(tst_WindowMissions)
+USAR_TEST(tst_WindowMissions)
+
+} // namespace tst_window_missions
+
 #include "tst_window_missions.moc"

@@ -14,7 +14,10 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
 #include "widgets/toast.h"
+
+namespace tst_window_plugins {
 
 using namespace usar;
 
@@ -408,7 +411,7 @@ void tst_WindowPlugins::closingTheWindowWhileItAsksDoesNotWait() {
     clock.start();
     QVERIFY(page->window().close());
     page.reset();
-    QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed()))); // with all else that it ends
+    QVERIFY2(clock.elapsed() < 30'000, "it has waited for the plugin, which takes a minute");
     QTRY_VERIFY(hosts().isEmpty());
 }
 
@@ -467,5 +470,8 @@ void tst_WindowPlugins::whatIsSetUpOutlivesABuildOfAnIsolatedPlugin() {
     QCOMPARE(std::get<double>(page.window().views().parameters->values().at("speed_m_s")), 0.5);
 }
 
-USAR_E2E_MAIN(tst_WindowPlugins)
+USAR_TEST(tst_WindowPlugins)
+
+} // namespace tst_window_plugins
+
 #include "tst_window_plugins.moc"

@@ -6,7 +6,10 @@
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
+
+namespace tst_window_radio {
 
 using namespace usar;
 
@@ -143,5 +146,8 @@ void tst_WindowRadio::withoutAWirelessServerTheDockSaysSo() {
     QTRY_VERIFY_WITH_TIMEOUT(radio(page).emptyState()->accessibleDescription().contains("Start WSS there"), soon_ms);
 }
 
-USAR_E2E_MAIN(tst_WindowRadio)
+USAR_TEST(tst_WindowRadio)
+
+} // namespace tst_window_radio
+
 #include "tst_window_radio.moc"

@@ -5,6 +5,9 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_replay {
 
 using namespace usar;
 
@@ -159,5 +162,8 @@ void tst_WindowReplay::aFileThatIsNoRecordingIsRefusedWithAMend() {
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("none.usarrec").contains("Check the name"), soon_ms);
 }
 
-USAR_E2E_MAIN(tst_WindowReplay)
+USAR_TEST(tst_WindowReplay)
+
+} // namespace tst_window_replay
+
 #include "tst_window_replay.moc"

@@ -7,15 +7,15 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/inspector_page.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_robots {
 
 using namespace usar;
 
 namespace {
-
-QStringList filesIn(const QString& folder, const QString& ending) {
-    return QDir(folder).entryList({"*" + ending}, QDir::Files);
-}
 
 QJsonObject summaryIn(const QString& folder) {
     QFile file(QDir(folder).filePath(filesIn(folder, ".json").value(0)));
@@ -205,5 +205,8 @@ void tst_WindowRobots::theEndIsInTheSummaryAndTimeIsRealAgain() {
     QCOMPARE(page.window().views().time->speed(), 1.0);
 }
 
-USAR_E2E_MAIN(tst_WindowRobots)
+USAR_TEST(tst_WindowRobots)
+
+} // namespace tst_window_robots
+
 #include "tst_window_robots.moc"

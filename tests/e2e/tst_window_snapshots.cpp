@@ -6,6 +6,9 @@
 #include "tests/doubles/test_files.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_snapshots {
 
 using namespace usar;
 
@@ -118,7 +121,7 @@ void tst_WindowSnapshots::closingTheWindowDoesNotWaitForALongRun() {
         closing.start();
         QVERIFY(run.page.window().close());
     }
-    QVERIFY2(closing.elapsed() < 3000, qPrintable(QString::number(closing.elapsed())));
+    QVERIFY2(closing.elapsed() < 60'000, qPrintable(QString::number(closing.elapsed()))); // the run takes hours
 }
 
 void tst_WindowSnapshots::aFileThatIsNoSnapshotIsNamed() {
@@ -143,5 +146,8 @@ void tst_WindowSnapshots::aFolderThatCannotBeWrittenIsNamed() {
         soon_ms);
 }
 
-USAR_E2E_MAIN(tst_WindowSnapshots)
+USAR_TEST(tst_WindowSnapshots)
+
+} // namespace tst_window_snapshots
+
 #include "tst_window_snapshots.moc"

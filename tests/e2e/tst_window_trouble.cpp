@@ -11,17 +11,17 @@
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/test_files.h"
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_trouble {
 
 using namespace usar;
 
 namespace {
 
 constexpr double server_speed_x = 5.0;
-
-QStringList filesIn(const QString& folder, const QString& ending) {
-    return QDir(folder).entryList({"*" + ending}, QDir::Files);
-}
 
 /// A real simulator behind a relay that a test can meddle with; the window takes it for somebody's server.
 struct TroubledServer {
@@ -294,5 +294,8 @@ void tst_WindowTrouble::anUnwritableFolderAtClosingAsksForAnother() {
     QCOMPARE(filesIn(elsewhere.filePath("free"), ".bil").size(), 1);
 }
 
-USAR_E2E_MAIN(tst_WindowTrouble)
+USAR_TEST(tst_WindowTrouble)
+
+} // namespace tst_window_trouble
+
 #include "tst_window_trouble.moc"

@@ -12,6 +12,9 @@
 #include "tests/doubles/test_worlds.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_world {
 
 using namespace usar;
 
@@ -290,9 +293,10 @@ private slots:
         WorldPage page;
         page.connectToServer("127.0.0.1", server.port());
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-        QTest::qWait(500);
-        QVERIFY(server.heardOf("CONTROL").isEmpty());
-        QVERIFY(server.heardOf("INIT").isEmpty());
+        const test::Beats beats(100);
+        QVERIFY(
+            test::holdsUntil([&] { return server.heardOf("CONTROL").isEmpty() && server.heardOf("INIT").isEmpty(); },
+                             [&] { return beats.count() >= 5; }));
     }
 
     void aServerWithoutWorldControllerIsSaidInTheDock() {
@@ -309,5 +313,8 @@ private slots:
     }
 };
 
-USAR_E2E_MAIN(tst_WindowWorld)
+USAR_TEST(tst_WindowWorld)
+
+} // namespace tst_window_world
+
 #include "tst_window_world.moc"

@@ -142,6 +142,22 @@ bool WindowPage::spawnAt(const std::string& start_pose) {
         15000);
 }
 
+bool WindowPage::comesToRest(int id) const {
+    constexpr Seconds long_enough{0.6};
+    std::optional<std::pair<Vec3, Seconds>> since; // where it has been, and from when on
+    return QTest::qWaitFor(
+        [&] {
+            if (!robot(id) || !robot(id)->base_in_map)
+                return false;
+            const Vec3 here_m = robot(id)->base_in_map->position_m;
+            const Seconds now = robot(id)->figures.now;
+            if (!since || (here_m - since->first).norm() > 0.01)
+                since = {here_m, now};
+            return now - since->second >= long_enough;
+        },
+        soon_ms);
+}
+
 QString WindowPage::notified(const QString& words) const {
     const auto* model = window_->views().notifications->model();
     for (int row = 0; row < model->rowCount(); ++row)

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "app/main_window.h"
+#include "tests/suite/waiting.h"
 
 inline constexpr int soon_ms = 15000;    ///< sockets and threads on a busy machine
 inline constexpr int flight_ms = 120000; ///< a robot that flies at full speed
@@ -50,6 +51,19 @@ public:
     void typeArea(const usar::Rectangle& area_in_map);
     /// Over the map's start pose, and until the robot has spoken.
     bool spawnAt(const std::string& start_pose);
+    /// Until the robot's own clock is that much later; false where it is not soon.
+    bool clockGoesOn(usar::Seconds by, int id = 1) const {
+        return holdsWhileClockGoesOn([] { return true; }, by, id);
+    }
+    /// The same, with something that holds all the while.
+    template <class Calm>
+    bool holdsWhileClockGoesOn(Calm calm, usar::Seconds by, int id = 1) const {
+        const usar::Seconds until = robot(id)->figures.now + by;
+        return usar::test::holdsUntil(
+            calm, [&] { return robot(id) && robot(id)->figures.now >= until; }, soon_ms);
+    }
+    /// Until the robot has not moved for a while of its own clock; false where it does not come to rest soon.
+    bool comesToRest(int id = 1) const;
     /// The newest notification with these words, whole; empty where there is none.
     QString notified(const QString& words) const;
     /// Path of a recording in the result folder that was ended in order, which is some time after its robot went; empty

@@ -2,11 +2,15 @@
 
 #include <stdexcept>
 
+#include <QByteArray>
 #include <QHostAddress>
-#include <QtTest>
+#include <QObject>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTest>
 
-#include "tests/doubles/event_wait.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/waiting.h"
 
 namespace usar::link {
 

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "core/link/clock_table.h"
+#include "tests/suite/suite.h"
+
+namespace tst_clock_table {
 
 using namespace usar;
 using namespace usar::link;
@@ -25,8 +28,6 @@ ClockTable tableOf(const Saying& saying) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Saying)
 
 class tst_ClockTable : public QObject {
     Q_OBJECT
@@ -77,5 +78,8 @@ void tst_ClockTable::whatNoClockSaysIsPassedOver() {
     QCOMPARE(table.at(Seconds(52.0)), std::optional<RecordTime>(3s));
 }
 
-QTEST_APPLESS_MAIN(tst_ClockTable)
+USAR_TEST(tst_ClockTable)
+
+} // namespace tst_clock_table
+
 #include "tst_clock_table.moc"

@@ -1,12 +1,17 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QTest>
 
 #include "core/link/com_interface.h"
 #include "tests/link/radio_world.h"
+#include "tests/suite/suite.h"
+
+namespace tst_com_interface {
 
 using namespace usar;
 using namespace usar::link;
 
-class TestComInterface : public QObject {
+class tst_ComInterface : public QObject {
     Q_OBJECT
 
 private slots:
@@ -47,5 +52,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestComInterface)
+USAR_TEST(tst_ComInterface)
+
+} // namespace tst_com_interface
+
 #include "tst_com_interface.moc"

@@ -1,12 +1,17 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QTest>
 
 #include "core/link/com_frames.h"
 #include "tests/link/radio_world.h"
+#include "tests/suite/suite.h"
+
+namespace tst_com_server {
 
 using namespace usar;
 using namespace usar::link;
 
-class TestComServer : public QObject {
+class tst_ComServer : public QObject {
     Q_OBJECT
 
 private slots:
@@ -155,5 +160,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestComServer)
+USAR_TEST(tst_ComServer)
+
+} // namespace tst_com_server
+
 #include "tst_com_server.moc"

@@ -8,6 +8,9 @@
 #include "core/protocol/reader.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/protocol/corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_corpus_over_tcp {
 
 using namespace usar;
 
@@ -64,5 +67,8 @@ void tst_CorpusOverTcp::chunksChangeNothing() {
     QVERIFY(count > 40);
 }
 
-QTEST_GUILESS_MAIN(tst_CorpusOverTcp)
+USAR_TEST(tst_CorpusOverTcp)
+
+} // namespace tst_corpus_over_tcp
+
 #include "tst_corpus_over_tcp.moc"

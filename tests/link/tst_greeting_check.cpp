@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "core/link/greeting_check.h"
+#include "tests/suite/suite.h"
+
+namespace tst_greeting_check {
 
 using namespace usar::link;
 using Verdict = GreetingCheck::Verdict;
@@ -75,5 +78,8 @@ void tst_GreetingCheck::isSuspiciousBeforeItIsSure() {
     QVERIFY(!check.suspicious());
 }
 
-QTEST_APPLESS_MAIN(tst_GreetingCheck)
+USAR_TEST(tst_GreetingCheck)
+
+} // namespace tst_greeting_check
+
 #include "tst_greeting_check.moc"

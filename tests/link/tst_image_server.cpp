@@ -1,13 +1,22 @@
 // The image server over TCP: what the protocol says, and clients that do not keep to it.
+#include <QAbstractSocket>
+#include <QByteArray>
+#include <QObject>
 #include <QSignalSpy>
+#include <QSize>
+#include <QString>
 #include <QTcpServer>
 #include <QTcpSocket>
+#include <QTest>
 #include <QtEndian>
-#include <QtTest>
 
 #include "core/link/image_client.h"
 #include "core/link/image_server.h"
 #include "core/sim/camera/scene_capture.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_image_server {
 
 using namespace usar;
 using namespace usar::link;
@@ -59,7 +68,7 @@ public:
         for (const char byte : bytes) {
             socket_.write(&byte, 1);
             socket_.flush();
-            QTest::qWait(0); // a turn of the event loop
+            test::turnEventLoop();
         }
     }
     struct Frame {
@@ -96,14 +105,16 @@ bool isJpeg(const QByteArray& data) {
 
 } // namespace
 
-class TestImageServer : public QObject {
+class tst_ImageServer : public QObject {
     Q_OBJECT
 
 private slots:
     void eachOkBringsOneFrame() {
         Served served;
         Viewer viewer(served.port);
-        QTest::qWait(60);
+        Viewer other(served.port);
+        other.say("OK");
+        QTRY_COMPARE(other.count(), 1u);
         QCOMPARE(viewer.count(), 0u); // nothing without a request
         viewer.say("OK");
         QTRY_COMPARE(viewer.count(), 1u);
@@ -111,7 +122,8 @@ private slots:
         QVERIFY(isJpeg(viewer.frames()[0].data));
         viewer.say("OKOK");
         QTRY_COMPARE(viewer.count(), 3u);
-        QTest::qWait(100);
+        other.say("OK");
+        QTRY_COMPARE(other.count(), 2u);
         QCOMPARE(viewer.count(), 3u);
     }
 
@@ -247,8 +259,11 @@ private slots:
         Viewer viewer(served.port);
         viewer.say("OK");
         QTRY_COMPARE(viewer.count(), 1u);
-        QTest::qWait(300);
-        QVERIFY(served.server.picturesMade() < 20); // at most those that may wait, and this one's
+        for (std::size_t i = 2; i <= 20; ++i) { // it has had its turn as often
+            viewer.say("OK");
+            QTRY_COMPARE(viewer.count(), i);
+        }
+        QVERIFY(served.server.picturesMade() < 40); // at most those that may wait, and this one's twenty
     }
 
     void tooManyClientsAreRefused() {
@@ -294,5 +309,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImageServer)
+USAR_TEST(tst_ImageServer)
+
+} // namespace tst_image_server
+
 #include "tst_image_server.moc"

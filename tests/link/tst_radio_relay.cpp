@@ -1,8 +1,16 @@
+#include <QAbstractSocket>
+#include <QByteArray>
 #include <QElapsedTimer>
+#include <QObject>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTcpSocket>
+#include <QTest>
 
 #include "tests/link/radio_world.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_radio_relay {
 
 using namespace usar;
 using namespace usar::link;
@@ -35,7 +43,7 @@ struct Pair {
 
 } // namespace
 
-class TestRadioRelay : public QObject {
+class tst_RadioRelay : public QObject {
     Q_OBJECT
 
 private slots:
@@ -58,7 +66,7 @@ private slots:
         for (int at = 0; at < total; at += chunk) {
             call.say(there.mid(at, chunk));
             pair.listener.peer.say(back.mid(at, chunk));
-            QTest::qWait(0); // a turn of the event loop
+            test::turnEventLoop();
         }
         QTRY_COMPARE(pair.listener.peer.heard().size(), there.size());
         QTRY_COMPARE(call.heard().size(), back.size());
@@ -147,11 +155,12 @@ private slots:
         call.say(QByteArray(much, 'x'));
         qint64 waiting = much;
         const auto stands = [&] {
-            const qint64 before = std::exchange(waiting, call.socket().bytesToWrite());
-            QTest::qWait(50);
-            return before == call.socket().bytesToWrite();
+            waiting = call.socket().bytesToWrite();
+            const test::Beats beats(5);
+            return test::holdsUntil([&] { return call.socket().bytesToWrite() == waiting; },
+                                    [&] { return beats.count() >= 20; });
         };
-        QTRY_VERIFY(stands());
+        QVERIFY(QTest::qWaitFor(stands, 15000));
         QVERIFY(waiting > much / 2); // the rest is in the system's buffers and in our 128 KiB
         Peer other(pair.door);       // and others talk
         other.say("x");
@@ -212,5 +221,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRadioRelay)
+USAR_TEST(tst_RadioRelay)
+
+} // namespace tst_radio_relay
+
 #include "tst_radio_relay.moc"

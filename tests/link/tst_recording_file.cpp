@@ -16,6 +16,9 @@
 #include "core/link/recording_reader.h"
 #include "core/link/recording_text.h"
 #include "core/link/recording_writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_recording_file {
 
 using namespace usar;
 using namespace usar::link;
@@ -83,7 +86,6 @@ private slots:
     void brokenTextIsRefusedWithItsLine();
     void seekGoesToTheFirstRecordNotEarlier_data();
     void seekGoesToTheFirstRecordNotEarlier();
-    void anHourIsSoughtInATenthOfASecond();
     void garbageNeitherHangsNorCrashes();
 
 private:
@@ -252,9 +254,11 @@ void tst_RecordingFile::killedAtAnyMomentItLosesASecondAtMost() {
     ::close(ends[1]);
     std::map<std::int64_t, Clock::duration> handed;
     std::int64_t said[2];
-    const auto begin = Clock::now();
-    while (Clock::now() - begin < 1300ms && ::read(ends[0], said, sizeof said) == sizeof said)
+    while (::read(ends[0], said, sizeof said) == sizeof said) {
         handed[said[0]] = Clock::duration(said[1]);
+        if (handed.rbegin()->second - handed.begin()->second > 1300ms)
+            break; // by the child's own account: it may have begun late
+    }
     ::kill(child, SIGKILL);
     const auto killed = Clock::now().time_since_epoch();
     ::waitpid(child, nullptr, 0);
@@ -264,10 +268,13 @@ void tst_RecordingFile::killedAtAnyMomentItLosesASecondAtMost() {
     std::int64_t newest = 0;
     while (const auto record = (*reader)->next())
         newest = static_cast<std::int64_t>(record->line.value);
+    int older_than_a_second = 0;
     for (const auto& [line, when] : handed)
-        if (killed - when > 1s)
+        if (killed - when > 1s) {
+            ++older_than_a_second;
             QVERIFY2(line <= newest, qPrintable(QString("line %1 of %2 is missing").arg(line).arg(newest)));
-    QVERIFY(newest > 100);
+        }
+    QVERIFY(older_than_a_second > 0);
     QVERIFY((*reader)->survey().damage.empty());
 }
 
@@ -385,25 +392,6 @@ void tst_RecordingFile::seekGoesToTheFirstRecordNotEarlier() {
     QCOMPARE(record ? int(record->time / 1s) : -1, expected_s);
 }
 
-void tst_RecordingFile::anHourIsSoughtInATenthOfASecond() {
-    std::string file;
-    recording::appendHead(file);
-    const std::string tick(500, 's');
-    for (int i = 0; i < 36000; ++i)
-        recording::append(file, {.kind = RecordKind::In, .time = 100ms * i, .bytes = tick});
-    put(path("hour.usarrec"), QByteArray::fromStdString(file));
-    const auto reader = RecordingReader::open(path("hour.usarrec"));
-    QVERIFY(reader);
-    QElapsedTimer timer;
-    for (const auto minute : {59min, 1min, 30min, 0min, 58min}) {
-        timer.start();
-        (*reader)->seek(minute);
-        const auto record = (*reader)->next();
-        QVERIFY(record && record->time == minute);
-        QVERIFY2(timer.elapsed() < 100, qPrintable(QString::number(timer.elapsed())));
-    }
-}
-
 void tst_RecordingFile::garbageNeitherHangsNorCrashes() {
     std::string file;
     recording::appendHead(file);
@@ -420,5 +408,8 @@ void tst_RecordingFile::garbageNeitherHangsNorCrashes() {
     QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
 }
 
-QTEST_GUILESS_MAIN(tst_RecordingFile)
+USAR_TEST(tst_RecordingFile)
+
+} // namespace tst_recording_file
+
 #include "tst_recording_file.moc"

@@ -3,6 +3,9 @@
 #include "core/base/random.h"
 #include "core/link/recording_format.h"
 #include "core/link/recording_text.h"
+#include "tests/suite/suite.h"
+
+namespace tst_recording_format {
 
 using namespace usar;
 using namespace usar::link;
@@ -195,5 +198,8 @@ void tst_RecordingFormat::rejectsBrokenTextAndSaysWhere() {
     QVERIFY(!read.error().mend.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_RecordingFormat)
+USAR_TEST(tst_RecordingFormat)
+
+} // namespace tst_recording_format
+
 #include "tst_recording_format.moc"

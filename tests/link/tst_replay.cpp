@@ -6,6 +6,10 @@
 #include <QTest>
 
 #include "core/link/replay.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_replay {
 
 using namespace usar;
 using namespace usar::link;
@@ -220,9 +224,9 @@ void tst_Replay::pauseHoldsIt() {
     replayer->setPlaying(false);
     const auto heard = listener.heard.size();
     const Seconds position = replayer->figures().position;
-    QTest::qWait(150);
-    QCOMPARE(listener.heard.size(), heard);
-    QCOMPARE(replayer->figures().position, position);
+    const test::Beats beats(16); // as it is played
+    QVERIFY(test::holdsUntil([&] { return listener.heard.size() == heard && replayer->figures().position == position; },
+                             [&] { return beats.count() >= 5; }));
 }
 
 void tst_Replay::seekForwardGoesOnAndBackwardBeginsAnew() {
@@ -298,5 +302,8 @@ void tst_Replay::playAtTheEndBeginsAgain() {
     QCOMPARE(listener.since_rewound.size(), std::size_t{7});
 }
 
-QTEST_GUILESS_MAIN(tst_Replay)
+USAR_TEST(tst_Replay)
+
+} // namespace tst_replay
+
 #include "tst_replay.moc"

@@ -1,13 +1,23 @@
 #include <chrono>
 #include <optional>
 
+#include <QByteArray>
+#include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QList>
+#include <QObject>
 #include <QSignalSpy>
+#include <QString>
 #include <QTcpSocket>
-#include <QtTest>
+#include <QTest>
+#include <QVariant>
 
 #include "core/link/simulator_server.h"
 #include "tests/doubles/shipped_robots.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_simulator_server {
 
 using namespace usar;
 using namespace usar::link;
@@ -55,7 +65,7 @@ private:
 
 } // namespace
 
-class TestSimulatorServer : public QObject {
+class tst_SimulatorServer : public QObject {
     Q_OBJECT
 
 private slots:
@@ -201,8 +211,8 @@ private slots:
         QTRY_COMPARE(hung.count("NFO {Lockstep True}"), 2);
         const auto held = [&] {
             const Seconds before = served.now();
-            QTest::qWait(100); // many ticks at full speed
-            return served.now() == before;
+            const test::Beats beats(10); // at full speed each has many ticks
+            return test::holdsUntil([&] { return served.now() == before; }, [&] { return beats.count() >= 5; });
         };
         QTRY_VERIFY(held());
     }
@@ -315,5 +325,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSimulatorServer)
+USAR_TEST(tst_SimulatorServer)
+
+} // namespace tst_simulator_server
+
 #include "tst_simulator_server.moc"

@@ -3,6 +3,9 @@
 
 #include "core/link/tcp_link.h"
 #include "tests/doubles/fake_server.h"
+#include "tests/suite/suite.h"
+
+namespace tst_tcp_link {
 
 using namespace usar;
 using namespace usar::link;
@@ -313,5 +316,8 @@ void tst_TcpLink::aServerThatReadsNoMoreIsLeftBeforeMemoryIsFull() {
     QTRY_COMPARE(link_->status().state, LinkState::Connected); // it tries anew
 }
 
-QTEST_GUILESS_MAIN(tst_TcpLink)
+USAR_TEST(tst_TcpLink)
+
+} // namespace tst_tcp_link
+
 #include "tst_tcp_link.moc"

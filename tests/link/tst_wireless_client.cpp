@@ -1,10 +1,22 @@
 #include <cmath>
 
+#include <QByteArray>
+#include <QHostAddress>
+#include <QMap>
+#include <QObject>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QString>
+#include <QStringList>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTest>
 
 #include "core/link/wireless_client.h"
 #include "tests/link/radio_world.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_wireless_client {
 
 using namespace usar;
 using namespace usar::link;
@@ -92,7 +104,7 @@ bool near(std::optional<double> value, double expected) {
 
 } // namespace
 
-class TestWirelessClient : public QObject {
+class tst_WirelessClient : public QObject {
     Q_OBJECT
 
 private slots:
@@ -131,7 +143,8 @@ private slots:
     void fewerThanTwoRobotsNeedNoServer() {
         RadioWorld world;
         Asking asking(world.wireless_port, {"R1"});
-        QTest::qWait(60);
+        Peer other(world.wireless_port); // who comes after it is answered, and it has not come
+        QCOMPARE(other.ask("INIT {Robot R1} {Port 5000}\r\n"), QByteArray("INITREPLY {Status OK}"));
         QCOMPARE(asking.status.state, LinkState::Disconnected);
         QVERIFY(asking.last.empty());
         asking.client.setRobots({"R1", "R2"});
@@ -197,5 +210,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWirelessClient)
+USAR_TEST(tst_WirelessClient)
+
+} // namespace tst_wireless_client
+
 #include "tst_wireless_client.moc"

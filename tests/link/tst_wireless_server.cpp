@@ -1,11 +1,18 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTcpSocket>
+#include <QTest>
 
 #include "tests/link/radio_world.h"
+#include "tests/suite/suite.h"
+
+namespace tst_wireless_server {
 
 using namespace usar;
 using namespace usar::link;
 
-class TestWirelessServer : public QObject {
+class tst_WirelessServer : public QObject {
     Q_OBJECT
 
 private slots:
@@ -184,5 +191,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWirelessServer)
+USAR_TEST(tst_WirelessServer)
+
+} // namespace tst_wireless_server
+
 #include "tst_wireless_server.moc"

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace usar::tests {
+namespace usar::test {
 
 struct EndedMission {
     int exit_code = -1;
@@ -36,4 +36,4 @@ inline EndedMission runShipped(const QString& name, const QJsonObject& parameter
     return {process.exitCode(), QJsonDocument::fromJson(out).object(), out + process.readAllStandardError()};
 }
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -5,6 +5,9 @@
 
 #include "core/agent/posh_binding.h"
 #include "core/posh/plan_reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_check_plan {
 
 using namespace usar;
 
@@ -123,5 +126,8 @@ void tst_CheckPlan::thePlanOfThePageFitsItsRobot() {
     QVERIFY2(ended.exit_code == 0 && ended.out.isEmpty(), ended.out + ended.err);
 }
 
-QTEST_APPLESS_MAIN(tst_CheckPlan)
+USAR_TEST(tst_CheckPlan)
+
+} // namespace tst_check_plan
+
 #include "tst_check_plan.moc"

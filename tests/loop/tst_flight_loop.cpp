@@ -2,10 +2,13 @@
 
 #include "app/headless_simulator.h"
 #include "core/mission/robot_session.h"
-#include "tests/doubles/event_wait.h"
 #include "tests/doubles/rough_relay.h"
 #include "tests/doubles/scripted_behavior.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_flight_loop {
 
 using namespace usar;
 using namespace usar::mission;
@@ -143,5 +146,8 @@ void tst_FlightLoop::aCutWireEndsTheFlightAndKeepsThePath() {
     QVERIFY(!flight.path_m.empty());
 }
 
-QTEST_GUILESS_MAIN(tst_FlightLoop)
+USAR_TEST(tst_FlightLoop)
+
+} // namespace tst_flight_loop
+
 #include "tst_flight_loop.moc"

@@ -7,6 +7,9 @@
 #include "app/headless_simulator.h"
 #include "core/mission/robot_session.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_hand_loop {
 
 using namespace usar;
 using namespace usar::mission;
@@ -220,5 +223,8 @@ void tst_HandLoop::aSubmarineDivesAndRises() {
     QVERIFY2(down.way.pitch_rad > level.way.pitch_rad + 0.1, qPrintable(said)); // the nose is lower
 }
 
-QTEST_GUILESS_MAIN(tst_HandLoop)
+USAR_TEST(tst_HandLoop)
+
+} // namespace tst_hand_loop
+
 #include "tst_hand_loop.moc"

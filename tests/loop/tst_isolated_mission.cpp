@@ -9,8 +9,11 @@
 #include "app/headless_simulator.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/mission_runner.h"
-#include "tests/doubles/event_wait.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_isolated_mission {
 
 using namespace usar;
 using namespace usar::mission;
@@ -154,5 +157,8 @@ void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason() {
     QVERIFY2(last_drive->find("{AltitudeVelocity 0}") != std::string::npos, last_drive->c_str());
 }
 
-QTEST_MAIN(tst_IsolatedMission)
+USAR_TEST(tst_IsolatedMission)
+
+} // namespace tst_isolated_mission
+
 #include "tst_isolated_mission.moc"

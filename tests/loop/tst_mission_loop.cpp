@@ -5,8 +5,11 @@
 
 #include "app/headless_simulator.h"
 #include "core/mission/mission_runner.h"
-#include "tests/doubles/event_wait.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_mission_loop {
 
 using namespace usar;
 using namespace usar::mission;
@@ -82,5 +85,8 @@ void tst_MissionLoop::surveysASmallFieldWithoutHittingAnything() {
     QVERIFY2(outcome.summary["rmse_m"].toDouble(9.0) < 0.6, said);
 }
 
-QTEST_MAIN(tst_MissionLoop)
+USAR_TEST(tst_MissionLoop)
+
+} // namespace tst_mission_loop
+
 #include "tst_mission_loop.moc"

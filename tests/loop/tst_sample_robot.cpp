@@ -7,6 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+
+namespace tst_sample_robot {
+
 namespace {
 
 const QString build = USAR_BINARY_DIR;
@@ -106,5 +110,8 @@ void tst_SampleRobot::fliesWhereAPersonHasCopiedIt() {
     QCOMPARE(QDir(copy + "/build/robots").entryList(QDir::Files), QStringList("my_robot.so"));
 }
 
-QTEST_GUILESS_MAIN(tst_SampleRobot)
+USAR_TEST(tst_SampleRobot)
+
+} // namespace tst_sample_robot
+
 #include "tst_sample_robot.moc"

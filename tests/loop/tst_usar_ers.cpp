@@ -1,7 +1,10 @@
 // The ERS's missions that ship, run by the program for four minutes.
 #include "tests/loop/shipped_mission.h"
+#include "tests/suite/suite.h"
 
-using namespace usar::tests;
+namespace tst_usar_ers {
+
+using namespace usar::test;
 
 class tst_UsarErs : public QObject {
     Q_OBJECT
@@ -25,5 +28,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_UsarErs)
+USAR_TEST(tst_UsarErs)
+
+} // namespace tst_usar_ers
+
 #include "tst_usar_ers.moc"

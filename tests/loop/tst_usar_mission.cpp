@@ -9,6 +9,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+
+namespace tst_usar_mission {
+
 /// The program itself: what it prints, what it leaves, how it exits.
 class tst_UsarMission : public QObject {
     Q_OBJECT
@@ -270,5 +274,8 @@ void tst_UsarMission::ctrlCKeepsWhatWasScanned() {
     QVERIFY(QDir(out).entryList({"*.json"}).size() == 1);
 }
 
-QTEST_GUILESS_MAIN(tst_UsarMission)
+USAR_TEST(tst_UsarMission)
+
+} // namespace tst_usar_mission
+
 #include "tst_usar_mission.moc"

@@ -2,8 +2,11 @@
 #include <cmath>
 
 #include "tests/loop/shipped_mission.h"
+#include "tests/suite/suite.h"
 
-using namespace usar::tests;
+namespace tst_usar_p2dx {
+
+using namespace usar::test;
 
 namespace {
 
@@ -62,5 +65,8 @@ void tst_UsarP2dx::standsWhileItsScannerIsFrozen() {
     QCOMPARE(ended.summary["collisions"].toInt(-1), 0);
 }
 
-QTEST_APPLESS_MAIN(tst_UsarP2dx)
+USAR_TEST(tst_UsarP2dx)
+
+} // namespace tst_usar_p2dx
+
 #include "tst_usar_p2dx.moc"

@@ -6,6 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+
+namespace tst_usar_plan_report {
+
 namespace {
 
 struct Ended {
@@ -126,5 +130,8 @@ void tst_UsarPlanReport::refusalsNameTheFileAndTheMend() {
     QCOMPARE(ended.out.isEmpty(), arguments.size() < 2 || arguments.front().startsWith("--"));
 }
 
-QTEST_APPLESS_MAIN(tst_UsarPlanReport)
+USAR_TEST(tst_UsarPlanReport)
+
+} // namespace tst_usar_plan_report
+
 #include "tst_usar_plan_report.moc"

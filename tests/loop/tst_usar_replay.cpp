@@ -7,6 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+
+namespace tst_usar_replay {
+
 namespace {
 
 struct Ended {
@@ -132,5 +136,8 @@ void tst_UsarReplay::refusalsNameTheFileAndTheMend() {
     QVERIFY(!QFile::exists(path("x")));
 }
 
-QTEST_GUILESS_MAIN(tst_UsarReplay)
+USAR_TEST(tst_UsarReplay)
+
+} // namespace tst_usar_replay
+
 #include "tst_usar_replay.moc"

@@ -7,6 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+
+namespace tst_usar_sim {
+
 namespace {
 
 const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-sim";
@@ -115,5 +119,8 @@ void tst_UsarSim::aWrongFaultIsRefused() {
     QCOMPARE(simulator.exitCode(), 2);
 }
 
-QTEST_GUILESS_MAIN(tst_UsarSim)
+USAR_TEST(tst_UsarSim)
+
+} // namespace tst_usar_sim
+
 #include "tst_usar_sim.moc"

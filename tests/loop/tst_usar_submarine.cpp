@@ -1,7 +1,10 @@
 // The Submarine's mission that ships, run by the program for five minutes.
 #include "tests/loop/shipped_mission.h"
+#include "tests/suite/suite.h"
 
-using namespace usar::tests;
+namespace tst_usar_submarine {
+
+using namespace usar::test;
 
 class tst_UsarSubmarine : public QObject {
     Q_OBJECT
@@ -29,5 +32,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_UsarSubmarine)
+USAR_TEST(tst_UsarSubmarine)
+
+} // namespace tst_usar_submarine
+
 #include "tst_usar_submarine.moc"

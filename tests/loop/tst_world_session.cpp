@@ -6,6 +6,10 @@
 #include "core/mission/world_session.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_world_session {
 
 using namespace usar;
 using namespace usar::mission;
@@ -136,8 +140,9 @@ private slots:
         QTRY_VERIFY(world.ready());
         const auto asked = server.heardOf("CONTROL").size();
         QCOMPARE(asked, 1);
-        QTest::qWait(200);
-        QCOMPARE(server.heardOf("CONTROL").size(), asked);
+        const test::Beats beats(20);
+        QVERIFY(test::holdsUntil([&] { return server.heardOf("CONTROL").size() == asked; },
+                                 [&] { return beats.count() >= 5; }));
         world.session.setPolling(20ms);
         QTRY_VERIFY(server.heardOf("CONTROL").size() > asked + 3);
     }
@@ -173,9 +178,10 @@ private slots:
         server.answers = false;
         world.session.open("127.0.0.1", server.port());
         QTRY_COMPARE(world.session.view().state, WorldState::Asking);
-        QTest::qWait(1000); // more than two patiences
-        QCOMPARE(world.session.view().state, WorldState::Asking);
-        QVERIFY(world.notices.empty());
+        const test::Beats patiences(400);
+        QVERIFY(
+            test::holdsUntil([&] { return world.session.view().state == WorldState::Asking && world.notices.empty(); },
+                             [&] { return patiences.count() >= 2; }));
     }
 
     void comesBackAfterALostConnection() {
@@ -222,5 +228,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WorldSession)
+USAR_TEST(tst_WorldSession)
+
+} // namespace tst_world_session
+
 #include "tst_world_session.moc"

@@ -5,6 +5,9 @@
 
 #include "core/base/random.h"
 #include "core/mapping/coverage_path.h"
+#include "tests/suite/suite.h"
+
+namespace tst_coverage_path {
 
 using namespace usar;
 using namespace usar::mapping;
@@ -220,5 +223,8 @@ void tst_CoveragePath::estimatesTheTimeFromBothSpeeds() {
     QVERIFY(std::isinf(estimatedTime({}, 0.0, 0.0).count()));
 }
 
-QTEST_APPLESS_MAIN(tst_CoveragePath)
+USAR_TEST(tst_CoveragePath)
+
+} // namespace tst_coverage_path
+
 #include "tst_coverage_path.moc"

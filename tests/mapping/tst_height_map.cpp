@@ -5,6 +5,9 @@
 #include <set>
 
 #include "core/mapping/height_map.h"
+#include "tests/suite/suite.h"
+
+namespace tst_height_map {
 
 using namespace usar;
 using namespace usar::mapping;
@@ -188,5 +191,8 @@ void tst_HeightMap::memoryGrowsByTileNotByExtent() {
     QCOMPARE(map.tileIndices().size(), map.tileCount());
 }
 
-QTEST_APPLESS_MAIN(tst_HeightMap)
+USAR_TEST(tst_HeightMap)
+
+} // namespace tst_height_map
+
 #include "tst_height_map.moc"

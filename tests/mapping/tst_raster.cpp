@@ -6,6 +6,9 @@
 
 #include "core/mapping/profile.h"
 #include "core/mapping/raster_export.h"
+#include "tests/suite/suite.h"
+
+namespace tst_raster {
 
 using namespace usar;
 using namespace usar::mapping;
@@ -199,5 +202,8 @@ void tst_Raster::groundBelowIsUnknownOffTheMap() {
     QVERIFY(courseProfile(map, {.position_m = {qQNaN(), 0.0, 5.0}}, 5.0).points.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_Raster)
+USAR_TEST(tst_Raster)
+
+} // namespace tst_raster
+
 #include "tst_raster.moc"

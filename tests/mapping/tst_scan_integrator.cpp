@@ -5,6 +5,9 @@
 #include <functional>
 
 #include "core/mapping/scan_integrator.h"
+#include "tests/suite/suite.h"
+
+namespace tst_scan_integrator {
 
 using namespace usar;
 using namespace usar::mapping;
@@ -294,5 +297,8 @@ void tst_ScanIntegrator::fillsAreMarkedByNoHitsAndCarryTheLine() {
     QVERIFY(map.line({0, 3}) == LineNumber{42});
 }
 
-QTEST_APPLESS_MAIN(tst_ScanIntegrator)
+USAR_TEST(tst_ScanIntegrator)
+
+} // namespace tst_scan_integrator
+
 #include "tst_scan_integrator.moc"

@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "core/mapping/shading.h"
+#include "tests/suite/suite.h"
+
+namespace tst_shading {
 
 using namespace usar::mapping;
 
@@ -81,5 +84,8 @@ void tst_Shading::tilesAreTurnedUpright() {
     QCOMPARE(std::count(pixels.begin(), pixels.end(), 0u), std::ptrdiff_t(HeightTile::cell_count - 2));
 }
 
-QTEST_APPLESS_MAIN(tst_Shading)
+USAR_TEST(tst_Shading)
+
+} // namespace tst_shading
+
 #include "tst_shading.moc"

@@ -53,6 +53,13 @@ struct SessionFixture {
         return QTest::qWaitFor([&] { return linesOfTickSeen(); });
     }
 
+    /// All that the session sent before has been heard, for it sends this after it.
+    bool answersAQuestion() {
+        const qsizetype before = server.heardOf("GETGEO").size();
+        session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, "test");
+        return QTest::qWaitFor([&] { return server.heardOf("GETGEO").size() > before; });
+    }
+
     bool said(const char* words) const {
         return std::ranges::any_of(
             notices, [&](const mission::Notice& notice) { return notice.text.find(words) != std::string::npos; });

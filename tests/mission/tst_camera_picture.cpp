@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "core/mission/camera_picture.h"
+#include "tests/suite/suite.h"
+
+namespace tst_camera_picture {
 
 using namespace usar;
 using namespace usar::mission;
@@ -34,7 +37,7 @@ QImage oneColor(QSize size) {
 
 } // namespace
 
-class TestCameraPicture : public QObject {
+class tst_CameraPicture : public QObject {
     Q_OBJECT
 
 private slots:
@@ -80,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCameraPicture)
+USAR_TEST(tst_CameraPicture)
+
+} // namespace tst_camera_picture
+
 #include "tst_camera_picture.moc"

@@ -2,6 +2,9 @@
 
 #include "core/mission/drive_gate.h"
 #include "core/protocol/command_writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_drive_gate {
 
 using namespace usar;
 using usar::mission::DriveGate;
@@ -210,5 +213,8 @@ void tst_DriveGate::saysWhetherOneWasReplaced() {
     QVERIFY(gate.offer(drive({.forward_m_s = 2.0})));
 }
 
-QTEST_APPLESS_MAIN(tst_DriveGate)
+USAR_TEST(tst_DriveGate)
+
+} // namespace tst_drive_gate
+
 #include "tst_drive_gate.moc"

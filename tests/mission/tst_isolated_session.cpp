@@ -7,6 +7,9 @@
 #include "core/agent/isolated_behavior.h"
 #include "tests/doubles/own_thread.h"
 #include "tests/mission/session_fixture.h"
+#include "tests/suite/suite.h"
+
+namespace tst_isolated_session {
 
 using namespace usar;
 using namespace usar::mission;
@@ -114,7 +117,7 @@ void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick() {
     {
         const test::OwnThread elsewhere(f.server);
         timer.start();
-        QMetaObject::invokeMethod(&f.server, [&] { f.server.tick(); });
+        link::post(&f.server, [&] { f.server.tick(); });
         told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
     }
     QVERIFY(told);
@@ -135,5 +138,8 @@ void tst_IsolatedSession::whatCannotBeStartedEndsTheBehaviorAndNotTheRobot() {
     QVERIFY(f.tickNow());
 }
 
-QTEST_GUILESS_MAIN(tst_IsolatedSession)
+USAR_TEST(tst_IsolatedSession)
+
+} // namespace tst_isolated_session
+
 #include "tst_isolated_session.moc"

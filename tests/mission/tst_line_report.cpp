@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "core/mission/line_report.h"
+#include "tests/suite/suite.h"
+
+namespace tst_line_report {
 
 using namespace usar;
 using namespace usar::mission;
@@ -104,5 +107,8 @@ void tst_LineReport::anEndlessLineIsLeftOutAndSaidOnce() {
     QVERIFY(printed.size() < 4096);
 }
 
-QTEST_APPLESS_MAIN(tst_LineReport)
+USAR_TEST(tst_LineReport)
+
+} // namespace tst_line_report
+
 #include "tst_line_report.moc"

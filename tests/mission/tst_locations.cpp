@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "app/locations.h"
+#include "tests/suite/suite.h"
+
+namespace tst_locations {
 
 using namespace usar;
 
@@ -51,5 +54,8 @@ void tst_Locations::whereThereIsNoWorldAtAllTheMendIsTold() {
     QVERIFY2(text.contains("There is none at all in /no/worlds; build or install"), qPrintable(text));
 }
 
-QTEST_GUILESS_MAIN(tst_Locations)
+USAR_TEST(tst_Locations)
+
+} // namespace tst_locations
+
 #include "tst_locations.moc"

@@ -5,6 +5,9 @@
 #include "core/mission/map_picture.h"
 #include "core/mission/picture_legend.h"
 #include "tests/mission/sample_scan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_map_picture {
 
 using namespace usar;
 using namespace usar::mission;
@@ -215,5 +218,8 @@ void tst_MapPicture::drawsASampleToLookAt() {
                 count(picture, markStyle(kind).color, 720)); // on the map and again in the legend
 }
 
-QTEST_MAIN(tst_MapPicture)
+USAR_TEST(tst_MapPicture)
+
+} // namespace tst_map_picture
+
 #include "tst_map_picture.moc"

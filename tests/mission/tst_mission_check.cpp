@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "core/mission/mission_check.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_check {
 
 using namespace usar;
 using namespace usar::mission;
@@ -171,5 +174,8 @@ void tst_MissionCheck::aBehaviorThatNeedsAnAreaSaysSo() {
                      "metres to the mission."));
 }
 
-QTEST_GUILESS_MAIN(tst_MissionCheck)
+USAR_TEST(tst_MissionCheck)
+
+} // namespace tst_mission_check
+
 #include "tst_mission_check.moc"

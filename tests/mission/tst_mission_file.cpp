@@ -8,6 +8,9 @@
 
 #include "core/mission/json_positions.h"
 #include "core/mission/mission_file.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_file {
 
 using namespace usar;
 using namespace usar::mission;
@@ -293,5 +296,8 @@ void tst_MissionFile::aHundredThousandKeysAreReadAtOnce() {
     QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed()))); // it was minutes
 }
 
-QTEST_APPLESS_MAIN(tst_MissionFile)
+USAR_TEST(tst_MissionFile)
+
+} // namespace tst_mission_file
+
 #include "tst_mission_file.moc"

@@ -2,6 +2,9 @@
 
 #include "core/mission/mission_options.h"
 #include "core/mission/progress_text.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_options {
 
 using namespace usar;
 using namespace usar::mission;
@@ -172,5 +175,8 @@ void tst_MissionOptions::clocksReadAsClocks() {
     QCOMPARE(QByteArray::fromStdString(clockText(Seconds{span_s})), text);
 }
 
-QTEST_APPLESS_MAIN(tst_MissionOptions)
+USAR_TEST(tst_MissionOptions)
+
+} // namespace tst_mission_options
+
 #include "tst_mission_options.moc"

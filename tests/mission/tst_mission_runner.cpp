@@ -5,8 +5,11 @@
 #include <QTest>
 
 #include "core/mission/mission_runner.h"
-#include "tests/doubles/event_wait.h"
 #include "tests/doubles/fake_robot_server.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
+
+namespace tst_mission_runner {
 
 using namespace usar;
 using namespace usar::mission;
@@ -358,5 +361,8 @@ void tst_MissionRunner::scoresAgainstTheTruthAndAsksForCollisions() {
     QCOMPARE(runner_->summary()["height_spread_m"].toDouble(), 0.25);
 }
 
-QTEST_MAIN(tst_MissionRunner)
+USAR_TEST(tst_MissionRunner)
+
+} // namespace tst_mission_runner
+
 #include "tst_mission_runner.moc"

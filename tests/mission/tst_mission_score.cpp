@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "core/mission/mission_score.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_score {
 
 using namespace usar;
 using namespace usar::mission;
@@ -92,5 +95,8 @@ void tst_MissionScore::aTruthThatEndsSomewhereIsLeftOut() {
     QVERIFY(std::abs(result.rmse_surface_m.value() - 0.5) < 1e-9);
 }
 
-QTEST_APPLESS_MAIN(tst_MissionScore)
+USAR_TEST(tst_MissionScore)
+
+} // namespace tst_mission_score
+
 #include "tst_mission_score.moc"

@@ -5,6 +5,9 @@
 #include <QTemporaryDir>
 
 #include "core/mission/mission_writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_writer {
 
 using namespace usar;
 using namespace usar::mission;
@@ -110,5 +113,8 @@ void tst_MissionWriter::aFolderThatIsNotThereIsNamed() {
     QCOMPARE(QString::fromStdString(saved.error().where), path);
 }
 
-QTEST_APPLESS_MAIN(tst_MissionWriter)
+USAR_TEST(tst_MissionWriter)
+
+} // namespace tst_mission_writer
+
 #include "tst_mission_writer.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "core/mission/plan_report.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_report {
 
 using namespace usar;
 using namespace usar::mission;
@@ -111,5 +114,8 @@ void tst_PlanReport::aFullDiskIsAnError() {
     QVERIFY(QString::fromStdString(reported.error().text()).contains("takes no more"));
 }
 
-QTEST_APPLESS_MAIN(tst_PlanReport)
+USAR_TEST(tst_PlanReport)
+
+} // namespace tst_plan_report
+
 #include "tst_plan_report.moc"

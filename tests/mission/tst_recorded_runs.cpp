@@ -13,6 +13,9 @@
 #include "core/posh/plan_reader.h"
 #include "core/posh/stub_host.h"
 #include "core/posh/trace_encoder.h"
+#include "tests/suite/suite.h"
+
+namespace tst_recorded_runs {
 
 using namespace usar;
 using namespace usar::mission;
@@ -207,5 +210,8 @@ void tst_RecordedRuns::theMachineReadsALineForEachThing() {
     QCOMPARE(element("▸ go")["type"].toString(), QString("act"));
 }
 
-QTEST_APPLESS_MAIN(tst_RecordedRuns)
+USAR_TEST(tst_RecordedRuns)
+
+} // namespace tst_recorded_runs
+
 #include "tst_recorded_runs.moc"

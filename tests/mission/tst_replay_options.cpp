@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "core/mission/replay_options.h"
+#include "tests/suite/suite.h"
+
+namespace tst_replay_options {
 
 using namespace usar;
 using namespace usar::mission;
@@ -81,5 +84,8 @@ void tst_ReplayOptions::onlyItsOwnVerbsAreItsBusiness() {
         QVERIFY(!isReplayVerb(verb));
 }
 
-QTEST_APPLESS_MAIN(tst_ReplayOptions)
+USAR_TEST(tst_ReplayOptions)
+
+} // namespace tst_replay_options
+
 #include "tst_replay_options.moc"

@@ -16,6 +16,9 @@
 
 #include "core/mission/result_writer.h"
 #include "tests/mission/sample_scan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_result_writer {
 
 using namespace usar;
 using namespace usar::mission;
@@ -305,5 +308,8 @@ void tst_ResultWriter::theUsualFolderIsOnTheDesktop() {
 }
 
 // Without a QGuiApplication, as a headless program may be: pictures must do without letters then.
-QTEST_GUILESS_MAIN(tst_ResultWriter)
+USAR_TEST(tst_ResultWriter)
+
+} // namespace tst_result_writer
+
 #include "tst_result_writer.moc"

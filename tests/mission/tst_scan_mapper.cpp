@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "core/mission/scan_mapper.h"
+#include "tests/suite/suite.h"
+
+namespace tst_scan_mapper {
 
 using namespace usar;
 using usar::mission::ScanMapper;
@@ -146,5 +149,8 @@ void tst_ScanMapper::clearingEmptiesTheMap() {
     QCOMPARE(mapper.map().cellSize_m(), 0.5);
 }
 
-QTEST_APPLESS_MAIN(tst_ScanMapper)
+USAR_TEST(tst_ScanMapper)
+
+} // namespace tst_scan_mapper
+
 #include "tst_scan_mapper.moc"

@@ -4,6 +4,9 @@
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "session_fixture.h"
+#include "tests/suite/suite.h"
+
+namespace tst_session_kinds {
 
 using namespace usar;
 using namespace usar::mission;
@@ -152,5 +155,8 @@ void tst_SessionKinds::aNewConnectionIsOfUnknownDialect() {
     QVERIFY(!f.session.figures().dialect.has_value());
 }
 
-QTEST_GUILESS_MAIN(tst_SessionKinds)
+USAR_TEST(tst_SessionKinds)
+
+} // namespace tst_session_kinds
+
 #include "tst_session_kinds.moc"

@@ -9,6 +9,9 @@
 #include "core/link/recording_text.h"
 #include "core/posh/trace_codec.h"
 #include "tests/mission/session_fixture.h"
+#include "tests/suite/suite.h"
+
+namespace tst_session_recording {
 
 using namespace usar;
 using namespace usar::mission;
@@ -239,8 +242,8 @@ void tst_SessionRecording::aRecordingBegunInTheMiddleKnowsItsRobotAndNumbers() {
     live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {}});
     QVERIFY(live.tickNow());
     live.server.say("STA {Type AerialVeh"); // a line is on its way
-    QTest::qWait(20);
     const auto before = live.session.figures().lines_received;
+    QVERIFY(live.answersAQuestion());
     const QString path = newPath();
     live.session.startRecording(path, {});
     live.server.say("icle} {Time 0.40} {Battery 1200}\r\n");
@@ -423,5 +426,8 @@ void tst_SessionRecording::aLostConnectionIsStaleInTheReplayAndOneWeClosedIsNot(
     }
 }
 
-QTEST_GUILESS_MAIN(tst_SessionRecording)
+USAR_TEST(tst_SessionRecording)
+
+} // namespace tst_session_recording
+
 #include "tst_session_recording.moc"

@@ -6,6 +6,9 @@
 #include "core/mission/complaint_book.h"
 #include "core/mission/sensor_watch.h"
 #include "core/mission/stream_name.h"
+#include "tests/suite/suite.h"
+
+namespace tst_session_watchers {
 
 using namespace usar;
 using namespace usar::mission;
@@ -191,5 +194,8 @@ void tst_SessionWatchers::gameInfoIsNoRobotData() {
     QVERIFY(isRobotData(protocol::InsReading{}));
 }
 
-QTEST_APPLESS_MAIN(tst_SessionWatchers)
+USAR_TEST(tst_SessionWatchers)
+
+} // namespace tst_session_watchers
+
 #include "tst_session_watchers.moc"

@@ -9,6 +9,9 @@
 #include "core/mission/walking_gait.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_stick_drive {
 
 using namespace usar;
 using namespace usar::mission;
@@ -64,8 +67,6 @@ double angleOf(const protocol::MultiDrive& drive, const char* name) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Stick)
 
 class tst_StickDrive : public QObject {
     Q_OBJECT
@@ -261,5 +262,8 @@ void tst_StickDrive::aTurningDogStepsLongerOnItsOuterSide() {
     QVERIFY(reachOf("RHLeg1") > reachOf("LHLeg1") + 0.1);
 }
 
-QTEST_APPLESS_MAIN(tst_StickDrive)
+USAR_TEST(tst_StickDrive)
+
+} // namespace tst_stick_drive
+
 #include "tst_stick_drive.moc"

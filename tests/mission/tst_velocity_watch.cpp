@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "core/mission/velocity_watch.h"
+#include "tests/suite/suite.h"
+
+namespace tst_velocity_watch {
 
 using namespace usar;
 using namespace usar::mission;
@@ -102,5 +105,8 @@ void tst_VelocityWatch::aReplayThatIsWoundBackBeginsAnew() {
     QVERIFY(!watch.twist());
 }
 
-QTEST_APPLESS_MAIN(tst_VelocityWatch)
+USAR_TEST(tst_VelocityWatch)
+
+} // namespace tst_velocity_watch
+
 #include "tst_velocity_watch.moc"

@@ -3,6 +3,9 @@
 #include "core/modules/query.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_query {
 
 using namespace usar;
 using namespace usar::modules;
@@ -231,5 +234,8 @@ void tst_Query::configurationsWorkAlike() {
     QCOMPARE(configuration.answer("Robot")->items[0].number("maxlinearvelocity").value(), 5.0);
 }
 
-QTEST_APPLESS_MAIN(tst_Query)
+USAR_TEST(tst_Query)
+
+} // namespace tst_query
+
 #include "tst_query.moc"

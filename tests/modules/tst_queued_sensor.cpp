@@ -3,6 +3,9 @@
 #include "core/modules/queued_sensor.h"
 #include "core/modules/specific_sensor.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_queued_sensor {
 
 using namespace usar;
 using namespace usar::modules;
@@ -106,5 +109,8 @@ void tst_QueuedSensor::aSpecificSensorWithoutANameFollowsAny() {
     QVERIFY(*ball.newest()->value.visible);
 }
 
-QTEST_APPLESS_MAIN(tst_QueuedSensor)
+USAR_TEST(tst_QueuedSensor)
+
+} // namespace tst_queued_sensor
+
 #include "tst_queued_sensor.moc"

@@ -2,6 +2,9 @@
 
 #include "core/modules/response.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_response {
 
 using namespace usar;
 
@@ -47,5 +50,8 @@ void tst_Response::pastItsCapacityTheOldestGoesAndIsCounted() {
     QCOMPARE(all.front().time->count(), 3.0);
 }
 
-QTEST_APPLESS_MAIN(tst_Response)
+USAR_TEST(tst_Response)
+
+} // namespace tst_response
+
 #include "tst_response.moc"

@@ -2,6 +2,9 @@
 
 #include "core/modules/robot_modules.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_robot_modules {
 
 using namespace usar;
 
@@ -49,5 +52,8 @@ void tst_RobotModules::newStartPosesReplaceTheOld() {
     QVERIFY(robot.start_poses && robot.start_poses->poses.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_RobotModules)
+USAR_TEST(tst_RobotModules)
+
+} // namespace tst_robot_modules
+
 #include "tst_robot_modules.moc"

@@ -2,6 +2,9 @@
 
 #include "core/modules/sensor.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_sensor {
 
 using namespace usar;
 
@@ -149,5 +152,8 @@ void tst_Sensor::aFloodOfNamesIsBounded() {
     QCOMPARE(fed.sensors.all<protocol::SonarReadings>().size(), std::size_t(256));
 }
 
-QTEST_APPLESS_MAIN(tst_Sensor)
+USAR_TEST(tst_Sensor)
+
+} // namespace tst_sensor
+
 #include "tst_sensor.moc"

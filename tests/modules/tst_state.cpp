@@ -2,6 +2,9 @@
 
 #include "core/modules/state.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_state {
 
 using namespace usar;
 
@@ -116,5 +119,8 @@ void tst_State::keepsTheNewestOfEveryPackageAndEffecter() {
     QVERIFY(*state.effecter("G")->closed);
 }
 
-QTEST_APPLESS_MAIN(tst_State)
+USAR_TEST(tst_State)
+
+} // namespace tst_state
+
 #include "tst_state.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_adopts {
 
 using namespace usar::posh;
 
@@ -81,5 +84,8 @@ void tst_Adopts::anInnerGoalLeavesTheAdoptForTheNextCycle() {
     QVERIFY(trial.cycle(1).contains("init eat"));
 }
 
-QTEST_APPLESS_MAIN(tst_Adopts)
+USAR_TEST(tst_Adopts)
+
+} // namespace tst_adopts
+
 #include "tst_adopts.moc"

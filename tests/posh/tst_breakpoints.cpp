@@ -3,6 +3,9 @@
 
 #include "core/posh/breakpoints.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_breakpoints {
 
 using namespace usar;
 using namespace usar::posh;
@@ -166,5 +169,8 @@ void tst_Breakpoints::conditionsThatAreNoneAreRejected() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_Breakpoints)
+USAR_TEST(tst_Breakpoints)
+
+} // namespace tst_breakpoints
+
 #include "tst_breakpoints.moc"

@@ -5,6 +5,9 @@
 
 #include "core/posh/comparison.h"
 #include "core/posh/value_text.h"
+#include "tests/suite/suite.h"
+
+namespace tst_comparison {
 
 using namespace usar::posh;
 
@@ -125,5 +128,8 @@ void tst_Comparison::isWritten() {
     QCOMPARE(QString::fromStdString(toText(value)), QString(expected));
 }
 
-QTEST_APPLESS_MAIN(tst_Comparison)
+USAR_TEST(tst_Comparison)
+
+} // namespace tst_comparison
+
 #include "tst_comparison.moc"

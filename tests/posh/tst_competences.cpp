@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_competences {
 
 using namespace usar::posh;
 
@@ -128,5 +131,8 @@ void tst_Competences::retriesThatAreNoneAreUnlimited() {
         QVERIFY(trial.cycle(cycle).contains("run poke"));
 }
 
-QTEST_APPLESS_MAIN(tst_Competences)
+USAR_TEST(tst_Competences)
+
+} // namespace tst_competences
+
 #include "tst_competences.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_drives {
 
 using namespace usar::posh;
 
@@ -155,5 +158,8 @@ void tst_Drives::allSensesOfTheGoalMustHold() {
     QCOMPARE(trial.cycle(1), "sense x -> true T; sense y -> 1.5 T; end GoalSatisfied");
 }
 
-QTEST_APPLESS_MAIN(tst_Drives)
+USAR_TEST(tst_Drives)
+
+} // namespace tst_drives
+
 #include "tst_drives.moc"

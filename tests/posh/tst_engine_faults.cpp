@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_engine_faults {
 
 using namespace usar::posh;
 
@@ -215,5 +218,8 @@ void tst_EngineFaults::plansThatCannotRunSayWhy() {
     QVERIFY2(QString::fromStdString(program.error().text()).contains(what), program.error().text().c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_EngineFaults)
+USAR_TEST(tst_EngineFaults)
+
+} // namespace tst_engine_faults
+
 #include "tst_engine_faults.moc"

@@ -11,6 +11,9 @@
 #include "tests/posh/random_plan.h"
 #include "tests/posh/run_monitor.h"
 #include "tests/posh/scripted_host.h"
+#include "tests/suite/suite.h"
+
+namespace tst_engine_properties {
 
 using namespace usar;
 using namespace usar::posh;
@@ -355,5 +358,8 @@ void tst_EngineProperties::equalDrivesTakeTurns() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_EngineProperties)
+USAR_TEST(tst_EngineProperties)
+
+} // namespace tst_engine_properties
+
 #include "tst_engine_properties.moc"

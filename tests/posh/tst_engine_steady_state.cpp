@@ -3,6 +3,9 @@
 
 #include "tests/doubles/allocation_counter.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_engine_steady_state {
 
 using namespace usar::posh;
 
@@ -92,5 +95,8 @@ void tst_EngineSteadyState::aCycleAllocatesNothing() {
     QCOMPARE(observer.records > 20000, watched);
 }
 
-QTEST_APPLESS_MAIN(tst_EngineSteadyState)
+USAR_TEST(tst_EngineSteadyState)
+
+} // namespace tst_engine_steady_state
+
 #include "tst_engine_steady_state.moc"

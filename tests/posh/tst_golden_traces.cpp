@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/posh/trace_vector.h"
+#include "tests/suite/suite.h"
+
+namespace tst_golden_traces {
 
 class tst_GoldenTraces : public QObject {
     Q_OBJECT
@@ -33,5 +36,8 @@ void tst_GoldenTraces::comeOutAsWritten() {
         QCOMPARE(ours.value(i), expected.value(i));
 }
 
-QTEST_APPLESS_MAIN(tst_GoldenTraces)
+USAR_TEST(tst_GoldenTraces)
+
+} // namespace tst_golden_traces
+
 #include "tst_golden_traces.moc"

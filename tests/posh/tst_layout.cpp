@@ -11,6 +11,9 @@
 #include "core/posh/token.h"
 #include "plan_corpus.h"
 #include "random_plan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_layout {
 
 using namespace usar;
 using namespace usar::posh;
@@ -109,8 +112,6 @@ std::string wordsOf(const Plan& plan) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Edit)
 
 class tst_Layout : public QObject {
     Q_OBJECT
@@ -271,5 +272,8 @@ void tst_Layout::anyEditReadsBack() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_Layout)
+USAR_TEST(tst_Layout)
+
+} // namespace tst_layout
+
 #include "tst_layout.moc"

@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "core/posh/number_table.h"
+#include "tests/suite/suite.h"
+
+namespace tst_number_table {
 
 using usar::posh::NumberTable;
 
@@ -71,5 +74,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_NumberTable)
+USAR_TEST(tst_NumberTable)
+
+} // namespace tst_number_table
+
 #include "tst_number_table.moc"

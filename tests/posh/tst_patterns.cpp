@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_patterns {
 
 using namespace usar::posh;
 
@@ -101,5 +104,8 @@ void tst_Patterns::patternsNest() {
     QVERIFY(trial.cycle(1).contains("init last"));
 }
 
-QTEST_APPLESS_MAIN(tst_Patterns)
+USAR_TEST(tst_Patterns)
+
+} // namespace tst_patterns
+
 #include "tst_patterns.moc"

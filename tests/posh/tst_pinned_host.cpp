@@ -3,6 +3,9 @@
 
 #include "core/posh/pinned_host.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_pinned_host {
 
 using namespace usar;
 using namespace usar::posh;
@@ -105,5 +108,8 @@ void tst_PinnedHost::pinsOutliveThePlan() {
     QCOMPARE(robot.calls[1], std::string("init swim"));
 }
 
-QTEST_APPLESS_MAIN(tst_PinnedHost)
+USAR_TEST(tst_PinnedHost)
+
+} // namespace tst_pinned_host
+
 #include "tst_pinned_host.moc"

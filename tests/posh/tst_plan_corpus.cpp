@@ -5,6 +5,9 @@
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_walk.h"
 #include "plan_corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_corpus {
 
 using namespace usar;
 using namespace usar::posh;
@@ -61,8 +64,6 @@ void addRows(bool with_error) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(corpus::PlanFile)
-
 class tst_PlanCorpus : public QObject {
     Q_OBJECT
 private slots:
@@ -100,5 +101,8 @@ void tst_PlanCorpus::everyErrorSaysTheMend() {
         QVERIFY2(finding.message.find("; ") != std::string::npos, toText(finding).c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_PlanCorpus)
+USAR_TEST(tst_PlanCorpus)
+
+} // namespace tst_plan_corpus
+
 #include "tst_plan_corpus.moc"

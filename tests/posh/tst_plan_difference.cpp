@@ -8,6 +8,9 @@
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
 #include "random_plan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_difference {
 
 using namespace usar;
 using namespace usar::posh;
@@ -190,5 +193,8 @@ void tst_PlanDifference::everyEditIsTold() {
     QVERIFY2(told > 500, qPrintable(QString::number(told)));
 }
 
-QTEST_APPLESS_MAIN(tst_PlanDifference)
+USAR_TEST(tst_PlanDifference)
+
+} // namespace tst_plan_difference
+
 #include "tst_plan_difference.moc"

@@ -14,6 +14,9 @@
 #include "core/posh/program.h"
 #include "core/posh/token.h"
 #include "random_plan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_edits {
 
 using namespace usar;
 using namespace usar::posh;
@@ -158,8 +161,6 @@ private:
 };
 
 } // namespace
-
-Q_DECLARE_METATYPE(Edit)
 
 class tst_PlanEdits : public QObject {
     Q_OBJECT
@@ -490,5 +491,8 @@ void tst_PlanEdits::renamingThereAndBackGivesTheSameBytes() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_PlanEdits)
+USAR_TEST(tst_PlanEdits)
+
+} // namespace tst_plan_edits
+
 #include "tst_plan_edits.moc"

@@ -6,6 +6,9 @@
 #include "core/posh/plan_reader.h"
 #include "core/posh/plan_writer.h"
 #include "plan_corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_errors {
 
 using namespace usar;
 using namespace usar::posh;
@@ -264,5 +267,8 @@ void tst_PlanErrors::manyBadCharactersAreToldOnce() {
     QVERIFY(QString::fromStdString(findings.back().message).startsWith("there are more"));
 }
 
-QTEST_APPLESS_MAIN(tst_PlanErrors)
+USAR_TEST(tst_PlanErrors)
+
+} // namespace tst_plan_errors
+
 #include "tst_plan_errors.moc"

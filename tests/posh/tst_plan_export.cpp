@@ -4,6 +4,9 @@
 #include "core/posh/plan_reader.h"
 #include "plan_corpus.h"
 #include "random_plan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_export {
 
 using namespace usar;
 using namespace usar::posh;
@@ -33,8 +36,6 @@ std::string complaintOn(const Plan& plan, Dialect dialect) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Dialect)
 
 class tst_PlanExport : public QObject {
     Q_OBJECT
@@ -129,5 +130,8 @@ void tst_PlanExport::randomPlansAreExported() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_PlanExport)
+USAR_TEST(tst_PlanExport)
+
+} // namespace tst_plan_export
+
 #include "tst_plan_export.moc"

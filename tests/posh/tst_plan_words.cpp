@@ -7,6 +7,9 @@
 #include "core/posh/literal.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/token.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_words {
 
 using namespace usar;
 using namespace usar::posh;
@@ -37,8 +40,6 @@ QString tokensOf(const std::string& text) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Value)
 
 class tst_PlanWords : public QObject {
     Q_OBJECT
@@ -254,5 +255,8 @@ void tst_PlanWords::theEndIsOnePastTheLastCharacter() {
     QCOMPARE(QPoint(static_cast<int>(at.line), static_cast<int>(at.column)), place);
 }
 
-QTEST_APPLESS_MAIN(tst_PlanWords)
+USAR_TEST(tst_PlanWords)
+
+} // namespace tst_plan_words
+
 #include "tst_plan_words.moc"

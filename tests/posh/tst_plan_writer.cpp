@@ -4,6 +4,9 @@
 #include "core/posh/plan_writer.h"
 #include "plan_corpus.h"
 #include "random_plan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plan_writer {
 
 using namespace usar;
 using namespace usar::posh;
@@ -85,5 +88,8 @@ void tst_PlanWriter::tenThousandRandomPlansReadTheSame() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_PlanWriter)
+USAR_TEST(tst_PlanWriter)
+
+} // namespace tst_plan_writer
+
 #include "tst_plan_writer.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_program {
 
 using namespace usar::posh;
 
@@ -115,5 +118,8 @@ void tst_Program::aPlaceIsFoundByPathOrNames() {
     QCOMPARE(pathFound("/P:0/DC:0/DE:0", "d ▸ c"), std::string("nowhere"));
 }
 
-QTEST_APPLESS_MAIN(tst_Program)
+USAR_TEST(tst_Program)
+
+} // namespace tst_program
+
 #include "tst_program.moc"

@@ -8,6 +8,9 @@
 #include "core/posh/plan_reader.h"
 #include "core/posh/quick_fixes.h"
 #include "plan_corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_quick_fixes {
 
 using namespace usar;
 using namespace usar::posh;
@@ -273,5 +276,8 @@ void tst_QuickFixes::differenceIsShortAndWhole() {
         QCOMPARE(QByteArray::fromStdString(edits.front().text), piece);
 }
 
-QTEST_APPLESS_MAIN(tst_QuickFixes)
+USAR_TEST(tst_QuickFixes)
+
+} // namespace tst_quick_fixes
+
 #include "tst_quick_fixes.moc"

@@ -1,9 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/posh/engine.h"
 #include "core/posh/plan_reader.h"
 #include "core/posh/run_activity.h"
 #include "core/posh/stub_host.h"
+#include "tests/suite/suite.h"
+
+namespace tst_run_activity {
 
 using namespace usar::posh;
 
@@ -137,5 +141,8 @@ void tst_RunActivity::anotherProgramBeginsAnew() {
     QVERIFY(run.at("only").running);
 }
 
-QTEST_APPLESS_MAIN(tst_RunActivity)
+USAR_TEST(tst_RunActivity)
+
+} // namespace tst_run_activity
+
 #include "tst_run_activity.moc"

@@ -10,6 +10,9 @@
 #include "tests/posh/random_plan.h"
 #include "tests/posh/scripted_host.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_run_history {
 
 using namespace usar;
 using namespace usar::posh;
@@ -205,5 +208,8 @@ void tst_RunHistory::anotherTraceIsAnotherRun() {
     QVERIFY(history.moments().empty() && !history.newest().program());
 }
 
-QTEST_APPLESS_MAIN(tst_RunHistory)
+USAR_TEST(tst_RunHistory)
+
+} // namespace tst_run_history
+
 #include "tst_run_history.moc"

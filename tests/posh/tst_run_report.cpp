@@ -3,6 +3,9 @@
 
 #include "core/posh/run_report.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_run_report {
 
 using namespace usar;
 using namespace usar::posh;
@@ -108,5 +111,8 @@ void tst_RunReport::runsAddUp() {
     QCOMPARE(all.cycles(), std::uint64_t(12));
 }
 
-QTEST_APPLESS_MAIN(tst_RunReport)
+USAR_TEST(tst_RunReport)
+
+} // namespace tst_run_report
+
 #include "tst_run_report.moc"

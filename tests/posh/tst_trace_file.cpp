@@ -10,6 +10,9 @@
 #include "tests/posh/random_plan.h"
 #include "tests/posh/scripted_host.h"
 #include "tests/posh/trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_trace_file {
 
 using namespace usar;
 using namespace usar::posh;
@@ -248,5 +251,8 @@ void tst_TraceFile::rejectsWhatIsNoTrace() {
     QVERIFY(!TraceFile::open("USARPOSH2\nof another version"));
 }
 
-QTEST_APPLESS_MAIN(tst_TraceFile)
+USAR_TEST(tst_TraceFile)
+
+} // namespace tst_trace_file
+
 #include "tst_trace_file.moc"

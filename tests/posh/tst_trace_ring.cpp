@@ -4,6 +4,9 @@
 #include <thread>
 
 #include "core/posh/trace_ring.h"
+#include "tests/suite/suite.h"
+
+namespace tst_trace_ring {
 
 using namespace usar::posh;
 
@@ -92,5 +95,8 @@ void tst_TraceRing::losesNothingSilentlyBetweenTwoThreads() {
     QCOMPARE(seen + ring.dropped(), count);
 }
 
-QTEST_APPLESS_MAIN(tst_TraceRing)
+USAR_TEST(tst_TraceRing)
+
+} // namespace tst_trace_ring
+
 #include "tst_trace_ring.moc"

@@ -7,6 +7,9 @@
 
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_bad_lines {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -141,5 +144,8 @@ void tst_BadLines::anEndlessLineIsDroppedAndReadingGoesOn() {
     QVERIFY(lines == std::vector<std::string>{"STA {Time 1}"});
 }
 
-QTEST_APPLESS_MAIN(tst_BadLines)
+USAR_TEST(tst_BadLines)
+
+} // namespace tst_bad_lines
+
 #include "tst_bad_lines.moc"

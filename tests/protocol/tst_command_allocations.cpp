@@ -3,6 +3,9 @@
 #include "any_command.h"
 #include "core/protocol/command_writer.h"
 #include "tests/doubles/allocation_counter.h"
+#include "tests/suite/suite.h"
+
+namespace tst_command_allocations {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -47,5 +50,8 @@ void tst_CommandAllocations::writingIntoATextWithRoomAllocatesNothing() {
     QCOMPARE(made, std::size_t{0});
 }
 
-QTEST_APPLESS_MAIN(tst_CommandAllocations)
+USAR_TEST(tst_CommandAllocations)
+
+} // namespace tst_command_allocations
+
 #include "tst_command_allocations.moc"

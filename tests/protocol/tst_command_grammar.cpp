@@ -5,6 +5,9 @@
 #include "core/protocol/command_grammar.h"
 #include "core/protocol/command_reader.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_command_grammar {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -156,5 +159,8 @@ void tst_CommandGrammar::everyPrefixOfEveryLineIsCheckedAndCompleted() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_CommandGrammar)
+USAR_TEST(tst_CommandGrammar)
+
+} // namespace tst_command_grammar
+
 #include "tst_command_grammar.moc"

@@ -5,6 +5,9 @@
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_command_reader {
 
 using namespace usar;
 using namespace std::string_literals;
@@ -417,5 +420,8 @@ void tst_CommandReader::whatIsTakenFromAnOddLineIsWrittenSo() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_CommandReader)
+USAR_TEST(tst_CommandReader)
+
+} // namespace tst_command_reader
+
 #include "tst_command_reader.moc"

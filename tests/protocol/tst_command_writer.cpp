@@ -3,6 +3,9 @@
 #include "any_command.h"
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_command_writer {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -271,5 +274,8 @@ void tst_CommandWriter::factoriesMakeWhatTheyAreNamedAfter() {
     QVERIFY(JointDrive::withTorque("Knee", 5.0) == (JointDrive{"Knee", JointOrder::Torque, 5.0}));
 }
 
-QTEST_APPLESS_MAIN(tst_CommandWriter)
+USAR_TEST(tst_CommandWriter)
+
+} // namespace tst_command_writer
+
 #include "tst_command_writer.moc"

@@ -3,6 +3,9 @@
 #include "core/base/geometry.h"
 #include "core/protocol/info/configurations.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_configurations {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -157,5 +160,8 @@ void tst_Configurations::eachKindIsItsOwnAlone() {
     QCOMPARE(found, kinds);
 }
 
-QTEST_APPLESS_MAIN(tst_Configurations)
+USAR_TEST(tst_Configurations)
+
+} // namespace tst_configurations
+
 #include "tst_configurations.moc"

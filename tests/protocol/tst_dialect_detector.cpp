@@ -2,6 +2,9 @@
 
 #include "core/protocol/dialect_detector.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_dialect_detector {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -129,5 +132,8 @@ void tst_DialectDetector::twoConnectionsAtOnceAreToldApart() {
     QCOMPARE(told(udk), QByteArray("UDK"));
 }
 
-QTEST_APPLESS_MAIN(tst_DialectDetector)
+USAR_TEST(tst_DialectDetector)
+
+} // namespace tst_dialect_detector
+
 #include "tst_dialect_detector.moc"

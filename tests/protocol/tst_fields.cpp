@@ -8,6 +8,9 @@
 #include "core/protocol/fields.h"
 #include "core/protocol/reader.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_fields {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -163,5 +166,8 @@ void tst_Fields::tellsTheTimeOfAnyMessage() {
     QCOMPARE(timeOf(messageOf(line.toStdString())).value_or(Seconds(-1.0)).count(), time_s);
 }
 
-QTEST_APPLESS_MAIN(tst_Fields)
+USAR_TEST(tst_Fields)
+
+} // namespace tst_fields
+
 #include "tst_fields.moc"

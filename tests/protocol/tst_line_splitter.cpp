@@ -6,6 +6,9 @@
 #include "core/base/random.h"
 #include "core/protocol/line_splitter.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_line_splitter {
 
 using namespace usar;
 using protocol::LineSplitter;
@@ -137,5 +140,8 @@ void tst_LineSplitter::resetForgetsTheUnfinishedLine() {
     QCOMPARE(linesOf(splitter, {"whole\n"}), Lines{"whole"});
 }
 
-QTEST_APPLESS_MAIN(tst_LineSplitter)
+USAR_TEST(tst_LineSplitter)
+
+} // namespace tst_line_splitter
+
 #include "tst_line_splitter.moc"

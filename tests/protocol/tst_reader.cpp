@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_reader {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -474,5 +477,8 @@ void tst_Reader::keepsUnknownLinesWhole() {
     QCOMPARE(cleanly<GenericMessage>("HTTP/1.1 400 Bad Request").type_word, std::string("HTTP/1.1 400 Bad Request"));
 }
 
-QTEST_APPLESS_MAIN(tst_Reader)
+USAR_TEST(tst_Reader)
+
+} // namespace tst_reader
+
 #include "tst_reader.moc"

@@ -7,6 +7,9 @@
 #include "core/protocol/reader.h"
 #include "core/protocol/writer.h"
 #include "corpus.h"
+#include "tests/suite/suite.h"
+
+namespace tst_reader_corpus {
 
 using namespace usar;
 using namespace std::string_literals;
@@ -164,5 +167,8 @@ void tst_ReaderCorpus::writingWhatWasReadReadsTheSameAgain() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_ReaderCorpus)
+USAR_TEST(tst_ReaderCorpus)
+
+} // namespace tst_reader_corpus
+
 #include "tst_reader_corpus.moc"

@@ -4,6 +4,9 @@
 
 #include "core/base/random.h"
 #include "core/protocol/segments.h"
+#include "tests/suite/suite.h"
+
+namespace tst_segments {
 
 using namespace usar;
 using namespace std::string_literals;
@@ -168,5 +171,8 @@ void tst_Segments::survivesAnyBytes() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_Segments)
+USAR_TEST(tst_Segments)
+
+} // namespace tst_segments
+
 #include "tst_segments.moc"

@@ -8,6 +8,9 @@
 #include "core/protocol/fields.h"
 #include "core/protocol/reader.h"
 #include "core/protocol/writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_sensor_table {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -243,5 +246,8 @@ void tst_SensorTable::damageLeavesTheLineGenericAndSaysWhy() {
     QCOMPARE(result.text, line.toStdString());
 }
 
-QTEST_APPLESS_MAIN(tst_SensorTable)
+USAR_TEST(tst_SensorTable)
+
+} // namespace tst_sensor_table
+
 #include "tst_sensor_table.moc"

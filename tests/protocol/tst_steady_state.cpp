@@ -7,6 +7,9 @@
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/reader.h"
 #include "tests/doubles/allocation_counter.h"
+#include "tests/suite/suite.h"
+
+namespace tst_steady_state {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -86,5 +89,8 @@ void tst_SteadyState::theCounterCounts() {
     QVERIFY(allocations > before);
 }
 
-QTEST_APPLESS_MAIN(tst_SteadyState)
+USAR_TEST(tst_SteadyState)
+
+} // namespace tst_steady_state
+
 #include "tst_steady_state.moc"

@@ -2,6 +2,9 @@
 
 #include "core/base/random.h"
 #include "core/protocol/wire_frame.h"
+#include "tests/suite/suite.h"
+
+namespace tst_wire_frame {
 
 using namespace usar;
 using protocol::acrossWire;
@@ -72,5 +75,8 @@ void tst_WireFrame::crossingIsHalfATurnAboutX() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_WireFrame)
+USAR_TEST(tst_WireFrame)
+
+} // namespace tst_wire_frame
+
 #include "tst_wire_frame.moc"

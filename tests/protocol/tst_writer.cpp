@@ -5,6 +5,9 @@
 #include "core/base/random.h"
 #include "core/protocol/reader.h"
 #include "core/protocol/writer.h"
+#include "tests/suite/suite.h"
+
+namespace tst_writer {
 
 using namespace usar;
 using namespace usar::protocol;
@@ -170,5 +173,8 @@ void tst_Writer::discreteMessagesComeBackExactly() {
     QVERIFY(readAgain(infrared) == infrared);
 }
 
-QTEST_APPLESS_MAIN(tst_Writer)
+USAR_TEST(tst_Writer)
+
+} // namespace tst_writer
+
 #include "tst_writer.moc"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/sim/worlds/building.h"
 #include "core/sim/worlds/point_lookout.h"
@@ -12,7 +12,7 @@
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// What the truth says of a dive. Heights are over the bottom straight below, from when the robot first had its height.
 struct Dive {
@@ -87,4 +87,4 @@ inline Dive diveInTheSea(std::uint64_t seed, Seconds duration) {
     return dive(world, start->pose_in_map, seed, duration);
 }
 
-} // namespace usar::tests
+} // namespace usar::test

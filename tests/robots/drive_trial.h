@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/sim/worlds/tall_test.h"
 #include "core/sim/worlds/vmac_room.h"
@@ -11,7 +11,7 @@
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// Worlds as they ship, and the areas of the missions that ship.
 enum class DriveWorld { Room, Meadow };
@@ -51,4 +51,4 @@ inline void tryDrive(DriveWorld where, const std::string& behavior_id, std::uint
     QVERIFY(areaOf(where).contains(truth.base_in_map.position_m.head<2>()));
 }
 
-} // namespace usar::tests
+} // namespace usar::test

@@ -1,14 +1,14 @@
 // One play of an ERS in the simulation, judged: what the loop test and the long campaign share.
 #pragma once
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/sim/worlds/spqr_soccer.h"
 #include "robots/ers/descriptions.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 struct Play {
     sim::RobotTruth truth;
@@ -47,4 +47,4 @@ inline Play play(std::uint64_t seed, Seconds duration) {
     return result;
 }
 
-} // namespace usar::tests
+} // namespace usar::test

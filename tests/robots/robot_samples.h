@@ -6,7 +6,7 @@
 #include "robots/airrobot/obstacle_memory.h"
 #include "robots/airrobot/senses.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// At `position_m`, level, six metres over flat ground, nothing within the sonars' range.
 inline airrobot::Senses sensesAt(const Vec3& position_m, double yaw_rad = 0.0, double now_s = 100.0) {
@@ -62,4 +62,4 @@ inline airrobot::Obstacle wallAt(double x_m, double y_m, double top_m = 100.0, b
     return {Vec2(x_m, y_m), top_m, known};
 }
 
-} // namespace usar::tests
+} // namespace usar::test

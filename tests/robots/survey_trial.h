@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/sim/worlds/tall_test.h"
 #include "robots/airrobot/descriptions.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"
 
-namespace usar::tests {
+namespace usar::test {
 
 /// Flies the behavior over `area_in_map` from PlayerStart of the world that ships; reports figures, demands a landing,
 /// no collision and 95 % of the cells.
@@ -41,4 +41,4 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
     QVERIFY((flight.truth().base_in_map.position_m - start_in_map.position_m).norm() < 5.0);
 }
 
-} // namespace usar::tests
+} // namespace usar::test

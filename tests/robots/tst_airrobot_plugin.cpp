@@ -1,11 +1,16 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/agent/plugin_loader.h"
+#include "tests/suite/suite.h"
+
+namespace tst_airrobot_plugin {
 
 using namespace usar;
 using namespace usar::agent;
 
-class TestAirRobotPlugin : public QObject {
+class tst_AirRobotPlugin : public QObject {
     Q_OBJECT
 
 private slots:
@@ -37,5 +42,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAirRobotPlugin)
+USAR_TEST(tst_AirRobotPlugin)
+
+} // namespace tst_airrobot_plugin
+
 #include "tst_airrobot_plugin.moc"

@@ -1,13 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/altitude_hold.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_altitude_hold {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestAltitudeHold : public QObject {
+class tst_AltitudeHold : public QObject {
     Q_OBJECT
 
     Settings settings;
@@ -108,5 +112,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAltitudeHold)
+USAR_TEST(tst_AltitudeHold)
+
+} // namespace tst_altitude_hold
+
 #include "tst_altitude_hold.moc"

@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/battery_model.h"
+#include "tests/suite/suite.h"
+
+namespace tst_battery_model {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestBatteryModel : public QObject {
+class tst_BatteryModel : public QObject {
     Q_OBJECT
 
 private slots:
@@ -78,5 +82,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBatteryModel)
+USAR_TEST(tst_BatteryModel)
+
+} // namespace tst_battery_model
+
 #include "tst_battery_model.moc"

@@ -1,13 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/climb_over.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_climb_over {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestClimbOver : public QObject {
+class tst_ClimbOver : public QObject {
     Q_OBJECT
 
     const Settings settings;
@@ -100,5 +104,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClimbOver)
+USAR_TEST(tst_ClimbOver)
+
+} // namespace tst_climb_over
+
 #include "tst_climb_over.moc"

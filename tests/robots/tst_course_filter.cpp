@@ -1,12 +1,16 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/base/random.h"
 #include "robots/airrobot/course_filter.h"
+#include "tests/suite/suite.h"
+
+namespace tst_course_filter {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestCourseFilter : public QObject {
+class tst_CourseFilter : public QObject {
     Q_OBJECT
 
     /// A robot that does what it is told; its INS is off by `error_rad`.
@@ -137,5 +141,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCourseFilter)
+USAR_TEST(tst_CourseFilter)
+
+} // namespace tst_course_filter
+
 #include "tst_course_filter.moc"

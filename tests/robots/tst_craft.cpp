@@ -1,13 +1,17 @@
 #include <optional>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/craft.h"
+#include "tests/suite/suite.h"
+
+namespace tst_craft {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestCraft : public QObject {
+class tst_Craft : public QObject {
     Q_OBJECT
 
     std::optional<modules::RobotModules> robot;
@@ -124,5 +128,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCraft)
+USAR_TEST(tst_Craft)
+
+} // namespace tst_craft
+
 #include "tst_craft.moc"

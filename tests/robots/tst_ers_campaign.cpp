@@ -1,9 +1,12 @@
 #include "tests/robots/play_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ers_campaign {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestErsCampaign : public QObject {
+class tst_ErsCampaign : public QObject {
     Q_OBJECT
 
 private slots:
@@ -20,5 +23,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErsCampaign)
+USAR_TEST(tst_ErsCampaign)
+
+} // namespace tst_ers_campaign
+
 #include "tst_ers_campaign.moc"

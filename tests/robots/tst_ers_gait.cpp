@@ -1,9 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/agent/behavior_host.h"
 #include "core/protocol/reader.h"
 #include "robots/ers/descriptions.h"
 #include "robots/ers/gait.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ers_gait {
 
 using namespace usar;
 using namespace usar::ers;
@@ -78,7 +82,7 @@ const std::string below = "{Pos3D 0.2,0,0.1} {Visible true}";
 
 } // namespace
 
-class TestErsGait : public QObject {
+class tst_ErsGait : public QObject {
     Q_OBJECT
 
 private slots:
@@ -158,5 +162,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErsGait)
+USAR_TEST(tst_ErsGait)
+
+} // namespace tst_ers_gait
+
 #include "tst_ers_gait.moc"

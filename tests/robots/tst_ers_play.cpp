@@ -1,9 +1,12 @@
 #include "tests/robots/play_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ers_play {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestErsPlay : public QObject {
+class tst_ErsPlay : public QObject {
     Q_OBJECT
 
 private slots:
@@ -26,5 +29,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErsPlay)
+USAR_TEST(tst_ErsPlay)
+
+} // namespace tst_ers_play
+
 #include "tst_ers_play.moc"

@@ -1,13 +1,18 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/airrobot/evasion.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_evasion {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestEvasion : public QObject {
+class tst_Evasion : public QObject {
     Q_OBJECT
 
     using Ranges = std::vector<std::pair<std::string, double>>;
@@ -169,5 +174,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEvasion)
+USAR_TEST(tst_Evasion)
+
+} // namespace tst_evasion
+
 #include "tst_evasion.moc"

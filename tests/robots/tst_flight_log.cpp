@@ -1,14 +1,18 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/flight_log.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_flight_log {
 
 using namespace usar;
 using namespace usar::airrobot;
 using namespace usar::agent;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestFlightLog : public QObject {
+class tst_FlightLog : public QObject {
     Q_OBJECT
 
     const Settings settings;
@@ -121,5 +125,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFlightLog)
+USAR_TEST(tst_FlightLog)
+
+} // namespace tst_flight_log
+
 #include "tst_flight_log.moc"

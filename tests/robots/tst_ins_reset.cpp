@@ -1,13 +1,17 @@
 #include <optional>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/ins_reset.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ins_reset {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestInsReset : public QObject {
+class tst_InsReset : public QObject {
     Q_OBJECT
 
     std::optional<modules::RobotModules> robot;
@@ -124,5 +128,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestInsReset)
+USAR_TEST(tst_InsReset)
+
+} // namespace tst_ins_reset
+
 #include "tst_ins_reset.moc"

@@ -1,13 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/landing.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_landing {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestLanding : public QObject {
+class tst_Landing : public QObject {
     Q_OBJECT
 
     static ObstacleMemory meadow(const std::vector<Vec3>& things = {}) {
@@ -80,5 +84,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLanding)
+USAR_TEST(tst_Landing)
+
+} // namespace tst_landing
+
 #include "tst_landing.moc"

@@ -1,13 +1,17 @@
 #include <optional>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/launch_checklist.h"
+#include "tests/suite/suite.h"
+
+namespace tst_launch_checklist {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestLaunchChecklist : public QObject {
+class tst_LaunchChecklist : public QObject {
     Q_OBJECT
 
     std::optional<modules::RobotModules> robot;
@@ -106,5 +110,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLaunchChecklist)
+USAR_TEST(tst_LaunchChecklist)
+
+} // namespace tst_launch_checklist
+
 #include "tst_launch_checklist.moc"

@@ -1,13 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/obstacle_memory.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_obstacle_memory {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestObstacleMemory : public QObject {
+class tst_ObstacleMemory : public QObject {
     Q_OBJECT
 
     const MemorySpans spans{Seconds(100.0), Seconds(10.0)};
@@ -151,5 +155,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestObstacleMemory)
+USAR_TEST(tst_ObstacleMemory)
+
+} // namespace tst_obstacle_memory
+
 #include "tst_obstacle_memory.moc"

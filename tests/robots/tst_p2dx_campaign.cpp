@@ -1,9 +1,12 @@
 #include "tests/robots/drive_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_p2dx_campaign {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestP2dxCampaign : public QObject {
+class tst_P2dxCampaign : public QObject {
     Q_OBJECT
 
 private slots:
@@ -28,5 +31,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestP2dxCampaign)
+USAR_TEST(tst_P2dxCampaign)
+
+} // namespace tst_p2dx_campaign
+
 #include "tst_p2dx_campaign.moc"

@@ -1,9 +1,12 @@
 #include "tests/robots/drive_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_p2dx_drive {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestP2dxDrive : public QObject {
+class tst_P2dxDrive : public QObject {
     Q_OBJECT
 
 private slots:
@@ -26,5 +29,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestP2dxDrive)
+USAR_TEST(tst_P2dxDrive)
+
+} // namespace tst_p2dx_drive
+
 #include "tst_p2dx_drive.moc"

@@ -1,11 +1,17 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/p2dx/descriptions.h"
 #include "tests/doubles/toy_p2dx.h"
+#include "tests/suite/suite.h"
+
+namespace tst_p2dx_explorer {
 
 using namespace usar;
 using namespace usar::agent;
-using namespace usar::tests;
+using namespace usar::test;
 
 namespace {
 
@@ -41,7 +47,7 @@ const protocol::SkidDrive& lastDrive(const ToyDrive& toy) {
 
 } // namespace
 
-class TestP2dxExplorer : public QObject {
+class tst_P2dxExplorer : public QObject {
     Q_OBJECT
 
 private slots:
@@ -312,5 +318,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestP2dxExplorer)
+USAR_TEST(tst_P2dxExplorer)
+
+} // namespace tst_p2dx_explorer
+
 #include "tst_p2dx_explorer.moc"

@@ -1,9 +1,13 @@
 #include <limits>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/p2dx/surroundings.h"
 #include "robots/p2dx/track.h"
+#include "tests/suite/suite.h"
+
+namespace tst_p2dx_senses {
 
 using namespace usar;
 using namespace usar::p2dx;
@@ -45,7 +49,7 @@ bool near(double value, double expected) {
 
 } // namespace
 
-class TestP2dxSenses : public QObject {
+class tst_P2dxSenses : public QObject {
     Q_OBJECT
 
 private slots:
@@ -169,5 +173,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestP2dxSenses)
+USAR_TEST(tst_P2dxSenses)
+
+} // namespace tst_p2dx_senses
+
 #include "tst_p2dx_senses.moc"

@@ -1,13 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/pilot.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_pilot {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestPilot : public QObject {
+class tst_Pilot : public QObject {
     Q_OBJECT
 
     Settings settings;
@@ -132,5 +136,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPilot)
+USAR_TEST(tst_Pilot)
+
+} // namespace tst_pilot
+
 #include "tst_pilot.moc"

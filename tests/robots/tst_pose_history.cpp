@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/pose_history.h"
+#include "tests/suite/suite.h"
+
+namespace tst_pose_history {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestPoseHistory : public QObject {
+class tst_PoseHistory : public QObject {
     Q_OBJECT
 
     static Pose at(double x_m, double yaw_rad = 0.0) { return {Vec3(x_m, 0, 0), 0, 0, yaw_rad}; }
@@ -69,5 +73,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPoseHistory)
+USAR_TEST(tst_PoseHistory)
+
+} // namespace tst_pose_history
+
 #include "tst_pose_history.moc"

@@ -1,8 +1,11 @@
 #include "tests/robots/survey_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_quick_scan {
 
 using namespace usar;
 
-class TestQuickScan : public QObject {
+class tst_QuickScan : public QObject {
     Q_OBJECT
 
 private slots:
@@ -16,10 +19,13 @@ private slots:
     void mapsTheMeadowWithoutTouchingATree() {
         QFETCH(int, seed);
         QFETCH(double, tick_s);
-        tests::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200),
-                         Seconds(tick_s));
+        test::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200),
+                        Seconds(tick_s));
     }
 };
 
-QTEST_APPLESS_MAIN(TestQuickScan)
+USAR_TEST(tst_QuickScan)
+
+} // namespace tst_quick_scan
+
 #include "tst_quick_scan.moc"

@@ -1,13 +1,17 @@
 #include <optional>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/senses.h"
+#include "tests/suite/suite.h"
+
+namespace tst_senses {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestSenses : public QObject {
+class tst_Senses : public QObject {
     Q_OBJECT
 
     std::optional<modules::RobotModules> robot;
@@ -177,5 +181,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSenses)
+USAR_TEST(tst_Senses)
+
+} // namespace tst_senses
+
 #include "tst_senses.moc"

@@ -1,12 +1,17 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/airrobot/sensor_layout.h"
+#include "tests/suite/suite.h"
+
+namespace tst_sensor_layout {
 
 using namespace usar;
 using namespace usar::airrobot;
 using namespace usar::protocol;
 
-class TestSensorLayout : public QObject {
+class tst_SensorLayout : public QObject {
     Q_OBJECT
 
 private slots:
@@ -108,5 +113,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSensorLayout)
+USAR_TEST(tst_SensorLayout)
+
+} // namespace tst_sensor_layout
+
 #include "tst_sensor_layout.moc"

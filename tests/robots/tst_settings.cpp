@@ -1,12 +1,16 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/settings.h"
+#include "tests/suite/suite.h"
+
+namespace tst_settings {
 
 using namespace usar;
 using namespace usar::agent;
 using namespace usar::airrobot;
 
-class TestSettings : public QObject {
+class tst_Settings : public QObject {
     Q_OBJECT
 
 private slots:
@@ -64,5 +68,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSettings)
+USAR_TEST(tst_Settings)
+
+} // namespace tst_settings
+
 #include "tst_settings.moc"

@@ -1,13 +1,18 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/airrobot/steering.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_steering {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestSteering : public QObject {
+class tst_Steering : public QObject {
     Q_OBJECT
 
     const WayNeeded needed{1.2, 3.5};
@@ -86,5 +91,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSteering)
+USAR_TEST(tst_Steering)
+
+} // namespace tst_steering
+
 #include "tst_steering.moc"

@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/stuck_watch.h"
+#include "tests/suite/suite.h"
+
+namespace tst_stuck_watch {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestStuckWatch : public QObject {
+class tst_StuckWatch : public QObject {
     Q_OBJECT
 
     const Vec2 goal_m{100, 0};
@@ -68,5 +72,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStuckWatch)
+USAR_TEST(tst_StuckWatch)
+
+} // namespace tst_stuck_watch
+
 #include "tst_stuck_watch.moc"

@@ -1,9 +1,12 @@
 #include "tests/robots/dive_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_submarine_campaign {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
-class TestSubmarineCampaign : public QObject {
+class tst_SubmarineCampaign : public QObject {
     Q_OBJECT
 
 private slots:
@@ -23,5 +26,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSubmarineCampaign)
+USAR_TEST(tst_SubmarineCampaign)
+
+} // namespace tst_submarine_campaign
+
 #include "tst_submarine_campaign.moc"

@@ -1,7 +1,10 @@
 #include "tests/robots/dive_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_submarine_dive {
 
 using namespace usar;
-using namespace usar::tests;
+using namespace usar::test;
 
 namespace {
 
@@ -33,7 +36,7 @@ Dive diveOverTheCliff(double drop_m, bool knows_slant, double from_x_m = 18.0) {
 
 } // namespace
 
-class TestSubmarineDive : public QObject {
+class tst_SubmarineDive : public QObject {
     Q_OBJECT
 
 private slots:
@@ -107,5 +110,8 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSubmarineDive)
+USAR_TEST(tst_SubmarineDive)
+
+} // namespace tst_submarine_dive
+
 #include "tst_submarine_dive.moc"

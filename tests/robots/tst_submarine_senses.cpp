@@ -1,4 +1,6 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/agent/behavior_host.h"
 #include "core/protocol/reader.h"
@@ -6,6 +8,9 @@
 #include "robots/submarine/descriptions.h"
 #include "robots/submarine/level_rule.h"
 #include "robots/submarine/trail.h"
+#include "tests/suite/suite.h"
+
+namespace tst_submarine_senses {
 
 using namespace usar;
 using namespace usar::submarine;
@@ -70,7 +75,7 @@ Echoes echoes(double last_m, double present_m) {
 
 } // namespace
 
-class TestSubmarineSenses : public QObject {
+class tst_SubmarineSenses : public QObject {
     Q_OBJECT
 
 private slots:
@@ -256,5 +261,8 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSubmarineSenses)
+USAR_TEST(tst_SubmarineSenses)
+
+} // namespace tst_submarine_senses
+
 #include "tst_submarine_senses.moc"

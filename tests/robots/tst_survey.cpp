@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "robots/airrobot/survey.h"
+#include "tests/suite/suite.h"
+
+namespace tst_survey {
 
 using namespace usar;
 using namespace usar::airrobot;
 
-class TestSurvey : public QObject {
+class tst_Survey : public QObject {
     Q_OBJECT
 
     Settings settings;
@@ -151,5 +155,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSurvey)
+USAR_TEST(tst_Survey)
+
+} // namespace tst_survey
+
 #include "tst_survey.moc"

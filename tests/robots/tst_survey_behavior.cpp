@@ -1,11 +1,17 @@
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/airrobot/descriptions.h"
 #include "tests/doubles/toy_airrobot.h"
+#include "tests/suite/suite.h"
+
+namespace tst_survey_behavior {
 
 using namespace usar;
 using namespace usar::agent;
-using namespace usar::tests;
+using namespace usar::test;
 
 namespace {
 
@@ -59,7 +65,7 @@ bool contains(const std::vector<std::string>& texts, const std::string& part) {
 
 } // namespace
 
-class TestSurveyBehavior : public QObject {
+class tst_SurveyBehavior : public QObject {
     Q_OBJECT
 
 private slots:
@@ -375,5 +381,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSurveyBehavior)
+USAR_TEST(tst_SurveyBehavior)
+
+} // namespace tst_survey_behavior
+
 #include "tst_survey_behavior.moc"

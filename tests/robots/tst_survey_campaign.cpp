@@ -1,8 +1,11 @@
 #include "tests/robots/survey_trial.h"
+#include "tests/suite/suite.h"
+
+namespace tst_survey_campaign {
 
 using namespace usar;
 
-class TestSurveyCampaign : public QObject {
+class tst_SurveyCampaign : public QObject {
     Q_OBJECT
 
 private slots:
@@ -13,7 +16,7 @@ private slots:
     }
     void mapsTheMeadowTenTimes() {
         QFETCH(int, seed);
-        tests::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200));
+        test::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-30, -20), Vec2(30, 20)}, Seconds(1200));
     }
 
     void mapsAllOfTallTest_data() {
@@ -23,9 +26,12 @@ private slots:
     }
     void mapsAllOfTallTest() {
         QFETCH(int, seed);
-        tests::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-100, -100), Vec2(100, 100)}, Seconds(15000));
+        test::trySurvey(static_cast<std::uint64_t>(seed), {Vec2(-100, -100), Vec2(100, 100)}, Seconds(15000));
     }
 };
 
-QTEST_APPLESS_MAIN(TestSurveyCampaign)
+USAR_TEST(tst_SurveyCampaign)
+
+} // namespace tst_survey_campaign
+
 #include "tst_survey_campaign.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "robots/airrobot/descriptions.h"
+#include "tests/suite/suite.h"
+
+namespace tst_survey_preview {
 
 using namespace usar;
 
@@ -54,5 +57,8 @@ void tst_SurveyPreview::refusesAnAreaWithoutSize() {
     QVERIFY(!preview.error().text().empty());
 }
 
-QTEST_APPLESS_MAIN(tst_SurveyPreview)
+USAR_TEST(tst_SurveyPreview)
+
+} // namespace tst_survey_preview
+
 #include "tst_survey_preview.moc"

@@ -1,14 +1,19 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "robots/airrobot/threat_zones.h"
 #include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_threat_zones {
 
 using namespace usar;
 using namespace usar::airrobot;
-using namespace usar::tests;
+using namespace usar::test;
 using agent::Risk;
 
-class TestThreatZones : public QObject {
+class tst_ThreatZones : public QObject {
     Q_OBJECT
 
 private slots:
@@ -88,5 +93,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestThreatZones)
+USAR_TEST(tst_ThreatZones)
+
+} // namespace tst_threat_zones
+
 #include "tst_threat_zones.moc"

@@ -1,7 +1,12 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/sim/drives/ackermann_drive.h"
 #include "tests/sim/driven_robot.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ackermann_drive {
 
 using namespace usar;
 using namespace usar::sim;
@@ -15,7 +20,7 @@ constexpr double radius_m = 0.32;
 
 } // namespace
 
-class TestAckermannDrive : public QObject {
+class tst_AckermannDrive : public QObject {
     Q_OBJECT
 
 private slots:
@@ -116,5 +121,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAckermannDrive)
+USAR_TEST(tst_AckermannDrive)
+
+} // namespace tst_ackermann_drive
+
 #include "tst_ackermann_drive.moc"

@@ -1,6 +1,10 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_air_robot_contacts {
 
 using namespace usar;
 using namespace usar::sim;
@@ -17,7 +21,7 @@ World treeWorld() {
 
 } // namespace
 
-class TestAirRobotContacts : public QObject {
+class tst_AirRobotContacts : public QObject {
     Q_OBJECT
 
 private slots:
@@ -165,5 +169,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAirRobotContacts)
+USAR_TEST(tst_AirRobotContacts)
+
+} // namespace tst_air_robot_contacts
+
 #include "tst_air_robot_contacts.moc"

@@ -1,11 +1,15 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_air_robot_flight {
 
 using namespace usar;
 using namespace usar::sim;
 
-class TestAirRobotFlight : public QObject {
+class tst_AirRobotFlight : public QObject {
     Q_OBJECT
 
 private slots:
@@ -164,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAirRobotFlight)
+USAR_TEST(tst_AirRobotFlight)
+
+} // namespace tst_air_robot_flight
+
 #include "tst_air_robot_flight.moc"

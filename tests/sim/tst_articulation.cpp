@@ -1,6 +1,11 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_articulation {
 
 using namespace usar;
 using namespace usar::sim;
@@ -72,7 +77,7 @@ BodyDescription ball(double restitution, double rolling_friction_m) {
 
 } // namespace
 
-class TestArticulation : public QObject {
+class tst_Articulation : public QObject {
     Q_OBJECT
 
 private slots:
@@ -390,5 +395,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestArticulation)
+USAR_TEST(tst_Articulation)
+
+} // namespace tst_articulation
+
 #include "tst_articulation.moc"

@@ -1,9 +1,14 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include <set>
 
 #include "core/base/random.h"
 #include "core/sim/body_index.h"
+#include "tests/suite/suite.h"
+
+namespace tst_body_index {
 
 using namespace usar;
 using namespace usar::sim;
@@ -92,5 +97,8 @@ void tst_BodyIndex::bodiesThatAreNowhereAreLeftOut() {
     QCOMPARE(index.along({Vec3::Zero(), Vec3::UnitX()}, 10.0, count), 10.0);
 }
 
-QTEST_GUILESS_MAIN(tst_BodyIndex)
+USAR_TEST(tst_BodyIndex)
+
+} // namespace tst_body_index
+
 #include "tst_body_index.moc"

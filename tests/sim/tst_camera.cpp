@@ -2,7 +2,10 @@
 #include <cmath>
 
 #include <QImage>
-#include <QtTest>
+#include <QObject>
+#include <QSize>
+#include <QString>
+#include <QTest>
 
 #include "core/sim/camera/jpeg.h"
 #include "core/sim/camera/renderer.h"
@@ -10,6 +13,9 @@
 #include "core/sim/camera/window_picture.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_camera {
 
 using namespace usar;
 using namespace usar::sim;
@@ -91,7 +97,7 @@ double difference(const Picture& a, const Picture& b) {
 
 } // namespace
 
-class TestCamera : public QObject {
+class tst_Camera : public QObject {
     Q_OBJECT
 
 private slots:
@@ -370,5 +376,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCamera)
+USAR_TEST(tst_Camera)
+
+} // namespace tst_camera
+
 #include "tst_camera.moc"

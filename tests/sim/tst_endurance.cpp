@@ -1,11 +1,16 @@
 // Eight simulated hours of four robots in one world: no leak, no NaN, nobody falls through the ground.
 // USAR_ENDURANCE_MINUTES shortens it.
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include <fstream>
 
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_endurance {
 
 using namespace usar;
 using namespace usar::sim;
@@ -34,8 +39,6 @@ World bowl() {
 
 class tst_Endurance : public QObject {
     Q_OBJECT
-public:
-    static void initMain() { qputenv("QTEST_FUNCTION_TIMEOUT", "7200000"); } // Qt Test ends what takes five minutes
 private slots:
     void fourRobotsForEightHours();
 };
@@ -94,5 +97,8 @@ void tst_Endurance::fourRobotsForEightHours() {
         QVERIFY2(grown_MiB < 4.0 + 0.05 * minutes, qPrintable(QString::number(grown_MiB)));
 }
 
-QTEST_GUILESS_MAIN(tst_Endurance)
+USAR_TEST(tst_Endurance)
+
+} // namespace tst_endurance
+
 #include "tst_endurance.moc"

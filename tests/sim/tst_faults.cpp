@@ -1,5 +1,7 @@
 // Faults on request: as text, and what each does to a run.
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include <cmath>
 
@@ -7,6 +9,9 @@
 #include "core/sim/faults/wind.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_faults {
 
 using namespace usar;
 using namespace usar::sim;
@@ -429,5 +434,8 @@ void tst_Faults::aFaultCanBeAddedAndEndedMeanwhile() {
     QVERIFY(!simulation->endFault(99));
 }
 
-QTEST_GUILESS_MAIN(tst_Faults)
+USAR_TEST(tst_Faults)
+
+} // namespace tst_faults
+
 #include "tst_faults.moc"

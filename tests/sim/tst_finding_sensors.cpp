@@ -1,8 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_finding_sensors {
 
 using namespace usar;
 using namespace usar::sim;
@@ -219,5 +224,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_FindingSensors)
+USAR_TEST(tst_FindingSensors)
+
+} // namespace tst_finding_sensors
+
 #include "tst_finding_sensors.moc"

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <map>
 
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "core/base/random.h"
 #include "core/sim/physics.h"
@@ -14,6 +17,9 @@
 #include "core/sim/worlds/spqr_soccer.h"
 #include "core/sim/worlds/volcano.h"
 #include "tests/doubles/test_files.h"
+#include "tests/suite/suite.h"
+
+namespace tst_generated_worlds {
 
 using usar::Pose;
 using usar::Vec2;
@@ -24,7 +30,7 @@ using usar::doubles::writeAll;
 using usar::sim::RayCaster;
 using usar::sim::World;
 
-class TestGeneratedWorlds : public QObject {
+class tst_GeneratedWorlds : public QObject {
     Q_OBJECT
 
 private slots:
@@ -88,13 +94,13 @@ double openAround_m(const std::string& world) {
 
 } // namespace
 
-void TestGeneratedWorlds::addWorlds() {
+void tst_GeneratedWorlds::addWorlds() {
     QTest::addColumn<QString>("name");
     for (const std::string& name : usar::sim::generatedWorldNames())
         QTest::newRow(name.c_str()) << QString::fromStdString(name);
 }
 
-void TestGeneratedWorlds::whatShipsReadsBackEqualToWhatItsSeedMakes() {
+void tst_GeneratedWorlds::whatShipsReadsBackEqualToWhatItsSeedMakes() {
     QFETCH(QString, name);
     auto read = usar::sim::readWorld(USAR_BINARY_DIR "/share/worlds/" + name.toStdString());
     QVERIFY2(read, read ? "" : read.error().text().c_str());
@@ -108,7 +114,7 @@ void TestGeneratedWorlds::whatShipsReadsBackEqualToWhatItsSeedMakes() {
     QVERIFY(*read == world);
 }
 
-void TestGeneratedWorlds::equalSeedsGiveEqualBytes() {
+void tst_GeneratedWorlds::equalSeedsGiveEqualBytes() {
     QFETCH(QString, name);
     const QTemporaryDir a;
     const QTemporaryDir b;
@@ -123,18 +129,18 @@ void TestGeneratedWorlds::equalSeedsGiveEqualBytes() {
     QVERIFY(files == 1 || files == 3);
 }
 
-void TestGeneratedWorlds::otherSeedsGiveOtherWorlds_data() {
+void tst_GeneratedWorlds::otherSeedsGiveOtherWorlds_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"vmac_room", "point_lookout", "volcano"})
         QTest::newRow(name) << QString(name);
 }
 
-void TestGeneratedWorlds::otherSeedsGiveOtherWorlds() {
+void tst_GeneratedWorlds::otherSeedsGiveOtherWorlds() {
     QFETCH(QString, name);
     QVERIFY(made(name.toStdString(), 1) != made(name.toStdString(), 2));
 }
 
-void TestGeneratedWorlds::startPosesAreFreeAndLevel() {
+void tst_GeneratedWorlds::startPosesAreFreeAndLevel() {
     QFETCH(QString, name);
     const World& world = made(name.toStdString());
     const RayCaster caster(world);
@@ -166,7 +172,7 @@ void TestGeneratedWorlds::startPosesAreFreeAndLevel() {
     }
 }
 
-void TestGeneratedWorlds::theRoomIsClosed() {
+void tst_GeneratedWorlds::theRoomIsClosed() {
     const World& room = made("vmac_room");
     const RayCaster caster(room);
     const usar::Rectangle extent{{-20.5, -13.0}, {20.5, 13.0}};
@@ -191,14 +197,14 @@ void TestGeneratedWorlds::theRoomIsClosed() {
     QVERIFY(std::abs(caster.cast({1.0, 2.0, 5.5}, -Vec3::UnitY(), 1000.0) - 14.5) < 1e-9);
 }
 
-void TestGeneratedWorlds::underTheRoomsCeilingIsTheFloor() {
+void tst_GeneratedWorlds::underTheRoomsCeilingIsTheFloor() {
     const RayCaster caster(made("vmac_room"));
     QVERIFY(std::abs(caster.surface_m({1.0, 2.0})) < 1e-9);
     QVERIFY(caster.surface_m({12.0, 6.0}) > 5.99);                                           // a pillar
     QVERIFY(caster.surface_m({-14.0, -9.0}) > 2.3 && caster.surface_m({-14.0, -9.0}) < 4.5); // a shelf
 }
 
-void TestGeneratedWorlds::theRoomHasWhatItsSensorsFind() {
+void tst_GeneratedWorlds::theRoomHasWhatItsSensorsFind() {
     const World& room = made("vmac_room");
     QCOMPARE(room.rfid_tags.size(), std::size_t{6});
     QCOMPARE(room.victims.size(), std::size_t{2});
@@ -216,13 +222,13 @@ void TestGeneratedWorlds::theRoomHasWhatItsSensorsFind() {
         }
 }
 
-void TestGeneratedWorlds::theIslandLiesInTheSea_data() {
+void tst_GeneratedWorlds::theIslandLiesInTheSea_data() {
     QTest::addColumn<int>("seed");
     QTest::newRow("the seed that ships") << 1;
     QTest::newRow("seed 2") << 2;
 }
 
-void TestGeneratedWorlds::theIslandLiesInTheSea() {
+void tst_GeneratedWorlds::theIslandLiesInTheSea() {
     QFETCH(int, seed);
     const World& world = made("point_lookout", seed);
     const usar::Rectangle extent{{-512.0, -512.0}, {512.0, 512.0}};
@@ -240,7 +246,7 @@ void TestGeneratedWorlds::theIslandLiesInTheSea() {
                     world.terrain.height_m({border_m, along_m}) < 0.0);
 }
 
-void TestGeneratedWorlds::theIslandHasCliffsAndBeaches() {
+void tst_GeneratedWorlds::theIslandHasCliffsAndBeaches() {
     const usar::sim::Terrain& terrain = made("point_lookout").terrain;
     int cliffs = 0;
     int beaches = 0;
@@ -255,14 +261,14 @@ void TestGeneratedWorlds::theIslandHasCliffsAndBeaches() {
     QVERIFY2(cliffs > 100 && beaches > 100, (std::to_string(cliffs) + " " + std::to_string(beaches)).c_str());
 }
 
-void TestGeneratedWorlds::theIslandsTreesStandOnLand() {
+void tst_GeneratedWorlds::theIslandsTreesStandOnLand() {
     const World& world = made("point_lookout");
     QCOMPARE(world.plants.size(), std::size_t{3000});
     for (const usar::sim::Plant& tree : world.plants)
         QVERIFY(tree.trunk_height_m >= 3.0 && world.terrain.height_m(tree.base_in_map_m.head<2>()) >= 1.0);
 }
 
-void TestGeneratedWorlds::aSubmarineHasWaterBelowIt() {
+void tst_GeneratedWorlds::aSubmarineHasWaterBelowIt() {
     const World& world = made("point_lookout");
     int at_sea = 0;
     for (const usar::sim::NamedPose& start : world.start_poses) {
@@ -280,7 +286,7 @@ void TestGeneratedWorlds::aSubmarineHasWaterBelowIt() {
     QCOMPARE(at_sea, 3);
 }
 
-void TestGeneratedWorlds::theBallRestsOnTheCarpet() {
+void tst_GeneratedWorlds::theBallRestsOnTheCarpet() {
     const World& field = made("spqr_soccer");
     QCOMPARE(field.objects.size(), std::size_t{1});
     const usar::sim::WorldObject& ball = field.objects[0];
@@ -300,7 +306,7 @@ void TestGeneratedWorlds::theBallRestsOnTheCarpet() {
                      ball.body_in_map.position_m.z()) < 1e-9);
 }
 
-void TestGeneratedWorlds::theBoardsKeepTheBall() {
+void tst_GeneratedWorlds::theBoardsKeepTheBall() {
     const RayCaster caster(made("spqr_soccer"));
     for (double bearing_rad = 0.0; bearing_rad < 6.28; bearing_rad += 0.001) {
         const Vec3 away(std::cos(bearing_rad), std::sin(bearing_rad), 0.0);
@@ -314,7 +320,7 @@ void TestGeneratedWorlds::theBoardsKeepTheBall() {
     }
 }
 
-void TestGeneratedWorlds::theVolcanoIsTheMeasuredOne() {
+void tst_GeneratedWorlds::theVolcanoIsTheMeasuredOne() {
     const auto source = usar::sim::readElevationCsv(data / "volcano" / "volcano_10m.csv");
     QVERIFY(source);
     QCOMPARE(source->rows, std::size_t{87});
@@ -339,7 +345,7 @@ void TestGeneratedWorlds::theVolcanoIsTheMeasuredOne() {
     QCOMPARE(source->at(86, 60), 94.0);
 }
 
-void TestGeneratedWorlds::theVolcanoIsRoughBetweenItsPosts() {
+void tst_GeneratedWorlds::theVolcanoIsRoughBetweenItsPosts() {
     const usar::sim::Terrain& terrain = made("volcano").terrain;
     double bends_m = 0.0;
     int count = 0;
@@ -351,7 +357,7 @@ void TestGeneratedWorlds::theVolcanoIsRoughBetweenItsPosts() {
     QVERIFY2(mean_m > 0.01 && mean_m < 0.2, std::to_string(mean_m).c_str());
 }
 
-void TestGeneratedWorlds::aTableOfHeightsIsReadByRows() {
+void tst_GeneratedWorlds::aTableOfHeightsIsReadByRows() {
     const QTemporaryDir folder;
     writeAll(pathOf(folder) / "a.csv", "1,2,3,4,5\n6,7,8,9,10\n-1,0.5,0,0,0\n0,0,0,0,1e2\n");
     const auto table = usar::sim::readElevationCsv(pathOf(folder) / "a.csv");
@@ -363,7 +369,7 @@ void TestGeneratedWorlds::aTableOfHeightsIsReadByRows() {
     QCOMPARE(table->at(3, 4), 100.0);
 }
 
-void TestGeneratedWorlds::refusesABrokenTable_data() {
+void tst_GeneratedWorlds::refusesABrokenTable_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("line");
     QTest::newRow("a word") << QString("1,2,3,4\n1,2,x,4\n1,2,3,4\n1,2,3,4\n") << QString(":2");
@@ -376,7 +382,7 @@ void TestGeneratedWorlds::refusesABrokenTable_data() {
     QTest::newRow("nothing") << QString("") << QString("");
 }
 
-void TestGeneratedWorlds::refusesABrokenTable() {
+void tst_GeneratedWorlds::refusesABrokenTable() {
     QFETCH(QString, text);
     QFETCH(QString, line);
     const QTemporaryDir folder;
@@ -388,12 +394,15 @@ void TestGeneratedWorlds::refusesABrokenTable() {
     QVERIFY(!table.error().mend.empty());
 }
 
-void TestGeneratedWorlds::aMissingTableIsNamed() {
+void tst_GeneratedWorlds::aMissingTableIsNamed() {
     const QTemporaryDir folder;
     const auto world = usar::sim::makeWorld("volcano", 1, pathOf(folder));
     QVERIFY(!world);
     QCOMPARE(world.error().where, (pathOf(folder) / "volcano" / "volcano_10m.csv").string());
 }
 
-QTEST_APPLESS_MAIN(TestGeneratedWorlds)
+USAR_TEST(tst_GeneratedWorlds)
+
+} // namespace tst_generated_worlds
+
 #include "tst_generated_worlds.moc"

@@ -1,18 +1,23 @@
 #include "core/sim/height_png.h"
 
-#include <QtTest>
+#include <QObject>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <png.h>
 
 #include "core/base/random.h"
 #include "tests/doubles/test_files.h"
+#include "tests/suite/suite.h"
+
+namespace tst_height_png {
 
 using usar::doubles::pathOf;
 using usar::doubles::readAll;
 using usar::doubles::writeAll;
 using usar::sim::HeightImage;
 
-class TestHeightPng : public QObject {
+class tst_HeightPng : public QObject {
     Q_OBJECT
 
 private slots:
@@ -51,7 +56,7 @@ void writePicture(const std::filesystem::path& file, png_uint_32 format) {
 
 } // namespace
 
-void TestHeightPng::everyValueSurvives_data() {
+void tst_HeightPng::everyValueSurvives_data() {
     QTest::addColumn<int>("columns");
     QTest::addColumn<int>("rows");
     QTest::newRow("one post") << 1 << 1;
@@ -60,7 +65,7 @@ void TestHeightPng::everyValueSurvives_data() {
     QTest::newRow("all 65536 values and more") << 300 << 300;
 }
 
-void TestHeightPng::everyValueSurvives() {
+void tst_HeightPng::everyValueSurvives() {
     QFETCH(int, columns);
     QFETCH(int, rows);
     const HeightImage image = noise(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows));
@@ -70,13 +75,13 @@ void TestHeightPng::everyValueSurvives() {
     QVERIFY(*back == image);
 }
 
-void TestHeightPng::equalImagesGiveEqualBytes() {
+void tst_HeightPng::equalImagesGiveEqualBytes() {
     QVERIFY(usar::sim::writeHeightPng(noise(40, 40), pathOf(folder_) / "a.png"));
     QVERIFY(usar::sim::writeHeightPng(noise(40, 40), pathOf(folder_) / "b.png"));
     QVERIFY(readAll(pathOf(folder_) / "a.png") == readAll(pathOf(folder_) / "b.png"));
 }
 
-void TestHeightPng::refusesOtherPictures_data() {
+void tst_HeightPng::refusesOtherPictures_data() {
     QTest::addColumn<int>("format");
     QTest::newRow("8-bit gray") << int{PNG_FORMAT_GRAY};
     QTest::newRow("8-bit color") << int{PNG_FORMAT_RGB};
@@ -84,7 +89,7 @@ void TestHeightPng::refusesOtherPictures_data() {
     QTest::newRow("16-bit color") << int{PNG_FORMAT_LINEAR_RGB};
 }
 
-void TestHeightPng::refusesOtherPictures() {
+void tst_HeightPng::refusesOtherPictures() {
     QFETCH(int, format);
     writePicture(pathOf(folder_) / "a.png", static_cast<png_uint_32>(format));
     const auto image = usar::sim::readHeightPng(pathOf(folder_) / "a.png");
@@ -94,7 +99,7 @@ void TestHeightPng::refusesOtherPictures() {
     QVERIFY(!image.error().mend.empty());
 }
 
-void TestHeightPng::refusesEveryCutFile() {
+void tst_HeightPng::refusesEveryCutFile() {
     QVERIFY(usar::sim::writeHeightPng(noise(6, 6), pathOf(folder_) / "a.png"));
     const std::string whole = readAll(pathOf(folder_) / "a.png");
     for (std::size_t length = 0; length < whole.size(); ++length) {
@@ -103,17 +108,20 @@ void TestHeightPng::refusesEveryCutFile() {
     }
 }
 
-void TestHeightPng::refusesAMissingFile() {
+void tst_HeightPng::refusesAMissingFile() {
     const auto image = usar::sim::readHeightPng(pathOf(folder_) / "none.png");
     QVERIFY(!image);
     QCOMPARE(image.error().where, (pathOf(folder_) / "none.png").string());
 }
 
-void TestHeightPng::saysWhenTheFileCannotBeWritten() {
+void tst_HeightPng::saysWhenTheFileCannotBeWritten() {
     const auto written = usar::sim::writeHeightPng(noise(4, 4), pathOf(folder_) / "no" / "such" / "a.png");
     QVERIFY(!written);
     QVERIFY(!written.error().mend.empty());
 }
 
-QTEST_APPLESS_MAIN(TestHeightPng)
+USAR_TEST(tst_HeightPng)
+
+} // namespace tst_height_png
+
 #include "tst_height_png.moc"

@@ -1,7 +1,12 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/sim/drives/leg_drive.h"
 #include "tests/sim/driven_robot.h"
+#include "tests/suite/suite.h"
+
+namespace tst_leg_drive {
 
 using namespace usar;
 using namespace usar::sim;
@@ -56,7 +61,7 @@ protocol::MultiDrive trot(int tick, double step_m) {
 
 } // namespace
 
-class TestLegDrive : public QObject {
+class tst_LegDrive : public QObject {
     Q_OBJECT
 
 private slots:
@@ -163,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLegDrive)
+USAR_TEST(tst_LegDrive)
+
+} // namespace tst_leg_drive
+
 #include "tst_leg_drive.moc"

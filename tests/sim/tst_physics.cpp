@@ -1,6 +1,11 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_physics {
 
 using namespace usar;
 using namespace usar::sim;
@@ -30,7 +35,7 @@ World furnishedWorld() {
 
 } // namespace
 
-class TestPhysics : public QObject {
+class tst_Physics : public QObject {
     Q_OBJECT
 
 private slots:
@@ -235,5 +240,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPhysics)
+USAR_TEST(tst_Physics)
+
+} // namespace tst_physics
+
 #include "tst_physics.moc"

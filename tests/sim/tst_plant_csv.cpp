@@ -1,9 +1,15 @@
 #include "core/sim/plant_csv.h"
 
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_plant_csv {
 
 using usar::doubles::pathOf;
 using usar::doubles::writeAll;
@@ -14,7 +20,7 @@ const QByteArray heading = "kind,x,y,z,trunk_radius,trunk_height,crown_radius,cr
 
 } // namespace
 
-class TestPlantCsv : public QObject {
+class tst_PlantCsv : public QObject {
     Q_OBJECT
 
 private slots:
@@ -30,7 +36,7 @@ private:
     QTemporaryDir folder_;
 };
 
-void TestPlantCsv::writtenPlantsReadBackEqual() {
+void tst_PlantCsv::writtenPlantsReadBackEqual() {
     const std::vector<usar::sim::Plant> plants = usar::doubles::woodedWorld(4, 200).plants;
     QVERIFY(usar::sim::writePlantCsv(plants, file()));
     const auto back = usar::sim::readPlantCsv(file());
@@ -38,7 +44,7 @@ void TestPlantCsv::writtenPlantsReadBackEqual() {
     QVERIFY(*back == plants);
 }
 
-void TestPlantCsv::acceptsHandWrittenTables_data() {
+void tst_PlantCsv::acceptsHandWrittenTables_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<int>("plants");
     QTest::newRow("no plant") << heading << 0;
@@ -50,7 +56,7 @@ void TestPlantCsv::acceptsHandWrittenTables_data() {
     QTest::newRow("empty lines") << heading + "\nround,1,2,3,0.2,4,1,0\n\n" << 1;
 }
 
-void TestPlantCsv::acceptsHandWrittenTables() {
+void tst_PlantCsv::acceptsHandWrittenTables() {
     QFETCH(QByteArray, text);
     QFETCH(int, plants);
     writeAll(file(), text.toStdString());
@@ -59,7 +65,7 @@ void TestPlantCsv::acceptsHandWrittenTables() {
     QCOMPARE(static_cast<int>(read->size()), plants);
 }
 
-void TestPlantCsv::refusesTheLineAndSaysWhich_data() {
+void tst_PlantCsv::refusesTheLineAndSaysWhich_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<int>("line");
     const QByteArray good = "round,1,2,3,0.2,4,1,0\n";
@@ -76,7 +82,7 @@ void TestPlantCsv::refusesTheLineAndSaysWhich_data() {
     QTest::newRow("flat cone") << heading + "cone,1,2,3,0.2,4,1,0\n" << 2;
 }
 
-void TestPlantCsv::refusesTheLineAndSaysWhich() {
+void tst_PlantCsv::refusesTheLineAndSaysWhich() {
     QFETCH(QByteArray, text);
     QFETCH(int, line);
     writeAll(file(), text.toStdString());
@@ -86,9 +92,12 @@ void TestPlantCsv::refusesTheLineAndSaysWhich() {
     QVERIFY(!read.error().what.empty() && !read.error().mend.empty());
 }
 
-void TestPlantCsv::refusesAMissingFile() {
+void tst_PlantCsv::refusesAMissingFile() {
     QVERIFY(!usar::sim::readPlantCsv(pathOf(folder_) / "none.csv"));
 }
 
-QTEST_APPLESS_MAIN(TestPlantCsv)
+USAR_TEST(tst_PlantCsv)
+
+} // namespace tst_plant_csv
+
 #include "tst_plant_csv.moc"

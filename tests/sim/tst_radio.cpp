@@ -1,10 +1,14 @@
 #include <cmath>
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/sim/radio.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_radio {
 
 using namespace usar;
 using namespace usar::sim;
@@ -42,7 +46,7 @@ World ridge(double half_m) {
 
 } // namespace
 
-class TestRadio : public QObject {
+class tst_Radio : public QObject {
     Q_OBJECT
 
 private slots:
@@ -175,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRadio)
+USAR_TEST(tst_Radio)
+
+} // namespace tst_radio
+
 #include "tst_radio.moc"

@@ -1,17 +1,23 @@
 // What a bundle of rays hears is bit for bit the least of what each of its rays does alone: in all worlds that come
 // with the program, with bodies about, from anywhere.
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/base/random.h"
 #include "core/sim/ray_bundle.h"
 #include "core/sim/sensors/rays.h"
 #include "core/sim/world_generator.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ray_bundle {
 
 using namespace usar;
 using namespace usar::sim;
 
-class TestRayBundle : public QObject {
+class tst_RayBundle : public QObject {
     Q_OBJECT
 
 private slots:
@@ -78,7 +84,7 @@ std::vector<BodyId> addBodies(Random& random, const World& world, Physics& physi
 
 } // namespace
 
-void TestRayBundle::hearsTheLeastOfItsRaysInEveryWorld_data() {
+void tst_RayBundle::hearsTheLeastOfItsRaysInEveryWorld_data() {
     QTest::addColumn<World>("world");
     for (const std::string& name : generatedWorldNames()) {
         auto world = makeWorld(name, 1, USAR_SOURCE_DIR "/resources/worlds");
@@ -89,7 +95,7 @@ void TestRayBundle::hearsTheLeastOfItsRaysInEveryWorld_data() {
     QTest::newRow("the roughest ground") << doubles::roughWorld(3);
 }
 
-void TestRayBundle::hearsTheLeastOfItsRaysInEveryWorld() {
+void tst_RayBundle::hearsTheLeastOfItsRaysInEveryWorld() {
     QFETCH(const World, world);
     Random random = seeded(41, 7);
     const RayCaster still(world);
@@ -119,7 +125,7 @@ void TestRayBundle::hearsTheLeastOfItsRaysInEveryWorld() {
     QVERIFY2(misses > 300 && hits > 300 && bodies_heard > 50, figures);
 }
 
-void TestRayBundle::theLengthOfALookDoesNotMoveTheGround() {
+void tst_RayBundle::theLengthOfALookDoesNotMoveTheGround() {
     const World world = doubles::roughWorld(5);
     const RayCaster caster(world);
     Random random = seeded(42, 7);
@@ -134,7 +140,7 @@ void TestRayBundle::theLengthOfALookDoesNotMoveTheGround() {
     }
 }
 
-void TestRayBundle::deniesNothingThatARayMeets() {
+void tst_RayBundle::deniesNothingThatARayMeets() {
     Random random = seeded(43, 7);
     int denied = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -156,5 +162,8 @@ void TestRayBundle::deniesNothingThatARayMeets() {
     QVERIFY(denied > 5000);
 }
 
-QTEST_APPLESS_MAIN(TestRayBundle)
+USAR_TEST(tst_RayBundle)
+
+} // namespace tst_ray_bundle
+
 #include "tst_ray_bundle.moc"

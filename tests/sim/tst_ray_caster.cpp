@@ -1,9 +1,15 @@
 #include "core/sim/ray_caster.h"
 
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/doubles/test_worlds.h"
 #include "tests/sim/bullet_rays.h"
+#include "tests/suite/suite.h"
+
+namespace tst_ray_caster {
 
 using usar::Pose;
 using usar::Vec2;
@@ -13,7 +19,7 @@ using usar::sim::Plant;
 using usar::sim::RayCaster;
 using usar::sim::World;
 
-class TestRayCaster : public QObject {
+class tst_RayCaster : public QObject {
     Q_OBJECT
 
 private slots:
@@ -158,7 +164,7 @@ double tryEveryTriangle(const usar::sim::Terrain& terrain, const Vec3& origin_m,
 
 } // namespace
 
-void TestRayCaster::measuresTheSlantRangeToLevelGround_data() {
+void tst_RayCaster::measuresTheSlantRangeToLevelGround_data() {
     QTest::addColumn<double>("down_rad");
     QTest::addColumn<double>("yaw_rad");
     for (const double down_deg : {90.0, 89.0, 60.0, 45.0, 30.0, 18.0})
@@ -167,7 +173,7 @@ void TestRayCaster::measuresTheSlantRangeToLevelGround_data() {
                 << usar::radians(down_deg) << usar::radians(yaw_deg);
 }
 
-void TestRayCaster::measuresTheSlantRangeToLevelGround() {
+void tst_RayCaster::measuresTheSlantRangeToLevelGround() {
     QFETCH(double, down_rad);
     QFETCH(double, yaw_rad);
     const World world = usar::doubles::flatWorld(64.0, 1.5);
@@ -177,7 +183,7 @@ void TestRayCaster::measuresTheSlantRangeToLevelGround() {
     QVERIFY(std::abs(range_m - 6.0 / std::sin(down_rad)) < 1e-9);
 }
 
-void TestRayCaster::measuresSolidsAsGeometrySays_data() {
+void tst_RayCaster::measuresSolidsAsGeometrySays_data() {
     QTest::addColumn<World>("world");
     QTest::addColumn<Vec3>("origin_m");
     QTest::addColumn<Vec3>("direction");
@@ -206,7 +212,7 @@ void TestRayCaster::measuresSolidsAsGeometrySays_data() {
     QTest::newRow("beside a box") << house(turned, {2, 2, 2}) << Vec3{0, 1.5, 0} << ahead << 20.0;
 }
 
-void TestRayCaster::measuresSolidsAsGeometrySays() {
+void tst_RayCaster::measuresSolidsAsGeometrySays() {
     QFETCH(World, world);
     QFETCH(Vec3, origin_m);
     QFETCH(Vec3, direction);
@@ -214,7 +220,7 @@ void TestRayCaster::measuresSolidsAsGeometrySays() {
     QVERIFY(std::abs(RayCaster(world).cast(origin_m, direction, 20.0) - range_m) < 1e-12);
 }
 
-void TestRayCaster::startingInsideSomethingSolidMeasuresZero_data() {
+void tst_RayCaster::startingInsideSomethingSolidMeasuresZero_data() {
     QTest::addColumn<World>("world");
     QTest::addColumn<Vec3>("origin_m");
     QTest::newRow("trunk") << thing(post()) << Vec3{5.1, 0, 2};
@@ -224,7 +230,7 @@ void TestRayCaster::startingInsideSomethingSolidMeasuresZero_data() {
     QTest::newRow("ground") << usar::doubles::flatWorld() << Vec3{0, 0, -0.01};
 }
 
-void TestRayCaster::startingInsideSomethingSolidMeasuresZero() {
+void tst_RayCaster::startingInsideSomethingSolidMeasuresZero() {
     QFETCH(World, world);
     QFETCH(Vec3, origin_m);
     const RayCaster caster(world);
@@ -233,7 +239,7 @@ void TestRayCaster::startingInsideSomethingSolidMeasuresZero() {
         QCOMPARE(caster.cast(origin_m, randomDirection(random), 20.0), 0.0);
 }
 
-void TestRayCaster::theNearestThingHides() {
+void tst_RayCaster::theNearestThingHides() {
     World world = usar::doubles::flatWorld();
     world.plants = {roundTree(), roundTree()};
     world.plants[1].base_in_map_m.x() = 9.0;
@@ -244,13 +250,13 @@ void TestRayCaster::theNearestThingHides() {
     QCOMPARE(RayCaster(world).cast({7, 0, 1}, Vec3::UnitX(), 20.0), 1.75);
 }
 
-void TestRayCaster::seesThroughWater() {
+void tst_RayCaster::seesThroughWater() {
     World world = usar::doubles::flatWorld(64.0, -3.0);
     world.water = usar::sim::Water{.surface_z_m = 0.0};
     QCOMPARE(RayCaster(world).cast({0, 0, 5}, -Vec3::UnitZ(), 20.0), 8.0);
 }
 
-void TestRayCaster::surfaceIsTheTopOfWhateverStandsThere_data() {
+void tst_RayCaster::surfaceIsTheTopOfWhateverStandsThere_data() {
     QTest::addColumn<Vec2>("point_m");
     QTest::addColumn<double>("surface_m");
     QTest::newRow("open ground") << Vec2{-10, 3} << 0.0;
@@ -260,7 +266,7 @@ void TestRayCaster::surfaceIsTheTopOfWhateverStandsThere_data() {
     QTest::newRow("outside of the world") << Vec2{500, 500} << 0.0;
 }
 
-void TestRayCaster::surfaceIsTheTopOfWhateverStandsThere() {
+void tst_RayCaster::surfaceIsTheTopOfWhateverStandsThere() {
     QFETCH(Vec2, point_m);
     QFETCH(double, surface_m);
     World world = usar::doubles::flatWorld();
@@ -269,7 +275,7 @@ void TestRayCaster::surfaceIsTheTopOfWhateverStandsThere() {
     QVERIFY(std::abs(RayCaster(world).surface_m(point_m) - surface_m) < 1e-9);
 }
 
-void TestRayCaster::surfaceOfARoomLiesUnderItsCeiling() {
+void tst_RayCaster::surfaceOfARoomLiesUnderItsCeiling() {
     World world = usar::doubles::flatWorld(20.0);
     world.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {20.0, 20.0, 1.0}},
                    {Pose{.position_m = {5.0, 5.0, 0.5}}, {2.0, 2.0, 1.0}},
@@ -281,13 +287,13 @@ void TestRayCaster::surfaceOfARoomLiesUnderItsCeiling() {
     QCOMPARE(caster.cast({0.0, 0.0, 1.0}, Vec3::UnitZ(), 20.0), 2.0);
 }
 
-void TestRayCaster::aRoofOverAPartIsASurface() {
+void tst_RayCaster::aRoofOverAPartIsASurface() {
     World world = usar::doubles::flatWorld(20.0);
     world.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {20.0, 19.0, 1.0}}};
     QVERIFY(std::abs(RayCaster(world).surface_m({0.0, 0.0}) - 4.0) < 1e-9);
 }
 
-void TestRayCaster::boxesWithoutGroundHaveASurface() {
+void tst_RayCaster::boxesWithoutGroundHaveASurface() {
     World world;
     world.boxes = {{Pose{.position_m = {0.0, 0.0, -2.5}}, {20.0, 20.0, 1.0}},
                    {Pose{.position_m = {5.0, 5.0, -1.5}}, {2.0, 2.0, 1.0}}};
@@ -295,7 +301,7 @@ void TestRayCaster::boxesWithoutGroundHaveASurface() {
     QVERIFY(std::abs(RayCaster(world).surface_m({5.0, 5.0}) + 1.0) < 1e-9);
 }
 
-void TestRayCaster::agreesWithTryingEveryTriangle() {
+void tst_RayCaster::agreesWithTryingEveryTriangle() {
     const World world = usar::doubles::roughWorld(11, 36);
     const RayCaster caster(world);
     usar::Random random = usar::seeded(11, 7);
@@ -313,7 +319,7 @@ void TestRayCaster::agreesWithTryingEveryTriangle() {
     QVERIFY(hits > 1000);
 }
 
-void TestRayCaster::verticalRaysMeetTheTerrainHeight() {
+void tst_RayCaster::verticalRaysMeetTheTerrainHeight() {
     const World world = usar::doubles::roughWorld(12);
     const RayCaster caster(world);
     usar::Random random = usar::seeded(12, 7);
@@ -327,7 +333,7 @@ void TestRayCaster::verticalRaysMeetTheTerrainHeight() {
     }
 }
 
-void TestRayCaster::agreesWithTryingEveryPlant() {
+void tst_RayCaster::agreesWithTryingEveryPlant() {
     World wood = usar::doubles::woodedWorld(13, 80, 32.0);
     wood.terrain = {};
     const RayCaster caster(wood);
@@ -346,7 +352,7 @@ void TestRayCaster::agreesWithTryingEveryPlant() {
     }
 }
 
-void TestRayCaster::agreesWithBulletOnTerrain() {
+void tst_RayCaster::agreesWithBulletOnTerrain() {
     World world = usar::doubles::woodedWorld(21);
     world.plants.clear();
     const RayCaster caster(world);
@@ -365,12 +371,12 @@ void TestRayCaster::agreesWithBulletOnTerrain() {
     QVERIFY(hits > 5000);
 }
 
-void TestRayCaster::hitsAreWhereTheSolidBegins_data() {
+void tst_RayCaster::hitsAreWhereTheSolidBegins_data() {
     addSolids();
     QTest::newRow("fir") << thing(firTree());
 }
 
-void TestRayCaster::hitsAreWhereTheSolidBegins() {
+void tst_RayCaster::hitsAreWhereTheSolidBegins() {
     QFETCH(World, world);
     const RayCaster caster(world);
     usar::Random random = usar::seeded(23, 7);
@@ -391,11 +397,11 @@ void TestRayCaster::hitsAreWhereTheSolidBegins() {
     QVERIFY(hits > 100);
 }
 
-void TestRayCaster::agreesWithBulletOnThings_data() {
+void tst_RayCaster::agreesWithBulletOnThings_data() {
     addSolids();
 }
 
-void TestRayCaster::agreesWithBulletOnThings() {
+void tst_RayCaster::agreesWithBulletOnThings() {
     QFETCH(World, world);
     const RayCaster caster(world);
     const BulletRays bullet(world);
@@ -435,7 +441,7 @@ World somethingOfEverything(usar::Random& random) {
 
 } // namespace
 
-void TestRayCaster::theNearestOfSeveralIsTheShortest() {
+void tst_RayCaster::theNearestOfSeveralIsTheShortest() {
     usar::Random random = usar::seeded(29, 7);
     const World world = somethingOfEverything(random);
     const RayCaster caster(world);
@@ -456,7 +462,7 @@ void TestRayCaster::theNearestOfSeveralIsTheShortest() {
     QVERIFY(misses > 2000 && hits > 2000);
 }
 
-void TestRayCaster::lookingMeasuresWhatCastingMeasures() {
+void tst_RayCaster::lookingMeasuresWhatCastingMeasures() {
     usar::Random random = usar::seeded(23, 7);
     const World world = somethingOfEverything(random);
     const RayCaster caster(world);
@@ -473,12 +479,12 @@ void TestRayCaster::lookingMeasuresWhatCastingMeasures() {
         QVERIFY(count > 50);
 }
 
-void TestRayCaster::surfacesFaceWhoLooksAtThem_data() {
+void tst_RayCaster::surfacesFaceWhoLooksAtThem_data() {
     addSolids();
     QTest::newRow("fir") << thing(firTree());
 }
 
-void TestRayCaster::surfacesFaceWhoLooksAtThem() {
+void tst_RayCaster::surfacesFaceWhoLooksAtThem() {
     QFETCH(World, world);
     const RayCaster caster(world);
     usar::Random random = usar::seeded(24, 7);
@@ -500,7 +506,7 @@ void TestRayCaster::surfacesFaceWhoLooksAtThem() {
     QVERIFY(hits > 200);
 }
 
-void TestRayCaster::groundFacesAwayFromItsSlope() {
+void tst_RayCaster::groundFacesAwayFromItsSlope() {
     World world;
     std::vector<float> heights_m;
     for (int row = 0; row < 21; ++row)
@@ -512,5 +518,8 @@ void TestRayCaster::groundFacesAwayFromItsSlope() {
     QVERIFY(hit.normal_in_map.isApprox(Vec3{-0.5, 0.0, 1.0}.normalized(), 1e-6));
 }
 
-QTEST_APPLESS_MAIN(TestRayCaster)
+USAR_TEST(tst_RayCaster)
+
+} // namespace tst_ray_caster
+
 #include "tst_ray_caster.moc"

@@ -1,10 +1,15 @@
 #include <fstream>
 
+#include <QObject>
+#include <QString>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/sim/robots/robot_reader.h"
 #include "tests/doubles/shipped_robots.h"
+#include "tests/suite/suite.h"
+
+namespace tst_robot_reader {
 
 using namespace usar;
 using namespace usar::sim;
@@ -163,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_RobotReader)
+USAR_TEST(tst_RobotReader)
+
+} // namespace tst_robot_reader
+
 #include "tst_robot_reader.moc"

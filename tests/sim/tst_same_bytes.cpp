@@ -1,6 +1,10 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "tests/sim/two_robots.h"
+#include "tests/suite/suite.h"
+
+namespace tst_same_bytes {
 
 using namespace usar::sim;
 
@@ -16,5 +20,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_SameBytes)
+USAR_TEST(tst_SameBytes)
+
+} // namespace tst_same_bytes
+
 #include "tst_same_bytes.moc"

@@ -1,6 +1,10 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "tests/sim/two_robots.h"
+#include "tests/suite/suite.h"
+
+namespace tst_same_bytes_campaign {
 
 using namespace usar::sim;
 
@@ -13,5 +17,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_SameBytesCampaign)
+USAR_TEST(tst_SameBytesCampaign)
+
+} // namespace tst_same_bytes_campaign
+
 #include "tst_same_bytes_campaign.moc"

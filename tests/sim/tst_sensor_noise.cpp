@@ -1,5 +1,7 @@
 // Each sensor's noise against its law, by statistics: mean and standard deviation of thousands of readings at rest.
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include <cmath>
 #include <functional>
@@ -9,6 +11,9 @@
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_sensor_noise {
 
 using namespace usar;
 using namespace usar::sim;
@@ -104,7 +109,6 @@ private slots:
 };
 
 using Value = std::function<double(const protocol::InfoMessage&)>;
-Q_DECLARE_METATYPE(Value)
 
 namespace {
 
@@ -233,5 +237,8 @@ void tst_SensorNoise::encodersErrInProportionToTheTurn() {
     QVERIFY2(std::abs(is.sigma - 0.0025) < 0.0003, qPrintable(told)); // the wire's last digit of the angle is in it
 }
 
-QTEST_GUILESS_MAIN(tst_SensorNoise)
+USAR_TEST(tst_SensorNoise)
+
+} // namespace tst_sensor_noise
+
 #include "tst_sensor_noise.moc"

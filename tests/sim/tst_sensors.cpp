@@ -1,9 +1,14 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/sim/sensors/ins.h"
 #include "core/sim/sensors/range_scanner.h"
 #include "core/sim/sensors/sonar.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_sensors {
 
 using namespace usar;
 using namespace usar::sim;
@@ -56,7 +61,7 @@ double rms(const std::vector<double>& values) {
 
 } // namespace
 
-class TestSensors : public QObject {
+class tst_Sensors : public QObject {
     Q_OBJECT
 
 private slots:
@@ -240,5 +245,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSensors)
+USAR_TEST(tst_Sensors)
+
+} // namespace tst_sensors
+
 #include "tst_sensors.moc"

@@ -1,11 +1,16 @@
 #include <algorithm>
 
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/base/random.h"
 #include "tests/protocol/corpus.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_server_manners {
 
 using namespace usar;
 using namespace usar::sim;
@@ -139,5 +144,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_ServerManners)
+USAR_TEST(tst_ServerManners)
+
+} // namespace tst_server_manners
+
 #include "tst_server_manners.moc"

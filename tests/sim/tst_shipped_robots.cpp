@@ -1,8 +1,14 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTest>
 
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_shipped_robots {
 
 using namespace usar;
 using namespace usar::sim;
@@ -214,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_ShippedRobots)
+USAR_TEST(tst_ShippedRobots)
+
+} // namespace tst_shipped_robots
+
 #include "tst_shipped_robots.moc"

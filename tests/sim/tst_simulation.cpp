@@ -1,8 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_simulation {
 
 using namespace usar;
 using namespace usar::sim;
@@ -35,7 +40,7 @@ bool anyContains(const Lines& lines, const std::string& text) {
 
 } // namespace
 
-class TestSimulation : public QObject {
+class tst_Simulation : public QObject {
     Q_OBJECT
 
 private slots:
@@ -388,5 +393,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulation)
+USAR_TEST(tst_Simulation)
+
+} // namespace tst_simulation
+
 #include "tst_simulation.moc"

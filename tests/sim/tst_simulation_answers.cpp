@@ -1,7 +1,12 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_simulation_answers {
 
 using namespace usar;
 using namespace usar::sim;
@@ -34,7 +39,7 @@ struct Landed {
 
 } // namespace
 
-class TestSimulationAnswers : public QObject {
+class tst_SimulationAnswers : public QObject {
     Q_OBJECT
 
 private slots:
@@ -179,5 +184,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulationAnswers)
+USAR_TEST(tst_SimulationAnswers)
+
+} // namespace tst_simulation_answers
+
 #include "tst_simulation_answers.moc"

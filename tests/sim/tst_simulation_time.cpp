@@ -1,9 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "core/base/numbers.h"
 #include "core/base/random.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_simulation_time {
 
 using namespace usar;
 using namespace usar::sim;
@@ -64,7 +68,7 @@ std::string randomFlight(std::uint64_t seed, int ticks) {
 
 } // namespace
 
-class TestSimulationTime : public QObject {
+class tst_SimulationTime : public QObject {
     Q_OBJECT
 
 private slots:
@@ -202,5 +206,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulationTime)
+USAR_TEST(tst_SimulationTime)
+
+} // namespace tst_simulation_time
+
 #include "tst_simulation_time.moc"

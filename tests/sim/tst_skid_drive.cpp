@@ -1,7 +1,12 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/sim/drives/skid_drive.h"
 #include "tests/sim/driven_robot.h"
+#include "tests/suite/suite.h"
+
+namespace tst_skid_drive {
 
 using namespace usar;
 using namespace usar::sim;
@@ -40,7 +45,7 @@ bool near(double value, double expected, double share) {
 
 } // namespace
 
-class TestSkidDrive : public QObject {
+class tst_SkidDrive : public QObject {
     Q_OBJECT
 
 private slots:
@@ -229,5 +234,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSkidDrive)
+USAR_TEST(tst_SkidDrive)
+
+} // namespace tst_skid_drive
+
 #include "tst_skid_drive.moc"

@@ -1,9 +1,15 @@
 // A run that is kept and taken up again goes on byte by byte as the one that was not.
-#include <QtTest>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_snapshot {
 
 using namespace usar;
 using namespace usar::sim;
@@ -219,5 +225,8 @@ void tst_Snapshot::damagedFilesAreRefusedWithTheirLine() {
     QVERIFY2(QString::fromStdString(snapshot.error().text()).contains(words), snapshot.error().text().c_str());
 }
 
-QTEST_GUILESS_MAIN(tst_Snapshot)
+USAR_TEST(tst_Snapshot)
+
+} // namespace tst_snapshot
+
 #include "tst_snapshot.moc"

@@ -1,13 +1,17 @@
 #include "core/sim/terrain.h"
 
-#include <QtTest>
+#include <QObject>
+#include <QTest>
 
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_terrain {
 
 using usar::Vec2;
 using usar::sim::Terrain;
 
-class TestTerrain : public QObject {
+class tst_Terrain : public QObject {
     Q_OBJECT
 
 private slots:
@@ -35,7 +39,7 @@ Terrain twoCells() {
 
 } // namespace
 
-void TestTerrain::heightIsThatOfTheTriangleUnderThePoint_data() {
+void tst_Terrain::heightIsThatOfTheTriangleUnderThePoint_data() {
     QTest::addColumn<double>("x_m");
     QTest::addColumn<double>("y_m");
     QTest::addColumn<double>("height_m");
@@ -46,14 +50,14 @@ void TestTerrain::heightIsThatOfTheTriangleUnderThePoint_data() {
     QTest::newRow("lower edge") << 13.0 << 20.0 << 2.0;
 }
 
-void TestTerrain::heightIsThatOfTheTriangleUnderThePoint() {
+void tst_Terrain::heightIsThatOfTheTriangleUnderThePoint() {
     QFETCH(double, x_m);
     QFETCH(double, y_m);
     QFETCH(double, height_m);
     QVERIFY(std::abs(twoCells().height_m({x_m, y_m}) - height_m) < 1e-12);
 }
 
-void TestTerrain::postsKeepTheirHeights() {
+void tst_Terrain::postsKeepTheirHeights() {
     const Terrain terrain = usar::doubles::roughWorld(5, 9).terrain;
     for (std::size_t row = 0; row < terrain.rows(); ++row)
         for (std::size_t column = 0; column < terrain.columns(); ++column) {
@@ -63,7 +67,7 @@ void TestTerrain::postsKeepTheirHeights() {
         }
 }
 
-void TestTerrain::heightIsContinuousAcrossCells() {
+void tst_Terrain::heightIsContinuousAcrossCells() {
     const Terrain terrain = usar::doubles::roughWorld(6, 9).terrain;
     const double steepest = 2.0 * 4.0 / terrain.step_m();
     usar::Random random = usar::seeded(6, 0);
@@ -74,7 +78,7 @@ void TestTerrain::heightIsContinuousAcrossCells() {
     }
 }
 
-void TestTerrain::pointsOutsideTakeTheBorder_data() {
+void tst_Terrain::pointsOutsideTakeTheBorder_data() {
     QTest::addColumn<double>("x_m");
     QTest::addColumn<double>("y_m");
     QTest::addColumn<double>("height_m");
@@ -84,31 +88,31 @@ void TestTerrain::pointsOutsideTakeTheBorder_data() {
     QTest::newRow("north of an upper edge") << 13.0 << 50.0 << 3.0;
 }
 
-void TestTerrain::pointsOutsideTakeTheBorder() {
+void tst_Terrain::pointsOutsideTakeTheBorder() {
     QFETCH(double, x_m);
     QFETCH(double, y_m);
     QFETCH(double, height_m);
     QVERIFY(std::abs(twoCells().height_m({x_m, y_m}) - height_m) < 1e-12);
 }
 
-void TestTerrain::extentSpansTheOuterPosts() {
+void tst_Terrain::extentSpansTheOuterPosts() {
     const usar::Rectangle expected{{10.0, 20.0}, {14.0, 22.0}};
     QCOMPARE(twoCells().extent(), expected);
 }
 
-void TestTerrain::knowsLowestAndHighestPost() {
+void tst_Terrain::knowsLowestAndHighestPost() {
     QCOMPARE(twoCells().minimum_m(), -2.0f);
     QCOMPARE(twoCells().maximum_m(), 8.0f);
 }
 
-void TestTerrain::anEmptyTerrainIsFlatAndHasNoExtent() {
+void tst_Terrain::anEmptyTerrainIsFlatAndHasNoExtent() {
     const Terrain terrain;
     QVERIFY(terrain.empty());
     QVERIFY(terrain.extent().empty());
     QCOMPARE(terrain.height_m({3.0, 4.0}), 0.0);
 }
 
-void TestTerrain::aLevelFloorHasTheFewestSquarePosts_data() {
+void tst_Terrain::aLevelFloorHasTheFewestSquarePosts_data() {
     QTest::addColumn<double>("width_m");
     QTest::addColumn<double>("depth_m");
     QTest::addColumn<int>("columns");
@@ -120,7 +124,7 @@ void TestTerrain::aLevelFloorHasTheFewestSquarePosts_data() {
     QTest::newRow("tenths") << 0.7 << 0.3 << 8 << 4;
 }
 
-void TestTerrain::aLevelFloorHasTheFewestSquarePosts() {
+void tst_Terrain::aLevelFloorHasTheFewestSquarePosts() {
     QFETCH(double, width_m);
     QFETCH(double, depth_m);
     QFETCH(int, columns);
@@ -134,7 +138,7 @@ void TestTerrain::aLevelFloorHasTheFewestSquarePosts() {
     QCOMPARE(floor->maximum_m(), 1.5f);
 }
 
-void TestTerrain::noFloorWithoutACommonMeasure_data() {
+void tst_Terrain::noFloorWithoutACommonMeasure_data() {
     QTest::addColumn<double>("width_m");
     QTest::addColumn<double>("depth_m");
     QTest::newRow("no width") << 0.0 << 1.0;
@@ -144,11 +148,14 @@ void TestTerrain::noFloorWithoutACommonMeasure_data() {
     QTest::newRow("not a number") << std::nan("") << 1.0;
 }
 
-void TestTerrain::noFloorWithoutACommonMeasure() {
+void tst_Terrain::noFloorWithoutACommonMeasure() {
     QFETCH(double, width_m);
     QFETCH(double, depth_m);
     QVERIFY(!Terrain::level({Vec2::Zero(), Vec2{width_m, depth_m}}, 0.0));
 }
 
-QTEST_APPLESS_MAIN(TestTerrain)
+USAR_TEST(tst_Terrain)
+
+} // namespace tst_terrain
+
 #include "tst_terrain.moc"

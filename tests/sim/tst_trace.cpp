@@ -1,9 +1,14 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/protocol/trace_pen.h"
 #include "core/sim/scene.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_trace {
 
 using namespace usar;
 using namespace usar::sim;
@@ -70,5 +75,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Trace)
+USAR_TEST(tst_Trace)
+
+} // namespace tst_trace
+
 #include "tst_trace.moc"

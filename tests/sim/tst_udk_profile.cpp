@@ -1,8 +1,13 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "core/protocol/dialect_detector.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_udk_profile {
 
 using namespace usar;
 using namespace usar::sim;
@@ -171,5 +176,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_UdkProfile)
+USAR_TEST(tst_UdkProfile)
+
+} // namespace tst_udk_profile
+
 #include "tst_udk_profile.moc"

@@ -1,7 +1,12 @@
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTest>
 
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_world_controller {
 
 using namespace usar;
 using namespace usar::sim;
@@ -304,5 +309,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WorldController)
+USAR_TEST(tst_WorldController)
+
+} // namespace tst_world_controller
+
 #include "tst_world_controller.moc"

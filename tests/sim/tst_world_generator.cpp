@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include <QtTest>
+#include <QObject>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "core/base/random.h"
 #include "core/sim/ray_caster.h"
@@ -11,6 +13,9 @@
 #include "core/sim/worlds/fractal_noise.h"
 #include "core/sim/worlds/tall_test.h"
 #include "tests/doubles/test_files.h"
+#include "tests/suite/suite.h"
+
+namespace tst_world_generator {
 
 using usar::Vec2;
 using usar::Vec3;
@@ -19,7 +24,7 @@ using usar::doubles::readAll;
 using usar::sim::Plant;
 using usar::sim::World;
 
-class TestWorldGenerator : public QObject {
+class tst_WorldGenerator : public QObject {
     Q_OBJECT
 
 private slots:
@@ -83,14 +88,14 @@ double blockedShare(const World& world, const Vec2& half_m) {
 
 } // namespace
 
-void TestWorldGenerator::addSeeds() {
+void tst_WorldGenerator::addSeeds() {
     QTest::addColumn<int>("seed");
     QTest::newRow("the seed that ships") << 1;
     QTest::newRow("seed 2") << 2;
     QTest::newRow("seed 3") << 3;
 }
 
-void TestWorldGenerator::equalSeedsGiveEqualBytes() {
+void tst_WorldGenerator::equalSeedsGiveEqualBytes() {
     const QTemporaryDir a;
     const QTemporaryDir b;
     QVERIFY(usar::sim::generateWorld("tall_test", 7, data, pathOf(a)));
@@ -102,12 +107,12 @@ void TestWorldGenerator::equalSeedsGiveEqualBytes() {
     }
 }
 
-void TestWorldGenerator::otherSeedsGiveOtherWorlds() {
+void tst_WorldGenerator::otherSeedsGiveOtherWorlds() {
     QVERIFY(tallTest(1).terrain.heights_m() != tallTest(2).terrain.heights_m());
     QVERIFY(tallTest(1).plants != tallTest(2).plants);
 }
 
-void TestWorldGenerator::whatIsWrittenReadsBackEqual() {
+void tst_WorldGenerator::whatIsWrittenReadsBackEqual() {
     const QTemporaryDir folder;
     QVERIFY(usar::sim::generateWorld("tall_test", 1, data, pathOf(folder)));
     const auto read = usar::sim::readWorld(pathOf(folder));
@@ -126,7 +131,7 @@ void TestWorldGenerator::whatIsWrittenReadsBackEqual() {
     }
 }
 
-void TestWorldGenerator::refusesAnUnknownNameAndSaysTheKnown() {
+void tst_WorldGenerator::refusesAnUnknownNameAndSaysTheKnown() {
     const QTemporaryDir folder;
     const auto made = usar::sim::generateWorld("atlantis", 1, data, pathOf(folder));
     QVERIFY(!made);
@@ -134,7 +139,7 @@ void TestWorldGenerator::refusesAnUnknownNameAndSaysTheKnown() {
     QVERIFY(made.error().mend.find("tall_test") != std::string::npos);
 }
 
-void TestWorldGenerator::saysWhenTheFolderCannotBeMade() {
+void tst_WorldGenerator::saysWhenTheFolderCannotBeMade() {
     const QTemporaryDir folder;
     usar::doubles::writeAll(pathOf(folder) / "file", "in the way");
     const auto made = usar::sim::generateWorld("tall_test", 1, data, pathOf(folder) / "file" / "world");
@@ -142,11 +147,11 @@ void TestWorldGenerator::saysWhenTheFolderCannotBeMade() {
     QVERIFY(!made.error().mend.empty());
 }
 
-void TestWorldGenerator::holdsWhatWasOrdered_data() {
+void tst_WorldGenerator::holdsWhatWasOrdered_data() {
     addSeeds();
 }
 
-void TestWorldGenerator::holdsWhatWasOrdered() {
+void tst_WorldGenerator::holdsWhatWasOrdered() {
     QFETCH(int, seed);
     const World& world = tallTest(seed);
     QCOMPARE(world.terrain.columns(), std::size_t{1025});
@@ -164,7 +169,7 @@ void TestWorldGenerator::holdsWhatWasOrdered() {
     QVERIFY2(wet_share > 0.002 && wet_share < 0.1, std::to_string(wet_share).c_str());
 }
 
-void TestWorldGenerator::startPosesAreLevelOpenAndDry() {
+void tst_WorldGenerator::startPosesAreLevelOpenAndDry() {
     QFETCH(int, seed);
     const World& world = tallTest(seed);
     const usar::sim::RayCaster caster(world);
@@ -185,7 +190,7 @@ void TestWorldGenerator::startPosesAreLevelOpenAndDry() {
     }
 }
 
-void TestWorldGenerator::treesKeepTheirDistanceAndStandOnDryGround() {
+void tst_WorldGenerator::treesKeepTheirDistanceAndStandOnDryGround() {
     QFETCH(int, seed);
     const World& world = tallTest(seed);
     std::vector<Plant> trees;
@@ -203,7 +208,7 @@ void TestWorldGenerator::treesKeepTheirDistanceAndStandOnDryGround() {
     }
 }
 
-void TestWorldGenerator::leavesRoomToFlyNearThePlayerStart() {
+void tst_WorldGenerator::leavesRoomToFlyNearThePlayerStart() {
     QFETCH(int, seed);
     const double near = blockedShare(tallTest(seed), {30.0, 20.0});
     const double everywhere = blockedShare(tallTest(seed), {100.0, 100.0});
@@ -211,7 +216,7 @@ void TestWorldGenerator::leavesRoomToFlyNearThePlayerStart() {
     QVERIFY2(everywhere > 0.15 && everywhere < 0.45, std::to_string(everywhere).c_str());
 }
 
-void TestWorldGenerator::noiseIsSmoothAndBounded() {
+void tst_WorldGenerator::noiseIsSmoothAndBounded() {
     const usar::sim::FractalNoise noise{.seed = 5};
     usar::Random random = usar::seeded(5, 0);
     double lowest_m = 0.0;
@@ -228,5 +233,8 @@ void TestWorldGenerator::noiseIsSmoothAndBounded() {
     QVERIFY(lowest_m < -6.0 && highest_m > 6.0);
 }
 
-QTEST_APPLESS_MAIN(TestWorldGenerator)
+USAR_TEST(tst_WorldGenerator)
+
+} // namespace tst_world_generator
+
 #include "tst_world_generator.moc"

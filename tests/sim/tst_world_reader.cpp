@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QObject>
+#include <QString>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "core/sim/height_png.h"
 #include "core/sim/world_writer.h"
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/test_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_world_reader {
 
 using usar::Pose;
 using usar::doubles::pathOf;
@@ -22,7 +28,7 @@ using usar::sim::VictimPartKind;
 using usar::sim::World;
 using usar::sim::WorldObject;
 
-class TestWorldReader : public QObject {
+class tst_WorldReader : public QObject {
     Q_OBJECT
 
 private slots:
@@ -111,20 +117,20 @@ World smallWorld() {
 
 } // namespace
 
-void TestWorldReader::init() {
+void tst_WorldReader::init() {
     folder_ = std::make_unique<QTemporaryDir>();
     world_ = smallWorld();
     QVERIFY(usar::sim::writeWorld(world_, folder()));
 }
 
-void TestWorldReader::replace(const std::string& from, const std::string& to) {
+void tst_WorldReader::replace(const std::string& from, const std::string& to) {
     std::string text = readAll(sdf());
     const std::size_t at = text.find(from);
     QVERIFY2(at != std::string::npos, from.c_str());
     writeAll(sdf(), text.replace(at, from.size(), to));
 }
 
-void TestWorldReader::readsBackWhatWasWritten() {
+void tst_WorldReader::readsBackWhatWasWritten() {
     const auto read = usar::sim::readWorld(folder());
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QCOMPARE(read->name, world_.name);
@@ -158,7 +164,7 @@ void TestWorldReader::readsBackWhatWasWritten() {
     QVERIFY(same == world_);
 }
 
-void TestWorldReader::northIsTheTopOfThePicture() {
+void tst_WorldReader::northIsTheTopOfThePicture() {
     const auto image = usar::sim::readHeightPng(folder() / "height.png");
     QVERIFY(image);
     // Lowest y and highest x of the ground: lower right corner of the picture.
@@ -166,7 +172,7 @@ void TestWorldReader::northIsTheTopOfThePicture() {
     QVERIFY(std::abs(world_.terrain.height_m({16.0, -16.0}) - corner_m) < 1e-9);
 }
 
-void TestWorldReader::posesOfModelLinkAndCollisionAddUp() {
+void tst_WorldReader::posesOfModelLinkAndCollisionAddUp() {
     replace(
         "<model name=\"buildings\">\n      <static>true</static>\n      <link name=\"link\">",
         "<model name=\"buildings\">\n      <static>true</static>\n      <pose>3 -3 1 0 0 1.5707963267948966</pose>\n"
@@ -177,7 +183,7 @@ void TestWorldReader::posesOfModelLinkAndCollisionAddUp() {
     QVERIFY(read->boxes[0].center_in_map.position_m.isApprox(usar::Vec3{2.0, -2.0, 1.5}, 1e-9));
 }
 
-void TestWorldReader::massesNeedNotSitInTheMiddleOfALink() {
+void tst_WorldReader::massesNeedNotSitInTheMiddleOfALink() {
     replace("<pose>2 0.5 0.043 0 0 0</pose>", "<pose>2 0.5 1 0 0 1.5707963267948966</pose>");
     replace("<inertial><mass>0.06", "<inertial><pose>0.1 0 0 0 0 0</pose><mass>0.06");
     const auto read = usar::sim::readWorld(folder());
@@ -186,7 +192,7 @@ void TestWorldReader::massesNeedNotSitInTheMiddleOfALink() {
     QVERIFY(read->objects[0].body.parts[0].part_in_body.position_m.isApprox(usar::Vec3{-0.1, 0.0, 0.0}, 1e-9));
 }
 
-void TestWorldReader::whatIsNotSaidOfASurfaceIsUsual() {
+void tst_WorldReader::whatIsNotSaidOfASurfaceIsUsual() {
     replace("<bounce><restitution_coefficient>0.6</restitution_coefficient></bounce>", "");
     replace("<friction>0.5</friction><rolling_friction>0.001</rolling_friction>", "");
     const auto read = usar::sim::readWorld(folder());
@@ -196,7 +202,7 @@ void TestWorldReader::whatIsNotSaidOfASurfaceIsUsual() {
     QCOMPARE(read->objects[0].body.rolling_friction_m, 0.0);
 }
 
-void TestWorldReader::aWorldWithoutPlantsOrWaterIsFine() {
+void tst_WorldReader::aWorldWithoutPlantsOrWaterIsFine() {
     world_.plants.clear();
     world_.water.reset();
     QVERIFY(usar::sim::writeWorld(world_, folder()));
@@ -205,7 +211,7 @@ void TestWorldReader::aWorldWithoutPlantsOrWaterIsFine() {
     QVERIFY(read->plants.empty() && !read->water);
 }
 
-void TestWorldReader::refusesAndSaysWhere_data() {
+void tst_WorldReader::refusesAndSaysWhere_data() {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
     QTest::addColumn<QString>("word");
@@ -256,7 +262,7 @@ void TestWorldReader::refusesAndSaysWhere_data() {
     addBrokenThings();
 }
 
-void TestWorldReader::addBrokenTags() {
+void tst_WorldReader::addBrokenTags() {
     QTest::newRow("a tag without a number") << QString("id=\"7\"") << QString("") << QString("usar:rfid_tag");
     QTest::newRow("a tag with a word for a number")
         << QString("id=\"7\"") << QString("id=\"seven\"") << QString("usar:rfid_tag");
@@ -277,7 +283,7 @@ void TestWorldReader::addBrokenTags() {
                                             << QString("\"Sam\" has no usar:part");
 }
 
-void TestWorldReader::addBrokenSources() {
+void tst_WorldReader::addBrokenSources() {
     QTest::newRow("a sound without loudness") << QString(" loudness=\"82.5\"") << QString("") << QString("usar:sound");
     QTest::newRow("an endless sound") << QString("82.5") << QString("inf") << QString("usar:sound");
     QTest::newRow("a sound without a name") << QString(" name=\"alarm\"") << QString("") << QString("usar:sound");
@@ -291,7 +297,7 @@ void TestWorldReader::addBrokenSources() {
         << QString(" longitude=\"174.7647\"") << QString("") << QString("usar:gps_reference");
 }
 
-void TestWorldReader::addBrokenThings() {
+void tst_WorldReader::addBrokenThings() {
     QTest::newRow("a thing without mass")
         << QString("<inertial><mass>0.06</mass>") << QString("<inertial><mass>0</mass>") << QString("ball");
     QTest::newRow("a thing without inertia")
@@ -325,7 +331,7 @@ void TestWorldReader::addBrokenThings() {
                                         << QString("models in it");
 }
 
-void TestWorldReader::refusesAndSaysWhere() {
+void tst_WorldReader::refusesAndSaysWhere() {
     QFETCH(QString, from);
     QFETCH(QString, to);
     QFETCH(QString, word);
@@ -337,28 +343,28 @@ void TestWorldReader::refusesAndSaysWhere() {
     QVERIFY(!read.error().mend.empty());
 }
 
-void TestWorldReader::refusesAWrongPicture() {
+void tst_WorldReader::refusesAWrongPicture() {
     writeAll(folder() / "height.png", "GIF89a");
     const auto read = usar::sim::readWorld(folder());
     QVERIFY(!read);
     QCOMPARE(read.error().where, (folder() / "height.png").string());
 }
 
-void TestWorldReader::refusesABadPlantWithItsLine() {
+void tst_WorldReader::refusesABadPlantWithItsLine() {
     writeAll(folder() / "plants.csv", readAll(folder() / "plants.csv") + "round,1,2\n");
     const auto read = usar::sim::readWorld(folder());
     QVERIFY(!read);
     QCOMPARE(read.error().where, (folder() / "plants.csv").string() + ":14");
 }
 
-void TestWorldReader::refusesMissingFolders_data() {
+void tst_WorldReader::refusesMissingFolders_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("no folder") << QString("nowhere");
     QTest::newRow("a folder without a world") << QString("empty");
     QTest::newRow("a file") << QString("height.png");
 }
 
-void TestWorldReader::refusesMissingFolders() {
+void tst_WorldReader::refusesMissingFolders() {
     QFETCH(QString, name);
     std::filesystem::create_directory(folder() / "empty");
     const auto read = usar::sim::readWorld(folder() / name.toStdString());
@@ -367,7 +373,7 @@ void TestWorldReader::refusesMissingFolders() {
     QVERIFY(!read.error().mend.empty());
 }
 
-void TestWorldReader::refusesEveryCutFile() {
+void tst_WorldReader::refusesEveryCutFile() {
     const std::string text = readAll(sdf());
     for (const std::size_t part : {0u, 1u, 2u, 3u}) {
         writeAll(sdf(), text.substr(0, text.size() * part / 4));
@@ -378,7 +384,7 @@ void TestWorldReader::refusesEveryCutFile() {
     }
 }
 
-void TestWorldReader::namesTheLineOfBadSdf_data() {
+void tst_WorldReader::namesTheLineOfBadSdf_data() {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
     QTest::newRow("a tag that is not closed") << QString("<static>true</static>") << QString("<static>true</model>");
@@ -394,7 +400,7 @@ void TestWorldReader::namesTheLineOfBadSdf_data() {
     QTest::newRow("a water without weight") << QString("1025") << QString("0");
 }
 
-void TestWorldReader::namesTheLineOfBadSdf() {
+void tst_WorldReader::namesTheLineOfBadSdf() {
     QFETCH(QString, from);
     QFETCH(QString, to);
     const std::string before = readAll(sdf());
@@ -409,14 +415,14 @@ void TestWorldReader::namesTheLineOfBadSdf() {
     QVERIFY2(std::abs(line - broken_line) <= 1, read.error().text().c_str());
 }
 
-void TestWorldReader::refusesAnotherKindOfXml() {
+void tst_WorldReader::refusesAnotherKindOfXml() {
     writeAll(sdf(), "<html></html>");
     const auto read = usar::sim::readWorld(folder());
     QVERIFY(!read);
     QCOMPARE(read.error().what, std::string("this is not SDFormat"));
 }
 
-void TestWorldReader::aFloorNeedsNoPicture_data() {
+void tst_WorldReader::aFloorNeedsNoPicture_data() {
     QTest::addColumn<double>("width_m");
     QTest::addColumn<double>("depth_m");
     QTest::addColumn<double>("z_m");
@@ -426,7 +432,7 @@ void TestWorldReader::aFloorNeedsNoPicture_data() {
     QTest::newRow("a corridor upstairs") << 2.0 << 64.0 << 3.1;
 }
 
-void TestWorldReader::aFloorNeedsNoPicture() {
+void tst_WorldReader::aFloorNeedsNoPicture() {
     QFETCH(double, width_m);
     QFETCH(double, depth_m);
     QFETCH(double, z_m);
@@ -444,7 +450,7 @@ void TestWorldReader::aFloorNeedsNoPicture() {
     QVERIFY(std::abs(read->terrain.height_m({0.3, 0.7}) - z_m) < 1e-6);
 }
 
-void TestWorldReader::boxesAloneAreAWorld() {
+void tst_WorldReader::boxesAloneAreAWorld() {
     world_.terrain = {};
     world_.plants.clear();
     const QTemporaryDir other;
@@ -458,7 +464,7 @@ void TestWorldReader::boxesAloneAreAWorld() {
     QVERIFY(usar::sim::extentOf(*read).min_m.isApprox(usar::Vec2(4.0, -5.0) - reach_m, 1e-9));
 }
 
-void TestWorldReader::steepLandIsKeptInWiderSteps_data() {
+void tst_WorldReader::steepLandIsKeptInWiderSteps_data() {
     QTest::addColumn<double>("slope");
     QTest::addColumn<double>("step_m");
     QTest::newRow("60 m fit 1/1024 m") << 60.0 / 8.0 << 1.0 / 1024.0;
@@ -467,7 +473,7 @@ void TestWorldReader::steepLandIsKeptInWiderSteps_data() {
     QTest::newRow("9 km need 1/4 m") << 9000.0 / 8.0 << 1.0 / 4.0;
 }
 
-void TestWorldReader::steepLandIsKeptInWiderSteps() {
+void tst_WorldReader::steepLandIsKeptInWiderSteps() {
     QFETCH(double, slope);
     QFETCH(double, step_m);
     world_.terrain = usar::doubles::terrainOf(
@@ -478,7 +484,7 @@ void TestWorldReader::steepLandIsKeptInWiderSteps() {
     QVERIFY(read->terrain == world_.terrain);
 }
 
-void TestWorldReader::writesNothingWithoutGround() {
+void tst_WorldReader::writesNothingWithoutGround() {
     world_.terrain = {};
     world_.boxes.clear();
     const QTemporaryDir other;
@@ -486,12 +492,15 @@ void TestWorldReader::writesNothingWithoutGround() {
     QVERIFY(!std::filesystem::exists(pathOf(other) / "void"));
 }
 
-void TestWorldReader::writesNothingWithHeightsThatAreNoNumbers() {
+void tst_WorldReader::writesNothingWithHeightsThatAreNoNumbers() {
     world_.terrain = usar::doubles::terrainOf(9, 1.0, [](double x, double) { return x == 0.0 ? std::nan("") : 1.0; });
     const QTemporaryDir other;
     QVERIFY(!usar::sim::writeWorld(world_, pathOf(other) / "void"));
     QVERIFY(!std::filesystem::exists(pathOf(other) / "void"));
 }
 
-QTEST_APPLESS_MAIN(TestWorldReader)
+USAR_TEST(tst_WorldReader)
+
+} // namespace tst_world_reader
+
 #include "tst_world_reader.moc"

@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
 #include "widgets/area_form.h"
 #include "widgets/connection_bar.h"
 #include "widgets/elided_label.h"
@@ -14,6 +16,8 @@
 #include "widgets/stop_button.h"
 #include "widgets/theme.h"
 #include "widgets/time_bar.h"
+
+namespace tst_bars {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -352,8 +356,9 @@ void tst_Bars::progressIsSaidOfWhatTakesLong() {
     QSignalSpy cancelled(&strip, &ProgressStrip::cancelRequested);
     strip.begin("Opening the quick one");
     strip.end();
-    QTest::qWait(400);
-    QVERIFY2(!strip.isVisible(), "what ends soon needs no strip");
+    const test::Beats delays(350); // before it shows itself
+    QVERIFY2(test::holdsUntil([&] { return !strip.isVisible(); }, [&] { return delays.count() >= 1; }),
+             "what ends soon needs no strip");
     strip.begin("Taking up run.usarsnap");
     QVERIFY(!strip.isVisible());
     QTRY_VERIFY(strip.isVisible());
@@ -513,5 +518,8 @@ void tst_Bars::everythingHasNameAndTooltip() {
         }
 }
 
-QTEST_MAIN(tst_Bars)
+USAR_TEST(tst_Bars)
+
+} // namespace tst_bars
+
 #include "tst_bars.moc"

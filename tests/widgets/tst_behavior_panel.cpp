@@ -10,8 +10,11 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "tests/suite/suite.h"
 #include "widgets/behavior_panel.h"
 #include "widgets/parameter_form.h"
+
+namespace tst_behavior_panel {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -251,5 +254,8 @@ void tst_BehaviorPanel::helpGoesBeforeFieldsAreSqueezed() {
     QTRY_VERIFY(help()->isVisible());
 }
 
-QTEST_MAIN(tst_BehaviorPanel)
+USAR_TEST(tst_BehaviorPanel)
+
+} // namespace tst_behavior_panel
+
 #include "tst_behavior_panel.moc"

@@ -1,8 +1,11 @@
 // Breakpoints as a person sets, reads and keeps them.
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/models/breakpoint_list.h"
+
+namespace tst_breakpoint_list {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -124,5 +127,8 @@ void tst_BreakpointList::sentences() {
     QCOMPARE(breakpointText(list.all().front().what), sentence);
 }
 
-QTEST_APPLESS_MAIN(tst_BreakpointList)
+USAR_TEST(tst_BreakpointList)
+
+} // namespace tst_breakpoint_list
+
 #include "tst_breakpoint_list.moc"

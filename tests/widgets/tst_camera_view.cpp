@@ -8,10 +8,13 @@
 #include <QWheelEvent>
 
 #include "core/base/geometry.h"
+#include "tests/suite/suite.h"
 #include "widgets/camera_canvas.h"
 #include "widgets/camera_view.h"
 #include "widgets/empty_state.h"
 #include "widgets/theme.h"
+
+namespace tst_camera_view {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -44,7 +47,7 @@ struct Shown {
 
 } // namespace
 
-class TestCameraView : public QObject {
+class tst_CameraView : public QObject {
     Q_OBJECT
 
 private slots:
@@ -167,5 +170,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCameraView)
+USAR_TEST(tst_CameraView)
+
+} // namespace tst_camera_view
+
 #include "tst_camera_view.moc"

@@ -2,8 +2,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
 #include "widgets/command_box.h"
 #include "widgets/theme.h"
+
+namespace tst_command_box {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -87,8 +91,8 @@ void tst_CommandBox::anUnknownWordIsWarnedOfAndSent() {
 
 void tst_CommandBox::aWordBeingTypedIsNotYetWrong() {
     type(QStringLiteral("DRIVE {Left 1.0} {Lxq"));
-    QTest::qWait(700); // longer than a pause in typing
-    QCOMPARE(box_->complaint(), QString());
+    const test::Beats pauses(500); // in typing, after which it looks
+    QVERIFY(test::holdsUntil([&] { return box_->complaint().isEmpty(); }, [&] { return pauses.count() >= 2; }));
     box_->line()->setText(QStringLiteral("DRIVE {Left x} {Right 1.0} "));
     QTRY_VERIFY(box_->complaint().contains(QStringLiteral("Column 13: ")));
 }
@@ -183,5 +187,8 @@ void tst_CommandBox::wavesStandUnderTheirWord() {
     QVERIFY2(qAbs(last - first - 3 * letter_px) < letter_px, qPrintable(QString::number(last - first)));
 }
 
-QTEST_MAIN(tst_CommandBox)
+USAR_TEST(tst_CommandBox)
+
+} // namespace tst_command_box
+
 #include "tst_command_box.moc"

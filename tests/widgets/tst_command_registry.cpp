@@ -7,10 +7,13 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/command_palette.h"
 #include "widgets/command_registry.h"
 #include "widgets/escape_twice.h"
 #include "widgets/shortcut_sheet.h"
+
+namespace tst_command_registry {
 
 using namespace usar::widgets;
 
@@ -226,5 +229,8 @@ void tst_CommandRegistry::escapeTwiceCounts() {
     QTEST(int(stops.count()), "stops");
 }
 
-QTEST_MAIN(tst_CommandRegistry)
+USAR_TEST(tst_CommandRegistry)
+
+} // namespace tst_command_registry
+
 #include "tst_command_registry.moc"

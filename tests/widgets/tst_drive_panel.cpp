@@ -7,11 +7,14 @@
 #include <QSlider>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/drive_keys.h"
 #include "widgets/drive_pad.h"
 #include "widgets/drive_panel.h"
 #include "widgets/empty_state.h"
 #include "widgets/theme.h"
+
+namespace tst_drive_panel {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -354,5 +357,8 @@ void tst_DrivePanel::whoDrivesIsSaidInAWord() {
     QCOMPARE(clicked.size(), 2);
 }
 
-QTEST_MAIN(tst_DrivePanel)
+USAR_TEST(tst_DrivePanel)
+
+} // namespace tst_drive_panel
+
 #include "tst_drive_panel.moc"

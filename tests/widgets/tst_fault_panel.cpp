@@ -3,9 +3,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/fault_panel.h"
 #include "widgets/quantity_box.h"
+
+namespace tst_fault_panel {
 
 using namespace usar::widgets;
 
@@ -141,5 +144,8 @@ void tst_FaultPanel::saysWhoCouldMakeFaultsWhereNobodyCan() {
     QVERIFY(!field<QComboBox>("Kind of fault"));
 }
 
-QTEST_MAIN(tst_FaultPanel)
+USAR_TEST(tst_FaultPanel)
+
+} // namespace tst_fault_panel
+
 #include "tst_fault_panel.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/models/figures.h"
+
+namespace tst_figures {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -67,5 +70,8 @@ void tst_Figures::agesStayShort() {
         QVERIFY2(ageText(Seconds(age)).size() <= 6, qPrintable(ageText(Seconds(age))));
 }
 
-QTEST_APPLESS_MAIN(tst_Figures)
+USAR_TEST(tst_Figures)
+
+} // namespace tst_figures
+
 #include "tst_figures.moc"

@@ -2,7 +2,10 @@
 #include <QTest>
 
 #include "core/mapping/shading.h"
+#include "tests/suite/suite.h"
 #include "widgets/height_layer.h"
+
+namespace tst_height_layer {
 
 using namespace usar;
 using namespace usar::mapping;
@@ -177,5 +180,8 @@ void tst_HeightLayer::boundsCoverAllTiles() {
     QCOMPARE(layer.bounds_in_map(), (Rectangle{Vec2(-16, 0), Vec2(32, 48)}));
 }
 
-QTEST_GUILESS_MAIN(tst_HeightLayer)
+USAR_TEST(tst_HeightLayer)
+
+} // namespace tst_height_layer
+
 #include "tst_height_layer.moc"

@@ -2,11 +2,14 @@
 
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/laser_fan_view.h"
 #include "widgets/sonar_columns_view.h"
 #include "widgets/status_strip.h"
 #include "widgets/terrain_profile_view.h"
 #include "widgets/theme.h"
+
+namespace tst_instruments {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -331,5 +334,8 @@ void tst_Instruments::emptyViewsSayWhatWillAppear() {
     }
 }
 
-QTEST_MAIN(tst_Instruments)
+USAR_TEST(tst_Instruments)
+
+} // namespace tst_instruments
+
 #include "tst_instruments.moc"

@@ -2,10 +2,13 @@
 
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/models/area_grip.h"
 #include "widgets/models/label_places.h"
 #include "widgets/models/map_transform.h"
 #include "widgets/models/trail.h"
+
+namespace tst_map_arithmetic {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -272,5 +275,8 @@ void tst_MapArithmetic::trailIgnoresNonsense() {
     QVERIFY(trail.points_m().empty());
 }
 
-QTEST_APPLESS_MAIN(tst_MapArithmetic)
+USAR_TEST(tst_MapArithmetic)
+
+} // namespace tst_map_arithmetic
+
 #include "tst_map_arithmetic.moc"

@@ -7,10 +7,13 @@
 #include <QWheelEvent>
 
 #include "core/mapping/height_map.h"
+#include "tests/suite/suite.h"
 #include "widgets/map_labels.h"
 #include "widgets/map_overlay.h"
 #include "widgets/map_view.h"
 #include "widgets/theme.h"
+
+namespace tst_map_view {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -376,5 +379,8 @@ void tst_MapView::clearForgetsAllButTheLayers() {
     QCOMPARE(view_->layer(MapLayer::Grid), (LayerState{false, 0.3}));
 }
 
-QTEST_MAIN(tst_MapView)
+USAR_TEST(tst_MapView)
+
+} // namespace tst_map_view
+
 #include "tst_map_view.moc"

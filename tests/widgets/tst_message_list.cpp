@@ -18,9 +18,13 @@
 #include <QTest>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
 #include "widgets/empty_state.h"
 #include "widgets/message_list.h"
 #include "widgets/theme.h"
+
+namespace tst_message_list {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -389,9 +393,10 @@ void tst_MessageList::aHundredThousandLinesNeverHoldTheWindow() {
     });
     pulse.start(0);
     list_->setFilter({words});
+    const test::Beats frames(33);
     for (int i = 0; i < 10; ++i) {
         feed(330);
-        QTest::qWait(33);
+        QTRY_VERIFY(frames.count() > i);
     }
     QTRY_VERIFY(!list_->model().filtering());
     qInfo("'%s' over %d lines with 10,000 a second coming: longest block %.0f ms", qPrintable(words), capacity,
@@ -455,5 +460,8 @@ void tst_MessageList::insertingIntoAFullListIsSmooth() {
     QVERIFY(times_ms.front() < 50.0);
 }
 
-QTEST_MAIN(tst_MessageList)
+USAR_TEST(tst_MessageList)
+
+} // namespace tst_message_list
+
 #include "tst_message_list.moc"

@@ -7,17 +7,16 @@
 #include <QTest>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
 #include "widgets/models/caseless_finder.h"
 #include "widgets/models/message_model.h"
 #include "widgets/models/message_parts.h"
 #include "widgets/theme.h"
 
+namespace tst_message_model {
+
 using namespace usar;
 using namespace usar::widgets;
-
-Q_DECLARE_METATYPE(usar::widgets::MessageFilter)
-Q_DECLARE_METATYPE(usar::widgets::Direction)
-Q_DECLARE_METATYPE(usar::widgets::LineFamily)
 
 namespace {
 
@@ -447,5 +446,8 @@ void tst_MessageModel::appendingToAFullRingIsFast() {
     QVERIFY(times_ms.front() < 16.0);
 }
 
-QTEST_MAIN(tst_MessageModel)
+USAR_TEST(tst_MessageModel)
+
+} // namespace tst_message_model
+
 #include "tst_message_model.moc"

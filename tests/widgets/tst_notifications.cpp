@@ -7,11 +7,14 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/notification_center.h"
 #include "widgets/theme.h"
 #include "widgets/toast.h"
 #include "widgets/toast_stack.h"
+
+namespace tst_notifications {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -416,5 +419,8 @@ void tst_Notifications::anOfferIsTakenInItsRowByMouseAndKey() {
     QCOMPARE(activated.size(), 1);
 }
 
-QTEST_MAIN(tst_Notifications)
+USAR_TEST(tst_Notifications)
+
+} // namespace tst_notifications
+
 #include "tst_notifications.moc"

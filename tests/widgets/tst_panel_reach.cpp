@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/area_form.h"
 #include "widgets/behavior_panel.h"
@@ -38,6 +39,8 @@
 #include "widgets/toast.h"
 #include "widgets/toast_stack.h"
 #include "widgets/world_panel.h"
+
+namespace tst_panel_reach {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -179,8 +182,6 @@ QString nameOf(const QWidget* widget) {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Maker)
 
 class tst_PanelReach : public QObject {
     Q_OBJECT
@@ -357,5 +358,8 @@ void tst_PanelReach::narrowPanelsStayNarrow() {
     QCOMPARE(panel->width(), 280);
 }
 
-QTEST_MAIN(tst_PanelReach)
+USAR_TEST(tst_PanelReach)
+
+} // namespace tst_panel_reach
+
 #include "tst_panel_reach.moc"

@@ -6,12 +6,15 @@
 #include <QWheelEvent>
 
 #include "core/base/geometry.h"
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/models/parameter_display.h"
 #include "widgets/parameter_form.h"
 #include "widgets/parameter_row.h"
 #include "widgets/quantity_box.h"
 #include "widgets/theme.h"
+
+namespace tst_parameter_form {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -356,5 +359,8 @@ void tst_ParameterForm::emptyFormSaysSo() {
     QVERIFY(form_->values().empty());
 }
 
-QTEST_MAIN(tst_ParameterForm)
+USAR_TEST(tst_ParameterForm)
+
+} // namespace tst_parameter_form
+
 #include "tst_parameter_form.moc"

@@ -1,12 +1,13 @@
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/models/plan_reasons.h"
 
+namespace tst_plan_activity {
+
 using namespace usar;
 using namespace usar::widgets;
-
-Q_DECLARE_METATYPE(PlanVerdict)
 
 namespace {
 
@@ -214,5 +215,8 @@ void tst_PlanActivity::countersAreWords() {
     QCOMPARE(lastRunText(state, Seconds(9.0)), QStringLiteral("ran 3.0 s ago"));
 }
 
-QTEST_APPLESS_MAIN(tst_PlanActivity)
+USAR_TEST(tst_PlanActivity)
+
+} // namespace tst_plan_activity
+
 #include "tst_plan_activity.moc"

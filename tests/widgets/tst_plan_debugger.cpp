@@ -10,11 +10,14 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/breakpoint_dialog.h"
 #include "widgets/pin_dialog.h"
 #include "widgets/plan_panel.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_debugger {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -367,5 +370,8 @@ void tst_PlanDebugger::aPinIsAValueOrAnAnswer() {
     QCOMPARE(act->result(), posh::ActResult::Running);
 }
 
-QTEST_MAIN(tst_PlanDebugger)
+USAR_TEST(tst_PlanDebugger)
+
+} // namespace tst_plan_debugger
+
 #include "tst_plan_debugger.moc"

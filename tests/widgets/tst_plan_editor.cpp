@@ -8,12 +8,15 @@
 #include <QTest>
 
 #include "core/posh/plan_phrase.h"
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/completion_delegate.h"
 #include "widgets/empty_state.h"
 #include "widgets/plan_editor.h"
 #include "widgets/plan_values_dialog.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_editor {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -590,5 +593,8 @@ void tst_PlanEditor::noRunOfEditsEndsInErrors() {
     QCOMPARE(editor_->text(), std::string(courier_plan));
 }
 
-QTEST_MAIN(tst_PlanEditor)
+USAR_TEST(tst_PlanEditor)
+
+} // namespace tst_plan_editor
+
 #include "tst_plan_editor.moc"

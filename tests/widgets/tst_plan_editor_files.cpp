@@ -9,9 +9,12 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/plan_editor.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_editor_files {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -192,5 +195,8 @@ void tst_PlanEditorFiles::applyingNeedsASoundPlan() {
     QVERIFY(!apply->isEnabled());
 }
 
-QTEST_MAIN(tst_PlanEditorFiles)
+USAR_TEST(tst_PlanEditorFiles)
+
+} // namespace tst_plan_editor_files
+
 #include "tst_plan_editor_files.moc"

@@ -4,8 +4,11 @@
 
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/models/plan_layout.h"
+
+namespace tst_plan_layout {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -188,5 +191,8 @@ void tst_PlanLayout::emptyTreeHasNoSize() {
     QCOMPARE(drawn.layout().nodeAt(drawn.tree, {0, 0}), -1);
 }
 
-QTEST_APPLESS_MAIN(tst_PlanLayout)
+USAR_TEST(tst_PlanLayout)
+
+} // namespace tst_plan_layout
+
 #include "tst_plan_layout.moc"

@@ -11,9 +11,12 @@
 #include <QTest>
 #include <QTextBlock>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/plan_panel.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_panel {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -309,5 +312,8 @@ void tst_PlanPanel::newsKeepsTheChosenRow() {
     QCOMPARE(running->currentRow(), 1);
 }
 
-QTEST_MAIN(tst_PlanPanel)
+USAR_TEST(tst_PlanPanel)
+
+} // namespace tst_plan_panel
+
 #include "tst_plan_panel.moc"

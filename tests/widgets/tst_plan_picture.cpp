@@ -4,9 +4,12 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/plan_picture.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_picture {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -121,5 +124,8 @@ void tst_PlanPicture::whatCannotBeWrittenIsSaidWithTheMend() {
     QVERIFY2(said.contains(words) && said.contains(name.toUtf8()), said.constData());
 }
 
-QTEST_MAIN(tst_PlanPicture)
+USAR_TEST(tst_PlanPicture)
+
+} // namespace tst_plan_picture
+
 #include "tst_plan_picture.moc"

@@ -3,10 +3,13 @@
 #include <QTest>
 #include <QTextBlock>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/models/plan_places.h"
 #include "widgets/plan_text_edit.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_text {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -255,5 +258,8 @@ void tst_PlanText::bothThemesPaint() {
     }
 }
 
-QTEST_MAIN(tst_PlanText)
+USAR_TEST(tst_PlanText)
+
+} // namespace tst_plan_text
+
 #include "tst_plan_text.moc"

@@ -3,14 +3,15 @@
 
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/models/plan_folds.h"
 #include "widgets/models/plan_tree.h"
 
+namespace tst_plan_tree {
+
 using namespace usar;
 using namespace usar::widgets;
-
-Q_DECLARE_METATYPE(PlanNodeKind)
 
 class tst_PlanTree : public QObject {
     Q_OBJECT
@@ -283,5 +284,8 @@ void tst_PlanTree::emptyPlanIsAnEmptyTree() {
     QVERIFY(tree.search(QStringLiteral("a")).empty());
 }
 
-QTEST_APPLESS_MAIN(tst_PlanTree)
+USAR_TEST(tst_PlanTree)
+
+} // namespace tst_plan_tree
+
 #include "tst_plan_tree.moc"

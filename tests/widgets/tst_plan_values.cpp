@@ -9,7 +9,10 @@
 #include <QTest>
 
 #include "core/posh/plan_phrase.h"
+#include "tests/suite/suite.h"
 #include "widgets/plan_values_dialog.h"
+
+namespace tst_plan_values {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -158,5 +161,8 @@ void tst_PlanValues::whatIsNoValueIsNotTaken() {
     QCOMPARE(dialog.test(), testOf("Asked 'fine"));
 }
 
-QTEST_MAIN(tst_PlanValues)
+USAR_TEST(tst_PlanValues)
+
+} // namespace tst_plan_values
+
 #include "tst_plan_values.moc"

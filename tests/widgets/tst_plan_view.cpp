@@ -7,11 +7,15 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/suite/suite.h"
+#include "tests/suite/waiting.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/empty_state.h"
 #include "widgets/plan_painter.h"
 #include "widgets/plan_view.h"
 #include "widgets/theme.h"
+
+namespace tst_plan_view {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -309,8 +313,8 @@ void tst_PlanView::hiddenViewTakesNoNews() {
     view_->hide();
     QSignalSpy refreshed(view_.get(), &PlanView::refreshed);
     view_->setSnapshot(running({root}));
-    QTest::qWait(50);
-    QCOMPARE(refreshed.count(), 0);
+    const test::Beats frames(16);
+    QVERIFY(test::holdsUntil([&] { return refreshed.isEmpty(); }, [&] { return frames.count() >= 3; }));
     QVERIFY(!view_->states()[0].running);
     view_->show();
     QTRY_VERIFY(view_->states()[0].running);
@@ -473,5 +477,8 @@ void tst_PlanView::drawingIsPaintedWholeForPaper() {
     QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));
 }
 
-QTEST_MAIN(tst_PlanView)
+USAR_TEST(tst_PlanView)
+
+} // namespace tst_plan_view
+
 #include "tst_plan_view.moc"

@@ -7,8 +7,11 @@
 #include <QWheelEvent>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
 #include "widgets/plot_canvas.h"
 #include "widgets/theme.h"
+
+namespace tst_plot_canvas {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -260,5 +263,8 @@ void tst_PlotCanvas::tenthLineIsDashed() {
     QVERIFY(dashed < pixelsLike(PlotCanvas::lineColor(0)));
 }
 
-QTEST_MAIN(tst_PlotCanvas)
+USAR_TEST(tst_PlotCanvas)
+
+} // namespace tst_plot_canvas
+
 #include "tst_plot_canvas.moc"

@@ -13,10 +13,13 @@
 #include <QWheelEvent>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/plot_canvas.h"
 #include "widgets/plot_view.h"
 #include "widgets/theme.h"
+
+namespace tst_plot_view {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -390,5 +393,8 @@ void tst_PlotView::manySamplesAreDrawnFast() {
     QVERIFY(times_ms.front() < 100.0);
 }
 
-QTEST_MAIN(tst_PlotView)
+USAR_TEST(tst_PlotView)
+
+} // namespace tst_plot_view
+
 #include "tst_plot_view.moc"

@@ -3,8 +3,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/quantity_box.h"
 #include "widgets/theme.h"
+
+namespace tst_quantity_box {
 
 using namespace usar::widgets;
 
@@ -125,5 +128,8 @@ void tst_QuantityBox::nonsenseKeepsTheValue() {
     QCOMPARE(box.valueFromText(QString()), 7.0);
 }
 
-QTEST_MAIN(tst_QuantityBox)
+USAR_TEST(tst_QuantityBox)
+
+} // namespace tst_quantity_box
+
 #include "tst_quantity_box.moc"

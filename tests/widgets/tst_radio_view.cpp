@@ -1,11 +1,18 @@
 #include <QAbstractItemModelTester>
+#include <QColor>
+#include <QImage>
+#include <QObject>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QString>
+#include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/map_view.h"
 #include "widgets/radio_view.h"
 #include "widgets/theme.h"
+
+namespace tst_radio_view {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -27,7 +34,7 @@ int count(const QImage& picture, const QColor& color) {
 
 } // namespace
 
-class TestRadioView : public QObject {
+class tst_RadioView : public QObject {
     Q_OBJECT
 
 private slots:
@@ -135,5 +142,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestRadioView)
+USAR_TEST(tst_RadioView)
+
+} // namespace tst_radio_view
+
 #include "tst_radio_view.moc"

@@ -4,8 +4,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/record_badge.h"
 #include "widgets/replay_bar.h"
+
+namespace tst_replay_bar {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -118,5 +121,8 @@ void tst_ReplayBar::theBadgeSaysWhatIsWritten() {
     QCOMPARE(badge.text(), QString("not recorded"));
 }
 
-QTEST_MAIN(tst_ReplayBar)
+USAR_TEST(tst_ReplayBar)
+
+} // namespace tst_replay_bar
+
 #include "tst_replay_bar.moc"

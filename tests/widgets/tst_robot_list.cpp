@@ -3,9 +3,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/empty_state.h"
 #include "widgets/robot_list.h"
 #include "widgets/theme.h"
+
+namespace tst_robot_list {
 
 using namespace usar::widgets;
 
@@ -186,5 +189,8 @@ void tst_RobotList::rowHasTheRobotsColorAndGreysWhenStale() {
     QVERIFY(ink() < fresh / 2);
 }
 
-QTEST_MAIN(tst_RobotList)
+USAR_TEST(tst_RobotList)
+
+} // namespace tst_robot_list
+
 #include "tst_robot_list.moc"

@@ -3,9 +3,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/models/figures.h"
 #include "widgets/sensor_panel.h"
 #include "widgets/theme.h"
+
+namespace tst_sensor_panel {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -402,5 +405,8 @@ void tst_SensorPanel::clearForgets() {
     QVERIFY(sheet->isVisible());
 }
 
-QTEST_MAIN(tst_SensorPanel)
+USAR_TEST(tst_SensorPanel)
+
+} // namespace tst_sensor_panel
+
 #include "tst_sensor_panel.moc"

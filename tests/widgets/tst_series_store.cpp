@@ -4,7 +4,10 @@
 #include <QTest>
 
 #include "core/protocol/reader.h"
+#include "tests/suite/suite.h"
 #include "widgets/models/series_store.h"
+
+namespace tst_series_store {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -190,5 +193,8 @@ void tst_SeriesStore::csvOfNothingIsAHeader() {
     QCOMPARE(csvOf({}), std::string("time_s\n"));
 }
 
-QTEST_APPLESS_MAIN(tst_SeriesStore)
+USAR_TEST(tst_SeriesStore)
+
+} // namespace tst_series_store
+
 #include "tst_series_store.moc"

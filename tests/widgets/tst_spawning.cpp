@@ -2,8 +2,11 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/suite/suite.h"
 #include "widgets/hint_strip.h"
 #include "widgets/spawn_card.h"
+
+namespace tst_spawning {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -172,5 +175,8 @@ void tst_Spawning::stripIsDismissed() {
     QVERIFY(strip.isHidden());
 }
 
-QTEST_MAIN(tst_Spawning)
+USAR_TEST(tst_Spawning)
+
+} // namespace tst_spawning
+
 #include "tst_spawning.moc"

@@ -7,8 +7,11 @@
 #include <QSpinBox>
 #include <QTest>
 
+#include "tests/suite/suite.h"
 #include "widgets/icons.h"
 #include "widgets/theme.h"
+
+namespace tst_theme {
 
 using namespace usar::widgets;
 
@@ -22,8 +25,6 @@ QWidget* made() {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Maker)
 
 class tst_Theme : public QObject {
     Q_OBJECT
@@ -199,5 +200,8 @@ void tst_Theme::iconFollowsTheme() {
     QCOMPARE(dark, tokens(Theme::Dark).text);
 }
 
-QTEST_MAIN(tst_Theme)
+USAR_TEST(tst_Theme)
+
+} // namespace tst_theme
+
 #include "tst_theme.moc"

@@ -6,10 +6,13 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "tests/suite/suite.h"
 #include "widgets/map_view.h"
 #include "widgets/theme.h"
 #include "widgets/trace_layer.h"
 #include "widgets/world_panel.h"
+
+namespace tst_world_panel {
 
 using namespace usar;
 using namespace usar::widgets;
@@ -223,24 +226,10 @@ private slots:
         one_by_one.clear();
         QCOMPARE(picture(one_by_one), empty);
     }
-
-    void aHundredThousandMarksPanAtOnce() {
-        TraceLayer layer;
-        for (int i = 0; i < 100000; ++i)
-            layer.add(50.0 * Vec2(std::sin(i * 0.001), std::cos(i * 0.0013)), traceColor(protocol::TraceColor::Red));
-        MapTransform transform;
-        transform.viewport = {1000, 800};
-        transform.pixels_per_m = 8.0;
-        QImage image(1000, 800, QImage::Format_ARGB32_Premultiplied);
-        QPainter painter(&image);
-        layer.paint(painter, transform);
-        QElapsedTimer clock;
-        clock.start();
-        for (int i = 0; i < 10; ++i)
-            layer.paint(painter, transform);
-        QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
-    }
 };
 
-QTEST_MAIN(tst_WorldPanel)
+USAR_TEST(tst_WorldPanel)
+
+} // namespace tst_world_panel
+
 #include "tst_world_panel.moc"

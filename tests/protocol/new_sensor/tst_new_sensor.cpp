@@ -8,6 +8,7 @@
 #include "core/protocol/fields.h"
 #include "core/protocol/reader.h"
 #include "core/protocol/writer.h"
+#include "tests/suite/suite.h"
 
 using namespace usar;
 using namespace usar::protocol;
@@ -73,5 +74,5 @@ void tst_NewSensor::theOthersStayAsTheyAre() {
     QVERIFY(std::holds_alternative<GenericMessage>(reader.read("SEN {Type Other} {Name X} {Dose 1}").message));
 }
 
-QTEST_APPLESS_MAIN(tst_NewSensor)
+USAR_TEST(tst_NewSensor)
 #include "tst_new_sensor.moc"

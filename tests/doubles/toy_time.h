@@ -1,0 +1,9 @@
+// How time goes on for the toys.
+#pragma once
+
+namespace usar::test {
+
+inline constexpr double tick_s = 0.2; ///< between two states, as USARSim's robots speak
+inline constexpr int substeps = 10;   ///< of their motion in a tick
+
+} // namespace usar::test
