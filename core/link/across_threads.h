@@ -22,13 +22,7 @@ void post(QObject* where, Call call) {
 /// Makes the call in the thread in which `where` lives, which must be another one, and returns when it has been made.
 template <class Call>
 void postAndWait(QObject* where, Call& call) {
-    auto ended = HandedOver([] {}); // what the other thread has written is written before this
-    QMetaObject::invokeMethod(where, HandedOver([&call, &ended] {
-                                  call();
-                                  ended.giveAway();
-                              }),
-                              Qt::BlockingQueuedConnection);
-    ended();
+    QMetaObject::invokeMethod(where, HandedOver([&call] { call(); }), Qt::BlockingQueuedConnection);
 }
 
 /// Connects a signal of an object that lives in another thread. The slot (a member function of the receiver, its

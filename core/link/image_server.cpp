@@ -53,7 +53,7 @@ ImageServer::~ImageServer() {
     for (const auto& [id, viewer] : viewers_)
         viewer->socket->disconnect(this);
     maker_->giveUp();
-    thread_.quit();
+    post(maker_, [this] { thread_.quit(); }); // in its thread, which deletes it then
     thread_.wait(); // for one picture at most
 }
 
