@@ -7,6 +7,7 @@
 
 #include "core/agent/published_text.h"
 #include "core/base/numbers.h"
+#include "core/link/across_threads.h"
 #include "core/link/recording_format.h"
 #include "core/protocol/command_writer.h"
 
@@ -53,7 +54,8 @@ void RobotSession::flushRecording() {
     if (!d_->recorder)
         return emit recordingFlushed({});
     const QString path = QString::fromStdString(d_->recorder->path());
-    d_->recorder->flush([this, path] { emit recordingFlushed(path); }); // the recorder ends before this object does
+    // Told in the recorder's thread, which ends before this object does.
+    d_->recorder->flush([this, path] { link::post(this, [this, path] { emit recordingFlushed(path); }); });
 }
 
 Result<void> RobotSession::Private::beginRecording(const QString& path, RecordingFacts facts) {

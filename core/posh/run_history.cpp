@@ -141,7 +141,8 @@ std::vector<std::size_t> RunHistory::epochEnds(const TracedCycle& cycle) {
 }
 
 std::size_t RunHistory::epochCount(std::size_t moment) const {
-    const TracedCycle* const cycle = cursorAt(moment).next();
+    TraceFile::Cursor cursor = cursorAt(moment); // it owns the cycle
+    const TracedCycle* const cycle = cursor.next();
     return cycle ? epochEnds(*cycle).size() : 1;
 }
 

@@ -33,7 +33,7 @@ follow() {
     [ ! -t 2 ] || printf '\r\033[K' >&2
 }
 
-# One line from the variables of `follow`. A rest is estimated once there is something to go by.
+# One line from the variables of `follow`. The time left is estimated once enough is done.
 progress_text() {
     local elapsed=$((SECONDS - begin)) text="$what"
     [ -z "$detail" ] || text+=": $detail"

@@ -82,8 +82,11 @@ private slots:
         behavior.setPatience(Seconds{0.2});
         behavior.begin();
         behavior.receive(stateLine(1, 1.0));
-        script->on_info = [=](const protocol::InfoLine&, CommandPort&) { call == "line" ? hang() : void(); };
-        script->on_tick = [=](const Tick&, CommandPort&) { call == "tick" ? hang() : void(); };
+        // Its thread outlives the test, so it shares no text of Qt's with it.
+        const bool in_line = call == "line";
+        const bool in_tick = call == "tick";
+        script->on_info = [=](const protocol::InfoLine&, CommandPort&) { in_line ? hang() : void(); };
+        script->on_tick = [=](const Tick&, CommandPort&) { in_tick ? hang() : void(); };
         script->on_order = [=](Order, CommandPort&) { hang(); };
         script->on_control = [=](const PlanControl&, CommandPort&) { hang(); };
 

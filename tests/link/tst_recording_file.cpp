@@ -405,7 +405,7 @@ void tst_RecordingFile::garbageNeitherHangsNorCrashes() {
     const auto reader = RecordingReader::open(path());
     QVERIFY(reader);
     QCOMPARE((*reader)->survey().records, 1u);
-    QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY2(timer.elapsed() < 60'000, qPrintable(QString::number(timer.elapsed())));
 }
 
 USAR_TEST(tst_RecordingFile)

@@ -95,7 +95,8 @@ void tst_RecordingFormat::recordsAreReadAsTheyWereWritten() {
         kept.record.name = kept.name;
         kept.record.bytes = kept.bytes;
         const std::string bytes = encoded(kept.record);
-        const auto taken = recording::take(bytes + "more");
+        const std::string and_more = bytes + "more"; // what was taken looks into it
+        const auto taken = recording::take(and_more);
         QCOMPARE(taken.fit, recording::Fit::Whole);
         QCOMPARE(taken.size, bytes.size());
         QVERIFY(taken.record == kept.record);

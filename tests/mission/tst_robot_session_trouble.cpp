@@ -374,7 +374,7 @@ void tst_RobotSessionTrouble::aServerThatReadsSlowlyGetsEveryCommandAndTheNewest
     f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 3.0}, "operator: stick");
     QVERIFY(waits()); // and is said once
     f.server.setDeaf(false);
-    QTRY_VERIFY(!waits());
+    QTRY_VERIFY_WITH_TIMEOUT(!waits(), 20000);
     QTRY_COMPARE(f.server.heardOf("DRIVE").size(), 1);
     QVERIFY(f.server.heardOf("DRIVE").at(0).contains("{AltitudeVelocity 3"));
     const QList<QByteArray> heard = f.server.heardOf("SET");
