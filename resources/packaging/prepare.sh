@@ -124,10 +124,12 @@ install_missing() {
     fi
     say "Installing: ${missing[*]}"
     "${as_root[@]}" env LC_ALL=C.UTF-8 apt-get update -qq >"$log" 2>&1 || give_up "Updating the package lists" "$log"
-    # Hundreds of small files: asking the disk to confirm each one is most of the time on a slow disk.
-    "${as_root[@]}" env LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
-        -o Dpkg::Options::=--force-unsafe-io -o Dpkg::Use-Pty=0 -o APT::Status-Fd=1 "${missing[@]}" 2>&1 </dev/null |
-        tee -a "$log" | follow "Installing packages" read_apt_status || give_up "Installing packages" "$log"
+    # Hundreds of small files: asking the disk to confirm each one is most of the time on a slow disk. The status goes to a
+    # descriptor of its own, for apt closes it in what it starts; it is opened within sudo, which closes all but three.
+    "${as_root[@]}" env LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -c '
+        exec apt-get install -y -q --no-install-recommends -o Dpkg::Options::=--force-unsafe-io -o Dpkg::Use-Pty=0 \
+            -o APT::Status-Fd=3 "${@:2}" 3>&1 >>"$1" 2>&1 </dev/null' install "$log" "${missing[@]}" |
+        follow "Installing packages" read_apt_status || give_up "Installing packages" "$log"
     say "Installed in $(as_time $((SECONDS - begin)))."
 }
 
