@@ -73,7 +73,7 @@ compiler_heap_mb() {
 
 # first_error LOG: the first thing that went wrong in it, with what stands below it.
 first_error() {
-    local pattern='^E: |CMake Error|error: |undefined reference|ld: |No space left on device|Killed signal|out of memory'
+    local pattern='^dpkg: error|^E: |CMake Error|error: |undefined reference|ld: |No space left on device|Killed signal|out of memory'
     pattern+='|virtual memory exhausted|Segmentation fault|^FAILED: |^sudo: '
     if grep -q -E "$pattern" "$1"; then
         # Of a failed step its command line comes first, which is long and says nothing.
