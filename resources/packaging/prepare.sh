@@ -4,7 +4,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$root/resources/packaging/progress.sh"
 
-build_packages=(g++ cmake ninja-build ccache pkg-config qt6-base-dev libqcustomplot-dev libbullet-dev libsdformat-dev
+build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqcustomplot-dev libbullet-dev libsdformat-dev
                 libpng-dev libjpeg62-turbo-dev libexpected-dev libeigen3-dev libsdl2-dev
                 fonts-dejavu-core)
 test_packages=(libbenchmark-dev gdal-bin pngcheck clang libclang-rt-14-dev)
@@ -157,7 +157,8 @@ build() {
     export LC_ALL=C.UTF-8 NINJA_STATUS='[%f/%t] '
     # The heap is chosen once: another figure would be another command for each file.
     if [ ! -f "build/$preset/CMakeCache.txt" ]; then set -- -DUSAR_COMPILER_HEAP_MB="$(compiler_heap_mb)" "$@"; fi
-    cmake --preset "$preset" -DUSAR_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON \
+    # A compiler cache would hash 300 MB of precompiled headers for each file; a first build takes much longer with it.
+    cmake --preset "$preset" -DUSAR_PRECOMPILE=ON -DUSAR_COMPILER_CACHE=OFF -DCMAKE_UNITY_BUILD=ON \
         -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@" >"$log" 2>&1 ||
         give_up "Configuring the build $preset" "$log"
     weight=$(steps_weight "$preset" "${targets[@]}")
