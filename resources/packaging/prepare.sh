@@ -157,7 +157,7 @@ build() {
     export LC_ALL=C.UTF-8 NINJA_STATUS='[%f/%t] '
     # The heap is chosen once: another figure would be another command for each file.
     if [ ! -f "build/$preset/CMakeCache.txt" ]; then set -- -DUSAR_COMPILER_HEAP_MB="$(compiler_heap_mb)" "$@"; fi
-    # A compiler cache would hash 300 MB of precompiled headers for each file; a first build takes much longer with it.
+    # A compiler cache would hash 300 MB of precompiled headers for each file.
     cmake --preset "$preset" -DUSAR_PRECOMPILE=ON -DUSAR_COMPILER_CACHE=OFF -DCMAKE_UNITY_BUILD=ON \
         -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@" >"$log" 2>&1 ||
         give_up "Configuring the build $preset" "$log"
