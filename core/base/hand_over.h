@@ -11,9 +11,9 @@
 namespace usar {
 
 /// Debian's Qt is not built for ThreadSanitizer, which therefore does not see that an event is posted before it is
-/// delivered, and takes each value in it for a race. This marks the order: what was written before the call came to rest
-/// where it is now was written before it is made, and what the call has written was written before it is destroyed.
-/// Without ThreadSanitizer it is the call and nothing else.
+/// delivered, and takes each value in it for a race. This marks the order: what was written before the call came to
+/// rest where it is now was written before it is made, and what the call has written was written before it is
+/// destroyed. Without ThreadSanitizer it is the call and nothing else.
 template <class Call>
 class HandedOver {
 public:
@@ -36,8 +36,12 @@ public:
 
 private:
 #ifdef __SANITIZE_THREAD__
-    void release() { __tsan_release(this); }
-    void acquire() { __tsan_acquire(this); }
+    void release() {
+        __tsan_release(this);
+    }
+    void acquire() {
+        __tsan_acquire(this);
+    }
 #else
     void release() {}
     void acquire() {}

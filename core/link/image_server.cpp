@@ -54,7 +54,7 @@ ImageServer::~ImageServer() {
         viewer->socket->disconnect(this);
     maker_->giveUp();
     post(maker_, [this] { thread_.quit(); }); // in its thread, which deletes it then
-    thread_.wait(); // for one picture at most
+    thread_.wait();                           // for one picture at most
 }
 
 Result<quint16> ImageServer::listen(quint16 port) {

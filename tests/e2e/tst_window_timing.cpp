@@ -1,4 +1,4 @@
-// What a person may not have to wait for, in wall-clock time: the real window, and a server in a thread of its own.
+// Limits in wall-clock time for what a person sees and does: the real window, and a server in a thread of its own.
 #include <algorithm>
 #include <atomic>
 #include <vector>
