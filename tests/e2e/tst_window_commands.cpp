@@ -88,7 +88,7 @@ void tst_WindowCommands::timeIsPausedSteppedAndRunByCommand() {
     QVERIFY(!enabled(page, "time.step"));
     run(page, "time.pause");
     Seconds stood{0.0};
-    const auto stands = [&] { // for as long as three states would take; what was on its way has come then
+    const auto stands = [&] { // for three states' time, in which lines that were already sent arrive
         stood = page.robot(1)->figures.now;
         const test::Beats states(200);
         return test::holdsUntil([&] { return page.robot(1)->figures.now == stood; },
