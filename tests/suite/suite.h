@@ -14,10 +14,10 @@ using MakeTest = std::unique_ptr<QObject> (*)();
 /// Called before main by USAR_TEST.
 bool addTest(const char* source_file, MakeTest make);
 
-/// Runs tests and returns the exit code of the program. The first argument may name a test; Qt Test takes the rest, which
-/// are names of functions and its own options. Without a name all tests run one after the other, and the code is the
-/// number of failed ones, at most 100. `--list` prints the names, one on each line. The code is 127 where no test has the
-/// name that was given; the message then lists all tests.
+/// Runs tests and returns the exit code of the program. The first argument may name a test; Qt Test takes the rest,
+/// which are names of functions and its own options. Without a name all tests run one after the other, and the code is
+/// the number of failed ones, at most 100. `--list` prints the names, one on each line. The code is 127 where no test
+/// has the name that was given; the message then lists all tests.
 int runTests(int argc, char** argv);
 
 } // namespace usar::test
