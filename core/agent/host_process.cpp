@@ -5,6 +5,7 @@
 #include <cstring>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -46,8 +47,26 @@ std::optional<int> statusOf(int process, Seconds patience) {
     return ::waitpid(process, &status, WNOHANG) == process ? std::optional(status) : std::nullopt;
 }
 
+/// Our own environment with another folder for temporary files.
+class Environment {
+public:
+    explicit Environment(const QTemporaryDir& scratch) : folder_("TMPDIR=" + QFile::encodeName(scratch.path())) {
+        for (char** each = ::environ; *each; ++each)
+            if (std::strncmp(*each, "TMPDIR=", 7) != 0)
+                variables_.push_back(*each);
+        if (scratch.isValid())
+            variables_.push_back(folder_.data());
+        variables_.push_back(nullptr);
+    }
+    char** variables() { return variables_.data(); }
+
+private:
+    QByteArray folder_;
+    std::vector<char*> variables_;
+};
+
 /// Its number, or the error below 0.
-int spawn(const QString& program, int socket) {
+int spawn(const QString& program, int socket, const QTemporaryDir& scratch) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     ::posix_spawn_file_actions_init(&actions);
@@ -60,8 +79,10 @@ int spawn(const QString& program, int socket) {
     QByteArray path = QFile::encodeName(program);
     QByteArray option = QByteArray::number(host_socket);
     char* arguments[] = {path.data(), option.data(), nullptr};
+    Environment environment(scratch);
     int process = 0;
-    const int error = ::posix_spawn(&process, path.constData(), &actions, &attributes, arguments, ::environ);
+    const int error =
+        ::posix_spawn(&process, path.constData(), &actions, &attributes, arguments, environment.variables());
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
     return error == 0 ? process : -error;
@@ -77,16 +98,18 @@ Result<std::unique_ptr<HostProcess>> HostProcess::start(const QString& program, 
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return wrong(std::strerror(errno));
-    const int process = spawn(program, ends[1]);
+    auto scratch = std::make_unique<QTemporaryDir>();
+    const int process = spawn(program, ends[1], *scratch);
     ::close(ends[1]);
     if (process > 0)
-        return std::unique_ptr<HostProcess>(new HostProcess(process, ends[0]));
+        return std::unique_ptr<HostProcess>(new HostProcess(process, ends[0], std::move(scratch)));
     ::close(ends[0]);
     return wrong(program.toStdString() + ": " + std::strerror(-process));
 }
 
 /// A process may be gone and its end of the connection open still, where it has left children behind.
-HostProcess::HostProcess(int process, int socket) : process_(process), process_handle_(handleOf(process)) {
+HostProcess::HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir> scratch)
+    : scratch_(std::move(scratch)), process_(process), process_handle_(handleOf(process)) {
     channel_.emplace(socket);
     channel_->endWith(process_handle_);
     end_handle_ = ::epoll_create1(EPOLL_CLOEXEC);

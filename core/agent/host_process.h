@@ -6,6 +6,7 @@
 #include <string>
 
 #include <QString>
+#include <QTemporaryDir>
 
 #include "core/agent/behavior_frames.h"
 #include "core/agent/frame_channel.h"
@@ -13,7 +14,8 @@
 namespace usar::agent {
 
 /// Ends its process when it goes, and waits up to 200 ms for one that is well. Used from its owner's thread. POSIX
-/// only; on other systems than Linux the end of the connection alone tells that it is gone.
+/// only; on other systems than Linux the end of the connection alone tells that it is gone. The process has a folder of
+/// its own for temporary files, which goes with this, for one that is killed leaves all of them behind.
 class HostProcess {
 public:
     /// `program` is the path of usar-behavior-host. The error names `subject`, whatever is to have the process.
@@ -44,11 +46,12 @@ public:
     std::string howItEnded(std::optional<int> signal, Seconds patience = Seconds{0.5});
 
 private:
-    HostProcess(int process, int socket);
+    HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir> scratch);
     /// Without waiting for it.
     void reap();
     FrameChannel::Received take(std::optional<Seconds> patience, std::optional<frames::Reply>& reply);
 
+    std::unique_ptr<QTemporaryDir> scratch_;
     int process_ = 0;
     std::optional<FrameChannel> channel_;
     int process_handle_ = -1; ///< can be read from when the process is over

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QObject>
@@ -205,6 +206,22 @@ private slots:
         QVERIFY(there.answered());
         QCOMPARE(there.state(), PluginState::Loaded);
         QCOMPARE(there.news.back(), PluginNews::Added);
+    }
+
+    void oneThatIsKilledLeavesNoFilesBehind() {
+        const QByteArray before = qgetenv("TMPDIR");
+        const QTemporaryDir temporary;
+        qputenv("TMPDIR", QFile::encodeName(temporary.path()));
+        qputenv("USAR_TEST_SLOW_S", "60");
+        const auto left = [&] { return QDir(temporary.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot); };
+        {
+            const Asking there({slow}, {"Slow robot"}, {.loading = Seconds{0.3}});
+            QVERIFY(!left().empty()); // or the rest would say nothing
+            QVERIFY(there.answered());
+            QCOMPARE(there.state(), PluginState::Rejected);
+        }
+        before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+        QCOMPARE(left(), QStringList());
     }
 
     void whatCannotBeAskedAtAllIsRefusedAtOnce() {

@@ -14,6 +14,14 @@ namespace {
 
 using namespace usar;
 
+/// For longer than any test looks, and without its output, for whose end a runner of tests would wait.
+void liveOn() {
+    ::close(STDOUT_FILENO);
+    ::close(STDERR_FILENO);
+    ::sleep(20);
+    ::_exit(0);
+}
+
 class FaultyBehavior : public agent::Behavior {
 public:
     FaultyBehavior(std::string fault, long long good_ticks) : fault_(std::move(fault)), good_ticks_(good_ticks) {}
@@ -44,7 +52,7 @@ private:
         if (fault_ == "throw")
             throw std::runtime_error("lost my way");
         if (fault_ == "orphan") // a child that lives on holds the connection to the program
-            ::fork() == 0 ? void(::sleep(20)), ::_exit(0) : void(::kill(::getpid(), SIGKILL));
+            ::fork() == 0 ? liveOn() : void(::kill(::getpid(), SIGKILL));
         if (fault_ == "hang up") // where usar-behavior-host has the connection
             ::shutdown(3, SHUT_WR);
         while (fault_ == "loop" || fault_ == "hang up")

@@ -1,3 +1,5 @@
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 
 #include <QObject>
@@ -158,6 +160,27 @@ private slots:
         QCOMPARE(read.refused.size(), std::size_t(2));
         QVERIFY(read.refused.at(1).text().find("there is a Sample already") != std::string::npos);
         QCOMPARE(readRobots(folder.filePath("nowhere").toStdString()).refused.size(), std::size_t(1));
+    }
+
+    void aFileThatWasWrittenSinceIsReadAgain_data() {
+        QTest::addColumn<QString>("mass"); // in place of 4
+        QTest::newRow("as long") << "6";
+        QTest::newRow("longer") << "6.0";
+    }
+
+    void aFileThatWasWrittenSinceIsReadAgain() {
+        QFETCH(QString, mass);
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("robot.sdf").toStdString();
+        std::ofstream(file) << sample().toStdString();
+        for (int i = 0; i < 2; ++i)
+            QCOMPARE(readRobot(file)->mass_kg(), 5.5);
+        std::ofstream(file) << sample().replace("<mass>4<", "<mass>" + mass + "<").toStdString();
+        std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(1));
+        for (int i = 0; i < 2; ++i)
+            QCOMPARE(readRobot(file)->mass_kg(), 7.5);
+        std::filesystem::remove(file);
+        QVERIFY(!readRobot(file));
     }
 
     void shipsTheRobotsOfTheThesisAndMore() {

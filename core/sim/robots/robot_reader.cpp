@@ -1,6 +1,9 @@
 #include "core/sim/robots/robot_reader.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <mutex>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -304,15 +307,42 @@ Result<RobotModel> RobotReading::read() {
     return std::move(model_);
 }
 
-} // namespace
-
-Result<RobotModel> readRobot(const std::filesystem::path& file) {
+Result<RobotModel> readAnew(const std::filesystem::path& file) {
     const auto root = loadSdf(file);
     if (!root)
         return tl::unexpected(root.error());
     if (!root->Model())
         return failure("there is no model in it", file.string(), mend);
     return RobotReading(file, *root->Model()).read();
+}
+
+/// A robot as its file was when it was read.
+struct ReadRobot {
+    std::filesystem::file_time_type written;
+    std::uintmax_t bytes;
+    RobotModel robot;
+};
+
+} // namespace
+
+/// Reading SDFormat takes some 70 ms a file, and each start of a simulator wants them all.
+Result<RobotModel> readRobot(const std::filesystem::path& file) {
+    static std::mutex one_at_a_time;
+    static std::map<std::filesystem::path, ReadRobot> known;
+    std::error_code trouble;
+    const std::filesystem::path path = std::filesystem::absolute(file, trouble);
+    const auto written = std::filesystem::last_write_time(path, trouble);
+    const std::uintmax_t bytes = trouble ? 0 : std::filesystem::file_size(path, trouble);
+    if (trouble)
+        return readAnew(file); // which says what is wrong
+    const std::scoped_lock lock(one_at_a_time);
+    const auto found = known.find(path);
+    if (found != known.end() && found->second.written == written && found->second.bytes == bytes)
+        return found->second.robot;
+    auto robot = readAnew(file);
+    if (robot)
+        known.insert_or_assign(path, ReadRobot{written, bytes, *robot});
+    return robot;
 }
 
 RobotsRead readRobots(const std::filesystem::path& folder) {

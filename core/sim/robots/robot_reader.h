@@ -9,7 +9,8 @@
 
 namespace usar::sim {
 
-/// Refuses what it cannot build, with the file and the name of the part.
+/// Refuses what it cannot build, with the file and the name of the part. A file that was not written since is not read
+/// again. From any thread.
 Result<RobotModel> readRobot(const std::filesystem::path& file);
 
 struct RobotsRead {
