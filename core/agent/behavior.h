@@ -37,9 +37,9 @@ struct Tick {
 /// published values; nothing else crosses. No GUI, no socket, no clock, no thread, no state shared with anyone.
 class Behavior {
 public:
-    virtual ~Behavior() = default;
+    virtual ~Behavior();
     /// Every info line, before the tick that it may cause.
-    virtual void onInfo(const protocol::InfoLine&, CommandPort&) {}
+    virtual void onInfo(const protocol::InfoLine& line, CommandPort& port);
     virtual void tick(const Tick& tick, CommandPort& port) = 0;
     virtual void order(Order order, CommandPort& port) = 0;
     /// New values while running; already checked against the specs.
@@ -49,12 +49,5 @@ public:
     /// The commands that make the robot safe at once (zero DRIVE); asked for at stop, at close and after a fault.
     virtual protocol::Command safeCommand() const = 0;
 };
-
-inline void Behavior::control(const PlanControl& control, CommandPort& port) {
-    if (const auto* const asked = std::get_if<ReplacePlan>(&control))
-        port.publish(PlanReplaced{.fate = PlanFate::Refused,
-                                  .plan_name = asked->plan.name,
-                                  .reason = "No plan decides what this behavior does."});
-}
 
 } // namespace usar::agent

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/agent/published.h"
@@ -21,14 +20,12 @@ struct CausedCommand {
 class CommandPort {
 public:
     /// `source` says which state or plan node decided; the triggering line is stamped by the host.
-    void send(protocol::Command command, std::string source) {
-        commands_.push_back({std::move(command), {std::move(source), trigger_}});
-    }
-    void publish(Published value) { published_.push_back(std::move(value)); }
+    void send(protocol::Command command, std::string source);
+    void publish(Published value);
 
     void setTrigger(LineNumber line) { trigger_ = line; }
-    std::vector<CausedCommand> takeCommands() { return std::exchange(commands_, {}); }
-    std::vector<Published> takePublished() { return std::exchange(published_, {}); }
+    std::vector<CausedCommand> takeCommands();
+    std::vector<Published> takePublished();
 
 private:
     LineNumber trigger_;

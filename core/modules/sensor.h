@@ -31,23 +31,14 @@ public:
         return stores_.of<Sensor>().all();
     }
 
-    const Stamped<protocol::NamedRange>* sonar(const std::string& name) const {
-        return newest<protocol::SonarReadings>(name);
-    }
-    const Stamped<protocol::RangeScan>* scan(const std::string& name = {}) const {
-        return newest<protocol::RangeScan>(name);
-    }
-    const Stamped<protocol::InsReading>* ins() const { return newest<protocol::InsReading>(); }
-    const Stamped<protocol::GroundTruthReading>* groundTruth() const { return newest<protocol::GroundTruthReading>(); }
-    const Stamped<protocol::OdometryReading>* odometry() const { return newest<protocol::OdometryReading>(); }
-    const Stamped<protocol::EncoderTicks>* encoder(const std::string& name) const {
-        return newest<protocol::EncoderReadings>(name);
-    }
+    const Stamped<protocol::NamedRange>* sonar(const std::string& name) const;
+    const Stamped<protocol::RangeScan>* scan(const std::string& name = {}) const;
+    const Stamped<protocol::InsReading>* ins() const;
+    const Stamped<protocol::GroundTruthReading>* groundTruth() const;
+    const Stamped<protocol::OdometryReading>* odometry() const;
+    const Stamped<protocol::EncoderTicks>* encoder(const std::string& name) const;
     /// Sensors of types that no table knows, and damaged lines of known ones.
-    const Stamped<protocol::GenericMessage>* generic(const std::string& type, const std::string& name) const {
-        const auto* const found = generic_.find(name, type);
-        return found;
-    }
+    const Stamped<protocol::GenericMessage>* generic(const std::string& type, const std::string& name) const;
 
 private:
     SensorStores<Stamped, protocol::SensorTypes> stores_;

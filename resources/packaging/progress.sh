@@ -10,7 +10,7 @@ as_time() { printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); }
 # `finished` and `total` (shares of the work, whole numbers) and `detail` (text) if the line tells something new.
 # On a terminal the line is drawn anew each second; elsewhere a line comes with each tenth of the work, or every 30 s.
 follow() {
-    local what=$1 reader=$2 line last_step=0 begin=$SECONDS finished=0 total=0 detail='' drawn=-1 said_tenth=0 said_at=$SECONDS status
+    local what=$1 reader=$2 line begin=$SECONDS finished=0 total=0 detail='' drawn=-1 said_tenth=0 said_at=$SECONDS status
     shift 2
     while :; do
         status=0
@@ -61,35 +61,27 @@ read_apt_status() {
     if [ "$kind" = dlstatus ]; then finished=$percent; else finished=$((100 + 2 * percent)); fi
 }
 
-fuzzers_weight=150 # all steps of the build within the build, see tests/fuzz
-
 # step_weight LINE: sets `weight`, about how many seconds of one core a build step takes.
 step_weight() {
     case $1 in
         *cmake_pch.hxx*) weight=16 ;;
-        *Unity/unity_*) weight=7 ;;
+        *usar_precompiled_*) weight=1 ;;
+        *Unity/unity_*) weight=8 ;;
+        *mocs_compilation*) weight=1 ;;
         *'Building CXX object'*) weight=4 ;;
         *Generating*world*) weight=2 ;;
-        *usar-fuzz*) weight=$fuzzers_weight ;;
+        *usar-fuzz*) weight=100 ;; # a build within the build
         *) weight=1 ;;
     esac
 }
 
 # What ninja says: "[12/180] Building …". The argument is the weight of all steps.
 read_ninja() {
-    local weight step steps
+    local weight
     [[ $1 =~ ^\[([0-9]+)/([0-9]+)\]\  ]] || return 0
-    step=${BASH_REMATCH[1]} steps=${BASH_REMATCH[2]}
     total=$2
-    if [ "$steps" -lt "$last_step" ]; then # of the fuzzers' own build, which is one step of ours
-        weight=$((fuzzers_weight / steps))
-        detail="step $last_step: fuzzer $step of $steps"
-    else
-        step_weight "$1"
-        [[ $1 != *usar-fuzz* ]] || weight=1
-        last_step=$step
-        detail="step $step of $steps"
-    fi
+    detail="step ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+    step_weight "$1"
     finished=$((finished + weight))
     [ "$finished" -lt "$total" ] || finished=$total
 }

@@ -22,6 +22,9 @@ function(usar_add_robot name)
   endif()
   # What a plugin brings of the SDK is its own: two builds of one plugin are loaded side by side.
   target_link_options(usar_plugin_${name} PRIVATE LINKER:--exclude-libs,ALL)
+  # It includes its own, so that CMake's collection of all others is empty and needs no headers.
+  set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/usar_plugin_${name}_autogen/mocs_compilation.cpp
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   set_target_properties(usar_plugin_${name} PROPERTIES AUTOMOC ON PREFIX "" OUTPUT_NAME ${name}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LIBRARY_OUTPUT_DIRECTORY ${USAR_ROBOT_FOLDER})
 endfunction()

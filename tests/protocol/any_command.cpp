@@ -131,7 +131,7 @@ template <class Question>
 Command question(Dice& dice) {
     if (dice.flip())
         return Question{dice.token(), dice.name()};
-    return Question{dice.flip() ? robot_type : packageType(dice.dialect), dice.name()};
+    return Question{dice.flip() ? Token("Robot") : packageType(dice.dialect), dice.name()};
 }
 Command any(Dice& dice, Kind<GetGeometry>) {
     return question<GetGeometry>(dice);

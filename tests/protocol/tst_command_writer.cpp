@@ -83,7 +83,7 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
     row("flippers", MultiDrive{{{"FRFlipper", 0.5}, {"FLFlipper", -0.5}}},
         "MULTIDRIVE {FRFlipper 0.5} {FLFlipper -0.5}");
     row("geometry", GetGeometry{"Sonar"}, "GETGEO {Type Sonar}");
-    row("geometry of the robot", GetGeometry{robot_type, "P3AT"}, "GETGEO {Type Robot} {Name P3AT}");
+    row("geometry of the robot", GetGeometry{"Robot", "P3AT"}, "GETGEO {Type Robot} {Name P3AT}");
     row("packages", GetConfiguration{packageType(Dialect::Ut2004)}, "GETCONF {Type MisPkg}");
     row("configuration", GetConfiguration{"Camera", "Cam"}, "GETCONF {Type Camera} {Name Cam}");
     row("INS", SetInsPose{"INS", {{1, -2, 3}, 0.5, 0.25, -1}},

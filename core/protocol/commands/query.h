@@ -6,8 +6,7 @@
 
 namespace usar::protocol {
 
-/// What a server calls the robot itself, and its mission packages. Servers compare these words exactly.
-inline const Token robot_type = "Robot";
+/// What a server calls the robot's mission packages. Servers compare these words exactly.
 inline Token packageType(Dialect dialect) {
     return dialect == Dialect::Udk ? Token("Actuator") : Token("MisPkg");
 }
