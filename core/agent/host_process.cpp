@@ -109,7 +109,9 @@ Result<std::unique_ptr<HostProcess>> HostProcess::start(const QString& program, 
 
 /// A process may be gone and its end of the connection open still, where it has left children behind.
 HostProcess::HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir> scratch)
-    : scratch_(std::move(scratch)), process_(process), process_handle_(handleOf(process)) {
+    : scratch_(std::move(scratch))
+    , process_(process)
+    , process_handle_(handleOf(process)) {
     channel_.emplace(socket);
     channel_->endWith(process_handle_);
     end_handle_ = ::epoll_create1(EPOLL_CLOEXEC);

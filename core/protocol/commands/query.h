@@ -6,7 +6,7 @@
 
 namespace usar::protocol {
 
-/// What a server calls the robot's mission packages. Servers compare these words exactly.
+/// The type under which a server lists the mission packages of a robot. Servers compare it exactly.
 inline Token packageType(Dialect dialect) {
     return dialect == Dialect::Udk ? Token("Actuator") : Token("MisPkg");
 }
