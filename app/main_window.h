@@ -84,7 +84,7 @@ private:
     /// The embedded simulator starts anew in it, once it has been read.
     void chooseWorld(const QString& name_or_folder);
     void wireLoading();
-    /// What runs goes on until it is ready, and where it is refused or given up.
+    /// The running simulation continues until the new one is ready, or if loading fails or is canceled.
     void load(const SimulatorSpec& spec, const QString& what);
     void takeLoaded(const SimulatorSpec& spec);
     void cancelLoading();
@@ -125,7 +125,7 @@ private:
     void wireFaults();
     void wirePlan();
     void injectFault();
-    /// Whether there is a simulator, and whom a fault can be meant for.
+    /// Enables the fault panel and fills its lists of robots and sensors.
     void showFaultChoices();
     /// Those of the mission file that was opened; their times count from its start.
     void beginMissionFaults();
@@ -149,7 +149,7 @@ private:
     void showDraft();
 
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
-    /// And no world comes that is on its way.
+    /// Also cancels a world that is still loading.
     void disconnectFromServer();
     void showWorld(const WorldPicture& world);
     void spawn(const widgets::SpawnChoice& choice);
@@ -184,7 +184,7 @@ private:
     /// What was built anew decides from the next start on. `asked` by the person, who is told also that nothing is new.
     void rescanPlugins(bool asked);
     void tellChange(const agent::PluginChange& change);
-    /// What has come of some, and then all that can be spawned and chosen.
+    /// Reports these changes, then refreshes the robot classes and behaviors that can be chosen.
     void showPlugins(const std::vector<agent::PluginChange>& changes);
     /// Form, plan and isolation of the behavior that is chosen.
     void showChosenBehavior();
@@ -248,9 +248,9 @@ private:
     QByteArray first_layout_;
     int selected_ = 0;
     link::LinkState link_state_ = link::LinkState::Disconnected;
-    QTimer preview_due_;      ///< then a preview that is asked for is said to be
+    QTimer preview_due_;      ///< fires when a preview takes long; the panel then says "asking…"
     bool forms_wait_ = false; ///< for the process of the chosen behavior's plugin
-    bool asking_ = false;     ///< where else the scan should go
+    bool asking_ = false;     ///< true while the dialog "save elsewhere?" is open
     bool may_close_ = false;
     bool held_by_plan_ = false; ///< time, not by the person
     QThreadPool disk_;          ///< writes the settings; waited for at the end

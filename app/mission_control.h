@@ -26,7 +26,7 @@ struct ServerTarget {
     SimulatorSpec simulator;
 };
 
-/// Of what is said about the end of a robot's behavior.
+/// Notification key for the end of this robot's behavior.
 inline QString missionKey(int id) {
     return QString("mission-%1").arg(id);
 }
@@ -46,7 +46,7 @@ public:
     void loadPlugins(const QStringList& folders) { plugins_.scan(folders); }
     /// More may follow in `pluginsChanged`: those with a process of their own are asked, and nobody waits for them.
     std::vector<agent::PluginChange> rescanPlugins() { return plugins_.rescan(); }
-    /// The next rescan does, though its file is the same.
+    /// Makes the next rescan query this plugin, even if its file is unchanged.
     void askPluginAgain(const QString& file) { plugins_.forget(file); }
     const agent::PluginLoader& plugins() const { return plugins_; }
     SimulatorHost& simulator() { return simulator_; }
@@ -105,8 +105,8 @@ public:
     bool recording() const { return recording_; }
     /// Shown as a robot of its own, paused at its beginning; `replayAdded` says its id. Live robots go on.
     void openRecording(const QString& path);
-    /// The same with what is recorded of a robot that flies, at the moment when its clock said so; the robot goes on.
-    /// A look back on it that is open already is closed.
+    /// Opens the live robot's recording at `moment` (protocol clock); the robot is not interrupted. An earlier look
+    /// back on it is closed.
     void lookBack(int id, Seconds moment);
     /// Whom that replay looks back on, as long as it is there; else 0.
     int lookedBackOn(int id) const;
@@ -127,7 +127,7 @@ signals:
     void robotAdded(int id);
     /// Before `robotAdded`.
     void replayAdded(int id);
-    /// `instead`: who is to be looked at where it was this one; 0: nobody is left.
+    /// `instead`: id to select if the removed robot was selected; 0 if none remain.
     void robotRemoved(int id, const QString& name, int instead);
     void robotLinkChanged(int id);
     /// Of the connection that waits for its robot.

@@ -60,7 +60,7 @@ private:
     void hear(const std::string& piece);
     void startWith(const std::string& trace);
     News refresh();
-    /// The newest that has been heard (again); nothing has where there is none.
+    /// Index of the newest moment heard so far (a replay may have been rewound); nullopt before the first.
     std::optional<std::size_t> heardMoment() const;
     std::optional<std::size_t> shownMoment() const { return moment_ ? moment_ : heardMoment(); }
     News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);

@@ -39,8 +39,8 @@ public:
     void setRunningPlan(const std::string& text);
     /// Of a plan, not saved.
     bool hasChanges() const;
-    /// Goes on at once where nothing would be lost, else when the person has saved it or given it up; never where they
-    /// want to stay. They are asked once: what was to be done after a question that stands open is done no more.
+    /// Calls `go_on` at once if nothing would be lost, else after the person has saved or discarded the changes; never
+    /// if they cancel. A second request replaces the action that waits for the open question.
     void letGo(std::function<void()> go_on);
     /// Null before it was opened first.
     widgets::PlanEditor* editor() const { return editor_; }

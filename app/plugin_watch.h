@@ -14,7 +14,7 @@ class PluginWatch : public QObject {
 public:
     explicit PluginWatch(QObject* parent = nullptr);
 
-    /// Also after a change, for a file that was replaced is watched no more.
+    /// Call it again after `changed`: replacing a file ends its watch.
     void watch(const QStringList& folders);
 
 signals:

@@ -32,7 +32,7 @@ struct SimulatorSpec {
     std::shared_ptr<LoadedSimulation> loaded{}; ///< ready already, for one start
 };
 
-/// Whether it is worth a look at its pictures.
+/// Whether the robot carries a camera.
 bool hasCamera(const sim::RobotModel& robot);
 
 /// In any thread; takes as long as it takes, but for a snapshot whose run `watch` gives up.

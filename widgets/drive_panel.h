@@ -88,7 +88,7 @@ private:
     BodyVelocity velocity_;
     bool velocity_stale_ = false;
     bool shown_ = false;                        ///< some state
-    QString empty_title_ = QStringLiteral("?"); ///< of none yet
+    QString empty_title_ = QStringLiteral("?"); ///< differs from any real title, so that the first call takes effect
     QWidget* content_;
     EmptyState* empty_;
     ControlBadge* badge_;

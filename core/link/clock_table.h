@@ -15,8 +15,8 @@ class ClockTable {
 public:
     /// In the order of the recording; `play` by PlayClock.
     void add(RecordTime play, Seconds now);
-    /// When the clock said so, the last time where it did so twice. Beyond all it ever said: the nearest end. Nothing
-    /// where it never said anything.
+    /// Recording time at which the clock read `now`; the last one if it read that twice; clamped to the ends. Nothing
+    /// if the clock was never read.
     std::optional<RecordTime> at(Seconds now) const;
 
 private:

@@ -160,7 +160,7 @@ struct RobotSession::Private : link::ReplayTaker {
     std::unique_ptr<link::Replayer> replayer;
     link::LinkStatus replay_link;
     protocol::TrafficCounts replay_traffic;
-    /// On the way to another moment of a replay: the newest of what is replaced anyway, by kind.
+    /// While a replay seeks: the latest value of each kind of which only the latest matters.
     std::map<std::size_t, agent::Published> newest_on_the_way;
     bool on_the_way = false;
 

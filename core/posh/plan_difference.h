@@ -24,8 +24,8 @@ struct PlanChange {
     bool operator==(const PlanChange&) const = default;
 };
 
-/// Empty for plans that mean the same. Layout, `;` comments and the order of the forms in the file do not count. What
-/// was renamed or moved is told as such where it is else unchanged, or stands in a thing that has it with this name.
+/// Empty for plans that mean the same. Layout, `;` comments and the order of the forms in the file do not count. A
+/// rename or a move is reported as such if the part is otherwise unchanged, or if its parent kept its name.
 std::vector<PlanChange> planDifference(const Plan& before, const Plan& after);
 
 /// "1 added, 2 changed"; "no difference".

@@ -40,7 +40,7 @@ private:
     Range footprint(const BodySphere& sphere) const;
     void layOut();
 
-    static constexpr std::size_t few_spheres = 8; ///< sooner tried than sorted out
+    static constexpr std::size_t few_spheres = 8; ///< up to this many, trying each one is faster than the grid
 
     Vec2 origin_m_ = Vec2::Zero();
     double bucket_m_ = 1.0;

@@ -7,9 +7,9 @@
 
 namespace usar::sim {
 
-/// Rigid bodies slide along their friction: one direction does, is half the work and lets a body rest. Links know no
-/// direction of sliding and need two; Bullet has one switch for all contacts. And what stands on links needs more
-/// iterations than what lies, as nothing remembers the impulses of the last step for them.
+/// For rigid bodies one direction of friction suffices: it halves the cost and lets a body come to rest. Links of
+/// articulated bodies have no direction of sliding and need two, but Bullet has one switch for all contacts. Links also
+/// need more iterations, because Bullet does not remember their impulses from the last step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
