@@ -119,8 +119,10 @@ PlanPanel::PlanPanel(QWidget* parent)
         time_bar_->setVisible(!view_->tree().empty());
         if (!view_->tree().empty() && std::exchange(slider_waits, false))
             QTimer::singleShot(0, slider, [this, slider] { // when it knows the plan's moments
-                if (view_->hasFocus())
-                    slider->setFocus();
+                if (!view_->hasFocus())
+                    return;
+                slider->setEnabled(true); // it may not know them yet, and a disabled one takes no focus
+                slider->setFocus();
             });
         showRunning();
         search(search_->text());
