@@ -1,7 +1,7 @@
 // The plan of a robot at the moments of its run, live and in a replay that is wound back.
 #include <QTest>
 
-#include "app/plan_watch.h"
+#include "app/desks/plan_watch.h"
 #include "core/posh/engine.h"
 #include "core/posh/stub_host.h"
 #include "core/posh/trace_encoder.h"

@@ -178,9 +178,9 @@ void tst_WindowCamera::thePictureIsSaved() {
     QTemporaryDir folder;
     QImage picture(8, 6, QImage::Format_RGB32);
     picture.fill(Qt::darkGreen);
-    page.window().savePicture(picture, folder.filePath("seen.png"));
+    page.window().camera().savePicture(picture, folder.filePath("seen.png"));
     QCOMPARE(QImage(folder.filePath("seen.png")).size(), QSize(8, 6));
-    page.window().savePicture(picture, folder.filePath("no/such/folder.png"));
+    page.window().camera().savePicture(picture, folder.filePath("no/such/folder.png"));
     QVERIFY(page.notified("could not be saved").contains("Choose a folder"));
 }
 

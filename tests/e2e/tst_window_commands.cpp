@@ -211,11 +211,11 @@ void tst_WindowCommands::aSavedMissionIsOpenedAgain() {
         WindowPage page;
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
         QVERIFY(!enabled(page, "file.save"));
-        page.window().saveMission(file);
+        page.window().mission().saveMission(file);
         QVERIFY(!page.notified("no mission area").isEmpty());
         page.typeArea(area);
         QVERIFY(enabled(page, "file.save"));
-        page.window().saveMission(file);
+        page.window().mission().saveMission(file);
         QVERIFY(!page.notified("north field.json").isEmpty());
     }
     WindowPage page({.mission_file = file});
@@ -229,7 +229,7 @@ void tst_WindowCommands::anUnwritableMissionFileIsNamed() {
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     page.typeArea({{-20, -15}, {20, 15}});
-    page.window().saveMission(folder.filePath("nowhere/field.json"));
+    page.window().mission().saveMission(folder.filePath("nowhere/field.json"));
     QVERIFY(!page.notified("nowhere/field.json").isEmpty());
 }
 

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <QTreeView>
 
-#include "app/simulator_host.h"
+#include "app/host/simulator_host.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
@@ -381,7 +381,7 @@ void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
     page.window().control().remove(1);
     QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
-    page.window().openRecording(page.endedRecording());
+    page.window().control().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
     page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
     QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 100 && !page.robot(1)->figures.replay->seeking, flight_ms);
@@ -436,7 +436,7 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     QVERIFY(debugger.sees("Blackboard"));
     page.window().control().remove(1);
     QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
-    page.window().openRecording(page.endedRecording());
+    page.window().control().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
     page.window().control().robot(1)->orderReplay({.seek = Seconds{0.1}});
     QTRY_VERIFY_WITH_TIMEOUT(!debugger.panel().view().tree().empty(), soon_ms);

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/own_thread.h"

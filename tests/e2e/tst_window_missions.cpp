@@ -66,7 +66,7 @@ void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart"));
     QCOMPARE(page.robot(1)->spawn.class_name, "USARBot.AirRobot");
-    page.window().openMission(shipped("p2dx_meadow"));
+    page.window().mission().openMission(shipped("p2dx_meadow"));
     QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("a P2DX comes"), qPrintable(page.notified({})),
                               soon_ms);
     QCOMPARE(page.window().selectedRobot(), 0);
@@ -83,7 +83,7 @@ void tst_WindowMissions::aWorldWithARobotInItIsNotLeft() {
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart"));
-    page.window().openMission(shipped("ers_soccer"));
+    page.window().mission().openMission(shipped("ers_soccer"));
     QVERIFY2(!page.notified("this mission belongs to the world spqr_soccer").isEmpty(), qPrintable(page.notified({})));
     QVERIFY(page.robot(1)->figures.spawned);
 }
@@ -91,7 +91,7 @@ void tst_WindowMissions::aWorldWithARobotInItIsNotLeft() {
 void tst_WindowMissions::anotherWorldThanTheMissionsForgetsIt() {
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    page.window().openMission(shipped("ers_soccer"));
+    page.window().mission().openMission(shipped("ers_soccer"));
     page.window().commands().action("world.vmac_room")->trigger();
     QTRY_VERIFY2_WITH_TIMEOUT(page.connectionText().contains("vmac_room"), qPrintable(page.connectionText()),
                               2 * soon_ms);

@@ -98,7 +98,7 @@ void tst_WindowPlan::aPersonsOwnPlanDecides() {
     page.press("Stop");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
     const QString mission = folder.filePath("saved.json");
-    page.window().saveMission(mission);
+    page.window().mission().saveMission(mission);
     QFile saved(mission);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QVERIFY(saved.readAll().contains("\"plan\": \"lookout.lap\""));

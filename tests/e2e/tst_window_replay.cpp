@@ -63,7 +63,7 @@ void tst_WindowReplay::initTestCase() {
 }
 
 bool tst_WindowReplay::opens(WindowPage& page) {
-    page.window().openRecording(recording_);
+    page.window().control().openRecording(recording_);
     return QTest::qWaitFor(
         [&] {
             const auto* view = page.robot(page.window().selectedRobot());
@@ -158,7 +158,7 @@ void tst_WindowReplay::recordingIsTurnedOffAndOn() {
 
 void tst_WindowReplay::aFileThatIsNoRecordingIsRefusedWithAMend() {
     WindowPage page;
-    page.window().openRecording(folder_.filePath("none.usarrec"));
+    page.window().control().openRecording(folder_.filePath("none.usarrec"));
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("none.usarrec").contains("Check the name"), soon_ms);
 }
 

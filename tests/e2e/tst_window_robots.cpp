@@ -61,7 +61,7 @@ void tst_WindowRobots::parametersOfAMissionFileSurviveSpawning() {
     json.close();
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    page.window().openMission(file);
+    page.window().mission().openMission(file);
     QVERIFY2(!page.notified("Mission small is ready").isEmpty(), qPrintable(page.notified({})));
     QVERIFY(page.spawnAt("PlayerStart"));
     const auto values = page.window().views().parameters->values();

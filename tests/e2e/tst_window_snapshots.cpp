@@ -35,7 +35,7 @@ struct LongRun {
     widgets::ProgressStrip& strip() { return *page.window().views().progress; }
     /// It is on its way and says so.
     bool isTakenUp() {
-        page.window().openSnapshot(file);
+        page.window().server().openSnapshot(file);
         return QTest::qWaitFor(
             [&] { return strip().isVisible() && strip().findChild<QLabel*>()->text().contains(" of 5000 h"); },
             soon_ms);
@@ -69,7 +69,7 @@ void tst_WindowSnapshots::robotsGoOnWhereTheyWere() {
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now.count() > kept_s + 3.0, soon_ms);
     const double later_s = page.robot(1)->figures.now.count();
 
-    page.window().openSnapshot(file);
+    page.window().server().openSnapshot(file);
     const auto both = [&] {
         const auto robots = page.window().control().robots();
         return robots.size() == 2 && robots[0]->view().figures.spawned && robots[1]->view().figures.spawned &&
@@ -132,7 +132,7 @@ void tst_WindowSnapshots::aFileThatIsNoSnapshotIsNamed() {
     file.close();
     WindowPage page;
     QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
-    page.window().openSnapshot(file.fileName());
+    page.window().server().openSnapshot(file.fileName());
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("run.usarsnap: line 1: this is no snapshot").contains("Save snapshot"),
                              soon_ms);
 }

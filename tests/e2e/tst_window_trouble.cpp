@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/test_files.h"
@@ -220,7 +220,7 @@ void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace() {
     doubles::writeAll(file.toStdString(), json.toStdString());
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    page.window().openMission(file);
+    page.window().mission().openMission(file);
     QVERIFY2(!page.notified(words).isEmpty(), qPrintable(page.notified({})));
     QVERIFY(!page.map().area());
 }

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "tests/suite/waiting.h"
 
 inline constexpr int soon_ms = 15000;    ///< sockets and threads on a busy machine

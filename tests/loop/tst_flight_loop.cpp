@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "core/mission/robot_session.h"
 #include "tests/doubles/rough_relay.h"
 #include "tests/doubles/scripted_behavior.h"

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "core/mission/robot_session.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/mission_runner.h"
 #include "tests/doubles/test_worlds.h"

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "core/mission/mission_runner.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"

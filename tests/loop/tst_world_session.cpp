@@ -1,7 +1,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/headless_simulator.h"
+#include "app/host/headless_simulator.h"
 #include "core/mission/trace_watch.h"
 #include "core/mission/world_session.h"
 #include "tests/doubles/fake_server.h"

@@ -2,7 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/locations.h"
+#include "app/host/locations.h"
 #include "tests/suite/suite.h"
 
 namespace tst_locations {

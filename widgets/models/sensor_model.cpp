@@ -126,6 +126,13 @@ void SensorModel::clear() {
     endResetModel();
 }
 
+QStringList SensorModel::types() const {
+    QStringList types;
+    for (const Source& source : sources_)
+        types << source.name;
+    return types;
+}
+
 QModelIndex SensorModel::index(int row, int column, const QModelIndex& parent) const {
     if (!hasIndex(row, column, parent))
         return {};

@@ -28,8 +28,10 @@ public:
     void take(const protocol::InfoLine& line, Seconds now, int count = 1);
     /// Tells views what changed since the last flush; ages are those of `now`. Without a link every value is stale.
     void flush(Seconds now, bool linked = true);
-    /// Another robot, another tree.
+    /// Forgets every stream: another robot is shown.
     void clear();
+    /// The stream words that were heard ("INS", "RangeScanner"), in order of first appearance.
+    QStringList types() const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& child) const override;

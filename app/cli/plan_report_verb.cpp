@@ -1,0 +1,54 @@
+#include "app/cli/plan_report_verb.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/cli/verb_complaint.h"
+#include "core/mission/mission_runner.h"
+#include "core/mission/recorded_runs.h"
+#include "core/mission/run_report_text.h"
+
+namespace usar::app {
+
+namespace {
+
+void warn(const QString& file, const std::string& complaint) {
+    if (!complaint.empty())
+        std::fprintf(stderr, "usar-mission: %s: %s\n", qPrintable(file), complaint.c_str());
+}
+
+int addFile(const QString& file, std::vector<mission::PlanRuns>& plans) {
+    const auto recorded = mission::readTraces(file);
+    if (!recorded)
+        return complain(recorded.error());
+    warn(file, recorded->complaint);
+    for (const std::string& trace : recorded->traces)
+        warn(file, mission::addRuns(trace, plans));
+    return mission::Done;
+}
+
+} // namespace
+
+int runPlanReportVerb(const QStringList& arguments) {
+    QStringList files = arguments.mid(1);
+    const bool json = files.removeAll("--json") > 0;
+    const bool has_option =
+        std::any_of(files.begin(), files.end(), [](const QString& word) { return word.startsWith('-'); });
+    if (files.isEmpty() || has_option)
+        return complain({"this is not how to call it", arguments.join(' ').toStdString(),
+                         "Write usar-mission plan-report [--json] FILE…, with recordings or traces"});
+    std::vector<mission::PlanRuns> plans;
+    int worst = mission::Done;
+    for (const QString& file : files)
+        worst = std::max(worst, addFile(file, plans));
+    for (const mission::PlanRuns& plan : plans) {
+        const std::string report = json ? mission::runReportJson(plan.statistics, plan.runs).toStdString()
+                                        : mission::runReportText(plan.statistics, plan.runs);
+        std::fwrite(report.data(), 1, report.size(), stdout);
+    }
+    if (std::fflush(stdout) != 0)
+        return complain({"the output takes no more", "standard output", "Make room, or write elsewhere"});
+    return worst;
+}
+
+} // namespace usar::app

@@ -1,0 +1,23 @@
+// What each desk of the window works with.
+#pragma once
+
+#include "app/desks/notice_desk.h"
+#include "app/desks/selection.h"
+#include "app/host/mission_control.h"
+#include "app/window/window_views.h"
+#include "widgets/command_registry.h"
+
+namespace usar::app {
+
+/// A desk is one concern of the window: it registers its commands, connects its views to MissionControl, follows the
+/// selection, and saves and restores its own settings. The window owns all of this and every desk.
+struct DeskContext {
+    MissionControl& control;
+    WindowViews& views;
+    widgets::CommandRegistry& commands;
+    Selection& selection;
+    NoticeDesk& notices;
+    QWidget* window; ///< parent of dialogs
+};
+
+} // namespace usar::app

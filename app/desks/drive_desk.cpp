@@ -1,0 +1,323 @@
+#include "app/desks/drive_desk.h"
+
+#include <algorithm>
+
+#include "app/desks/robot_name.h"
+#include "core/protocol/commands/spawn.h"
+
+namespace usar::app {
+
+namespace {
+
+using mission::HandSource;
+using mission::Reins;
+
+constexpr int beat_ms = 50;
+constexpr int reins_patience_ms = 1000;
+constexpr double speed_step = 0.1;
+constexpr std::string_view by_hand = "by hand: ";
+
+QString wordFor(const mission::ControlState& state) {
+    if (!state.held)
+        return {};
+    switch (*state.held) {
+    case HandSource::Keys:
+        return DriveDesk::tr("keys");
+    case HandSource::Pad:
+        return DriveDesk::tr("pad");
+    case HandSource::Gamepad:
+        break;
+    }
+    return state.device.empty() ? DriveDesk::tr("gamepad") : QString::fromStdString(state.device);
+}
+
+} // namespace
+
+widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot) {
+    using widgets::Driver;
+    if (!robot)
+        return {};
+    const mission::ControlState& state = robot->view().figures.control;
+    if (robot->isReplay() || state.reins == Reins::Nobody)
+        return {nameOf(*robot), Driver::Nobody, {}};
+    if (state.reins == Reins::Hand)
+        return {nameOf(*robot), Driver::Person, wordFor(state)};
+    const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
+    return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
+}
+
+DriveDesk::DriveDesk(const DeskContext& context)
+    : control_(context.control)
+    , views_(context.views)
+    , commands_(context.commands)
+    , selection_(context.selection)
+    , notices_(context.notices)
+    , keys_(context.window) {
+    beat_.setInterval(beat_ms);
+    beat_.setTimerType(Qt::PreciseTimer);
+    connect(&beat_, &QTimer::timeout, this, &DriveDesk::repeat);
+    connect(&keys_, &widgets::DriveKeys::changed, this, [this](const Stick& stick) { ask(HandSource::Keys, stick); });
+    connect(&keys_, &widgets::DriveKeys::stopPressed, this, [this] { letGo(tr("Space was pressed")); });
+    connect(&keys_, &widgets::DriveKeys::focusLost, this, [this] {
+        if (std::ranges::any_of(asked_, [](const Stick& stick) { return !stick.centered(); }))
+            letGo(tr("the window lost the focus"));
+    });
+    connect(views_.drive, &widgets::DrivePanel::moved, this,
+            [this](const Stick& stick) { ask(HandSource::Pad, stick); });
+    connect(views_.drive, &widgets::DrivePanel::takeRequested, this, &DriveDesk::requestControl);
+    connect(views_.drive, &widgets::DrivePanel::stopRequested, this, &DriveDesk::stopRobot);
+    connect(views_.drive, &widgets::DrivePanel::speedShareChanged, this, &DriveDesk::repeat);
+    wireGamepad();
+}
+
+void DriveDesk::registerCommands() {
+    const QString group = tr("Drive");
+    const auto drives = [this] { return taken_; };
+    commands_.add(
+        {"drive.take",
+         tr("Drive by hand"),
+         group,
+         tr("Takes control of the selected robot, or gives it back; a running behavior is paused"),
+         "hand",
+         {QKeySequence("G")},
+         true},
+        [this](bool on) { requestControl(on); }, [this] { return live(); });
+    commands_.add(
+        {"drive.stop", tr("Stop driving"), group, tr("At once; Space does the same while you drive"), "stop", {}},
+        [this](bool) { letGo(tr("the person stopped it")); }, drives);
+    commands_.add(
+        {"drive.faster", tr("Drive faster"), group, tr("More speed at the whole stick"), "", {QKeySequence("]")}},
+        [this](bool) { setSpeedShare(speedShare() + speed_step); }, drives);
+    commands_.add(
+        {"drive.slower", tr("Drive slower"), group, tr("Less speed at the whole stick"), "", {QKeySequence("[")}},
+        [this](bool) { setSpeedShare(speedShare() - speed_step); }, drives);
+    show();
+}
+
+void DriveDesk::wire() {
+    connect(&selection_, &Selection::changed, this, &DriveDesk::select);
+    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { take(id, *update); });
+    connect(&control_, &MissionControl::robotLinkChanged, this, &DriveDesk::refresh);
+    connect(views_.driver, &widgets::ControlBadge::clicked, this, &DriveDesk::openDock);
+    connect(&gamepad_, &Gamepad::plugged, this,
+            [this](const QString& name) { notices_.note("gamepad", tr("The gamepad %1 is plugged in.").arg(name)); });
+}
+
+void DriveDesk::openDock() {
+    views_.drive_dock->show();
+    views_.drive_dock->raise();
+}
+
+bool DriveDesk::live() const {
+    const Robot* const here = robot();
+    return here && !here->isReplay() && here->view().figures.spawned &&
+           here->view().link.state == link::LinkState::Connected && !protocol::isStation(here->view().spawn.class_name);
+}
+
+double DriveDesk::speedShare() const {
+    return views_.drive->speedShare();
+}
+
+void DriveDesk::setSpeedShare(double share) {
+    views_.drive->setSpeedShare(std::clamp(share, 0.05, 1.0));
+}
+
+void DriveDesk::select(int id) {
+    if (id != selected_)
+        leave();
+    selected_ = id;
+    velocity_ = {};
+    views_.drive->setEcho({});
+    views_.drive->setVelocity({}, false);
+    show();
+}
+
+void DriveDesk::leave() {
+    if (taken_ && robot()) {
+        letGo(tr("another robot was selected"));
+        robot()->giveControlBack();
+    }
+    setTaken(false);
+}
+
+void DriveDesk::setTaken(bool taken) {
+    if (taken == taken_)
+        return;
+    taken_ = taken;
+    confirmed_ = false;
+    keys_.setActive(taken);
+    if (!taken) {
+        views_.drive->letGo();
+        beat_.stop();
+    }
+    commands_.refresh();
+}
+
+void DriveDesk::requestControl(bool take) {
+    if (take && live()) {
+        since_asked_.start();
+        for (const HandSource source : {HandSource::Keys, HandSource::Pad, HandSource::Gamepad})
+            say(source); // what is held already has to be let go first
+        robot()->takeControl();
+        setTaken(true);
+        gamepad_.start();
+        emit realTimeWanted();
+    } else if (robot()) {
+        robot()->giveControlBack();
+        setTaken(false);
+    }
+    show();
+}
+
+void DriveDesk::ask(mission::HandSource source, const Stick& stick) {
+    asked_[static_cast<std::size_t>(source)] = stick;
+    if (taken_ || stick.centered())
+        say(source);
+    if (taken_ && !stick.centered() && !beat_.isActive())
+        beat_.start();
+}
+
+void DriveDesk::say(mission::HandSource source) {
+    if (!robot())
+        return;
+    robot()->drive({source, source == HandSource::Gamepad ? gamepad_.name().toStdString() : std::string(),
+                    asked_[static_cast<std::size_t>(source)], speedShare()});
+}
+
+void DriveDesk::repeat() {
+    bool held = false;
+    for (const HandSource source : {HandSource::Keys, HandSource::Pad, HandSource::Gamepad})
+        if (!asked_[static_cast<std::size_t>(source)].centered()) {
+            say(source);
+            held = true;
+        }
+    if (!held)
+        beat_.stop();
+}
+
+void DriveDesk::letGo(const QString& reason) {
+    if (taken_ && robot())
+        robot()->stopDriving(reason);
+    views_.drive->letGo();
+}
+
+/// Behavior or hand, it ends.
+void DriveDesk::stopRobot() {
+    if (!robot() || robot()->isReplay())
+        return;
+    views_.drive->letGo();
+    robot()->stop();
+    setTaken(false);
+    show();
+}
+
+void DriveDesk::wireGamepad() {
+    connect(&gamepad_, &Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
+    connect(&gamepad_, &Gamepad::unplugged, this, [this](const QString& name) {
+        Stick& stick = asked_[static_cast<std::size_t>(HandSource::Gamepad)];
+        if (!stick.centered())
+            letGo(tr("the gamepad %1 was unplugged").arg(name));
+        stick = {};
+        say(HandSource::Gamepad);
+        showGamepad();
+    });
+    connect(&gamepad_, &Gamepad::plugged, this, &DriveDesk::showGamepad);
+    connect(&gamepad_, &Gamepad::stopPressed, this, [this] { letGo(tr("the gamepad's stop button was pressed")); });
+    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken_); });
+    showGamepad();
+}
+
+void DriveDesk::showGamepad() {
+    if (!Gamepad::supported())
+        return views_.drive->setGamepad(tr("Gamepad: this program was built without SDL 2."));
+    views_.drive->setGamepad(gamepad_.name().isEmpty() ? tr("Gamepad: none plugged in")
+                                                       : tr("Gamepad: %1").arg(gamepad_.name()));
+}
+
+void DriveDesk::take(int id, const mission::SessionUpdate& update) {
+    if (id != selected_)
+        return;
+    const mission::ControlState& state = update.figures.control;
+    if (state.reins == Reins::Hand)
+        confirmed_ = true;
+    else if (taken_ && (confirmed_ || since_asked_.elapsed() > reins_patience_ms))
+        setTaken(false);
+    velocity_.take(update);
+    for (const mission::SentCommand& command : update.commands)
+        if (command.cause.source.starts_with(by_hand) && protocol::isDrive(command.command))
+            views_.drive->setEcho(QString::fromStdString(command.text));
+    const auto twist = velocity_.twist();
+    widgets::BodyVelocity shown;
+    if (twist) {
+        shown = {twist->velocity_m_s.x(), twist->velocity_m_s.y(), {}, twist->yaw_rate_rad_s};
+        if (!twist->planar)
+            shown.up_m_s = twist->velocity_m_s.z();
+    }
+    views_.drive->setVelocity(shown, !live());
+    show();
+}
+
+void DriveDesk::refresh() {
+    if (taken_ && !live())
+        setTaken(false);
+    show();
+}
+
+QString DriveDesk::noteFor(const mission::ControlState& state) const {
+    if (!taken_)
+        return state.reins == Reins::Behavior ? tr("Taking control pauses the behavior.") : QString();
+    if (!state.hindrance.empty())
+        return QString::fromStdString(state.hindrance);
+    if (state.learning)
+        return tr("Asking the server how it is driven…");
+    if (!state.held && !state.last_stop.empty())
+        return tr("Stopped: %1.").arg(QString::fromStdString(state.last_stop));
+    return state.held ? QString() : tr("Hold a key, the pad or a gamepad's stick. Space stops, Shift drives slower.");
+}
+
+bool DriveDesk::showWhatIsMissing() {
+    widgets::DrivePanel& panel = *views_.drive;
+    const Robot* const here = robot();
+    if (!here)
+        panel.setEmpty(tr("No robot yet"), tr("Double-click a start pose on the map; then drive it from here."));
+    else if (here->isReplay())
+        panel.setEmpty(tr("A recording cannot be driven"), tr("What it shows has happened already."));
+    else if (protocol::isStation(here->view().spawn.class_name))
+        panel.setEmpty(tr("%1 does not move").arg(nameOf(*here)), tr("It is a base station."));
+    else if (here->view().link.state != link::LinkState::Connected)
+        panel.setEmpty(tr("No link to %1").arg(nameOf(*here)),
+                       tr("The server takes a robot away with its connection. Spawn it again when connected."));
+    else if (!here->view().figures.spawned)
+        panel.setEmpty(tr("%1 is not there").arg(nameOf(*here)), tr("It can be driven once it is spawned."));
+    else
+        return panel.setEmpty({}, {}), false;
+    return true;
+}
+
+void DriveDesk::show() {
+    const Robot* const here = robot();
+    const bool missing = showWhatIsMissing();
+    widgets::DriveState shown;
+    shown.control = controlWords(control_, here);
+    views_.driver->setWords(shown.control);
+    if (here && !here->isReplay() && !protocol::isStation(here->view().spawn.class_name))
+        shown.robot = nameOf(*here);
+    if (!missing) {
+        const mission::ControlState& state = here->view().figures.control;
+        shown.can_take = true;
+        shown.taken = taken_;
+        shown.axes = state.axes;
+        shown.asked = state.asked;
+        shown.sent = state.sent;
+        shown.top_speed_m_s = state.top_speed_m_s;
+        shown.note = noteFor(state);
+        shown.note_is_trouble = !state.hindrance.empty() || (!state.held && !state.last_stop.empty());
+    }
+    keys_.setAxes(shown.axes);
+    if (!(shown == views_.drive->state()))
+        views_.drive->setState(shown);
+    if (commands_.contains("drive.take"))
+        commands_.action("drive.take")->setChecked(taken_);
+}
+
+} // namespace usar::app

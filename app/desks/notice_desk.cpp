@@ -1,0 +1,50 @@
+#include "app/desks/notice_desk.h"
+
+#include <utility>
+
+namespace usar::app {
+
+NoticeDesk::NoticeDesk(MissionControl& control, const WindowViews& views) : views_(views) {
+    auto* const center = views.notifications;
+    connect(&control, &MissionControl::noticed, this, [this](const QString& key, const mission::Notice& notice) {
+        say(notice.severity, key, QString::fromStdString(notice.text));
+    });
+    connect(&control, &MissionControl::cured, center, &widgets::NotificationCenter::cured);
+    connect(center->model(), &widgets::NotificationModel::offerTaken, this, [this](const QString& key) {
+        if (const auto offered = offers_.find(key); offered != offers_.end())
+            std::function<void()>(offered->second)(); // a copy: it may cure what it was offered for
+    });
+    connect(center->model(), &widgets::NotificationModel::cured, this,
+            [this](const QString& key) { offers_.erase(key); });
+    connect(center, &widgets::NotificationCenter::unreadChanged, this, [this](int unread) {
+        views_.notifications_dock->setWindowTitle(unread ? tr("Notifications (%1)").arg(unread) : tr("Notifications"));
+    });
+    connect(views.toasts, &widgets::ToastStack::openRequested, this, [this] {
+        views_.notifications_dock->show();
+        views_.notifications_dock->raise();
+    });
+}
+
+void NoticeDesk::say(Severity severity, const QString& key, const QString& text) {
+    views_.notifications->push(key, severity, text);
+}
+
+void NoticeDesk::note(const QString& key, const QString& text) {
+    views_.notifications->push(key, Severity::Note, text, true);
+}
+
+void NoticeDesk::complain(const QString& key, const Error& error) {
+    say(Severity::Error, key, QString::fromStdString(error.text()));
+}
+
+void NoticeDesk::offer(Severity severity, const QString& key, const QString& text, const widgets::Offer& offer,
+                       std::function<void()> accept) {
+    offers_[key] = std::move(accept);
+    views_.notifications->push(key, severity, text, offer);
+}
+
+void NoticeDesk::cure(const QString& key) {
+    views_.notifications->cured(key);
+}
+
+} // namespace usar::app

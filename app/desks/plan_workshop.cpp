@@ -1,0 +1,286 @@
+#include "app/desks/plan_workshop.h"
+
+#include <utility>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/mission/mission_check.h"
+#include "core/posh/plan_templates.h"
+
+namespace usar::app {
+
+PlanWorkshop::PlanWorkshop(const DeskContext& context)
+    : control_(context.control)
+    , views_(context.views)
+    , commands_(context.commands)
+    , selection_(context.selection)
+    , notices_(context.notices)
+    , window_(context.window) {}
+
+PlanWorkshop::~PlanWorkshop() {
+    delete editor_;
+}
+
+void PlanWorkshop::registerCommands() {
+    commands_.add({"plan.open",
+                   tr("Open plan…"),
+                   tr("Plan"),
+                   tr("Let a POSH plan of your own decide for the robot (.lap)"),
+                   "open",
+                   {QKeySequence("Ctrl+Shift+P")}},
+                  [this](bool) { choosePlanFile(); });
+    commands_.add({"plan.edit",
+                   tr("Edit plan"),
+                   tr("Plan"),
+                   tr("Opens the editor with the plan that is chosen for the robot"),
+                   "edit",
+                   {QKeySequence("Ctrl+Shift+E")}},
+                  [this](bool) { editPlan(); });
+    commands_.add(
+        {"plan.new", tr("New plan"), tr("Plan"), tr("Opens the editor with a plan to begin with"), "plus", {}},
+        [this](bool) { newPlan(); });
+}
+
+void PlanWorkshop::wire() {
+    connect(&selection_, &Selection::changed, this, &PlanWorkshop::follow);
+    connect(&views_.behavior->plan(), &widgets::PlanChoice::openRequested, this, &PlanWorkshop::choosePlanFile);
+    connect(&views_.behavior->plan(), &widgets::PlanChoice::editRequested, this, &PlanWorkshop::editPlan);
+    connect(&views_.behavior->plan(), &widgets::PlanChoice::chosen, this, [this] { emit planChosen(); });
+}
+
+void PlanWorkshop::restore(const QSettings& settings) {
+    geometry_ = settings.value("plan_editor/geometry").toByteArray();
+}
+
+void PlanWorkshop::save(QSettings& settings) const {
+    settings.setValue("plan_editor/geometry", editor_ ? editor_->saveGeometry() : geometry_);
+}
+
+widgets::PlanEditor& PlanWorkshop::opened() {
+    if (editor_)
+        return *editor_;
+    editor_ = new widgets::PlanEditor;
+    editor_->setWindowFlag(Qt::Window);
+    editor_->setAttribute(Qt::WA_QuitOnClose, false); // it belongs to the main window
+    editor_->setObjectName("plan_editor");
+    editor_->setKeepingFolder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/plans");
+    if (!editor_->restoreGeometry(geometry_))
+        editor_->resize(editor_->sizeHint());
+    connectEditor();
+    follow();
+    return *editor_;
+}
+
+void PlanWorkshop::connectEditor() {
+    connect(editor_, &widgets::PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
+    connect(editor_, &widgets::PlanEditor::saveAsRequested, this, &PlanWorkshop::chooseWhereToSave);
+    connect(editor_, &widgets::PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
+    connect(editor_, &widgets::PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
+    connect(editor_, &widgets::PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
+    connect(editor_, &widgets::PlanEditor::saved, this, &PlanWorkshop::takeSaved);
+    connect(editor_, &widgets::PlanEditor::saveFailed, this, &PlanWorkshop::complain);
+    connect(editor_, &widgets::PlanEditor::titleChanged, this, [this] {
+        editor_->setWindowTitle(tr("%1[*] – Plan editor").arg(editor_->name()));
+        editor_->setWindowModified(editor_->isModified());
+    });
+}
+
+void PlanWorkshop::show() {
+    opened().show();
+    editor_->raise();
+    editor_->activateWindow();
+}
+
+void PlanWorkshop::load(const QString& path) {
+    if (editor_ && editor_->path() == path)
+        return show();
+    letGo([this, path] {
+        if (const auto read = opened().open(path); read)
+            show();
+        else
+            complain(read.error());
+    });
+}
+
+/// A behavior that a plan decides: the chosen one, or else the first of the chosen one's robot.
+std::string PlanWorkshop::plannedBehavior() const {
+    const auto& plugins = control_.plugins();
+    const std::string chosen = views_.behavior->behaviorId();
+    if (const auto* behavior = plugins.behavior(chosen); behavior && !behavior->plan_name.empty())
+        return chosen;
+    if (const auto* robot = plugins.robotOf(chosen))
+        for (const agent::BehaviorDescription& behavior : robot->behaviors)
+            if (!behavior.plan_name.empty())
+                return behavior.id;
+    return chosen;
+}
+
+void PlanWorkshop::openPlan(const QString& path) {
+    const std::string behavior_id = plannedBehavior();
+    if (const auto plan = mission::readOwnPlan(path, behavior_id, control_.plugins())) {
+        if (editor_ && editor_->isVisible())
+            load(path);
+        return use(behavior_id, path);
+    } else if (complain(plan.error()); QFileInfo(path).isReadable()) {
+        load(path);
+    }
+}
+
+void PlanWorkshop::use(const std::string& behavior_id, const QString& path) {
+    views_.behavior->chooseBehavior(behavior_id);
+    views_.behavior->plan().choose(path);
+    emit planChosen();
+    notices_.cure("plan");
+    say(Severity::Note, "plan-ready", tr("%1 decides from the next start on.").arg(QFileInfo(path).fileName()));
+}
+
+void PlanWorkshop::choosePlanFile() {
+    const QString path = QFileDialog::getOpenFileName(window_, tr("Open plan"), views_.behavior->plan().path(),
+                                                      tr("POSH plans (*.lap *.posh);;All files (*)"));
+    if (!path.isEmpty())
+        openPlan(path);
+}
+
+void PlanWorkshop::editPlan() {
+    const QString path = views_.behavior->plan().path();
+    const auto* behavior = control_.plugins().behavior(plannedBehavior());
+    if (!path.isEmpty())
+        load(path);
+    else if (behavior && !behavior->plan_name.empty())
+        edit(behavior->plan_text, QString::fromStdString(behavior->plan_name));
+    else
+        newPlan();
+}
+
+void PlanWorkshop::edit(const std::string& text, const QString& name) {
+    if (editor_ && editor_->path().isEmpty() && editor_->name() == name)
+        return show();
+    letGo([this, text, name] {
+        opened().setText(text, name);
+        show();
+    });
+}
+
+void PlanWorkshop::newPlan() {
+    letGo([this] {
+        opened().setText(posh::planTemplates().front().text, tr("new.lap"));
+        show();
+    });
+}
+
+void PlanWorkshop::chooseWhereToSave() {
+    const QString begin = editor_->path().isEmpty() ? editor_->name() : editor_->path();
+    const QString path = QFileDialog::getSaveFileName(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"));
+    if (path.isEmpty())
+        return;
+    if (const auto saved = editor_->save(QFileInfo(path).suffix().isEmpty() ? path + ".lap" : path); !saved)
+        complain(saved.error());
+}
+
+void PlanWorkshop::takeSaved(const QString& path) {
+    notices_.cure("plan");
+    const std::string behavior_id = plannedBehavior();
+    if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
+        use(behavior_id, path);
+    else
+        say(Severity::Note, "plan-ready",
+            tr("Saved %1. It does not fit the robot yet, and decides nothing.").arg(QFileInfo(path).fileName()));
+}
+
+void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
+    const QString path =
+        QFileDialog::getSaveFileName(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"));
+    if (path.isEmpty())
+        return;
+    const auto lacks = editor_->exportTo(path, dialect);
+    if (!lacks)
+        return complain(lacks.error());
+    say(lacks->isEmpty() ? Severity::Note : Severity::Warning, "plan-export",
+        lacks->isEmpty() ? tr("Exported the plan as %1.").arg(path)
+                         : tr("Exported the plan as %1; that dialect lacks: %2").arg(path, lacks->join("; ")));
+}
+
+void PlanWorkshop::chooseWhereToSavePicture() {
+    const QString path = QFileDialog::getSaveFileName(editor_, tr("Save plan as picture"), tr("plan.svg"),
+                                                      tr("Drawings (*.svg *.pdf *.png)"));
+    if (path.isEmpty())
+        return;
+    if (const auto saved = editor_->savePicture(QFileInfo(path).suffix().isEmpty() ? path + ".svg" : path); !saved)
+        complain(saved.error());
+}
+
+void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
+    if (Robot* robot = selection_.robot(); robot && robot->running())
+        robot->control(agent::ReplacePlan{{name.toStdString(), text}});
+}
+
+void PlanWorkshop::follow() {
+    if (!editor_)
+        return;
+    const auto* described = control_.plugins().robotOf(plannedBehavior());
+    if (const std::string name = described ? described->class_name : std::string(); checked_for_ != name) {
+        editor_->setPrimitives(described ? described->primitives : std::vector<agent::PrimitiveDescription>());
+        checked_for_ = name;
+    }
+    const Robot* robot = selection_.robot();
+    const auto* behavior = robot ? control_.plugins().behavior(robot->view().behavior_id) : nullptr;
+    const bool planned = behavior && !behavior->plan_name.empty();
+    editor_->setApplicable(robot && robot->running() && planned,
+                           !robot || !robot->running() ? tr("No robot runs; it decides when it is saved and started")
+                                                       : tr("No plan decides what this robot does now"));
+    editor_->setRunningPlan(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString(), running_text_);
+}
+
+void PlanWorkshop::setRunningPlan(const std::string& text) {
+    running_text_ = text;
+    follow();
+}
+
+void PlanWorkshop::letGo(std::function<void()> go_on) {
+    if (!hasChanges())
+        return go_on();
+    after_it_ = std::move(go_on);
+    if (question_) {
+        question_->raise();
+        return question_->activateWindow();
+    }
+    auto* const box = new QMessageBox(QMessageBox::Question, tr("The plan is not saved"),
+                                      tr("%1 has changes that are not saved.").arg(editor_->name()),
+                                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
+    question_ = box;
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::finished, this, [this](int answer) {
+        question_.clear(); // what follows may ask anew
+        const auto next = std::exchange(after_it_, nullptr);
+        if (answer == QMessageBox::Save)
+            editor_->action("save")->trigger();
+        if (answer == QMessageBox::Discard)
+            giveUp();
+        if (!hasChanges())
+            next();
+    });
+    editor_->show();
+    box->open();
+}
+
+bool PlanWorkshop::hasChanges() const {
+    return editor_ && editor_->isModified();
+}
+
+void PlanWorkshop::giveUp() {
+    editor_->forgetKept();
+    editor_->textEdit().document()->setModified(false);
+}
+
+void PlanWorkshop::say(Severity severity, const QString& key, const QString& text) {
+    notices_.say(severity, key, text);
+}
+
+void PlanWorkshop::complain(const Error& error) {
+    say(Severity::Error, "plan", QString::fromStdString(error.text()));
+}
+
+} // namespace usar::app

@@ -1,0 +1,161 @@
+#include "app/desks/plugin_desk.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+namespace usar::app {
+
+namespace {
+
+QString nameIn(const agent::PluginRecord& record) {
+    return record.metadata.value("name").toString();
+}
+
+QString behaviorsOf(const agent::PluginRecord& record) {
+    QStringList ids;
+    for (const QVariant& id : record.metadata.toVariantMap().value("behaviors").toList())
+        ids << id.toString();
+    return ids.join(", ");
+}
+
+} // namespace
+
+PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
+    : desk_(context)
+    , folders_(folders)
+    , isolated_(QSettings().value("isolated_plugins").toStringList()) {
+    applyIsolation();
+    desk_.control.loadPlugins(folders);
+}
+
+void PluginDesk::registerCommands() {
+    desk_.commands.add({"plugins.rescan",
+                        tr("Look for new plugins"),
+                        tr("Robots"),
+                        tr("Loads robot plugins that were built or copied since; running behaviors go on as they are"),
+                        "reset",
+                        {QKeySequence("Ctrl+F5")}},
+                       [this](bool) { rescan(true); });
+}
+
+void PluginDesk::wire() {
+    desk_.views.behavior->setRescanAction(desk_.commands.action("plugins.rescan"));
+    connect(&desk_.control, &MissionControl::pluginsChanged, this, &PluginDesk::take);
+    watch_.watch(desk_.control.plugins().folders());
+    connect(&watch_, &PluginWatch::changed, this, [this] { rescan(false); });
+}
+
+void PluginDesk::save(QSettings& settings) const {
+    settings.setValue("isolated_plugins", isolated_);
+}
+
+/// Marks are kept beside the settings.
+void PluginDesk::applyIsolation() {
+    desk_.control.isolatePlugins(isolated_, QFileInfo(QSettings().fileName()).path() + "/plugins");
+}
+
+void PluginDesk::tellRefused(const agent::PluginRecord& record) {
+    const QString text = tr("Plugin %1 was refused: %2").arg(record.file, record.reason);
+    if (record.isolated) {
+        const widgets::Offer again{tr("Ask again"), tr("Starts a new process, which loads the plugin as it is now")};
+        return desk_.notices.offer(Severity::Warning, record.file, text, again, [this, file = record.file] {
+            desk_.control.askPluginAgain(file);
+            rescan(false);
+        });
+    }
+    if (!record.dangerous)
+        return desk_.notices.say(Severity::Warning, record.file, text);
+    const QString name = nameIn(record);
+    const widgets::Offer isolation{tr("Give %1 its own process").arg(name),
+                                   tr("Its code then runs there only, and cannot end this program any more")};
+    desk_.notices.offer(Severity::Warning, record.file, text, isolation, [this, name] { setIsolated(name, true); });
+}
+
+void PluginDesk::tellRefused() {
+    for (const agent::PluginRecord& record : desk_.control.plugins().records())
+        if (record.state == agent::PluginState::Rejected)
+            tellRefused(record);
+    if (desk_.control.plugins().kinds().empty())
+        desk_.notices.say(
+            Severity::Error, "plugins",
+            tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
+               "or name another folder with --plugins.")
+                .arg(folders_.join(", ")));
+}
+
+void PluginDesk::rescan(bool asked) {
+    const auto changes = desk_.control.rescanPlugins();
+    watch_.watch(desk_.control.plugins().folders());
+    if (!changes.empty())
+        return take(changes);
+    if (asked)
+        desk_.notices.note("plugins-same", tr("No plugin is new."));
+}
+
+void PluginDesk::take(const std::vector<agent::PluginChange>& changes) {
+    for (const agent::PluginChange& change : changes)
+        tell(change);
+    emit changed();
+}
+
+void PluginDesk::tell(const agent::PluginChange& change) {
+    const agent::PluginRecord& record = change.record;
+    const QString name = QFileInfo(record.file).fileName();
+    switch (change.news) {
+    case agent::PluginNews::Refused:
+        return tellRefused(record);
+    case agent::PluginNews::Asked:
+    case agent::PluginNews::Described:
+        return desk_.notices.cure(record.file); // its row says the rest
+    case agent::PluginNews::Moved:
+        desk_.notices.cure(record.file);
+        return desk_.notices.say(Severity::Note, "plugin/" + record.file,
+                                 record.isolated ? tr("The plugin %1 has a process of its own now.").arg(name)
+                                                 : tr("The plugin %1 runs in the program now.").arg(name));
+    case agent::PluginNews::Removed:
+        return desk_.notices.say(Severity::Warning, record.file,
+                                 tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
+    case agent::PluginNews::Added:
+        desk_.notices.cure("plugins");
+        return tellLoaded(change);
+    case agent::PluginNews::Rebuilt:
+        return tellLoaded(change);
+    }
+}
+
+void PluginDesk::tellLoaded(const agent::PluginChange& change) {
+    const agent::PluginRecord& record = change.record;
+    const QString name = QFileInfo(record.file).fileName();
+    QStringList old_ones;
+    for (const Robot* robot : desk_.control.robots())
+        if (const auto* of = desk_.control.plugins().recordOf(robot->view().behavior_id);
+            robot->running() && of && of->file == record.file)
+            old_ones << QString::fromStdString(robot->view().spawn.robot_name);
+    desk_.notices.cure(record.file);
+    QString text = change.news == agent::PluginNews::Added
+                       ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(record))
+                       : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
+    if (!old_ones.isEmpty())
+        text += ' ' + tr("%1 goes on with the old one until it is started again.").arg(old_ones.join(", "));
+    desk_.notices.note("plugin/" + record.file, text);
+}
+
+QString PluginDesk::pluginOf(const std::string& behavior_id) const {
+    const auto* record = desk_.control.plugins().recordOf(behavior_id);
+    return record ? nameIn(*record) : QString();
+}
+
+void PluginDesk::setIsolated(const QString& plugin, bool isolated) {
+    isolated_.removeAll(plugin);
+    if (isolated && !plugin.isEmpty())
+        isolated_ << plugin;
+    applyIsolation();
+    if (std::ranges::any_of(desk_.control.plugins().records(), [&](const agent::PluginRecord& record) {
+            return nameIn(record) == plugin && (isolated ? record.dangerous : record.isolated);
+        }))
+        rescan(false);
+    emit isolationChanged();
+}
+
+} // namespace usar::app

@@ -1,0 +1,15 @@
+// What people call a robot.
+#pragma once
+
+#include <QString>
+
+#include "app/host/robot.h"
+
+namespace usar::app {
+
+/// The name it was spawned with, as it stands on the wire.
+inline QString nameOf(const Robot& robot) {
+    return QString::fromStdString(robot.view().spawn.robot_name);
+}
+
+} // namespace usar::app

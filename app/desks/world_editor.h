@@ -1,0 +1,89 @@
+// What a person does to the world: palette, list and map on one side, the world controller's connection on the other.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include <QObject>
+
+#include "app/desks/desk.h"
+#include "app/desks/world_link.h"
+#include "core/sim/terrain.h"
+
+namespace usar::app {
+
+/// Connects when the dock is shown for the first time on a server, so that who does not use it costs the server
+/// nothing. Asks five times a second while the dock is seen, twice while the map alone shows objects, else never. GUI
+/// thread; the window owns it.
+class WorldEditor : public QObject {
+    Q_OBJECT
+public:
+    explicit WorldEditor(const DeskContext& context);
+
+    void registerCommands();
+    /// After the commands are registered.
+    void wire();
+    void setPaused(bool paused) { link_.setPaused(paused); }
+
+private:
+    /// Follows the connection that MissionControl keeps open.
+    void setServer(const link::LinkStatus& status);
+    /// The embedded world. Without it heights are guessed from the map and the start poses, and an object whose class
+    /// the server does not tell cannot be brought back.
+    void setWorld(const WorldPicture& world);
+    void registerWayCommands();
+    void wireMap();
+    void refresh();
+    void refreshPolling();
+    void show();
+    void showState();
+    std::vector<widgets::MapObject> objects() const;
+    const widgets::MapObject* selected() const;
+    void select(const QString& name);
+    void arm();
+    void place(const Vec2& at_m, bool again);
+    void moveTo(const QString& name, const Vec2& center_m);
+    void turn(double angle_rad);
+    void spin();
+    void remove(const QString& name);
+    void keepForUndo(std::vector<protocol::CreateObject> deleted, const QStringList& lost);
+    void setClasses();
+    void removeAll();
+    void undo();
+    void addWaypoint(const Vec2& at_m);
+    void clearWay();
+    void follow(bool moving);
+    void send(const protocol::Command& command);
+    void say(const QString& text);
+    double ground_m(const Vec2& at_m) const;
+    QString unusedName(const QString& class_name) const;
+    std::optional<protocol::CreateObject> creationOf(const widgets::MapObject& object) const;
+
+    /// What the server does not tell of an object, because it came from here.
+    struct Known {
+        std::vector<Vec2> way_m;
+        bool spins = false;
+    };
+
+    MissionControl& control_;
+    WindowViews& views_;
+    widgets::CommandRegistry& commands_;
+    NoticeDesk& notices_;
+    WorldLink link_;
+    std::shared_ptr<const sim::Terrain> ground_;
+    std::map<QString, QString> own_objects_; ///< classes of what the embedded world began with, by name
+    QString host_;
+    quint16 port_ = 0;    ///< 0: no server
+    bool opened_ = false; ///< there
+    bool dock_seen_ = false;
+    double real_time_factor_ = 1.0;
+    QString selected_;
+    QString awaited_; ///< is selected when it has come
+    std::vector<widgets::MapObject> shown_;
+    std::map<QString, Known> known_;
+    std::set<QString> used_names_;
+    std::vector<std::vector<protocol::CreateObject>> deleted_; ///< newest last: what undo brings back
+};
+
+} // namespace usar::app

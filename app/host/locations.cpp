@@ -1,0 +1,62 @@
+#include "app/host/locations.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+namespace usar::app {
+
+namespace {
+
+/// First of the candidates, relative to the program's folder, that exists; else the first.
+QString firstThere(const QStringList& candidates) {
+    const QDir bin(QCoreApplication::applicationDirPath());
+    for (const QString& candidate : candidates)
+        if (bin.exists(candidate))
+            return QDir::cleanPath(bin.absoluteFilePath(candidate));
+    return QDir::cleanPath(bin.absoluteFilePath(candidates.first()));
+}
+
+QString worldsFolder() {
+    return firstThere({"../share/worlds", "../share/usar-mission-control/worlds"});
+}
+
+} // namespace
+
+Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder) {
+    const QDir worlds(worlds_folder);
+    if (!name_or_folder.isEmpty() && !name_or_folder.contains('/') && worlds.exists(name_or_folder))
+        return worlds.absoluteFilePath(name_or_folder);
+    if (QDir(name_or_folder).exists() && !name_or_folder.isEmpty())
+        return name_or_folder;
+    const QStringList names = worlds.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    const QString mend = names.isEmpty() ? "There is none at all in %1; build or install the program again, or give "
+                                           "the path of a world folder"
+                                         : "Known in %1 are: " + names.join(", ");
+    return failure("there is no such world", "world " + name_or_folder.toStdString(),
+                   mend.arg(worlds.absolutePath()).toStdString());
+}
+
+Result<QString> findWorld(const QString& name_or_folder) {
+    return findWorldIn(worldsFolder(), name_or_folder);
+}
+
+QStringList worldNames() {
+    const QDir worlds(worldsFolder());
+    QStringList names = worlds.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    names.removeIf([&worlds](const QString& name) { return !worlds.exists(name + "/world.sdf"); });
+    return names;
+}
+
+QString robotsFolder() {
+    return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
+}
+
+QString behaviorHostProgram() {
+    return firstThere({"usar-behavior-host", "../bin/usar-behavior-host"});
+}
+
+QStringList pluginFolders() {
+    return {firstThere({"../robots", "../lib/usar-mission-control/robots"})};
+}
+
+} // namespace usar::app

@@ -1,0 +1,311 @@
+#include "app/host/robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/numbers.h"
+#include "core/link/across_threads.h"
+
+namespace usar::app {
+
+namespace {
+
+template <class... Calls>
+struct Overloaded : Calls... {
+    using Calls::operator()...;
+};
+
+int connections_made = 0; // of the GUI thread, as all robots are
+
+} // namespace
+
+Robot::Robot(QObject* parent)
+    : QObject(parent)
+    , thread_(new QThread)
+    , session_(new mission::RobotSession(RobotView{}.cell_size_m)) {
+    view_.connection = ++connections_made;
+    thread_->setObjectName("robot");
+    session_->moveToThread(thread_);
+    connect(thread_, &QThread::finished, session_, &QObject::deleteLater);
+    connectSession();
+    thread_->start();
+}
+
+Robot::~Robot() {
+    later([](mission::RobotSession& session) {
+        session.close();
+        session.thread()->quit();
+    });
+    if (thread_->wait(2000))
+        delete thread_;
+}
+
+void Robot::connectSession() {
+    link::connectAcross(session_, &mission::RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
+        view_.link = status;
+        emit linkChanged();
+    });
+    link::connectAcross(session_, &mission::RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
+    link::connectAcross(session_, &mission::RobotSession::updated, this, [this](const auto& update) {
+        take(*update);
+        emit updated(update);
+    });
+    link::connectAcross(session_, &mission::RobotSession::behaviorFinished, this,
+                        [this](bool success, const QString& reason, bool broke) {
+                            view_.broke = broke;
+                            view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
+                            view_.figures.behavior_running = view_.paused = false;
+                            view_.halted.reset();
+                            emit behaviorFinished(success, reason);
+                        });
+    link::connectAcross(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
+    link::connectAcross(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
+    link::connectAcross(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
+    link::connectAcross(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
+    link::connectAcross(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
+}
+
+template <class Call>
+void Robot::later(Call call) {
+    link::post(session_, [session = session_, call = std::move(call)] { call(*session); });
+}
+
+void Robot::open(const QString& host, quint16 port, bool lockstep) {
+    later([=](mission::RobotSession& session) { session.open(host, port, lockstep); });
+}
+
+void Robot::close() {
+    later([](mission::RobotSession& session) { session.close(); });
+}
+
+void Robot::spawn(int id, const mission::SpawnRequest& request) {
+    view_.id = id;
+    view_.spawn = request;
+    later([=](mission::RobotSession& session) { session.spawn(request); });
+}
+
+Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
+                                  const Rectangle& area_in_map, const agent::ParameterSet& parameters,
+                                  const std::optional<agent::PlanText>& plan,
+                                  const std::optional<agent::Isolation>& isolation) {
+    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
+    const auto behavior = agent::startBehavior(plugins, behavior_id, {task, parameters, plan}, isolation);
+    if (!behavior)
+        return tl::unexpected(behavior.error());
+    later([=, host = *behavior, breakpoints = breakpoints_](mission::RobotSession& session) {
+        session.startBehavior(host, task);
+        session.control(breakpoints);
+    });
+    started_ = {behavior_id, area_in_map, parameters.values(), plan, isolation.has_value()};
+    asked_plan_.reset();
+    view_.broke = false;
+    view_.behavior_id = behavior_id;
+    view_.area_in_map = area_in_map;
+    view_.finished.reset();
+    view_.halted.reset();
+    view_.paused = false;
+    view_.covered_cells.clear();
+    for (const auto& [index, tile] : view_.tiles)
+        countCovered(*tile);
+    return {};
+}
+
+bool Robot::setCellSize(double cell_size_m) {
+    if (view_.cell_size_m == cell_size_m)
+        return false;
+    later([=](mission::RobotSession& session) { session.setCellSize(cell_size_m); });
+    if (!view_.tiles.empty())
+        return false;
+    view_.cell_size_m = cell_size_m;
+    return true;
+}
+
+void Robot::order(agent::Order order) {
+    view_.paused = order == agent::Order::Pause;
+    pause_confirmed_ = false;
+    later([=](mission::RobotSession& session) { session.order(order); });
+}
+
+void Robot::setParameters(const agent::ParameterSet& parameters) {
+    if (started_)
+        started_->parameters = parameters.values();
+    later([=](mission::RobotSession& session) { session.setParameters(parameters); });
+}
+
+void Robot::expectSilence(bool expected) {
+    later([=](mission::RobotSession& session) { session.expectSilence(expected); });
+}
+
+void Robot::control(const agent::PlanControl& control) {
+    if (const auto* const breakpoints = std::get_if<agent::SetBreakpoints>(&control))
+        breakpoints_ = *breakpoints;
+    if (const auto* const replace = std::get_if<agent::ReplacePlan>(&control))
+        asked_plan_ = replace->plan;
+    later([=](mission::RobotSession& session) { session.control(control); });
+}
+
+void Robot::stop() {
+    later([](mission::RobotSession& session) { session.stop(); });
+}
+
+void Robot::takeControl() {
+    if (running() && !view_.halted) {
+        view_.paused = true;
+        pause_confirmed_ = false;
+    }
+    later([](mission::RobotSession& session) { session.takeControl(); });
+}
+
+void Robot::giveControlBack() {
+    later([](mission::RobotSession& session) { session.giveControlBack(); });
+}
+
+void Robot::drive(const mission::HandIntent& intent) {
+    later([=](mission::RobotSession& session) { session.drive(intent); });
+}
+
+void Robot::stopDriving(const QString& reason) {
+    later([=](mission::RobotSession& session) { session.stopDriving(reason); });
+}
+
+void Robot::send(const protocol::Command& command, const std::string& source) {
+    later([=](mission::RobotSession& session) { session.sendCommand(command, source); });
+}
+
+void Robot::requestRecord() {
+    later([](mission::RobotSession& session) { session.requestRecord(); });
+}
+
+void Robot::noteFault(const QString& sentence) {
+    later([text = sentence.toStdString()](mission::RobotSession& session) { session.noteFault(text); });
+}
+
+void Robot::startRecording(const QString& path, const mission::RecordingFacts& facts) {
+    later([=](mission::RobotSession& session) { (void)session.startRecording(path, facts); }); // trouble is a notice
+}
+
+void Robot::stopRecording() {
+    later([](mission::RobotSession& session) { session.stopRecording(); });
+}
+
+void Robot::flushRecording() {
+    later([](mission::RobotSession& session) { session.flushRecording(); });
+}
+
+void Robot::openRecording(const QString& path, int looks_back_on) {
+    view_.recording = path;
+    view_.looks_back_on = looks_back_on;
+    later([=](mission::RobotSession& session) { session.openRecording(path); });
+}
+
+void Robot::orderReplay(const mission::ReplayOrder& order) {
+    later([=](mission::RobotSession& session) { session.orderReplay(order); });
+}
+
+void Robot::becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts) {
+    view_.id = id;
+    view_.spawn.robot_name = robot_name.toStdString();
+    if (const auto found = facts.find("class"); found != facts.end())
+        view_.spawn.class_name = found->second;
+    if (const auto found = facts.find("cell_size_m"); found != facts.end())
+        view_.cell_size_m = readNumber(found->second).value_or(view_.cell_size_m);
+}
+
+/// A replay was wound back: what was seen until now has not happened yet.
+void Robot::forget() {
+    RobotView fresh;
+    fresh.connection = view_.connection;
+    fresh.id = view_.id;
+    fresh.spawn = view_.spawn;
+    fresh.link = view_.link;
+    fresh.cell_size_m = view_.cell_size_m;
+    fresh.recording = view_.recording;
+    fresh.looks_back_on = view_.looks_back_on;
+    view_ = std::move(fresh);
+}
+
+void Robot::take(const mission::SessionUpdate& update) {
+    if (update.rewound)
+        forget();
+    if (update.task) {
+        view_.behavior_id = update.task->behavior_id;
+        view_.area_in_map = update.task->area_in_map;
+        view_.finished.reset();
+        view_.covered_cells.clear();
+        for (const auto& [index, tile] : view_.tiles)
+            countCovered(*tile);
+    }
+    view_.figures = update.figures;
+    for (const agent::Published& published : update.published)
+        take(published);
+    for (const auto& tile : update.tiles) {
+        view_.tiles[tile->index] = tile;
+        countCovered(*tile);
+    }
+    if (!update.tiles.empty() && !isReplay())
+        view_.unsaved = true;
+    if (update.height_range)
+        view_.height_range = update.height_range;
+    if (update.ground)
+        view_.ground = update.ground;
+    for (const protocol::InfoLine& line : update.lines) {
+        // Until a behavior says what it believes, the robot's own estimate places it on the map.
+        if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
+            view_.base_in_map = ins->base_in_map;
+    }
+}
+
+void Robot::countCovered(const mapping::HeightTile& tile) {
+    const Rectangle& area = view_.area_in_map;
+    int covered = 0;
+    for (std::size_t i = 0; i < mapping::HeightTile::cell_count; ++i) {
+        const auto column =
+            tile.index.column * mapping::HeightTile::side + static_cast<int>(i) % mapping::HeightTile::side;
+        const auto row = tile.index.row * mapping::HeightTile::side + static_cast<int>(i) / mapping::HeightTile::side;
+        covered += !std::isnan(tile.height_m[i]) &&
+                   area.contains(Vec2((column + 0.5) * view_.cell_size_m, (row + 0.5) * view_.cell_size_m));
+    }
+    view_.covered_cells[tile.index] = covered;
+}
+
+std::optional<double> Robot::coverage_pct() const {
+    if (view_.area_in_map.empty())
+        return std::nullopt;
+    double cells = 0.0;
+    for (const auto& [index, covered] : view_.covered_cells)
+        cells += covered;
+    return std::min(100.0, 100.0 * cells * view_.cell_size_m * view_.cell_size_m / view_.area_in_map.area_m2());
+}
+
+void Robot::take(const agent::Published& published) {
+    std::visit(Overloaded{[this](const agent::BehaviorStatus& status) {
+                              view_.status = status;
+                              view_.paused = view_.paused && (status.paused || !pause_confirmed_);
+                              pause_confirmed_ = status.paused;
+                          },
+                          [this](const agent::PoseEstimate& estimate) {
+                              view_.base_in_map = estimate.base_in_map;
+                              const Vec2 point_m = estimate.base_in_map.position_m.head<2>();
+                              if (view_.trail_m.empty() || (view_.trail_m.back() - point_m).norm() > 0.2)
+                                  view_.trail_m.push_back(point_m);
+                          },
+                          [this](const agent::MapMark& mark) { view_.marks.push_back(mark); },
+                          [this](const agent::PlannedPath& path) { view_.planned_m = path.points_in_map_m; },
+                          [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
+                          [this](const agent::BehaviorFinished& finished) {
+                              view_.finished = finished;
+                              view_.halted.reset();
+                          },
+                          [this](const agent::PlanHalted& halted) { view_.halted = halted; },
+                          [this](const agent::PlanResumed&) { view_.halted.reset(); },
+                          [this](const agent::PlanReplaced& replaced) {
+                              const auto asked = std::exchange(asked_plan_, {});
+                              if (started_ && asked && replaced.fate != agent::PlanFate::Refused)
+                                  started_->plan = asked;
+                          },
+                          [](const auto&) {}},
+               published);
+}
+
+} // namespace usar::app

@@ -1,0 +1,54 @@
+#include "app/host/simulator_channels.h"
+
+#include "core/link/com_interface.h"
+#include "core/link/com_server.h"
+#include "core/link/radio_relay.h"
+#include "core/link/wireless_server.h"
+
+namespace usar::app {
+
+namespace {
+
+/// Where it listens: on the wanted port, or else on another one, which is said; 0 where not even that can be had.
+template <class Server>
+quint16 listen(Server& server, quint16 wanted, const QString& name, QStringList& sentences) {
+    Result<quint16> port = server.listen(wanted);
+    if (!port) {
+        const QString reason = QString::fromStdString(port.error().text());
+        port = server.listen(0);
+        sentences << (port ? QObject::tr("Port %1 is in use by another program; the %2 listens on port %3 instead.")
+                                 .arg(wanted)
+                                 .arg(name)
+                                 .arg(*port)
+                           : QObject::tr("The %1 does not run. %2").arg(name, reason));
+    }
+    return port.value_or(0);
+}
+
+void openRadio(link::SimulatorServer& server, const ChannelPorts& wanted, OpenChannels& open) {
+    auto* relay = new link::RadioRelay(server.simulation(), &server);
+    auto* wireless = new link::WirelessServer(*relay, relay);
+    auto* comserver = new link::ComServer(*relay, relay);
+    auto* cominterface = new link::ComInterface(server.simulation(), relay->field(), relay);
+    // While time stands still robots come and go all the same.
+    QObject::connect(&server, &link::SimulatorServer::ticked, relay, &link::RadioRelay::look);
+    QObject::connect(&server, &link::SimulatorServer::figuresChanged, relay, &link::RadioRelay::look);
+    QObject::connect(relay, &link::RadioRelay::logged, &server, &link::SimulatorServer::logged);
+    open.ports.wireless = listen(*wireless, wanted.wireless, QObject::tr("wireless server"), open.sentences);
+    open.ports.comserver = listen(*comserver, wanted.comserver, QObject::tr("ComServer"), open.sentences);
+    open.ports.cominterface =
+        listen(*cominterface, wanted.cominterface, QObject::tr("ComServerInterface"), open.sentences);
+}
+
+} // namespace
+
+OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted,
+                          const link::ImageServerOptions& images) {
+    OpenChannels open;
+    auto* image = new link::ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
+    open.ports.image = listen(*image, wanted.image, QObject::tr("image server"), open.sentences);
+    openRadio(server, wanted, open);
+    return open;
+}
+
+} // namespace usar::app

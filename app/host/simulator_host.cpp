@@ -1,0 +1,158 @@
+#include "app/host/simulator_host.h"
+
+#include <utility>
+
+#include "app/host/simulator_files.h"
+#include "app/host/world_picture.h"
+#include "core/link/across_threads.h"
+
+namespace usar::app {
+
+SimulatorHost::SimulatorHost(QObject* parent) : QObject(parent) {}
+
+SimulatorHost::~SimulatorHost() {
+    next_.reset();
+    QThread* thread = thread_;
+    retire();
+    if (thread) {
+        thread->wait();
+        delete thread;
+    }
+}
+
+void SimulatorHost::start(const SimulatorSpec& spec) {
+    if (!thread_)
+        return launch(spec);
+    next_ = spec;
+    retire();
+}
+
+void SimulatorHost::stop() {
+    next_.reset();
+    retire();
+}
+
+void SimulatorHost::launch(const SimulatorSpec& spec) {
+    thread_ = new QThread;
+    thread_->setObjectName("simulator");
+    worker_ = new QObject;
+    worker_->moveToThread(thread_);
+    connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);
+    connect(thread_, &QThread::finished, this, [this, thread = thread_] {
+        thread->deleteLater();
+        thread_ = nullptr;
+        if (next_)
+            launch(*std::exchange(next_, std::nullopt));
+    });
+    thread_->start();
+    link::post(worker_, [this, spec, worker = worker_] { serve(spec, worker); });
+}
+
+/// Sockets and timers end in the thread that they live in, then the thread itself.
+void SimulatorHost::retire() {
+    server_ = nullptr;
+    if (!worker_)
+        return;
+    link::post(worker_, [worker = worker_] {
+        qDeleteAll(worker->children());
+        worker->thread()->quit();
+    });
+    worker_ = nullptr;
+}
+
+void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
+    const bool is_loaded = spec.loaded && spec.loaded->simulation;
+    Result<LoadedSimulation> loaded = is_loaded ? std::move(*spec.loaded) : loadSimulation(spec);
+    if (!loaded)
+        return emit failed(QString::fromStdString(loaded.error().text()));
+    for (const QString& refused : loaded->refused_robots)
+        emit robotRefused(refused);
+    WorldPicture picture = pictureOf(loaded->simulation->world());
+    picture.robot_classes = loaded->robot_classes;
+    picture.camera_classes = loaded->camera_classes;
+    const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
+    auto* server = new link::SimulatorServer(std::move(loaded->simulation), worker);
+    Result<quint16> port = server->listen(spec.port);
+    if (!port) {
+        port = server->listen(0);
+        if (!port)
+            return emit failed(QString::fromStdString(port.error().text()));
+        emit movedPort(tr("Port %1 is in use by another program; the embedded simulator listens on port %2 instead. "
+                          "Programs that join it must use that one.")
+                           .arg(spec.port)
+                           .arg(*port));
+    }
+    wire(*server);
+    emit faultsChanged(server->simulation().faults()); // those of the one before are gone
+    const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
+    for (const QString& sentence : channels.sentences)
+        emit movedPort(sentence);
+    link::post(this, [this, server, worker, port = *port, picture, waiting, ports = channels.ports] {
+        if (worker != worker_)
+            return; // retired while it was loading
+        server_ = server;
+        emit channelsOpened(ports);
+        emit ready(port, picture, waiting);
+    });
+}
+
+void SimulatorHost::wire(const link::SimulatorServer& server) {
+    using Server = link::SimulatorServer;
+    link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
+    link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
+    link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
+    link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
+    link::connectAcross(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
+    link::connectAcross(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
+}
+
+void SimulatorHost::learn(const QString& robot_file) {
+    if (!server_)
+        return;
+    link::post(server_, [this, server = server_, robot_file] {
+        auto robot = sim::readRobot(robot_file.toStdString());
+        if (!robot)
+            return emit robotRefused(QString::fromStdString(robot.error().text()));
+        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot));
+        server->simulation().learn(*std::move(robot));
+    });
+}
+
+void SimulatorHost::setPace(link::Pace pace, double factor) {
+    if (server_)
+        link::post(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
+}
+
+void SimulatorHost::addFaults(const std::vector<sim::Fault>& faults) {
+    if (server_)
+        link::post(server_, [server = server_, faults] { server->addFaults(faults, true); });
+}
+
+void SimulatorHost::endFault(int id) {
+    if (server_)
+        link::post(server_, [server = server_, id] { server->endFault(id); });
+}
+
+void SimulatorHost::saveSnapshot(const QString& path) {
+    if (!server_)
+        return;
+    link::post(server_, [this, server = server_, path] {
+        const auto saved = app::saveSnapshot(server->simulation(), path);
+        if (saved)
+            emit snapshotSaved(path);
+        else
+            emit snapshotFailed(QString::fromStdString(saved.error().text()));
+    });
+}
+
+void SimulatorHost::letOrphansGo() {
+    if (server_)
+        link::post(server_, [server = server_] { server->letOrphansGo(); });
+}
+
+void SimulatorHost::stepOnce() {
+    if (server_)
+        link::post(server_, [server = server_] { server->stepOnce(); });
+}
+
+} // namespace usar::app

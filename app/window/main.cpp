@@ -1,0 +1,27 @@
+// mission-control: command line to objects, then the event loop.
+#include <cstdio>
+
+#include <QApplication>
+
+#include "app/host/quit_signals.h"
+#include "app/window/main_window.h"
+#include "app/window/options.h"
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("Mission Control");
+    QApplication::setOrganizationName("USAR");
+    QApplication::setApplicationVersion(USAR_VERSION);
+
+    const auto options = usar::app::readOptions(QApplication::arguments());
+    if (!options) {
+        std::fprintf(stderr, "mission-control: %s\n", options.error().text().c_str());
+        return 2;
+    }
+    usar::app::QuitSignals signals_;
+    usar::app::MainWindow window(*options);
+    QObject::connect(&signals_, &usar::app::QuitSignals::quit, &window, &QWidget::close);
+    window.show();
+    window.begin();
+    return QApplication::exec();
+}

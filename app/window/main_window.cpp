@@ -1,0 +1,256 @@
+#include "app/window/main_window.h"
+
+#include <memory>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QScreen>
+
+#include "app/host/locations.h"
+#include "app/window/menus.h"
+#include "widgets/escape_twice.h"
+#include "widgets/models/figures.h"
+#include "widgets/own_keys.h"
+
+namespace usar::app {
+
+MainWindow::MainWindow(const Options& options, QWidget* parent)
+    : QMainWindow(parent)
+    , options_(options)
+    , commands_(this)
+    , views_(makeViews(*this))
+    , plugins_(desk_, options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders)
+    , server_(desk_, options.server)
+    , view_(desk_, *this, options.theme) {
+    control_.setResultFolder(options.result_folder);
+    views_.hint->setSteps(widgets::HintStrip::firstSteps());
+    registerCommands();
+    makeMenus(*menuBar(), commands_, [this](QMenu* menu) { server_.fillWorldMenu(menu); });
+    wire();
+    wireDesks();
+    connectDesks();
+    setAcceptDrops(true);
+    new widgets::OwnKeys(this);
+    layout()->invalidate(); // or the least size would be that of all docks side by side, before they became tabs
+    layout()->activate();
+    constexpr int frame_px = 40; // title bar and borders, which the size does not count
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
+    view_.keepFirstLayout();
+    restoreSettings();
+    selection_.select(0);
+    plugins_.tellRefused();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::begin() {
+    if (!options_.recording.isEmpty()) {
+        views_.time->setSteerable(false); // until a simulator is connected to
+        return control_.openRecording(options_.recording);
+    }
+    server_.begin();
+    if (!options_.mission_file.isEmpty())
+        files_.open(options_.mission_file);
+}
+
+void MainWindow::registerCommands() {
+    mission_.registerCommands();
+    files_.registerCommands();
+    commands_.add({"file.quit",
+                   tr("Quit"),
+                   tr("File"),
+                   tr("Stops the robots, saves what was scanned, and quits"),
+                   "",
+                   {QKeySequence("Ctrl+Q")}},
+                  [this](bool) { close(); });
+    robots_.registerCommands();
+    map_.registerCommands();
+    view_.registerCommands();
+    server_.registerCommands();
+    time_.registerCommands();
+    view_.registerLayouts();
+    messages_.registerCommands();
+    replay_.registerCommands();
+    faults_.registerCommands();
+    workshop_.registerCommands();
+    plan_.registerCommands();
+    camera_.registerCommands();
+    drive_.registerCommands();
+    plugins_.registerCommands();
+    world_.registerCommands();
+    radio_.registerCommands();
+}
+
+void MainWindow::wire() {
+    connect(&control_, &MissionControl::readyToClose, this, &MainWindow::closeAtOnce);
+    connect(&control_, &MissionControl::exportFailed, this,
+            [this](int, const QString& reason) { askWhereToSave(reason); });
+    connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
+    connect(new widgets::EscapeTwice(this), &widgets::EscapeTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(views_.hint, &widgets::HintStrip::dismissed, views_.hint, &QWidget::hide);
+    connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
+    connect(views_.plots, &widgets::PlotView::failed, this,
+            [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
+}
+
+void MainWindow::wireDesks() {
+    // The order is that in which desks hear of one event: a task before what is shown of it, the title last.
+    plugins_.wire();
+    server_.wire();
+    mission_.wire();
+    robots_.wire();
+    plan_.wire();
+    workshop_.wire();
+    time_.wire();
+    drive_.wire();
+    camera_.wire();
+    world_.wire();
+    files_.wire();
+    replay_.wire();
+    messages_.wire();
+    faults_.wire();
+    radio_.wire();
+    map_.wire();
+    connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
+    connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
+    connect(&control_, &MissionControl::robotUpdated, this, [this](int id) {
+        if (id == selection_.id())
+            showTitle();
+    });
+    const auto refresh = &widgets::CommandRegistry::refresh;
+    connect(&selection_, &Selection::changed, &commands_, refresh);
+    connect(&control_, &MissionControl::linkChanged, &commands_, refresh);
+    connect(&control_, &MissionControl::worldKnown, &commands_, refresh);
+    connect(&control_, &MissionControl::startPosesKnown, &commands_, refresh);
+    connect(&control_, &MissionControl::robotLinkChanged, &commands_, refresh);
+}
+
+void MainWindow::connectDesks() {
+    connect(&server_, &ServerDesk::leavingWorld, &mission_, &MissionDesk::leaveWorld);
+    connect(&server_, &ServerDesk::leavingWorld, &time_, &TimeDesk::begin);
+    connect(&server_, &ServerDesk::loadingEnded, &mission_, &MissionDesk::forgetAwaitedWorld);
+    connect(&plugins_, &PluginDesk::changed, &robots_, &RobotDesk::listClasses);
+    connect(&plugins_, &PluginDesk::changed, &mission_, &MissionDesk::takePlugins);
+    connect(&mission_, &MissionDesk::begun, &plan_, &PlanDesk::begin);
+    connect(&mission_, &MissionDesk::begun, &robots_, &RobotDesk::showRow);
+    connect(&mission_, &MissionDesk::faultsWanted, &faults_, &FaultDesk::begin);
+    connect(&mission_, &MissionDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
+    connect(&workshop_, &PlanWorkshop::planChosen, &mission_, &MissionDesk::takePlan);
+    connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
+    connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
+    connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
+    connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    using widgets::BarRoom;
+    const int columns = width() / fontMetrics().horizontalAdvance(u'0');
+    constexpr int least_wide = 175;
+    constexpr int least_medium = 150;
+    views_.connection->setRoom(columns >= least_wide     ? BarRoom::Wide
+                               : columns >= least_medium ? BarRoom::Medium
+                                                         : BarRoom::Narrow);
+    views_.record->setFiguresShown(columns >= least_medium);
+    views_.driver->setRoomy(columns >= least_medium);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!FileDesk::fileIn(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = FileDesk::fileIn(*event->mimeData());
+    if (path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    files_.open(path);
+}
+
+void MainWindow::restoreSettings() {
+    const QSettings settings;
+    view_.restore(settings);
+    messages_.restore(settings);
+    workshop_.restore(settings);
+    map_.restore(settings);
+    server_.restore(settings);
+    replay_.restore(settings);
+    plan_.restore(settings);
+    if (options_.result_folder.isEmpty())
+        files_.restore(settings);
+}
+
+void MainWindow::saveSettings() {
+    auto written = std::make_shared<QSettings>();
+    QSettings& settings = *written;
+    view_.save(settings);
+    plugins_.save(settings);
+    messages_.save(settings);
+    workshop_.save(settings);
+    map_.save(settings);
+    server_.save(settings);
+    replay_.save(settings);
+    plan_.save(settings);
+    if (options_.result_folder.isEmpty())
+        files_.save(settings);
+    written->moveToThread(nullptr); // whoever deletes it writes it
+    disk_.start([written = std::move(written)]() mutable { written.reset(); });
+}
+
+void MainWindow::showTitle() {
+    const Robot* robot = selection_.robot();
+    QString title = QApplication::applicationName();
+    if (robot && robot->running() && robot->view().status) {
+        const agent::BehaviorStatus& status = *robot->view().status;
+        const QString progress = status.progress_pct ? widgets::figure(*status.progress_pct, 0) + " % · " : QString();
+        title = progress + QString::fromStdString(status.state) + " – " + title;
+    }
+    if (title != windowTitle())
+        setWindowTitle(title);
+}
+
+void MainWindow::askWhereToSave(const QString& reason) {
+    if (!control_.closing() || asking_)
+        return; // the notification says it; the scan is still there
+    asking_ = true;
+    QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
+    auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
+    auto* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
+    box.exec();
+    asking_ = false;
+    if (box.clickedButton() == other && files_.chooseResultFolder())
+        control_.prepareToClose();
+    else if (box.clickedButton() == discard)
+        closeAtOnce();
+    else
+        control_.stayOpen();
+}
+
+void MainWindow::closeAtOnce() {
+    may_close_ = true;
+    close();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (workshop_.hasChanges()) {
+        event->ignore();
+        return workshop_.letGo([this] { close(); });
+    }
+    saveSettings();
+    drive_.leave();
+    server_.cancelLoading(); // nobody waits for it
+    if (may_close_ || !control_.anythingToSave())
+        return event->accept();
+    event->ignore();
+    if (control_.closing())
+        return;
+    notices_.say(Severity::Note, "closing", tr("Saving what was scanned, then closing…"));
+    control_.prepareToClose();
+}
+
+} // namespace usar::app
