@@ -13,7 +13,7 @@
 
 namespace usar::mission {
 
-/// Height over ground in meters; for a robot that dives, since it submerged. The keys are least_height_m, mean_height_m
+/// Height over ground in meters of a robot that dives, since it submerged. The keys are least_height_m, mean_height_m
 /// and height_spread_m (standard deviation).
 struct HeightOverGround {
     double least_m = 0.0;
@@ -29,7 +29,7 @@ struct TrueFigures {
     int falls = 0;
     int touches = 0;                          ///< contacts with things that can be pushed
     std::optional<Seconds> first_touch{};     ///< since the spawn; key first_touch_s
-    std::optional<HeightOverGround> height{}; ///< absent: not measured for this robot
+    std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
 };
 
 /// Figures of a run. The JSON keys are the field names unless noted. All of them are present, however the run ended;

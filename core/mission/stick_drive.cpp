@@ -9,7 +9,7 @@ namespace {
 
 /// Used if CONF does not tell: an angle that the wheels of a car can reach at least.
 constexpr double cautious_angle_rad = 0.3;
-constexpr double cautious_turn_share = 0.4; ///< of the wheels' speed
+constexpr double cautious_turn_share = 0.4; ///< share of the wheels' speed
 constexpr double whole_pct = 100.0;
 
 /// How much faster the right wheels run than the robot at full turn, as a share of their highest speed.

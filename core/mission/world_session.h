@@ -120,7 +120,7 @@ private:
     bool paused_ = false;
     bool ever_answered_ = false; ///< by this server
     bool silence_said_ = false;
-    protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< of the INIT
+    protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< dialect in which INIT is sent
     std::optional<Question> open_question_;
     std::deque<std::string> classes_to_ask_;
     std::vector<std::string> classes_;
