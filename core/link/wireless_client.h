@@ -15,7 +15,7 @@
 
 namespace usar::link {
 
-/// Signal strength between two robots, the same both ways; nullopt: the server cannot tell.
+/// Signal strength between two robots, the same both ways; nullopt: the server does not know it.
 struct RadioStrength {
     QString a;
     QString b;
@@ -26,7 +26,7 @@ struct RadioStrength {
 using RadioStrengths = std::vector<RadioStrength>;
 
 /// Sends INIT as `MissionControl` (`MissionControl-2` and so on if that name is taken), which is no robot's name, so a
-/// robot's own program can still INIT as that robot; our server tells such an observer the strength between any two
+/// robot's own program can still INIT as that robot; our server gives such an observer the strength between any two
 /// robots. A server that does not (the original) answers for the asking robot only, and hangs up on names that are not
 /// in its world: with such a server, one connection per robot sends INIT as that robot, and if another program has a
 /// robot's name, the other robot of each pair asks. INIT gives port 1, because nobody is to call it. Reconnects by

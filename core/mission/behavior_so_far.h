@@ -1,5 +1,4 @@
-// What a running behavior has published so far and what of it is still valid. A recording that starts during a run
-// begins with it.
+// Values published by a running behavior that are still valid. A recording that starts during a run begins with them.
 #pragma once
 
 #include <cstddef>

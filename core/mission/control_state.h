@@ -1,4 +1,4 @@
-// Who controls a robot, as reported by its session: nobody, a behavior, or the user by hand.
+// The state of control over a robot, as reported by its session: nobody, a behavior, or the user by hand.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace usar::mission {
 
-/// Who controls the robot.
+/// The holder of control over a robot.
 enum class Reins { Nobody, Behavior, Hand };
 
 /// Input device for driving by hand. The pad is the one on the screen.
 enum class HandSource { Keys, Pad, Gamepad };
 
-/// What one input device requests now; repeated for as long as it requests anything.
+/// The current request of one input device; repeated for as long as it requests anything.
 struct HandIntent {
     HandSource source = HandSource::Keys;
     std::string device{}; ///< name of the gamepad; empty for other sources

@@ -81,7 +81,7 @@ void DriveLimits::takeConfiguration(const protocol::ConfigurationInfo& info) {
     if (const DriveStyle steered = styleOf(robot->steering); steered != DriveStyle::Unknown)
         style = steered;
     else if (style == DriveStyle::Unknown && climb_m_s)
-        style = DriveStyle::Aerial; // UDK does not tell that it is one.
+        style = DriveStyle::Aerial; // UDK's vehicle does not identify itself as aerial.
     else if (sameWord(robot->steering, "OmniDrive"))
         hindrance = "Each of its wheels is steered by itself, and the server does not say where they are.";
     else

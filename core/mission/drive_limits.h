@@ -1,4 +1,4 @@
-// How the robot of a connection is driven, and how fast it may go, as far as its messages have told.
+// How the robot of a connection is driven, and how fast it may go, as far as its messages say.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ enum class DriveStyle { Unknown, Aerial, Skid, Ackermann, Nautic, Walker };
 
 /// Learned from STA (kind, joints), CONF (steering and limits) and GEO (wheels) in both dialects, no matter who asked
 /// for them. A value, to be fed with every message of one connection; it has no clock and no thread. Limits are
-/// magnitudes; absent ones have not been told.
+/// magnitudes; absent ones are not known.
 struct DriveLimits {
     protocol::VehicleKind kind = protocol::VehicleKind::Unknown; ///< from its STA
     DriveStyle style = DriveStyle::Unknown;
@@ -34,12 +34,12 @@ struct DriveLimits {
     std::optional<double> rudder_rad{};
     std::optional<double> stern_plane_rad{};
 
-    /// Learns from one message; ignores messages that tell nothing about driving.
+    /// Learns from one message; ignores messages that say nothing about driving.
     void take(const protocol::InfoMessage& message);
     /// To be called when GETCONF gets no answer: a ground vehicle is then assumed to be skid-steered, as most are.
     void giveUpAsking();
-    /// True if enough is known to send a DRIVE that does what the user means. A ground vehicle has to tell how it
-    /// steers first.
+    /// True if enough is known to send a DRIVE that does what the user means. A ground vehicle must first report how
+    /// it steers.
     bool known() const { return style != DriveStyle::Unknown; }
     /// The axes that the robot can follow; none while its style is unknown.
     StickAxes axes() const;

@@ -29,7 +29,7 @@ public:
     void setOn(bool on);
     bool on() const { return hands_.on(); }
     bool holding() const { return hands_.holding(); }
-    /// What moves the robot: "keys", "gamepad Xbox Controller", or "nobody".
+    /// Name of the device that moves the robot: "keys", "gamepad Xbox Controller", or "nobody".
     std::string holderText() const;
 
     /// Takes the current state of one input device; axes that the robot cannot follow count as 0.

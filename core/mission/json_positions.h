@@ -1,4 +1,4 @@
-// Positions of the keys in a JSON text, which QJsonDocument does not tell; needed for errors with line and column.
+// Positions of the keys in a JSON text, which QJsonDocument does not provide; needed for errors with line and column.
 #pragma once
 
 #include <vector>

@@ -118,7 +118,7 @@ public slots:
     void orderReplay(const usar::mission::ReplayOrder& order);
 
 signals:
-    /// `complaint` tells in a sentence what is missing from the file, or is empty.
+    /// `complaint` is a sentence about what is missing from the file, or empty.
     void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
     void replayFailed(const QString& reason);
     /// `path` is the file, or empty if nothing is recorded.

@@ -20,7 +20,7 @@ bool isWatched(std::string_view type) {
            std::ranges::none_of(not_watched, [type](std::string_view one) { return sameWord(one, type); });
 }
 
-/// The first lines of a tick may come before the first one that tells the server's time, which may be hours.
+/// The first lines of a tick may come before the first one that contains the server's time, which may be hours.
 constexpr Seconds clock_unknown{0.0};
 
 /// Sensors of which a robot has only one, whatever its name.

@@ -1,4 +1,4 @@
-// What a session reports to the rest of the program, by value.
+// Reports of a session to the rest of the program, by value.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ struct SessionUpdate {
     bool rewound = false;
     std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun
     std::vector<protocol::InfoLine> lines; ///< only the newest 4000 if more came in one frame
-    std::vector<SentCommand> commands;     ///< in order; `after` tells their place between the lines
+    std::vector<SentCommand> commands;     ///< in order; `after` gives their place between the lines
     std::vector<agent::Published> published;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles; ///< the map's changed tiles
     std::optional<mapping::HeightRange> height_range;              ///< of the whole map; absent: the map is empty

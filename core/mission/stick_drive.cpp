@@ -7,7 +7,7 @@ namespace usar::mission {
 
 namespace {
 
-/// Used if CONF does not tell: an angle that the wheels of a car can reach at least.
+/// Used if CONF gives no limit: an angle that the wheels of a car can reach at least.
 constexpr double cautious_angle_rad = 0.3;
 constexpr double cautious_turn_share = 0.4; ///< share of the wheels' speed
 constexpr double whole_pct = 100.0;

@@ -216,7 +216,7 @@ Vec3 WorldSession::velocityOf(const std::string& name, const Vec3& position_m) {
     return span_s > 0.05 ? Vec3((position_m - way.front().position_m) / span_s) : Vec3(Vec3::Zero());
 }
 
-/// The server does not tell the class of a thing, but it lists the things of a class.
+/// The server does not report the class of a thing, but it lists the things of a class.
 void WorldSession::learnKinds() {
     bool strangers = false;
     for (const WorldThing& thing : view_.things)
