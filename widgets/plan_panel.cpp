@@ -109,24 +109,7 @@ PlanPanel::PlanPanel(QWidget* parent)
             side_->show(reasons_);
     });
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
-    connect(view_, &PlanView::treeChanged, this, [this, slider_waits = false]() mutable {
-        QSlider* const slider = time_bar_->slider();
-        if (view_->tree().empty() && slider->hasFocus()) { // or the search would have the keys until a plan comes
-            slider_waits = true;
-            view_->setFocus();
-        }
-        side_->setVisible(!view_->tree().empty());
-        time_bar_->setVisible(!view_->tree().empty());
-        if (!view_->tree().empty() && std::exchange(slider_waits, false))
-            QTimer::singleShot(0, slider, [this, slider] { // when it knows the plan's moments
-                if (!view_->hasFocus())
-                    return;
-                slider->setEnabled(true); // it may not know them yet, and a disabled one takes no focus
-                slider->setFocus();
-            });
-        showRunning();
-        search(search_->text());
-    });
+    connect(view_, &PlanView::treeChanged, this, &PlanPanel::showTree);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunningLines);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showTextPlace);
     connect(view_, &PlanView::activated, this, [this](int node) {
@@ -141,6 +124,29 @@ PlanPanel::PlanPanel(QWidget* parent)
     showFound();
     showRunning();
     showReasons();
+}
+
+void PlanPanel::showTree() {
+    const bool empty = view_->tree().empty();
+    if (empty && time_bar_->slider()->hasFocus()) { // or the search would have the keys until a plan comes
+        slider_waits_ = true;
+        view_->setFocus();
+    }
+    side_->setVisible(!empty);
+    time_bar_->setVisible(!empty);
+    if (slider_waits_ && !empty)
+        QTimer::singleShot(0, this, &PlanPanel::giveFocusBack); // when the slider knows the plan's moments
+    showRunning();
+    search(search_->text());
+}
+
+/// A replay that is wound back empties the tree once more before its plan comes; the slider then waits on.
+void PlanPanel::giveFocusBack() {
+    if (view_->tree().empty() || !std::exchange(slider_waits_, false) || !view_->hasFocus())
+        return;
+    QSlider* const slider = time_bar_->slider();
+    slider->setEnabled(true); // it may not know the moments yet, and a disabled one takes no focus
+    slider->setFocus();
 }
 
 QBoxLayout* PlanPanel::makeSearchRow() {

@@ -87,6 +87,8 @@ private:
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
     void arrange();
+    void showTree();
+    void giveFocusBack();
     void search(const QString& words);
     void showFound();
     void showRunning();
@@ -119,8 +121,9 @@ private:
     QListWidget* breakpoints_;
     PlanHaltBar* halt_bar_;
     PlanTimeBar* time_bar_;
-    bool from_text_ = false; ///< the selection follows the text's cursor
-    int narrow_ = -1;        ///< not yet arranged
+    bool slider_waits_ = false; ///< it had the focus before its tree was emptied, and gets it back
+    bool from_text_ = false;    ///< the selection follows the text's cursor
+    int narrow_ = -1;           ///< not yet arranged
 };
 
 } // namespace usar::widgets

@@ -1,4 +1,5 @@
-// Calls and signals from one thread to another: the one place where this project posts to a thread.
+// Calls and signals from one thread to another. All posting between threads in this project is done with these
+// functions.
 #pragma once
 
 #include <functional>
@@ -12,23 +13,24 @@
 
 namespace usar::link {
 
-/// Makes the call in the thread in which `where` lives: at once if that is this thread, else from its event loop. A
-/// call that has not been made when `where` goes is not made.
+/// Runs the call in the thread of `where`: at once if that is the current thread, else from its event loop. A call that
+/// is still queued when `where` is destroyed is dropped.
 template <class Call>
 void post(QObject* where, Call call) {
     QMetaObject::invokeMethod(where, HandedOver(std::move(call)));
 }
 
-/// Makes the call in the thread in which `where` lives, which must be another one, and returns when it has been made.
+/// Runs the call in the thread of `where`, which must not be the current thread, and returns when the call has
+/// finished.
 template <class Call>
 void postAndWait(QObject* where, Call& call) {
     QMetaObject::invokeMethod(where, HandedOver([&call] { call(); }), Qt::BlockingQueuedConnection);
 }
 
-/// Connects a signal of an object that lives in another thread. The slot (a member function of the receiver, its
-/// signals included, or anything else that can be called) gets copies of the arguments, in the thread in which the
-/// receiver lives. As with Qt's own connections, the receiver must not go while the sender may still give the signal:
-/// it waits for the sender's thread, or disconnects in it.
+/// Connects a signal of an object in another thread. The slot (a member function of the receiver, including its
+/// signals, or any other callable) gets copies of the arguments and runs in the receiver's thread. As with Qt's own
+/// connections, the receiver must not be destroyed while the sender may still emit the signal: it waits for the
+/// sender's thread to end, or disconnects in that thread.
 template <class Sender, class... Arguments, class Receiver, class Slot>
 QMetaObject::Connection connectAcross(const Sender* sender, void (Sender::*signal)(Arguments...), Receiver* receiver,
                                       Slot slot) {

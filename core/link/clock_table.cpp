@@ -8,7 +8,7 @@ namespace usar::link {
 namespace {
 
 constexpr Seconds together_within{0.005};
-constexpr Seconds farthest{1e9}; ///< what is said beyond is damage
+constexpr Seconds farthest{1e9}; ///< clock readings beyond this are damage and ignored
 
 RecordTime after(RecordTime play, Seconds span) {
     return play + std::chrono::round<RecordTime>(span);
@@ -17,7 +17,7 @@ RecordTime after(RecordTime play, Seconds span) {
 } // namespace
 
 void ClockTable::add(RecordTime play, Seconds now) {
-    if (!(std::abs(now.count()) < farthest.count())) // or not a number
+    if (!(std::abs(now.count()) < farthest.count())) // Also true for NaN.
         return;
     if (!stretches_.empty()) {
         Stretch& last = stretches_.back();
@@ -39,7 +39,7 @@ std::optional<RecordTime> ClockTable::at(Seconds now) const {
         const RecordTime wanted = after(stretch->play, now - stretch->begin);
         if (now <= stretch->end)
             return wanted;
-        const auto next = stretch.base(); // the later one
+        const auto next = stretch.base(); // The stretch after this one.
         if (next != stretches_.end() && next->begin > now)
             return std::min(wanted, next->play);
     }

@@ -1,4 +1,4 @@
-// When in a replay the protocol clock said what: the way from a moment of the robot's to a moment of its recording.
+// Maps moments of the protocol clock (the robot's time) to moments of the replay of its recording.
 #pragma once
 
 #include <optional>
@@ -9,21 +9,23 @@
 
 namespace usar::link {
 
-/// A replay runs as the protocol clock does, but for pauses, slow stretches and clocks that began anew. Kept are the
-/// stretches in which the two go together to within 5 ms: one for a flight at full speed, one for each tick at worst.
+/// A replay advances with the protocol clock, except in pauses, in slow stretches and when the clock started again. The
+/// table keeps the stretches in which both agree to within 5 ms: one for a flight at full speed, one per tick at worst.
 class ClockTable {
 public:
-    /// In the order of the recording; `play` by PlayClock.
+    /// Adds one reading: at replay time `play` (by PlayClock) the protocol clock read `now`. To be called in the order
+    /// of the recording. A `now` that is not a number or beyond 1e9 s is ignored.
     void add(RecordTime play, Seconds now);
-    /// Recording time at which the clock read `now`; the last one if it read that twice; clamped to the ends. Nothing
-    /// if the clock was never read.
+    /// Replay time (by PlayClock) at which the protocol clock read `now`; the last such time if there are several;
+    /// clamped to the first and last reading. Nullopt if no reading was added.
     std::optional<RecordTime> at(Seconds now) const;
 
 private:
+    /// The protocol clock from `begin` to `end` without a jump; `play` is the replay time at `begin`.
     struct Stretch {
-        Seconds begin{0.0}; ///< protocol clock, likewise `end`
+        Seconds begin{0.0};
         Seconds end{0.0};
-        RecordTime play{0}; ///< at `begin`
+        RecordTime play{0};
     };
     std::vector<Stretch> stretches_;
 };

@@ -9,7 +9,7 @@ namespace usar::link {
 
 namespace {
 
-constexpr std::size_t word_bytes = 5; // "SEND " and "CLOSE"
+constexpr std::size_t word_bytes = 5; // Length of "SEND " and of "CLOSE".
 constexpr std::size_t most_digits = 9;
 
 } // namespace
@@ -41,7 +41,7 @@ void ComFrames::takeOne(char c) {
         [[fallthrough]];
     case State::Word:
         word_ += c;
-        if (c == ';') // too short for any word
+        if (c == ';') // Too short for any word.
             state_ = State::Between;
         else if (word_ == "SEND ")
             state_ = State::Length;

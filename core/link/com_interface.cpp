@@ -12,7 +12,7 @@ namespace usar::link {
 
 namespace {
 
-/// "1,2,3" as the wire writes it; nothing where it is something else.
+/// Reads "1,2,3" (meters in the wire frame) as a point in the map frame; nullopt if it is malformed or not finite.
 std::optional<Vec3> readPoint(std::string_view text) {
     Vec3 point = Vec3::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// The ComServerInterface (usarsim-protocol 6.4): where radios are and what stands between, for a wireless server of
-// somebody else's.
+// The ComServerInterface (usarsim-protocol 6.4): tells an external wireless server where the radios are and how many
+// obstacles stand between them.
 #pragma once
 
 #include <string>
@@ -12,8 +12,9 @@
 
 namespace usar::link {
 
-/// GETOBS between two points of the wire's frame, or two robots by name as the original wireless server asks, and
-/// GETPOS. What it does not understand has -1 obstacles or no answer. In the simulator's thread.
+/// Answers GETPOS, and GETOBS between two points in the wire frame or between two robots by name (as the original
+/// wireless server asks). If GETOBS names a place that cannot be read, the answer is -1 obstacles; other requests get
+/// no answer. Runs in the simulator's thread; `simulation` and `field` must outlive it.
 class ComInterface : public QObject {
     Q_OBJECT
 public:
@@ -21,6 +22,8 @@ public:
 
     ComInterface(const sim::Simulation& simulation, RadioField& field, QObject* parent = nullptr);
 
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names
+    /// --cominterface-port.
     Result<quint16> listen(quint16 port) { return server_.listen(port, "--cominterface-port"); }
     quint16 port() const { return server_.port(); }
 

@@ -53,7 +53,7 @@ std::string ComServer::answer(std::string_view request) {
     for (const Method& method : methods)
         if (sameWord(words.front(), method.word))
             return words.size() == method.words ? (this->*method.answer)(words) : fail("Incorrect Message");
-    return fail("Unknown message"); // SEND and CLOSE belong on a data link
+    return fail("Unknown message"); // SEND and CLOSE belong on a data link.
 }
 
 std::string ComServer::registerRobot(const Words& words) {
@@ -107,7 +107,7 @@ std::string ComServer::open(const Words& words) {
         return fail("Cannot connect to " + to);
     if (!relay_.join(from, *from_port, to, *to_port))
         return fail("Could not establish connection");
-    listening_.erase(listener); // one LISTEN is one link
+    listening_.erase(listener); // One LISTEN allows one link.
     return "OK;";
 }
 

@@ -130,7 +130,7 @@ void ImageClient::takeBytes() {
     }
 }
 
-/// False where what comes can be no picture; the connection is gone then.
+/// Reads the head of a frame. If it cannot be the head of a picture, drops the connection and returns false.
 bool ImageClient::takeHead() {
     const auto type = static_cast<std::uint8_t>(head_[0]);
     const auto bytes = qFromBigEndian<quint32>(head_.constData() + 1);

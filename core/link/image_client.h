@@ -1,4 +1,4 @@
-// The client's end of one connection to an image server.
+// The client end of one connection to an image server.
 #pragma once
 
 #include <deque>
@@ -17,18 +17,18 @@
 namespace usar::link {
 
 enum class ImageState {
-    Off,
+    Off, ///< closed by the owner, or never opened
     Connecting,
-    Waiting, ///< for the next try
+    Waiting, ///< between two attempts to connect
     Quiet,   ///< connected; no picture yet, or none wanted
-    Live
+    Live     ///< pictures arrive
 };
 
 struct ImageStatus {
     ImageState state = ImageState::Off;
-    QString reason; ///< one or two sentences with the mend, while Waiting
-    double frames_per_s = 0.0;
-    QString local_address{}; ///< of this end: whom the server calls the viewer; empty without a connection
+    QString reason;            ///< while Waiting: one or two sentences with the remedy
+    double frames_per_s = 0.0; ///< over the last ten frames; 0 before the second one
+    QString local_address{};   ///< address of this end, by which the server knows the viewer; empty while not connected
     bool operator==(const ImageStatus&) const = default;
 };
 
@@ -37,13 +37,14 @@ struct ImageClientLimits {
     Seconds connect_timeout{5.0};
     Seconds first_retry{0.5};
     Seconds longest_retry{5.0};
-    Seconds silence{8.0};            ///< between request and picture
-    Seconds shortest_interval{0.07}; ///< between requests
-    std::uint32_t most_bytes = 8u << 20;
+    Seconds silence{8.0};                ///< longest wait between request and picture
+    Seconds shortest_interval{0.07};     ///< between two requests
+    std::uint32_t most_bytes = 8u << 20; ///< largest frame that is accepted
 };
 
-/// Connects, and reconnects until told to close; asks for one frame after the other while frames are wanted. Takes no
-/// more memory than one frame of the largest allowed size. Lives in its owner's thread, which has an event loop.
+/// Connects, and reconnects with growing pauses until closed; while frames are wanted, requests one after the other.
+/// Needs no more memory than one frame of the largest allowed size. Runs in its owner's thread, which needs an event
+/// loop.
 class ImageClient : public QObject {
     Q_OBJECT
 public:
@@ -51,18 +52,19 @@ public:
     ~ImageClient() override;
 
     void setLimits(const ImageClientLimits& limits) { limits_ = limits; }
-    /// Closes what is open, then connects there.
+    /// Closes any open connection, then connects to this server.
     void open(const QString& host, quint16 port);
+    /// Closes the connection and does not reconnect.
     void close();
-    /// False at first.
+    /// Starts or stops requesting frames. Initially false. The connection stays open either way.
     void setWanted(bool wanted);
     const ImageStatus& status() const { return status_; }
-    /// Since `open`.
+    /// Number of frames received since `open`.
     quint64 framesReceived() const { return frames_; }
 
 signals:
     void statusChanged(const usar::link::ImageStatus& status);
-    /// `data` is a JPEG file, or raw as the protocol has it.
+    /// `data` is a JPEG file, or for ImageType::Raw the pixels as usarsim-protocol 6.1 packs them.
     void frameReceived(usar::link::ImageType type, const QByteArray& data);
 
 private:
@@ -86,16 +88,16 @@ private:
     ImageClientLimits limits_;
     QString host_;
     quint16 port_ = 0;
-    QByteArray head_;
-    QByteArray data_;
-    qsizetype data_bytes_ = 0; ///< of the frame that is coming
-    std::deque<qint64> arrivals_ms_;
+    QByteArray head_;                ///< bytes of the next frame's head received so far
+    QByteArray data_;                ///< bytes of its data received so far
+    qsizetype data_bytes_ = 0;       ///< size of the frame that is arriving
+    std::deque<qint64> arrivals_ms_; ///< of the last frames, by clock_
     qint64 asked_ms_ = 0;
     quint64 frames_ = 0;
     int failed_tries_ = 0;
     bool wanted_ = false;
     bool open_ = false;
-    bool asked_ = false; ///< and not answered yet
+    bool asked_ = false; ///< a request has been sent and not been answered yet
     ImageStatus status_;
 };
 

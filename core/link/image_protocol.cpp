@@ -10,8 +10,9 @@ namespace usar::link {
 
 namespace {
 
-constexpr qsizetype part_bytes = 17;                            ///< U and four numbers
-constexpr std::array<int, 6> qualities{0, 100, 75, 50, 25, 10}; // as the picture library of the first server had them
+constexpr qsizetype part_bytes = 17; ///< 'U' and four numbers of 32 bits
+/// JPEG quality by ImageType, as in the picture library of the first server.
+constexpr std::array<int, 6> qualities{0, 100, 75, 50, 25, 10};
 
 template <class Number>
 void append(QByteArray& bytes, Number number) {
@@ -19,7 +20,8 @@ void append(QByteArray& bytes, Number number) {
     bytes.append(reinterpret_cast<const char*>(&big), sizeof big);
 }
 
-/// Width, height, rows of blue, green, red, each filled up to a multiple of four bytes.
+/// Encodes width and height (16 bits each, big-endian), then rows of blue, green, red, each row padded to a multiple of
+/// four bytes.
 QByteArray rawOf(const sim::Picture& picture) {
     QByteArray bytes;
     const int filling = (4 - 3 * picture.width_px % 4) % 4;
@@ -47,7 +49,7 @@ void ImageRequestReader::feed(std::string_view bytes, std::deque<ImageRequest>& 
         if (pending_.isEmpty() ? byte != 'O' && byte != 'U' : pending_ == "O" && byte != 'K') {
             pending_.clear();
             if (byte != 'O' && byte != 'U')
-                continue; // begins no request
+                continue; // Does not begin a request.
         }
         pending_.append(byte);
         if (pending_ == "OK") {

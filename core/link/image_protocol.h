@@ -1,4 +1,4 @@
-// The words of the image server's protocol (usarsim-protocol 6.1), as values and bytes.
+// The messages of the image server's protocol (usarsim-protocol 6.1), as values and as bytes.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@
 
 namespace usar::link {
 
-/// One frame. Without a rectangle the whole picture.
+/// A request for one frame: of the whole picture, or of a part of it.
 struct ImageRequest {
+    /// Rectangle in pixels from the top left corner of the picture.
     struct Part {
         std::uint32_t x = 0, y = 0, width = 0, height = 0;
         bool operator==(const Part&) const = default;
@@ -23,19 +24,21 @@ struct ImageRequest {
     bool operator==(const ImageRequest&) const = default;
 };
 
-/// Finds requests in what a client sends, in any chunks; skips bytes that begin none. Keeps 17 bytes at most.
+/// Finds requests in the bytes that a client sends, fed in chunks of any size; skips bytes that do not begin a request.
+/// Buffers at most 17 bytes.
 class ImageRequestReader {
 public:
+    /// Appends the requests that `bytes` complete to `found`.
     void feed(std::string_view bytes, std::deque<ImageRequest>& found);
 
 private:
     QByteArray pending_;
 };
 
-/// What a frame is made of, big-endian.
+/// Makes a complete frame: type, size of the data (big-endian), data.
 QByteArray frameOf(const sim::Picture& picture, ImageType type);
 
-/// What a client asks with.
+/// Encodes a request as a client sends it.
 QByteArray bytesOf(const ImageRequest& request);
 
 } // namespace usar::link

@@ -14,7 +14,7 @@ constexpr std::size_t most_waiting = 16;
 constexpr qint64 frame_interval_ms = 33;
 constexpr qint64 unread_bytes = 4096;
 
-/// Whose camera was chosen on the bot port for the viewers of an address.
+/// Returns the camera that was chosen on the bot port for the viewers at an address; nullopt if none was.
 std::optional<sim::CameraChoice> choiceFor(const sim::CameraScene& scene, const QHostAddress& viewer) {
     for (const auto& [address, camera] : scene.attached)
         if (QHostAddress(QString::fromStdString(address)) == viewer)
@@ -29,9 +29,9 @@ struct ImageServer::Viewer {
     QTcpSocket* socket = nullptr; ///< owned by the server
     ImageRequestReader reader;
     std::deque<ImageRequest> waiting;
-    bool in_work = false;
-    qint64 last_ms = -frame_interval_ms;
-    QTimer pause;
+    bool in_work = false;                ///< a frame for this client is being made
+    qint64 last_ms = -frame_interval_ms; ///< when its last frame was begun, by clock_
+    QTimer pause;                        ///< runs until its next frame may be begun
 };
 
 ImageServer::ImageServer(Look look, const ImageServerOptions& options, QObject* parent)
@@ -46,15 +46,15 @@ ImageServer::ImageServer(Look look, const ImageServerOptions& options, QObject* 
     maker_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, maker_, &QObject::deleteLater);
     connectAcross(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
-    thread_.start(QThread::LowPriority); // ticks first
+    thread_.start(QThread::LowPriority); // Simulation ticks take precedence.
 }
 
 ImageServer::~ImageServer() {
     for (const auto& [id, viewer] : viewers_)
         viewer->socket->disconnect(this);
     maker_->giveUp();
-    post(maker_, [this] { thread_.quit(); }); // in its thread, which deletes it then
-    thread_.wait();                           // for one picture at most
+    post(maker_, [this] { thread_.quit(); }); // Runs in the maker's thread, which then deletes the maker.
+    thread_.wait();                           // Waits for at most one picture.
 }
 
 Result<quint16> ImageServer::listen(quint16 port) {
@@ -132,7 +132,7 @@ void ImageServer::serve(Viewer& viewer) {
 void ImageServer::send(quint64 id, const QByteArray& frame) {
     const auto found = viewers_.find(id);
     if (found == viewers_.end())
-        return; // it has gone meanwhile
+        return; // The viewer has disconnected meanwhile.
     Viewer& viewer = *found->second;
     viewer.in_work = false;
     if (viewer.socket->state() != QAbstractSocket::ConnectedState)

@@ -1,4 +1,5 @@
-// The image server: pictures of a simulation's cameras on loopback TCP, one for each request (usarsim-protocol 6.1).
+// The image server: serves pictures of a simulation's cameras over loopback TCP, one per request (usarsim-protocol
+// 6.1).
 #pragma once
 
 #include <atomic>
@@ -24,28 +25,29 @@ class PictureMaker;
 
 struct ImageServerOptions {
     ImageType type = ImageType::Good;
-    bool frame_on_connect = false; ///< legacy: the first frame comes without a request
+    bool frame_on_connect = false; ///< legacy: the first frame is sent without a request
 };
 
-/// Lives in the simulator's thread, where it takes snapshots; pictures are made in a thread of its own, one at a time,
-/// so that ticks do not wait for them. Each client has one frame in work at most, gets 30 a second at most, and the
-/// next one is begun when it has taken the last: one that does not read costs one frame. Sixteen requests may wait,
-/// further ones are dropped. Clients in excess of 32 are refused. What a client sees is the game's window
-/// (sim::windowPicture); AttachCamera on the bot port chooses a camera for the viewers of an address.
+/// Runs in the simulator's thread, where it takes snapshots of the scene; pictures are made in a thread of its own, one
+/// at a time, so that simulation ticks do not wait for them. A client gets at most 30 frames a second, and its next
+/// frame is begun only when the last one has been sent, so a client that does not read costs one frame. Up to 16
+/// requests are queued per client; further ones are dropped. Connections beyond 32 are refused. A client sees the
+/// game's window (sim::windowPicture); AttachCamera on the bot port chooses a camera for the viewers at an address.
 class ImageServer : public QObject {
     Q_OBJECT
 public:
     using Look = std::function<sim::CameraScene()>;
 
-    /// `look` is called in this object's thread, as long as the server lives.
+    /// `look` returns the current scene. It is called in this object's thread, as long as the server exists.
     explicit ImageServer(Look look, const ImageServerOptions& options = {}, QObject* parent = nullptr);
     ~ImageServer() override;
 
-    /// Loopback only. Port 0 chooses a free one. A port in use is an error that says how to choose another.
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
+    /// another.
     Result<quint16> listen(quint16 port);
     quint16 port() const { return server_.serverPort(); }
     std::size_t clientCount() const { return viewers_.size(); }
-    /// Pictures made since the beginning; equal ones of one tick are made once.
+    /// Number of pictures made so far. Equal pictures of one tick are made once.
     quint64 picturesMade() const;
 
 private:
@@ -63,7 +65,7 @@ private:
     std::map<quint64, std::unique_ptr<Viewer>> viewers_;
     quint64 last_viewer_ = 0;
     QThread thread_;
-    PictureMaker* maker_; ///< lives in thread_
+    PictureMaker* maker_; ///< belongs to thread_, which deletes it
 };
 
 } // namespace usar::link

@@ -13,23 +13,25 @@
 
 namespace usar::link {
 
-/// What one client is to be shown.
+/// An order for one client's next frame.
 struct PictureOrder {
-    quint64 viewer = 0;
+    quint64 viewer = 0; ///< client id, passed back with the frame
     std::shared_ptr<const sim::CameraScene> scene;
-    std::optional<sim::CameraChoice> camera;
+    std::optional<sim::CameraChoice> camera; ///< nullopt: what the game's window shows
     ImageRequest request;
     ImageType type = ImageType::Good;
 };
 
-/// Keeps the last pictures: several clients, or one that asks faster than the simulation ticks, cost one picture.
+/// Keeps the last four pictures, so that several clients, or a client that asks faster than the simulation ticks, share
+/// one.
 class PictureMaker : public QObject {
     Q_OBJECT
 public:
-    /// In its own thread.
+    /// Makes one frame and emits frameMade. To be called in this object's thread.
     void make(const PictureOrder& order);
-    /// From any thread: what still waits is not made any more.
+    /// Cancels all orders that are still queued. May be called from any thread.
     void giveUp() { given_up_ = true; }
+    /// Number of pictures made so far. May be called from any thread.
     quint64 made() const { return made_; }
 
 signals:

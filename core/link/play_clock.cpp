@@ -8,7 +8,8 @@ namespace usar::link {
 
 namespace {
 
-/// A protocol clock that leaps farther, or backward, is damage or another clock: counting begins anew from there.
+/// A protocol clock that leaps farther ahead than this, or backward, is damaged or another clock: counting restarts
+/// there.
 constexpr Seconds longest_leap{10.0};
 
 std::optional<Seconds> newestTime(std::string_view bytes) {
@@ -18,7 +19,7 @@ std::optional<Seconds> newestTime(std::string_view bytes) {
         return std::nullopt;
     const std::string_view value = bytes.substr(at + key.size());
     const NumberPrefix number = readNumberPrefix(value);
-    const bool whole = number.used > 0 && number.used < value.size(); // not cut off at the end of a chunk
+    const bool whole = number.used > 0 && number.used < value.size(); // Not cut off at the end of a chunk.
     return whole ? std::optional(Seconds{number.value}) : std::nullopt;
 }
 
@@ -44,7 +45,7 @@ RecordTime PlayClock::at(const Record& record) {
     const auto now = record.kind == RecordKind::In ? newestTime(record.bytes) : std::nullopt;
     if (now && now_ && *now >= *now_ && *now - *now_ <= longest_leap) {
         now_ = now;
-    } else if (now) { // also a NaN, which the next one replaces
+    } else if (now) { // Also reached with a NaN, which the next reading replaces.
         play_ = std::max(play_, stretched());
         anchor(record.time, now);
     }

@@ -6,7 +6,7 @@ namespace usar::link {
 
 namespace {
 
-constexpr std::size_t most_remembered = 4096; // names are the clients' to invent
+constexpr std::size_t most_remembered = 4096; // Bounds the cache, because clients may ask for any names.
 
 } // namespace
 

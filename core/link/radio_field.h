@@ -1,4 +1,4 @@
-// Strengths between the radios of a simulation, by the names that robots bear on the wire.
+// Signal strengths between the radios of a simulation, by the names that the robots have on the wire.
 #pragma once
 
 #include <map>
@@ -11,20 +11,21 @@
 
 namespace usar::link {
 
-/// Remembers what it was asked until the world moves, so that many questions cost little. In the simulator's thread;
-/// the simulation must outlive every call.
+/// Caches its answers until the world moves, so that many questions are cheap. To be used in the simulator's thread;
+/// the simulation must outlive it.
 class RadioField {
 public:
     explicit RadioField(const sim::Simulation& simulation) : simulation_(simulation) {}
 
-    /// The world has moved.
+    /// Drops all cached answers. To be called when the world has moved.
     void forget();
-    /// Of the first robot or base station with that name; nothing where there is none, or its battery is empty.
+    /// First robot or base station with that name; null if there is none or its battery is empty. Valid until forget().
     const sim::RadioStation* station(const std::string& name);
+    /// All robots and base stations, including those with an empty battery. Valid until forget().
     const std::vector<sim::RadioStation>& stations();
-    /// Nothing where one of the two cannot be heard.
+    /// Signal strength between two stations; nullopt if either is missing or has an empty battery.
     std::optional<double> strength_dbm(const std::string& a, const std::string& b);
-    /// Strong enough for a link.
+    /// Whether the signal between the two is strong enough for a link, that is, at least the radio's `cutoff_dbm`.
     bool reaches(const std::string& a, const std::string& b);
 
 private:

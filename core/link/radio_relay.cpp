@@ -38,7 +38,7 @@ quint16 RadioRelay::door(const std::string& from, const std::string& to, quint16
 void RadioRelay::turn(const Way& way, Door& door) {
     const bool open = field_.reaches(std::get<0>(way), std::get<1>(way));
     if (open && !door.server->isListening())
-        door.server->listen(QHostAddress::LocalHost, door.port); // where that fails, the next look tries again
+        door.server->listen(QHostAddress::LocalHost, door.port); // If this fails, the next look() tries again.
     else if (!open && door.server->isListening())
         door.server->close();
 }

@@ -1,4 +1,4 @@
-// Carries bytes between robots while their radios reach each other: what the wireless server and the ComServer share.
+// Carries bytes between robots while their radios reach each other; shared by the wireless server and the ComServer.
 #pragma once
 
 #include <map>
@@ -16,9 +16,10 @@
 
 namespace usar::link {
 
-/// A door is a port for one robot's calls to a port of another. It listens while the two reach each other; a link whose
-/// strength falls below the cut-off is dropped, and when the strength is back the same door takes new calls. Robots
-/// listen on this machine, for nothing else is served. In the simulator's thread; the simulation must outlive it.
+/// A door is a port that one robot calls to reach a port of another. It listens while the two robots reach each other;
+/// a link whose strength falls below the cutoff is dropped, and once the strength is back the same door accepts new
+/// calls. Robots must listen on this machine; no other host is served. Runs in the simulator's thread; the simulation
+/// must outlive it.
 class RadioRelay : public QObject {
     Q_OBJECT
 public:
@@ -26,29 +27,33 @@ public:
     ~RadioRelay() override;
 
     RadioField& field() { return field_; }
-    /// The port behind which `to` listens on `to_port`, for `from`; the same for the same three. 0 where all are taken.
+    /// Port on which `from` reaches port `to_port` of `to`; always the same one for the same arguments. 0 if no more
+    /// doors are available.
     quint16 door(const std::string& from, const std::string& to, quint16 to_port);
-    /// Who calls `to` from this port; empty where nobody does.
+    /// Name of the robot whose call reaches `to` from this port; empty if there is none.
     std::string callerOf(const std::string& to, quint16 caller_port) const;
-    /// Calls both robots and joins the calls. False where they do not reach each other or too many links are open.
+    /// Connects to both robots and joins the two connections. False if the robots do not reach each other or too many
+    /// links are open.
     bool join(const std::string& from, quint16 from_port, const std::string& to, quint16 to_port);
-    /// Its doors close; links that are open go on.
+    /// Closes all doors from and to this robot; links that are open stay open.
     void closeDoorsOf(const std::string& robot);
     std::size_t links() const { return links_.size(); }
     std::size_t doors() const { return doors_.size(); }
 
 public slots:
-    /// The world has moved: links and doors follow. To be called at each tick.
+    /// Adapts links and doors after the world has moved. To be called at each tick.
     void look();
 
 signals:
+    /// A sentence about a lost link, for the log.
     void logged(const QString& sentence);
 
 private:
+    /// Calling robot, called robot, and the port of the called one.
     using Way = std::tuple<std::string, std::string, quint16>;
     struct Door {
-        std::unique_ptr<QTcpServer> server;
-        quint16 port = 0;
+        std::unique_ptr<QTcpServer> server; ///< listens only while the robots reach each other
+        quint16 port = 0;                   ///< stays the same while the door is shut
     };
     void takeCalls(const Way& way);
     void add(RelayedLink* link);

@@ -64,7 +64,7 @@ Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevic
     recording::TextRecord reader;
     for (std::uint64_t number = 2;; ++number) {
         const QByteArray bytes = text.readLine();
-        if (bytes.isEmpty()) // not atEnd(), which a pipe says too early
+        if (bytes.isEmpty()) // Unlike atEnd(), which a pipe reports too early.
             return hand(batch, recording);
         const std::string_view line = withoutEnd(bytes);
         if (trimmed(line).empty() || line.starts_with('#'))

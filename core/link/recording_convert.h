@@ -1,4 +1,4 @@
-// Whole files: a recording to its text form, and a text form to a recording.
+// Conversion of whole files: a recording to its text form, and a text form to a recording.
 #pragma once
 
 #include <QIODevice>
@@ -8,10 +8,11 @@
 
 namespace usar::link {
 
-/// Damage becomes a comment with its place and size; the records around it are kept.
+/// Writes the text form to `text`, which must be open. A damaged stretch becomes a comment with its position and size;
+/// the records around it are kept. Errors: the recording cannot be opened, or writing fails.
 Result<void> recordingToText(const QString& recording_path, QIODevice& text);
-/// Lines that are empty or begin with # are passed over. Errors name `text_name`, line and column; what was written
-/// until then stays.
+/// Skips lines that are empty or begin with #. Errors name `text_name`, line and column; what was written to
+/// `recording` until then stays.
 Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevice& recording);
 
 } // namespace usar::link

@@ -7,17 +7,17 @@ namespace usar::link::recording {
 
 namespace {
 
-// Offsets in a record; the checksum covers all that follows it.
+// Offsets in a record. The checksum covers everything after it.
 constexpr std::size_t checksum_at = 4;
 constexpr std::size_t kind_at = 8;
 constexpr std::size_t time_at = 9;
 constexpr std::size_t line_at = 17;
-// In the payload of labelled records.
-constexpr std::size_t label_head_bytes = 10; ///< trigger and length of the name
+// Head of the label with which the payload of Out and Note records begins.
+constexpr std::size_t label_head_bytes = 10;
 
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
-/// Eight bytes a step, so that opening a long recording costs little more than reading it.
+/// Tables for a CRC-32 in steps of eight bytes, so that opening a long recording costs little more than reading it.
 constexpr Tables makeTables() {
     Tables tables{};
     for (std::uint32_t i = 0; i < 256; ++i) {
@@ -59,7 +59,7 @@ void appendOne(std::string& file, const Record& record) {
     const std::string_view name = record.name.substr(0, 0xFFFF);
     const std::size_t label_bytes = labelled ? label_head_bytes + name.size() : 0;
     appendNumber(file, static_cast<std::uint32_t>(label_bytes + record.bytes.size()));
-    appendNumber(file, std::uint32_t{0}); // the checksum, once what it covers is there
+    appendNumber(file, std::uint32_t{0}); // Placeholder for the checksum, which is filled in below.
     file += static_cast<char>(record.kind);
     appendNumber(file, static_cast<std::uint64_t>(record.time.count()));
     appendNumber(file, record.line.value);

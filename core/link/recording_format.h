@@ -1,4 +1,4 @@
-// A recording's records as bytes: what resources/docs/recording-format.md says, and nothing else.
+// The records of a recording as bytes, exactly as resources/docs/recording-format.md specifies them.
 #pragma once
 
 #include <chrono>
@@ -12,28 +12,28 @@
 
 namespace usar::link {
 
-/// Since the recording began, by a clock that never jumps.
+/// Time since the recording began, by a steady clock.
 using RecordTime = std::chrono::nanoseconds;
 
-/// The numbers are those in the file. Readers keep kinds that they do not know.
+/// The values are those in the file. Readers keep kinds that they do not know.
 enum class RecordKind : std::uint8_t {
-    Start = 1,  ///< bytes: facts, "key: value" a line
+    Start = 1,  ///< bytes: facts, one "key: value" per line
     Opened = 2, ///< bytes: "host:port"
-    Closed = 3, ///< bytes: why, in words
-    In = 4,     ///< bytes from the server, as they arrived
-    Out = 5,    ///< bytes to the server; name and trigger: their cause
-    Note = 6,   ///< bytes: a text of the program's own, name: its topic, trigger: the line that it speaks of
-    End = 7     ///< the recording was ended in order
+    Closed = 3, ///< bytes: the reason, in words
+    In = 4,     ///< bytes: received from the server, as they arrived
+    Out = 5,    ///< bytes: sent to the server; name and trigger: their cause
+    Note = 6,   ///< bytes: a text of this program; name: its topic; trigger: the line to which it refers
+    End = 7     ///< the recording was ended properly
 };
 
-/// One record; the texts are views into somebody else's bytes. `line` is the number of the newest info line that had
-/// been read when the record was made: lines that an In record completes have the numbers after it.
+/// One record. Its texts are views into bytes that belong to someone else. `line` is the number of the newest info line
+/// that had been read when the record was made: lines that an In record completes have the numbers after it.
 struct Record {
     RecordKind kind = RecordKind::Note;
     RecordTime time{0};
     LineNumber line{};
-    LineNumber trigger{};    ///< of Out and Note only
-    std::string_view name{}; ///< of Out and Note only, 65535 bytes at most
+    LineNumber trigger{};    ///< only for Out and Note
+    std::string_view name{}; ///< only for Out and Note; at most 65535 bytes
     std::string_view bytes{};
     bool operator==(const Record&) const = default;
 };
@@ -44,27 +44,30 @@ inline constexpr std::string_view magic{"\x89USAR\r\n\x1a", 8};
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::size_t head_bytes = 12;        ///< magic and version
 inline constexpr std::size_t record_head_bytes = 25; ///< before a record's payload
-/// Of a payload. Longer ones are damage.
+/// Largest payload of one record. A longer one is damage.
 inline constexpr std::size_t longest_payload_bytes = 1u << 20;
 
+/// Appends the head of a file: magic and version.
 void appendHead(std::string& file);
-/// Bytes beyond what one record holds go into further records of the same kind.
+/// Appends the record. Bytes beyond what one record holds go into further records of the same kind.
 void append(std::string& file, const Record& record);
 
+/// CutOff: the bytes end before the record does.
 enum class Fit { Whole, CutOff, Damaged };
 
 struct Taken {
     Fit fit = Fit::Damaged;
-    Record record;
-    std::size_t size = 0; ///< of a whole record, in bytes of the file
+    Record record;        ///< with views into the bytes that `take` was given
+    std::size_t size = 0; ///< size of a whole record in the file, in bytes; else 0
 };
 
-/// The record that `bytes` begin with. CutOff: it may be whole once there are more bytes.
+/// Reads the record at the beginning of `bytes`. CutOff: the record may be whole once there are more bytes.
 Taken take(std::string_view bytes);
-/// Its kind and size only, the checksum not looked at: whether a record could begin here at all, and how long it is.
+/// Size of the record at the beginning of `bytes`, judged by its head alone, without the checksum. Nullopt if no record
+/// can begin here or there are fewer bytes than a head.
 std::optional<std::size_t> sizeAt(std::string_view bytes);
 
-/// CRC-32 as zlib, PNG and Ethernet have it.
+/// CRC-32 as used by zlib, PNG and Ethernet.
 std::uint32_t checksum(std::string_view bytes);
 
 } // namespace recording

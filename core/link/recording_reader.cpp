@@ -47,7 +47,7 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const QString& pa
     if (!reader->file_.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         return failure(reader->file_.errorString().toStdString(), reader->path_,
                        "Check the name, and whether the file may be read");
-    reader->survey_.being_written = reader->writerLives(); // before the size is asked for
+    reader->survey_.being_written = reader->writerLives(); // Must come before asking for the file size.
     if (auto head = reader->readHead(); !head)
         return tl::unexpected(head.error());
     reader->surveyAll();
@@ -59,7 +59,7 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const QString& pa
     return reader;
 }
 
-/// Writers hold a lock on their file as long as they live.
+/// A writer holds a lock on its file for as long as it runs.
 bool RecordingReader::writerLives() {
     if (::flock(file_.handle(), LOCK_SH | LOCK_NB) == 0) {
         ::flock(file_.handle(), LOCK_UN);
@@ -115,7 +115,7 @@ void RecordingReader::judgeEnd() {
     if (!survey_.damage.empty() && survey_.damage.back().offset + survey_.damage.back().bytes == survey_.file_bytes) {
         survey_.ended = false;
         if (survey_.being_written)
-            survey_.damage.pop_back(); // the rest of that record is on its way
+            survey_.damage.pop_back(); // The rest of that record is still being written.
         else
             survey_.tail_lost_bytes = survey_.damage.back().bytes;
     }

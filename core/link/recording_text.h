@@ -1,4 +1,4 @@
-// A recording as plain text, one record a line, and back; without loss either way.
+// A recording as plain text, one record per line, and back, without loss in either direction.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace usar::link::recording {
 
-/// The first line of the text form.
+/// First line of the text form.
 inline constexpr std::string_view text_title = "USAR recording, text form 1";
 
-/// `KIND SECONDS LINE "bytes"`, and for Out and Note `KIND SECONDS LINE TRIGGER "name" "bytes"`, with its line end.
-/// SECONDS have nine decimals; KIND is in, out, note … or the number of a kind that nobody here knows.
+/// Appends `KIND SECONDS LINE "bytes"`, or for Out and Note `KIND SECONDS LINE TRIGGER "name" "bytes"`, with a line
+/// end. SECONDS has nine decimals; KIND is in, out, note … or the number of an unknown kind.
 void appendText(std::string& text, const Record& record);
 
-/// Reads one such line (without its line end) and keeps the texts that the record looks at.
+/// Reads one such line (without its line end) and owns the texts to which the record refers.
 class TextRecord {
 public:
-    /// The record lives until the next call. The error's `where` is the column, from 1, in words.
+    /// The record is valid until the next call. The error's `where` is the column, counted from 1, in words.
     Result<Record> read(std::string_view line);
 
 private:

@@ -17,7 +17,7 @@ namespace usar::link {
 
 namespace {
 
-constexpr std::size_t batch_bytes = 1u << 20; ///< so much wakes the thread before its time
+constexpr std::size_t batch_bytes = 1u << 20; ///< this much wakes the thread early
 
 std::string megabytes(std::uint64_t bytes) {
     return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB";
@@ -43,7 +43,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const QString& 
     if (file < 0)
         return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path.toStdString(),
                        "Record to another folder");
-    (void)::flock(file, LOCK_EX | LOCK_NB); // where it cannot be had, readers take the end for a broken one
+    (void)::flock(file, LOCK_EX | LOCK_NB); // Without the lock, readers take an unfinished end for a broken one.
     std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path.toStdString(), file, limits));
     std::string text;
     for (const auto& [key, value] : facts)
@@ -125,15 +125,15 @@ void RecordingWriter::run(std::stop_token stop) {
             tellFlushed();
         batch.clear();
     }
-    tellFlushed(); // of a file that has broken off, too
+    tellFlushed(); // Also if the file has broken off.
     {
-        const std::lock_guard lock(mutex_); // broken or over: nobody asks any more
+        const std::lock_guard lock(mutex_); // Broken or over: no further flush is requested.
         now_flushed_.swap(on_flushed_);
     }
     tellFlushed();
 }
 
-/// A piece that went out in part is taken back to the last whole record.
+/// Writes the batch to the file. If only a part of it could be written, cuts the file back to the last whole record.
 bool RecordingWriter::drain(std::string& batch) {
     std::size_t done = 0;
     while (done < batch.size()) {
@@ -149,7 +149,7 @@ bool RecordingWriter::drain(std::string& batch) {
                 whole += *size;
             }
             if (whole <= done && ::ftruncate(file_, static_cast<off_t>(written_bytes_ + whole)) != 0)
-                whole = done; // then the reader leaves out what is incomplete
+                whole = done; // In this case the reader skips the incomplete record.
             const std::lock_guard lock(mutex_);
             breakOff(writingTrouble(error, path_, written_bytes_ + whole));
             return false;

@@ -1,4 +1,4 @@
-// Writes a recording as it happens, without ever holding up who speaks.
+// Writes a recording while it happens, without ever blocking the callers.
 #pragma once
 
 #include <atomic>
@@ -23,35 +23,38 @@
 namespace usar::link {
 
 struct RecordingLimits {
-    std::size_t buffer_bytes = 64u << 20;
-    std::chrono::milliseconds flush{250};
+    std::size_t buffer_bytes = 64u << 20; ///< most bytes that may wait for the disk
+    std::chrono::milliseconds flush{250}; ///< longest time for which records wait in the buffer
 };
 
-/// Records go into a buffer; a thread of the writer's own hands them to the kernel four times a second, or as soon as a
-/// MiB waits. So a program that is killed loses a quarter of a second, and a machine that loses its power what the
-/// kernel had not written yet. A disk that is full, or slower than what comes for longer than the buffer lasts, ends
-/// the recording: the file then ends with a whole record, and `takeTrouble` says why, once. Calls come from one thread.
-/// The file is locked (flock) while it is written, so that its readers know.
+/// Records go into a buffer; a thread of the writer hands them to the kernel four times a second, or as soon as 1 MiB
+/// waits. So a program that is killed loses a quarter of a second, and a machine that loses power loses what the kernel
+/// had not written yet. If the disk is full, or too slow for longer than the buffer lasts, the recording ends: the file
+/// then ends with a whole record, and `takeTrouble` gives the reason once. All calls must come from one thread. The
+/// file is locked (flock) while it is written, so that its readers can tell.
 class RecordingWriter {
 public:
-    /// A file of this name that exists is left alone: an error. Folders on the way to it are made.
+    /// Creates the file and missing folders, and writes `facts` as the Start record. `line` is the newest info line. A
+    /// file of this name that already exists is left alone and is an error.
     static Result<std::unique_ptr<RecordingWriter>> create(const QString& path,
                                                            const std::map<std::string, std::string>& facts,
                                                            LineNumber line, RecordingLimits limits = {});
-    /// Ends the recording in order.
+    /// Ends the recording properly, waiting for the disk.
     ~RecordingWriter();
 
-    /// The record's time is set to now.
+    /// Queues the record and sets its time to now. Does nothing once the recording has broken off.
     void write(Record record);
-    /// `done` is called once all that was written until now can be read in the file, or never will be: by the writer's
-    /// thread, which it must not hold up.
+    /// `done` is called once everything written so far can be read in the file, or never will be. It runs in the
+    /// writer's thread, which it must not block, or at once in the caller's if the recording has broken off.
     void flush(std::function<void()> done);
-    /// Why the recording ended before its time; once.
+    /// Reason why the recording ended early; nullopt if it has not, and after the first call that gave the reason.
     std::optional<Error> takeTrouble();
+    /// True once the recording has ended early.
     bool broken() const { return broken_; }
     const std::string& path() const { return path_; }
+    /// Time since the recording began.
     Seconds elapsed() const { return std::chrono::steady_clock::now() - began_; }
-    /// Of the file so far, with what still waits in the buffer.
+    /// Size of the file so far, including what still waits in the buffer.
     std::uint64_t bytes() const { return bytes_; }
 
 private:
@@ -68,14 +71,14 @@ private:
     LineNumber newest_line_;
     std::atomic<std::uint64_t> bytes_{0};
     std::atomic<bool> broken_{false};
-    std::mutex mutex_; ///< of the next four
+    std::mutex mutex_; ///< guards the next four members
     std::condition_variable_any wake_;
     std::string waiting_;
     std::vector<std::function<void()>> on_flushed_;
     std::optional<Error> trouble_;
-    std::uint64_t written_bytes_ = 0;                ///< the thread's own
+    std::uint64_t written_bytes_ = 0;                ///< used by the writer's thread only
     std::vector<std::function<void()>> now_flushed_; ///< likewise
-    std::jthread thread_;                            ///< last, so that it ends before what it uses
+    std::jthread thread_;                            ///< declared last, so that it ends before what it uses
 };
 
 } // namespace usar::link

@@ -11,7 +11,7 @@ namespace usar::link {
 namespace {
 
 constexpr qint64 most_held_bytes = 64 << 10;
-constexpr int farewell_ms = 5000; ///< so long an end may take to read the last bytes
+constexpr int farewell_ms = 5000; ///< time that an end has to read the last bytes
 
 } // namespace
 
@@ -40,7 +40,7 @@ RelayedLink::RelayedLink(std::string from, std::string to, QTcpSocket* near_end,
     }
     join(*near_, *far_, 0);
     join(*far_, *near_, 1);
-    // Whoever made the link wants to know of its end, so nothing ends before it is known.
+    // Queued, so that the owner can connect to ended() before it may be emitted.
     QMetaObject::invokeMethod(
         this,
         [this] {
@@ -58,7 +58,8 @@ RelayedLink::~RelayedLink() {
 void RelayedLink::join(QTcpSocket& in, QTcpSocket& out, std::size_t way) {
     connect(&in, &QTcpSocket::readyRead, this, [this, &in, &out, way] { carry(in, out, way); });
     connect(&out, &QTcpSocket::bytesWritten, this, [this, &in, &out, way] { carry(in, out, way); });
-    // Queued: a socket may say so in the middle of carry(). An end that never answered says an error only.
+    // Queued, because a socket may emit these in the middle of carry(). A socket that never connected emits only an
+    // error.
     connect(
         &in, &QTcpSocket::errorOccurred, this, [this, &in, &out, way] { finish(in, out, way); }, Qt::QueuedConnection);
     connect(

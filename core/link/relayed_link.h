@@ -1,4 +1,4 @@
-// One radio link between two robots: two sockets, and bytes carried from each to the other.
+// One radio link between two robots: two sockets, with the bytes of each carried to the other.
 #pragma once
 
 #include <array>
@@ -12,26 +12,28 @@
 
 namespace usar::link {
 
-enum class LinkWords { None, Sends }; ///< Sends: robots wrap what they say as "SEND len data;"
+enum class LinkWords { None, Sends }; ///< Sends: robots wrap their data as "SEND len data;"
 
-/// Holds at most some 128 KiB each way: who does not read is not read from. When one end closes, what it has said still
-/// reaches the other, and then that closes, too. Owns its sockets; lives in its owner's thread.
+/// Buffers at most about 128 KiB each way; while one end does not read, the other is not read from. When one end
+/// closes, the data that it had sent still reaches the other, which is then closed, too. Owns its sockets; runs in its
+/// owner's thread.
 class RelayedLink : public QObject {
     Q_OBJECT
 public:
+    /// `near_end` is the socket to robot `from`, `far_end` the one to robot `to`; both may still be connecting.
     RelayedLink(std::string from, std::string to, QTcpSocket* near_end, QTcpSocket* far_end, LinkWords words,
                 QObject* parent = nullptr);
     ~RelayedLink() override;
 
     const std::string& from() const { return from_; }
     const std::string& to() const { return to_; }
-    /// Where the far robot sees the call come from.
+    /// Port from which the far robot sees the call come.
     quint16 callerPort() const { return caller_port_; }
-    /// At once and without a word to either robot but the closing of its socket.
+    /// Ends the link at once; the robots only see their sockets close.
     void drop();
 
 signals:
-    /// Once; whoever owns it deletes it.
+    /// Emitted once. The link's owner then deletes it.
     void ended();
 
 private:
@@ -44,12 +46,13 @@ private:
     std::string to_;
     QTcpSocket* near_;
     QTcpSocket* far_;
-    std::optional<std::array<ComFrames, 2>> frames_;
+    std::optional<std::array<ComFrames, 2>> frames_; ///< by direction; only with LinkWords::Sends
     quint16 caller_port_;
     bool ended_ = false;
 };
 
-/// Calls a port of this machine from a port that is known before the call is answered.
+/// Starts connecting to a port of this machine. The new socket's own port is known before the call is answered. The
+/// caller owns the socket.
 QTcpSocket* callLoopback(quint16 port);
 
 } // namespace usar::link

@@ -9,10 +9,10 @@ namespace usar::link {
 namespace {
 
 constexpr std::chrono::milliseconds turn_length{20};
-constexpr std::chrono::milliseconds longest_wait{50}; ///< so that the position moves for whoever looks at it
+constexpr std::chrono::milliseconds longest_wait{50}; ///< keeps the displayed position moving
 
 RecordTime toRecordTime(Seconds span) {
-    return std::chrono::round<RecordTime>(span); // cut off, the end of a recording would lie behind it
+    return std::chrono::round<RecordTime>(span); // If truncated, the end of a recording could not be reached.
 }
 
 } // namespace
@@ -56,7 +56,7 @@ void Replayer::setPlaying(bool playing) {
     if (playing == playing_)
         return;
     if (playing && ended_)
-        seek(Seconds{0.0}); // once more, as every player does
+        seek(Seconds{0.0}); // Plays once more, as every player does.
     settle(dueNow());
     playing_ = playing;
     arm();
@@ -147,7 +147,7 @@ void Replayer::play(const Record& record) {
     case RecordKind::Note:
         return taker_.note(record);
     default:
-        return; // facts are in the survey
+        return; // The facts are in the survey.
     }
 }
 
@@ -156,7 +156,7 @@ void Replayer::playChunk(const Waiting& chunk) {
     splitter_.feed(chunk.bytes, [this](std::string_view text) {
         ++number_.value;
         playBefore(number_);
-        if (connected_) // closed in the midst of a chunk, the rest of it was not read
+        if (connected_) // After closing in the middle of a chunk, the rest of it was not read.
             taker_.line(text, number_);
     });
 }
@@ -185,7 +185,7 @@ bool Replayer::playUntil(RecordTime time) {
         if (target_ || std::isinf(speed_))
             position_ = reached;
         if (Clock::now() > end) {
-            settle(reached); // what could not be kept up with is not owed
+            settle(reached); // A delay is not caught up later.
             return true;
         }
     }

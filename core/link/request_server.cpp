@@ -54,7 +54,7 @@ void RequestServer::acceptAll() {
         connect(socket, &QTcpSocket::bytesWritten, this, [this, id] { serveLater(id); });
         connect(
             socket, &QTcpSocket::disconnected, this, [this, id] { forget(id); }, Qt::QueuedConnection);
-        serveLater(id); // what came before the wires were laid
+        serveLater(id); // Bytes may have arrived before the signals were connected.
     }
 }
 
@@ -92,14 +92,14 @@ void RequestServer::serve(int client) {
     std::array<char, longest_request> piece;
     for (int i = 0; i < pieces_a_turn; ++i) {
         if (socket.bytesToWrite() > most_unread_bytes)
-            return; // goes on when it has read
+            return; // Continues when the client has read.
         const qint64 count = socket.read(piece.data(), piece.size());
         if (count <= 0)
             return;
         take(client, {piece.data(), static_cast<std::size_t>(count)});
     }
     if (socket.bytesAvailable() > 0)
-        serveLater(client); // after the others had their turn
+        serveLater(client); // After the other clients have had their turn.
 }
 
 void RequestServer::take(int id, std::string_view bytes) {
@@ -128,7 +128,7 @@ void RequestServer::forget(int client) {
     const auto found = clients_.find(client);
     if (found == clients_.end())
         return;
-    serve(client); // what it has said last
+    serve(client); // Takes the last bytes that it sent.
     found->second.socket->deleteLater();
     clients_.erase(found);
     if (gone_)

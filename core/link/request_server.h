@@ -1,4 +1,4 @@
-// A loopback TCP server of short requests and short replies: the common part of the radio's servers.
+// A loopback TCP server for short requests and short replies: the common part of the radio servers.
 #pragma once
 
 #include <functional>
@@ -14,22 +14,24 @@
 
 namespace usar::link {
 
-/// Bounded for each client: 4 KiB a request (a longer one is dropped to its end), 16 KiB a turn of the event loop, and
-/// nothing is read from one that does not read its replies. When all places are taken, one who has asked nothing yet
-/// makes room. Lives in its owner's thread.
+/// Bounded per client: 4 KiB per request (a longer one is dropped up to its end), 16 KiB per turn of the event loop,
+/// and nothing is read from a client that does not read its replies. When all places are taken, a client that has not
+/// asked anything yet is disconnected to make room; without one, the new client is refused. Runs in its owner's thread.
 class RequestServer : public QObject {
     Q_OBJECT
 public:
-    /// The reply as it is sent; may be empty.
+    /// Returns the reply exactly as it is to be sent; may be empty. `request` is trimmed and never empty.
     using Answer = std::function<std::string(int client, std::string_view request)>;
 
-    /// Each of `ends` ends a request.
+    /// Each character of `ends` ends a request.
     RequestServer(std::string ends, Answer answer, QObject* parent = nullptr);
     ~RequestServer() override;
 
-    /// Loopback only; port 0 chooses a free one. `option` is what the mend of an error names.
+    /// Loopback only; port 0 chooses a free one. Returns the port. `option` is the command line option that an error
+    /// names as the remedy.
     Result<quint16> listen(quint16 port, const std::string& option);
     quint16 port() const { return server_.serverPort(); }
+    /// `gone` is called when a client has disconnected, but not for one that was removed to make room.
     void setGone(std::function<void(int client)> gone) { gone_ = std::move(gone); }
     void setMostClients(std::size_t count) { most_clients_ = count; }
     std::size_t clients() const { return clients_.size(); }
@@ -37,13 +39,14 @@ public:
 private:
     struct Client {
         QTcpSocket* socket = nullptr;
-        std::string pending;
-        bool dropping = false; ///< an overlong request, up to its end
+        std::string pending;   ///< beginning of an unfinished request
+        bool dropping = false; ///< skipping an overlong request up to its end
         bool has_asked = false;
-        bool due = false; ///< its turn is posted
+        bool due = false; ///< its next turn is queued
     };
 
     void acceptAll();
+    /// Disconnects a client that has not asked anything yet; false if there is none.
     bool makeRoom();
     void serveLater(int client);
     void serve(int client);

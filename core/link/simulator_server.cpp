@@ -12,7 +12,8 @@ namespace {
 
 constexpr int report_interval_ms = 250;
 constexpr qint64 rtf_window_ms = 1000;
-// The event loop gets its turn after this much stepping, and a simulation that cannot keep up forgets what it owes.
+// Stepping yields to the event loop after this long, and a simulation that cannot keep up skips the ticks beyond so
+// many.
 constexpr qint64 turn_ms = 20;
 constexpr double most_ticks_owed = 5.0;
 
@@ -72,7 +73,7 @@ void SimulatorServer::stepOnce() {
 
 void SimulatorServer::addFaults(const std::vector<sim::Fault>& faults, bool from_now) {
     for (sim::Fault fault : faults) {
-        if (from_now) // to the millisecond, for people read it
+        if (from_now) // Rounded to the millisecond for readability.
             fault.from = Seconds{std::round((fault.from + simulation_->now()).count() * 1e3) / 1e3};
         simulation_->addFault(fault);
     }
@@ -104,7 +105,8 @@ void SimulatorServer::acceptAll() {
         const sim::ClientId client = simulation_->connect();
         sockets_[client] = socket;
         connect(socket, &QTcpSocket::readyRead, this, [=, this] { readFrom(socket, client); });
-        // Queued: writing to a client that has gone says so in the middle of flush(), which walks over the sockets.
+        // Queued, because writing to a client that has disconnected emits this in the middle of flush(), which iterates
+        // over the sockets.
         connect(
             socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); }, Qt::QueuedConnection);
         emit logged(tr("client %1: connected").arg(client.value));
@@ -125,7 +127,7 @@ void SimulatorServer::forget(QTcpSocket* socket, sim::ClientId client) {
     simulation_->disconnect(client);
     socket->deleteLater();
     emit logged(tr("client %1: gone").arg(client.value));
-    advance(); // the others may have waited for its STEP
+    advance(); // The others may have been waiting for its STEP.
 }
 
 void SimulatorServer::advance() {
@@ -149,7 +151,7 @@ void SimulatorServer::advanceFast() {
     const qint64 end_ms = wall_.elapsed() + turn_ms;
     while (!simulation_->idle() && simulation_->readyToStep()) {
         tick();
-        // Without lockstep the clients must get their turn to read and to command between ticks.
+        // Without lockstep, the clients must be able to read and to send commands between ticks.
         if (!simulation_->hasLockstepClients() || wall_.elapsed() > end_ms)
             return arm(0);
     }
@@ -159,14 +161,14 @@ void SimulatorServer::advanceByClock() {
     const qint64 now_ms = wall_.elapsed();
     if (time_begins_with_robots_ && simulation_->idle()) {
         last_advance_ms_ = now_ms;
-        return; // the line that asks for one brings us here again
+        return; // The line that asks for a robot calls advance() again.
     }
     owed_ += factor_ * Seconds{static_cast<double>(std::exchange(last_advance_ms_, now_ms) - now_ms) / -1000.0};
     while (owed_ >= tick_ && simulation_->readyToStep() && wall_.elapsed() - now_ms < turn_ms) {
         tick();
         owed_ -= tick_;
     }
-    // Waiting for a STEP: the tick comes with it, and no second one on its heels.
+    // While waiting for a STEP at most one tick is owed, so that no second one follows right after the STEP's own.
     const bool waiting = !simulation_->readyToStep();
     owed_ = std::min(owed_, (waiting ? 1.0 : most_ticks_owed) * tick_);
     if (!waiting || owed_ < tick_)
@@ -185,7 +187,7 @@ void SimulatorServer::tick() {
     flush();
     for (const sim::ClientId client : simulation_->takeCut())
         if (const auto found = sockets_.find(client); found != sockets_.end())
-            found->second->abort(); // a fault; the client learns of it as of any server that dies
+            found->second->abort(); // A fault; to the client it looks like a server that has died.
     emit ticked();
 }
 
@@ -193,7 +195,7 @@ void SimulatorServer::flush() {
     for (const auto& [client, socket] : sockets_) {
         const std::string bytes = simulation_->takeOutput(client);
         if (bytes.empty() || socket->state() != QAbstractSocket::ConnectedState)
-            continue; // one that is not connected any more is forgotten at the event loop's next turn
+            continue; // A disconnected client is removed in the event loop's next turn.
         socket->write(bytes.data(), static_cast<qint64>(bytes.size()));
         socket->flush();
         if (socket->bytesToWrite() > unread_limit_bytes_) {
@@ -222,7 +224,7 @@ SimulatorFigures SimulatorServer::figures() const {
 }
 
 void SimulatorServer::watchLockstep() {
-    // Where this thread itself was held up (a debugger, a laptop asleep) the clients could not be heard.
+    // If this thread itself was held up (a debugger, a laptop asleep), the clients could not be heard.
     const qint64 since_ms =
         std::min<qint64>(wall_.elapsed() - std::exchange(last_watch_ms_, wall_.elapsed()), 2 * report_interval_ms);
     if (pace_ == Pace::Paused || sockets_.size() < 2 || simulation_->readyToStep()) {

@@ -19,63 +19,68 @@
 
 namespace usar::link {
 
-/// How the simulation's clock runs. `factor` is simulated per real second; Fast means as quickly as it can.
+/// Pace of the simulation's clock: stopped, a factor of simulated per real seconds, or as fast as possible.
 enum class Pace { Paused, Factor, Fast };
 
 struct SimulatorFigures {
-    Seconds now{0.0};
+    Seconds now{0.0};              ///< simulated time
     double real_time_factor = 0.0; ///< over the last second
     int clients = 0;
     Pace pace = Pace::Factor;
-    double factor = 1.0;
+    double factor = 1.0; ///< simulated per real second; only with Pace::Factor
     bool operator==(const SimulatorFigures&) const = default;
 };
 
-/// Owns a Simulation and the sockets; lives in the simulator's thread. With lockstep clients each tick waits for their
-/// STEP, whatever the pace, and no timer stands between the last STEP and the tick. Fast stands still while nobody has
-/// a robot. A client that does not read is dropped once 8 MiB wait for it; one that says no STEP for ten seconds while
-/// others are connected is not waited for any more, and told so. Alone it may take its time: somebody debugs it.
+/// Owns a Simulation and the clients' sockets; runs in the simulator's thread. With lockstep clients each tick waits
+/// for their STEP, whatever the pace, and no timer delays the tick after the last STEP. Pace::Fast stands still while
+/// nobody has a robot. A client that does not read is dropped once 8 MiB wait for it. A client that sends no STEP for
+/// ten seconds while others are connected is no longer waited for, and is told so. A single client may take its time:
+/// it may be stopped in a debugger.
 class SimulatorServer : public QObject {
     Q_OBJECT
 public:
     explicit SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QObject* parent = nullptr);
     ~SimulatorServer() override;
 
-    /// Loopback only. Port 0 chooses a free one. A port in use is an error that says how to choose another.
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
+    /// another.
     Result<quint16> listen(quint16 port);
     quint16 port() const { return server_.serverPort(); }
     SimulatorFigures figures() const;
-    /// For the servers of other channels beside this one; in the simulator's thread only.
+    /// For the servers of other channels; in the simulator's thread only.
     sim::Simulation& simulation() { return *simulation_; }
+    /// A client is dropped once this many bytes wait for it.
     void setUnreadLimit(qint64 bytes) { unread_limit_bytes_ = bytes; }
+    /// Time for which other clients wait for a client's STEP.
     void setLockstepPatience(std::chrono::milliseconds patience) { lockstep_patience_ = patience; }
-    /// Time at a factor stands still, too, while nobody has a robot: then what a robot meets does not depend on how
-    /// long its program took to ask for it.
+    /// If on, time stands still with Pace::Factor, too, while nobody has a robot. Then what a robot meets does not
+    /// depend on how long its program took to ask for it.
     void setTimeBeginsWithRobots(bool on) { time_begins_with_robots_ = on; }
 
 public slots:
+    /// `factor`: simulated per real seconds, used with Pace::Factor; 1 if it is not a positive number.
     void setPace(usar::link::Pace pace, double factor = 1.0);
-    /// While paused: one tick, as soon as the lockstep clients allow it.
+    /// While paused, makes one tick as soon as the lockstep clients allow it.
     void stepOnce();
-    /// With times from now on where `from_now`; else on the simulation's clock.
+    /// `from_now`: the faults' begin is relative to now; otherwise it is a time on the simulation's clock.
     void addFaults(const std::vector<usar::sim::Fault>& faults, bool from_now);
     void endFault(int id);
-    /// Robots of a snapshot that nobody has come for.
+    /// Releases the robots of a snapshot that no client has claimed.
     void letOrphansGo();
 
 signals:
     void ticked();                                                    ///< a message tick has been made
     void figuresChanged(const usar::link::SimulatorFigures& figures); ///< a few times a second
     void logged(const QString& sentence);
-    /// All faults, whenever one is added, begins or ends.
+    /// Emitted with all faults whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
-    void faultTurned(const QString& sentence);                            ///< "60.0 s: fault begins: wind speed=5"
-    void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< with figuresChanged
-    /// Left behind by robots of any client since the last time; with figuresChanged.
+    void faultTurned(const QString& sentence); ///< such as "60.0 s: fault begins: wind speed=5"
+    void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< emitted with figuresChanged
+    /// Trace marks left by robots of any client since the last emission; emitted with figuresChanged.
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:
-    /// Simulated time at a moment of real time, for the real-time factor.
+    /// A pair of simulated and real time, for the real-time factor.
     struct Sample {
         qint64 wall_ms = 0;
         Seconds now{0.0};
@@ -84,7 +89,7 @@ private:
     void acceptAll();
     void readFrom(QTcpSocket* socket, sim::ClientId client);
     void forget(QTcpSocket* socket, sim::ClientId client);
-    /// Makes the ticks that are due and possible, and arms the timer for the next one.
+    /// Makes the ticks that are due and possible, and starts the timer for the next one.
     void advance();
     void advanceFast();
     void advanceByClock();
@@ -93,6 +98,7 @@ private:
     void flush();
     void publishLog();
     void publishFaults();
+    /// Releases from lockstep the clients that have held up others for too long.
     void watchLockstep();
     void report();
 
@@ -107,13 +113,13 @@ private:
     bool time_begins_with_robots_ = false;
     qint64 unread_limit_bytes_ = 8 << 20;
     std::chrono::milliseconds lockstep_patience_{10000};
-    std::chrono::milliseconds held_up_{0}; ///< so long others have waited for the STEP of a client
+    std::chrono::milliseconds held_up_{0}; ///< how long others have been waiting for a client's STEP
     qint64 last_watch_ms_ = 0;
     int steps_asked_ = 0;
     std::uint64_t marks_told_ = 0;
     qint64 last_advance_ms_ = 0;
     Seconds tick_;
-    Seconds owed_{0.0}; ///< simulated time that the pace would have let pass and that was not made
+    Seconds owed_{0.0}; ///< simulated time that is due at this pace but has not been made
     std::deque<Sample> samples_;
 };
 

@@ -66,7 +66,7 @@ void TcpLink::send(std::string_view line) {
     socket_.write("\r\n", 2);
     ++counts_.lines_out;
     counts_.bytes_out += line.size() + 2;
-    if (unsentBytes() > limits_.most_unsent_bytes) // later, for the caller may be in the middle of its own affairs
+    if (unsentBytes() > limits_.most_unsent_bytes) // Queued, because the caller may be in the middle of its own work.
         QMetaObject::invokeMethod(this, &TcpLink::failWhereNobodyReads, Qt::QueuedConnection);
 }
 
@@ -83,7 +83,7 @@ protocol::TrafficCounts TcpLink::counts() const {
 }
 
 void TcpLink::connectNow() {
-    if (socket_.state() != QAbstractSocket::UnconnectedState) { // still handing over the last bytes of a closed one
+    if (socket_.state() != QAbstractSocket::UnconnectedState) { // Still sending the last bytes of a closed connection.
         const QSignalBlocker quiet(socket_);
         socket_.abort();
     }
@@ -94,7 +94,7 @@ void TcpLink::connectNow() {
 
 void TcpLink::takeConnection() {
     connect_timer_.stop();
-    splitter_.reset(); // here and not when connecting: a taker may reconnect in the middle of a chunk
+    splitter_.reset(); // Not in connectNow(), because a taker may reconnect in the middle of a chunk.
     greeting_.reset();
     counts_ = {};
     overlong_before_ = splitter_.overlongCount();
@@ -137,7 +137,7 @@ void TcpLink::giveLine(std::string_view line) {
 void TcpLink::takeError(QAbstractSocket::SocketError error) {
     if (error == QAbstractSocket::RemoteHostClosedError)
         takeBytes();
-    // Reading the last bytes may already have judged the connection.
+    // Reading the last bytes may already have led to a verdict on the connection.
     if (wanted_ && (status_.state == LinkState::Connected || status_.state == LinkState::Connecting))
         failed(greeting_.suspicious() ? foreignReason() : reasonOf(error));
 }
@@ -182,7 +182,7 @@ void TcpLink::failed(const QString& trouble) {
 void TcpLink::dropConnection() {
     connect_timer_.stop();
     const QSignalBlocker quiet(socket_);
-    // A graceful end first, so that queued bytes still go out; abort only what never connected.
+    // Ends gracefully first, so that queued bytes are still sent; aborts if none are queued or nothing was connected.
     if (socket_.state() == QAbstractSocket::ConnectedState)
         socket_.disconnectFromHost();
     if (socket_.state() != QAbstractSocket::UnconnectedState && socket_.bytesToWrite() == 0)
@@ -205,4 +205,4 @@ void TcpLink::setStatus(LinkState state, const QString& trouble, Seconds retry_i
 
 } // namespace usar::link
 
-#include "moc_tcp_link.cpp" // apart from the other half of this folder: who links a client needs no simulator
+#include "moc_tcp_link.cpp" // Included here, so that programs that link only a client need no simulator.

@@ -1,4 +1,4 @@
-// The client's end of one connection to a USARSim server.
+// The client end of one connection to a USARSim server.
 #pragma once
 
 #include <functional>
@@ -17,16 +17,17 @@
 
 namespace usar::link {
 
-enum class LinkState { Disconnected, Connecting, Connected, Waiting }; ///< Waiting: for the next try
+enum class LinkState { Disconnected, Connecting, Connected, Waiting }; ///< Waiting: between two attempts to connect
 
-/// What the connection bar shows. `reason` is one or two sentences with the mend, empty while all is well.
+/// State of a connection, as the connection bar shows it. `reason` is one or two sentences with the remedy, empty while
+/// all is well.
 struct LinkStatus {
     LinkState state = LinkState::Disconnected;
     QString host;
     quint16 port = 0;
     QString reason;
     QString trouble;       ///< `reason` without "Retrying in 4 s."
-    Seconds retry_in{0.0}; ///< while Waiting
+    Seconds retry_in{0.0}; ///< while Waiting, else 0
     bool operator==(const LinkStatus&) const = default;
 };
 
@@ -35,55 +36,56 @@ struct LinkLimits {
     Seconds connect_timeout{5.0};
     Seconds first_retry{0.5};
     Seconds longest_retry{10.0};
-    std::size_t most_unsent_bytes = 16u << 20; ///< a server that lets more pile up has died; the link tries anew
+    std::size_t most_unsent_bytes = 16u << 20; ///< with more unsent, the server counts as dead, and the link reconnects
 };
 
-/// Connects, reconnects with back-off until told to close, gives whole lines, and sends lines with CR LF. The back-off
-/// starts anew only when the server has said something that looks like USARSim, so a port that accepts and hangs up is
-/// not hammered. Never blocks; always reads. Lives in its owner's thread, which has an event loop.
+/// Connects, reconnects with growing pauses until closed, delivers whole lines, and sends lines with CR LF. The pauses
+/// start small again only after the server has sent something that looks like USARSim, so a port that accepts and hangs
+/// up is not hammered. Never blocks; always reads. Runs in its owner's thread, which needs an event loop.
 class TcpLink : public QObject {
     Q_OBJECT
 public:
-    /// The view lives during the call and has no terminator.
+    /// The view is valid during the call; it has no line end.
     using LineTaker = std::function<void(std::string_view line)>;
 
     explicit TcpLink(QObject* parent = nullptr);
     ~TcpLink() override;
 
     void setLimits(const LinkLimits& limits) { limits_ = limits; }
-    /// What reasons call the server, and the port that they name as the usual one.
+    /// Name of the server and its usual port, as they appear in LinkStatus::reason.
     void setService(const QString& name, quint16 usual_port) {
         service_ = name;
         usual_port_ = usual_port;
     }
-    /// Who gets the lines: a plain call, for a signal with a copy is too dear at hundreds of times real time. The taker
-    /// may call any function of the link.
+    /// Sets the receiver of lines. It is a plain call, because a signal with a copy is too expensive at hundreds of
+    /// times real time. The taker may call any function of the link.
     void setLineTaker(LineTaker taker) { take_line_ = std::move(taker); }
-    /// Who sees every byte that comes, as each read gave it, before its lines.
+    /// Sets a receiver of all incoming bytes, as each read returned them, before their lines.
     void setByteTaker(std::function<void(std::string_view bytes)> taker) { take_bytes_ = std::move(taker); }
-    /// What has come of a line that has not ended.
+    /// The received part of a line that has not ended.
     std::string_view pending() const { return splitter_.pending(); }
 
-    /// Closes what is open, then connects there.
+    /// Closes any open connection, then connects to this server.
     void open(const QString& host, quint16 port);
     /// Sends what is queued, closes, and does not reconnect.
     void close();
-    /// Queues the line; dropped while there is no connection.
+    /// Queues the line, to which CR LF is added; dropped while there is no connection.
     void send(std::string_view line);
-    /// Queued here because the server does not read; what the network holds is not among them.
+    /// Bytes queued here because the server does not read; does not include what the network holds.
     std::size_t unsentBytes() const { return static_cast<std::size_t>(socket_.bytesToWrite()); }
-    /// Hands what is queued to the network now instead of when the event loop gets to it.
+    /// Hands queued bytes to the network now instead of in the event loop's next turn.
     void flush() { socket_.flush(); }
     const LinkStatus& status() const { return status_; }
-    /// Lines longer than the splitter's cap that were dropped, over all connections.
+    /// Number of lines that were dropped because they exceed the splitter's cap, over all connections.
     std::size_t overlongCount() const { return splitter_.overlongCount(); }
-    /// Lines, bytes and dropped lines of this connection, or of the last one; what lines say is not counted here.
+    /// Lines, bytes and dropped lines of this connection, or of the last one. Fields about the contents of lines stay
+    /// 0.
     protocol::TrafficCounts counts() const;
 
 signals:
     void statusChanged(const usar::link::LinkStatus& status);
     void opened();
-    /// After `opened`, when the connection is gone for any reason; not for tries that never connected.
+    /// Emitted after `opened`, when the connection is gone for any reason; not after attempts that never connected.
     void closed();
 
 private:
@@ -111,7 +113,7 @@ private:
     protocol::LineSplitter splitter_;
     GreetingCheck greeting_;
     protocol::TrafficCounts counts_;
-    std::size_t overlong_before_ = 0; ///< on earlier connections
+    std::size_t overlong_before_ = 0; ///< overlong lines of earlier connections
     LinkStatus status_;
     int failed_tries_ = 0;
     bool wanted_ = false;

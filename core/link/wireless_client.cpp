@@ -54,7 +54,7 @@ void WirelessClient::setRobots(const QStringList& names) {
         return restart();
     if (!members_.empty())
         openMembers();
-    report(); // those who have left are gone at once
+    report(); // Robots that have been removed disappear at once.
 }
 
 void WirelessClient::restart() {
@@ -129,8 +129,8 @@ void WirelessClient::takeError(Line& line, std::string_view reason) {
 
 void WirelessClient::takeStrength(Line& line, std::string_view robot, std::string_view from,
                                   std::string_view strength) {
-    if (&line == observer_.get() && from.empty()) { // it does not know our question: ask as the robots themselves
-        // Not now: the line is in the middle of what it has heard.
+    if (&line == observer_.get() && from.empty()) { // The server does not know {From}: ask as the robots themselves.
+        // Queued, because the line is still working on what it has received.
         QMetaObject::invokeMethod(
             this,
             [this] {
@@ -160,17 +160,17 @@ WirelessClient::Line* WirelessClient::speakerOf(const QString& robot) {
 
 void WirelessClient::ask() {
     if (awaited_ > 0)
-        report(); // what has come of the last round
+        report(); // The answers of the last round that have arrived.
     round_.clear();
     awaited_ = 0;
     for (const auto& [robot, line] : members_)
         if (line->refused)
-            line->introduce(); // the name may be free again
+            line->introduce(); // The name may be free again.
     for (qsizetype i = 0; i < robots_.size(); ++i)
         for (qsizetype j = i + 1; j < robots_.size(); ++j)
             askFor({robots_[i], robots_[j]});
     if (awaited_ == 0)
-        report(); // nobody can be asked: nothing is known
+        report(); // Nobody can be asked, so nothing is known.
 }
 
 void WirelessClient::askFor(const Pair& pair) {
@@ -198,7 +198,7 @@ void WirelessClient::report() {
     emit reported(strengths);
 }
 
-/// That of the best line there is.
+/// Shows the status of the best line: a connected one, else a waiting one, else a connecting one.
 void WirelessClient::showStatus() {
     LinkStatus best;
     const auto rank = [](LinkState state) {

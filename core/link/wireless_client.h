@@ -1,4 +1,4 @@
-// Asks a wireless server how strong the radios of some robots are at each other.
+// Asks a wireless server for the radio signal strengths between robots.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace usar::link {
 
-/// Between two robots, the same both ways. Nothing: the server cannot say.
+/// Signal strength between two robots, the same both ways; nullopt: the server does not know it.
 struct RadioStrength {
     QString a;
     QString b;
@@ -25,12 +25,12 @@ struct RadioStrength {
 
 using RadioStrengths = std::vector<RadioStrength>;
 
-/// Says INIT as `MissionControl` (`MissionControl-2` and so on where that name is taken), which is no robot's name, so
-/// a robot's own program can still INIT as that robot; our server tells such an observer the strength between any two.
-/// A server that does not (the original) answers for the asking robot only, and hangs up on names that are not in its
-/// world: there a connection for each robot says INIT as that robot, and a robot whose name another program has is
-/// asked for from the other side. It gives port 1 as its own, for nobody is to call it. Reconnects by itself; lives in
-/// its owner's thread.
+/// Sends INIT as `MissionControl` (`MissionControl-2` and so on if that name is taken), which is no robot's name, so a
+/// robot's own program can still INIT as that robot; our server gives such an observer the strength between any two
+/// robots. A server that does not (the original) answers for the asking robot only, and hangs up on names that are not
+/// in its world: with such a server, one connection per robot sends INIT as that robot, and if another program has a
+/// robot's name, the other robot of each pair asks. INIT gives port 1, because nobody is to call it. Reconnects by
+/// itself; runs in its owner's thread.
 class WirelessClient : public QObject {
     Q_OBJECT
 public:
@@ -38,23 +38,28 @@ public:
     ~WirelessClient() override;
 
     void setLimits(const LinkLimits& limits);
+    /// Time between two rounds of questions; initially 1 s.
     void setInterval(std::chrono::milliseconds interval) { timer_.setInterval(interval); }
-    /// Nothing is connected to while fewer than two robots are asked for.
+    /// Sets the server. The connection is made once at least two robots are set.
     void open(const QString& host, quint16 port);
+    /// Disconnects and reports no strengths.
     void close();
+    /// Names of the robots between which strengths are asked for.
     void setRobots(const QStringList& names);
 
 signals:
     void statusChanged(const usar::link::LinkStatus& status);
-    /// A round of answers: of each pair that the server knows something about, in the order of the names.
+    /// Emitted after a round of answers, with each pair that the server has answered for, in the order of the names;
+    /// empty while nothing is known.
     void reported(const usar::link::RadioStrengths& strengths);
 
 private:
+    /// A connection to the server under one name.
     struct Line {
         TcpLink link;
-        QString name; ///< as which it says INIT
+        QString name; ///< name that it gives with INIT
         bool initialized = false;
-        bool refused = false; ///< another program has the name
+        bool refused = false; ///< another program already has the name
 
         void introduce() { link.send("INIT {Robot " + name.toStdString() + "} {Port 1}"); }
     };
@@ -78,11 +83,11 @@ private:
     LinkLimits limits_;
     QTimer timer_;
     QStringList robots_;
-    std::unique_ptr<Line> observer_;                   ///< of a server that answers one
-    std::map<QString, std::unique_ptr<Line>> members_; ///< of one that does not, by robot
+    std::unique_ptr<Line> observer_;                   ///< for a server that answers an observer
+    std::map<QString, std::unique_ptr<Line>> members_; ///< for a server that does not; by robot
     int observer_number_ = 1;
     std::map<Pair, std::optional<double>> round_;
-    std::size_t awaited_ = 0; ///< answers of this round
+    std::size_t awaited_ = 0; ///< answers of this round that are still missing
     LinkStatus status_;
 };
 

@@ -17,7 +17,7 @@ std::string error(std::string_view reason) {
     return "ERROR {Reason " + std::string(reason) + "}";
 }
 
-/// Port 0 is no port that anybody listens on, but asks for any.
+/// Reads a port number; nullopt if it is none. Nobody listens on port 0, which stands for any port.
 std::optional<quint16> readPort(std::string_view text) {
     const auto port = readInteger(trimmed(text));
     if (!port || *port < 0 || *port > 65535)
@@ -25,7 +25,7 @@ std::optional<quint16> readPort(std::string_view text) {
     return static_cast<quint16>(*port);
 }
 
-/// "5000, 5001"; none is fine, for a robot may only call.
+/// Reads a list such as "5000, 5001"; an empty one is valid, because a robot may only call.
 std::optional<std::vector<quint16>> readPorts(std::string_view text) {
     std::vector<quint16> ports;
     while (!trimmed(text).empty()) {
@@ -81,7 +81,7 @@ std::string WirelessServer::init(int client, std::string_view robot, std::string
     if (robot.empty())
         return error("Robot.Name.Must.Not.Be.Empty");
     if (member(robot))
-        return error("Robot.Alread.Exists"); // spelled so by every server there is
+        return error("Robot.Alread.Exists"); // Spelled like this by every server.
     members_[client] = {std::string(robot), *ports};
     return "INITREPLY {Status OK}";
 }

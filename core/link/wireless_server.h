@@ -1,4 +1,5 @@
-// The wireless simulation server, WSS (usarsim-protocol 6.2): strengths, and ports behind which other robots listen.
+// The wireless simulation server, WSS (usarsim-protocol 6.2): reports signal strengths, and ports through which other
+// robots are reached.
 #pragma once
 
 #include <map>
@@ -13,10 +14,11 @@
 
 namespace usar::link {
 
-/// INIT, GETSS, DNS and REVERSEDNS, answered as the original answers, its dotted reasons to the letter. A name belongs
-/// to the connection that said INIT, until that closes. Unlike the original it waits for a robot that is not there yet
-/// instead of hanging up on it. Beside it, for who only looks on: `GETSS {Robot b} {From a}` is answered with
-/// `SS {Robot b} {From a} {Strength s}` for any two in the world, whoever asks. In the simulator's thread.
+/// Answers INIT, GETSS, DNS and REVERSEDNS as the original does, with its dotted reasons to the letter. A name belongs
+/// to the connection that sent INIT until that closes. Unlike the original it waits for a robot that is not there yet
+/// instead of hanging up. In addition, for observers, `GETSS {Robot b} {From a}` is answered with `SS {Robot b} {From
+/// a} {Strength s}` for any two robots in the world, whoever asks. Runs in the simulator's thread; `relay` must outlive
+/// it.
 class WirelessServer : public QObject {
     Q_OBJECT
 public:
@@ -24,14 +26,17 @@ public:
 
     explicit WirelessServer(RadioRelay& relay, QObject* parent = nullptr);
 
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names
+    /// --wireless-port.
     Result<quint16> listen(quint16 port) { return server_.listen(port, "--wireless-port"); }
     quint16 port() const { return server_.port(); }
     void setMostClients(std::size_t count) { server_.setMostClients(count); }
 
 private:
+    /// A connection that has sent INIT.
     struct Member {
         std::string robot;
-        std::vector<quint16> ports; ///< where it listens
+        std::vector<quint16> ports; ///< on which the robot listens
     };
 
     std::string answer(int client, std::string_view line);
@@ -45,7 +50,7 @@ private:
 
     RadioRelay& relay_;
     RequestServer server_;
-    std::map<int, Member> members_; ///< by client
+    std::map<int, Member> members_; ///< by client id
 };
 
 } // namespace usar::link

@@ -1,4 +1,4 @@
-// What a running behavior has published and what still holds: with this a recording begins in the midst of a run.
+// Values published by a running behavior that are still valid. A recording that starts during a run begins with them.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace usar::mission {
 
-/// Of what replaces itself the newest is kept (status, zones, path, goal), and whether a plan stands still; of a plan
-/// the whole trace, so that the blackboard and all that was counted are there: some 20 bytes a cycle, megabytes a day.
-/// Marks and the map are not kept here.
+/// Keeps the newest value of each kind that replaces its predecessor (status, zones, path, goal), and whether a plan is
+/// halted. Of a plan it keeps the whole trace, so that the blackboard and all counts can be restored: some 20 bytes per
+/// cycle, megabytes per day. Marks and the map are not kept here.
 class BehaviorSoFar {
 public:
     void take(const agent::Published& value);
     void clear() { *this = {}; }
-    /// In an order in which a behavior could have said it.
+    /// All that is kept, in an order in which a behavior could have published it.
     std::vector<agent::Published> all() const;
 
 private:
-    std::map<std::size_t, agent::Published> newest_; ///< by kind
-    std::optional<agent::PlanHalted> halted_;
-    std::string trace_;
+    std::map<std::size_t, agent::Published> newest_; ///< by index in the variant Published
+    std::optional<agent::PlanHalted> halted_;        ///< empty while the plan runs
+    std::string trace_;                              ///< all pieces of the plan's trace, joined
 };
 
 } // namespace usar::mission

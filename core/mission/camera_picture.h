@@ -1,4 +1,4 @@
-// A frame of the image server as a picture that can be shown.
+// Conversion of an image server's frame to a picture that can be shown.
 #pragma once
 
 #include <QByteArray>
@@ -9,7 +9,8 @@
 
 namespace usar::mission {
 
-/// JPEG or raw (usarsim-protocol 6.1). What cannot be read, or is larger than 4096 pixels a side, is an error.
+/// Decodes the data of a frame, JPEG or raw (usarsim-protocol 6.1). Data that cannot be read, or a picture larger than
+/// 4096 pixels a side, is an error.
 Result<QImage> cameraPictureOf(link::ImageType type, const QByteArray& data);
 
 } // namespace usar::mission

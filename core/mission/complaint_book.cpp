@@ -14,7 +14,7 @@ bool isWordByte(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// The message without its numbers and quoted words.
+/// Returns the message without its numbers and quoted words.
 std::string kindOf(std::string_view message) {
     std::string kind;
     bool quoted = false;
@@ -32,7 +32,7 @@ bool isNoMessage(const protocol::InfoMessage& message) {
     return generic && (generic->type_word.empty() || !std::ranges::all_of(generic->type_word, isWordByte));
 }
 
-/// What is wrong with the line, or nothing.
+/// Describes what is wrong with the line; nullopt if nothing is.
 std::optional<std::string> wrongIn(const protocol::InfoLine& line) {
     if (isNoMessage(line.message))
         return "this is no message of the protocol";
@@ -43,7 +43,7 @@ std::optional<std::string> wrongIn(const protocol::InfoLine& line) {
     return std::nullopt;
 }
 
-/// Enough of the line to recognise it by; what is not plain text would spoil a notice.
+/// Returns enough of the line to recognize it; bytes that are not plain text become '?', as they would spoil a notice.
 std::string excerpt(std::string_view text) {
     constexpr std::size_t length = 60;
     std::string plain(text.substr(0, length));

@@ -1,4 +1,4 @@
-// Counts lines with something wrong in them, and says each kind of wrong once.
+// Counts lines from the server that have something wrong in them, and reports each kind of problem once.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,22 @@
 
 namespace usar::mission {
 
-/// `topic` is one word for all complaints of a kind.
+/// A problem in a line, in words.
 struct Complaint {
-    std::string topic;
+    std::string topic; ///< equal for all complaints of one kind
     std::string text;
 };
 
-/// Two complaints are of one kind when the messages are of one type and the texts differ only in numbers and quoted
-/// words. After `kind_limit` kinds new ones are counted in silence. Owned by one session.
+/// Two complaints are of the same kind if their messages are of the same type and their texts differ only in numbers
+/// and quoted words. After `kind_limit` kinds, new ones are only counted. Owned by one session.
 class ComplaintBook {
 public:
     static constexpr std::size_t kind_limit = 20;
 
-    /// A sentence for the person when this kind is new. Notes are not complaints.
+    /// Returns a sentence for the user if the line has a problem of a new kind, else nullopt. Diagnostics of severity
+    /// Note do not count as problems.
     std::optional<Complaint> take(const protocol::InfoLine& line);
+    /// Number of lines with a problem.
     std::uint64_t count() const { return count_; }
 
 private:

@@ -1,4 +1,4 @@
-// Who holds a robot's reins, as a session tells it: nobody, a behavior, or a person's hand.
+// The state of control over a robot, as reported by its session: nobody, a behavior, or the user by hand.
 #pragma once
 
 #include <optional>
@@ -8,38 +8,39 @@
 
 namespace usar::mission {
 
+/// The holder of control over a robot.
 enum class Reins { Nobody, Behavior, Hand };
 
-/// What a person holds.
+/// Input device for driving by hand. The pad is the one on the screen.
 enum class HandSource { Keys, Pad, Gamepad };
 
-/// What a hand asks now; said again and again while it asks for anything.
+/// The current request of one input device; repeated for as long as it requests anything.
 struct HandIntent {
     HandSource source = HandSource::Keys;
-    std::string device{}; ///< a gamepad's name
+    std::string device{}; ///< name of the gamepad; empty for other sources
     Stick stick{};
-    double speed_share = 1.0; ///< 0..1 of the robot's most
+    double speed_share = 1.0; ///< 0..1 of the robot's top speed
     bool operator==(const HandIntent&) const = default;
 };
 
-/// A value, new with every update of a session.
+/// State of control over a robot. A value, new with every update of a session.
 struct ControlState {
     Reins reins = Reins::Nobody;
-    std::string behavior_id{};        ///< of the one that runs; under a hand it is paused
-    std::optional<HandSource> held{}; ///< what moves the robot now; absent: nothing does
-    std::string device{};             ///< of `held`
+    std::string behavior_id{};        ///< id of the running behavior; it is paused while the user drives by hand
+    std::optional<HandSource> held{}; ///< the source that moves the robot now; absent: none does
+    std::string device{};             ///< gamepad name, if `held` is a gamepad
     DriveStyle style = DriveStyle::Unknown;
-    StickAxes axes{};
-    bool learning = false;   ///< asked how it is driven; no answer yet
-    std::string hindrance{}; ///< why no hand can drive it; a sentence, or empty
-    std::optional<double> top_speed_m_s{};
-    Stick asked{};           ///< by the hand
-    Stick sent{};            ///< what is on its way to the wheels
-    std::string last_stop{}; ///< why the last hold ended: "the key was let go"
+    StickAxes axes{};                      ///< the axes that the robot can follow
+    bool learning = false;                 ///< the robot was asked how it is driven and has not answered yet
+    std::string hindrance{};               ///< why it cannot be driven by hand; a sentence, or empty
+    std::optional<double> top_speed_m_s{}; ///< over ground, at full stick; absent: unknown
+    Stick asked{};                         ///< stick position of the input device
+    Stick sent{};                          ///< shaped stick position, as last sent to the robot
+    std::string last_stop{};               ///< why the last hold ended, such as "the key was let go"
     bool operator==(const ControlState&) const = default;
 };
 
-/// "keys", "pad", "gamepad".
+/// Returns "keys", "pad" or "gamepad".
 std::string wordOf(HandSource source);
 
 } // namespace usar::mission

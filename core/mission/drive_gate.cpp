@@ -22,7 +22,7 @@ bool DriveGate::offer(agent::CausedCommand drive) {
     return replaced;
 }
 
-/// Lights are said once and not again.
+/// Completes an AckermannDrive from the earlier ones, except for its lights, which are not repeated.
 void DriveGate::complete(protocol::Command& drive) {
     auto* const ackermann = std::get_if<protocol::AckermannDrive>(&drive);
     if (!ackermann)
@@ -35,7 +35,7 @@ void DriveGate::complete(protocol::Command& drive) {
 }
 
 std::vector<agent::CausedCommand> DriveGate::release(Seconds now) {
-    // Wire times have two decimals: half a hundredth must not cost a tick.
+    // Times on the wire have two decimals: a difference of half a hundredth must not cost a tick.
     constexpr Seconds rounding{0.005};
     if (last_sent_ && now >= *last_sent_ && now - *last_sent_ < spacing - rounding)
         return {};

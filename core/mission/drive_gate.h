@@ -1,4 +1,4 @@
-// Keeps DRIVE commands to the rate that a server can take.
+// Limits DRIVE commands to the rate that a server can take.
 #pragma once
 
 #include <optional>
@@ -9,23 +9,24 @@
 
 namespace usar::mission {
 
-/// At most one DRIVE of each kind (and of each joint) per 50 ms of protocol time (usarsim-protocol 9.2: about 20 Hz);
-/// the newest is kept. Terms that a newer one leaves out are taken from the one that it replaces, because a server
-/// keeps them too; an AckermannDrive is filled up from all that were said before, because UDK takes it only whole.
+/// Passes at most one DRIVE of each kind (and of each joint) per 50 ms of protocol time (usarsim-protocol 9.2: about 20
+/// Hz) and keeps only the newest meanwhile. Terms that a newer command leaves out are taken from the one that it
+/// replaces, because a server keeps them too; an AckermannDrive is completed from all earlier ones, because UDK accepts
+/// it only complete.
 class DriveGate {
 public:
     static constexpr Seconds spacing{0.05};
 
-    /// DRIVE and MULTIDRIVE.
+    /// True for DRIVE and MULTIDRIVE.
     static bool isDrive(const protocol::Command& command) { return protocol::isDrive(command); }
-    /// True where it replaced one that had not been sent.
+    /// Queues the command. Returns true if it replaced one that had not been sent yet.
     bool offer(agent::CausedCommand drive);
-    /// What to send now, the oldest first, if the time has come. A clock that ran backward (a new connection) opens the
-    /// gate.
+    /// Takes out the commands to send now, oldest first; empty if their time has not come. If the clock ran backward (a
+    /// new connection), the commands are released at once.
     std::vector<agent::CausedCommand> release(Seconds now);
-    /// The same without waiting.
+    /// Takes out all queued commands without waiting.
     std::vector<agent::CausedCommand> releaseNow(Seconds now);
-    /// Nothing is held any more, and the next one may go at once.
+    /// Drops all queued commands; the next one may be sent at once.
     void reset() { *this = {}; }
     bool holding() const { return !held_.empty(); }
 

@@ -16,7 +16,7 @@ void learn(std::optional<Number>& known, const std::optional<Number>& told) {
         known = told;
 }
 
-/// UT2004 writes AckermanSteered, with one n.
+/// Reads a steering type. UT2004 writes AckermanSteered, with one n.
 DriveStyle styleOf(std::string_view steering) {
     if (sameWord(steering, "SkidSteered"))
         return DriveStyle::Skid;
@@ -81,7 +81,7 @@ void DriveLimits::takeConfiguration(const protocol::ConfigurationInfo& info) {
     if (const DriveStyle steered = styleOf(robot->steering); steered != DriveStyle::Unknown)
         style = steered;
     else if (style == DriveStyle::Unknown && climb_m_s)
-        style = DriveStyle::Aerial; // UDK's does not say that it is one
+        style = DriveStyle::Aerial; // UDK's vehicle does not identify itself as aerial.
     else if (sameWord(robot->steering, "OmniDrive"))
         hindrance = "Each of its wheels is steered by itself, and the server does not say where they are.";
     else

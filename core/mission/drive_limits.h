@@ -1,4 +1,4 @@
-// What a connection has taught about how its robot is driven, and how fast it may go.
+// How the robot of a connection is driven, and how fast it may go, as far as its messages say.
 #pragma once
 
 #include <optional>
@@ -9,23 +9,24 @@
 
 namespace usar::mission {
 
-/// Which DRIVE it obeys. `Walker`: the four legs of an ERS, by their joints.
+/// Kind of DRIVE that a robot obeys. `Walker`: the four legs of an ERS, moved by their joints.
 enum class DriveStyle { Unknown, Aerial, Skid, Ackermann, Nautic, Walker };
 
-/// Learnt from STA (the kind, the joints), CONF (steering and limits) and GEO (wheels), whoever asked for them, in both
-/// dialects. A value, fed with every message of one connection; no clock, no thread. What is absent was not told.
+/// Learned from STA (kind, joints), CONF (steering and limits) and GEO (wheels) in both dialects, no matter who asked
+/// for them. A value, to be fed with every message of one connection; it has no clock and no thread. Limits are
+/// magnitudes; absent ones are not known.
 struct DriveLimits {
-    protocol::VehicleKind kind = protocol::VehicleKind::Unknown; ///< by its STA
+    protocol::VehicleKind kind = protocol::VehicleKind::Unknown; ///< from its STA
     DriveStyle style = DriveStyle::Unknown;
-    std::string hindrance{}; ///< why it cannot be driven by hand although all is known; a sentence, or empty
-    bool configured = false; ///< CONF has come
+    std::string hindrance{}; ///< why it cannot be driven by hand although everything is known; a sentence, or empty
+    bool configured = false; ///< CONF has arrived, or is not expected any more
 
-    std::optional<double> wheel_speed_rad_s{}; ///< most spin of a wheel
+    std::optional<double> wheel_speed_rad_s{}; ///< fastest spin of a wheel
     std::optional<double> wheel_radius_m{};
     std::optional<double> wheel_separation_m{};
     std::optional<double> front_steer_rad{};
     std::optional<double> rear_steer_rad{};
-    std::optional<double> forward_m_s{}; ///< of an aerial robot, as the next three
+    std::optional<double> forward_m_s{}; ///< of an aerial robot, like the next three
     std::optional<double> sideways_m_s{};
     std::optional<double> climb_m_s{};
     std::optional<double> yaw_rate_rad_s{};
@@ -33,13 +34,16 @@ struct DriveLimits {
     std::optional<double> rudder_rad{};
     std::optional<double> stern_plane_rad{};
 
+    /// Learns from one message; ignores messages that say nothing about driving.
     void take(const protocol::InfoMessage& message);
-    /// No answer to GETCONF is coming: a ground vehicle is taken for a skid-steered one, as most are.
+    /// To be called when GETCONF gets no answer: a ground vehicle is then assumed to be skid-steered, as most are.
     void giveUpAsking();
-    /// Enough to send a DRIVE that means what the person means. A ground vehicle has to say how it steers first.
+    /// True if enough is known to send a DRIVE that does what the user means. A ground vehicle must first report how
+    /// it steers.
     bool known() const { return style != DriveStyle::Unknown; }
+    /// The axes that the robot can follow; none while its style is unknown.
     StickAxes axes() const;
-    /// At the whole stick, where it is known: m/s over ground.
+    /// Speed over ground in m/s at full stick; nullopt if unknown.
     std::optional<double> topSpeed_m_s() const;
 
     bool operator==(const DriveLimits&) const = default;

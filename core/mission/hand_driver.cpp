@@ -18,7 +18,7 @@ void HandDriver::take(const protocol::InfoLine& line) {
     geometry_.take(line);
     for ([[maybe_unused]] const auto& failure : configuration_.takeFailures())
         limits_.giveUpAsking();
-    (void)geometry_.takeFailures(); // turns are then cautious ones
+    (void)geometry_.takeFailures(); // Without geometry, turns are cautious.
 }
 
 std::optional<protocol::Command> HandDriver::question(Seconds now) {
@@ -32,7 +32,7 @@ std::optional<protocol::Command> HandDriver::question(Seconds now) {
 void HandDriver::setOn(bool on) {
     hands_.setOn(on);
     shaper_.reset();
-    gait_.reset(); // who knows where a behavior has put the legs
+    gait_.reset(); // A behavior may have put the legs anywhere.
     walked_ = false;
     last_stop_.clear();
     if (!on)

@@ -1,4 +1,4 @@
-// Drives one robot by hand: from what hands ask to the commands that go out, and the question how it is driven.
+// Drives one robot by hand: turns the intents of input devices into commands, and asks the robot how it is driven.
 #pragma once
 
 #include <optional>
@@ -12,35 +12,39 @@
 
 namespace usar::mission {
 
-/// Of one session, in its thread; owns no clock: wall time and the protocol's are arguments. Commands come out as
-/// values, for the session to send.
+/// Belongs to one session and its thread. It has no clock: wall time and protocol time are arguments. Commands are
+/// returned for the session to send.
 class HandDriver {
 public:
     using Commands = std::vector<protocol::Command>;
 
-    /// Nothing is known of the robot, and no hand has it.
+    /// Forgets the robot and ends any control by hand.
     void beginConnection() { *this = {}; }
+    /// Learns from one message of the connection.
     void take(const protocol::InfoLine& line);
-    /// What has to be asked now, if anything; one at a time, by the protocol's clock.
+    /// Question to send to the robot now; nullopt if there is none. One at a time; `now` is the protocol clock.
     std::optional<protocol::Command> question(Seconds now);
 
-    /// The person takes control, and the robot is asked how it is driven, or gives it back.
+    /// On: the user takes control, and the robot is asked how it is driven. Off: the user gives control back.
     void setOn(bool on);
     bool on() const { return hands_.on(); }
     bool holding() const { return hands_.holding(); }
-    /// What moves the robot: "keys", "gamepad Xbox Controller".
+    /// Name of the device that moves the robot: "keys", "gamepad Xbox Controller", or "nobody".
     std::string holderText() const;
 
+    /// Takes the current state of one input device; axes that the robot cannot follow count as 0.
     HandControl::Verdict accept(const HandIntent& intent, Seconds wall);
+    /// True if the driving device has been silent for longer than `patience` (wall time).
     bool overdue(Seconds wall, Seconds patience) const { return hands_.overdue(wall, patience); }
-    /// Time passed: what has to be said because the stick is somewhere else now.
+    /// Advances by `dt` of wall time; returns the command to send if the shaped stick or the speed share has changed.
     Commands advance(Seconds dt);
-    /// The server's clock ticked: what is held is said again, and legs step.
+    /// To be called when the server's clock ticks: repeats what is held, and makes legs step.
     Commands repeat(Seconds now);
-    /// What brings it to rest, whoever held; hands have to let go before they count again.
+    /// Ends the hold, whichever device has it, and returns the commands that bring the robot to rest. Devices must be
+    /// released before they count again. `reason` is shown as ControlState::last_stop.
     Commands stop(const std::string& reason);
 
-    /// Without the behavior, of which it knows nothing.
+    /// The control state except for the behavior, of which this object knows nothing.
     ControlState state() const;
 
 private:
@@ -53,8 +57,8 @@ private:
     WalkingGait gait_;
     modules::ConfigurationModule configuration_;
     modules::GeometryModule geometry_;
-    double said_share_ = 0.0; ///< of the speed, in what was said last
-    bool walked_ = false;     ///< since it was told to stand
+    double said_share_ = 0.0; ///< speed share in the last command
+    bool walked_ = false;     ///< steps were sent since it was last told to stand
     std::string last_stop_;
 };
 

@@ -50,7 +50,7 @@ private:
 
     void members(const QString& path) {
         do {
-            ++at_; // the brace or the comma
+            ++at_; // The brace or the comma.
             skipSpace();
             if (here() != '"')
                 break;
@@ -59,7 +59,7 @@ private:
             key.parent = path;
             key.name = string();
             skipSpace();
-            ++at_; // the colon
+            ++at_; // The colon.
             skipSpace();
             key.value_offset = at_;
             keys_.push_back(key);
@@ -97,7 +97,7 @@ QString LineWalk::at(qsizetype offset) {
         if (byte == '\n') {
             ++line_;
             column_ = 1;
-        } else if ((byte & 0xc0) != 0x80) { // not the middle of a character
+        } else if ((byte & 0xc0) != 0x80) { // Not the middle of a character.
             column_ += byte >= 0xf0 ? 2 : 1;
         }
     }

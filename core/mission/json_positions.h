@@ -1,4 +1,4 @@
-// Where the keys of a JSON text stand, which QJsonDocument does not tell: for errors with line and column.
+// Positions of the keys in a JSON text, which QJsonDocument does not provide; needed for errors with line and column.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,22 @@ namespace usar::mission {
 
 /// One key of an object. Offsets count bytes from the start of the text.
 struct JsonKey {
-    QString parent; ///< path of the object it is in: "" outermost, "area"; elements of arrays are "list[0]"
+    QString parent; ///< path of the enclosing object: "" for the outermost, "area"; elements of arrays are "list[0]"
     QString name;
     qsizetype key_offset = 0;
     qsizetype value_offset = 0;
     QString path() const { return parent.isEmpty() ? name : parent + '.' + name; }
 };
 
-/// Every key in the order of the text, double ones too. The text must be one that QJsonDocument has taken.
+/// All keys in the order of the text, including duplicates. The text must be one that QJsonDocument has accepted.
 std::vector<JsonKey> jsonKeys(const QByteArray& valid_json);
 
-/// "line:column" of bytes that are asked for in the order of the text, both from 1, in one walk over it. Columns count
-/// characters (of UTF-16), not bytes. The text outlives it.
+/// Turns byte offsets into "line:column", both from 1, in one walk over the text, which must outlive this object.
+/// Columns count UTF-16 units, not bytes.
 class LineWalk {
 public:
     explicit LineWalk(const QByteArray& text) : text_(text) {}
+    /// `offset` must not be smaller than in the call before.
     QString at(qsizetype offset);
 
 private:
@@ -34,7 +35,7 @@ private:
     int column_ = 1;
 };
 
-/// The same for a single byte.
+/// "line:column" of a single byte, both from 1.
 QString lineAndColumn(const QByteArray& text, qsizetype offset);
 
 } // namespace usar::mission

@@ -21,7 +21,8 @@ namespace usar::mission {
 namespace {
 
 QString shown(std::string_view text) {
-    return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())); // the wire's encoding
+    // Latin-1 is the encoding of the wire.
+    return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 QJsonArray toJson(const std::vector<protocol::Field>& fields) {
@@ -57,7 +58,8 @@ bool isCommand(std::string_view text) {
                                [word](const protocol::CommandRule& rule) { return sameWord(rule.word, word); });
 }
 
-/// The segments as they are: what a command's own struct holds is for programs, and its frame is not the wire's.
+/// The segments of a command as they are on the wire. The command's own struct is meant for programs and uses another
+/// frame.
 protocol::GenericMessage segmentsOf(std::string_view text) {
     protocol::Segments segments;
     Diagnostics ignored;
@@ -92,7 +94,7 @@ QJsonObject reportInfo(const protocol::InfoLine& line) {
             {"diagnostics", toJson(line.diagnostics)}};
 }
 
-/// Reads up to the line's end, however long; what is beyond the cap is thrown away.
+/// Reads up to the end of the line, however long it is, and drops what exceeds the cap.
 QByteArray takeLine(QIODevice& input, bool& too_long) {
     constexpr qint64 cap = static_cast<qint64>(protocol::LineSplitter::default_cap_bytes);
     QByteArray line = input.readLine(cap);

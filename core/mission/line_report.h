@@ -1,4 +1,4 @@
-// One line of protocol as a JSON object, for scripts and for anybody's log: what `usar-mission lines` prints.
+// A protocol line as a JSON object, for scripts and for logs of any origin: the output of `usar-mission lines`.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,29 @@
 
 namespace usar::mission {
 
-/// Reads lines of both directions; a line is taken for a command where its first word is one, else for the server's.
-/// One log, in its order.
+/// Reads the lines of one log in their order, in both directions. A line counts as a command if its first word is one,
+/// else as a line from the server.
 class LineReporter {
 public:
-    /// `line` is its number in the file. The object has `line`, `direction` ("in" from the server, "out" to it), `type`
-    /// ("SEN Sonar", "DRIVE"), `container` (our struct), `fields` (objects with `item`, `field`, `value`, `unit`; SI
-    /// units, our frame), `diagnostics` (objects with `severity`, `column` from 1, `message`) and `text`.
+    /// `text` is one line without its line end, `line` its number in the file. The object has `line`, `direction` ("in"
+    /// from the server, "out" to it), `type` ("SEN Sonar", "DRIVE"), `container` (our struct), `fields` (objects with
+    /// `item`, `field`, `value`, `unit`; SI units and our frame for lines from the server, as on the wire for
+    /// commands), `diagnostics` (objects with `severity`, `column` from 1, `message`) and `text`.
     QJsonObject report(std::string_view text, std::uint64_t line);
 
 private:
     protocol::Reader reader_;
 };
 
-/// What was in a whole log.
+/// Line counts of a whole log.
 struct LineCounts {
     std::uint64_t lines = 0;
     std::uint64_t with_diagnostics = 0;
 };
 
-/// Prints an object for each line of `input`, whatever ends it; empty lines and those that begin with # are passed
-/// over. A line longer than the reader's cap is left out with a diagnostic. Refused when `output` takes no more.
+/// Prints one JSON object per line of `input`, whatever its line ends; skips empty lines and those that begin with #. A
+/// line longer than the reader's cap is reported with a diagnostic and without fields. Fails if `output` accepts no
+/// more.
 Result<LineCounts> reportLines(QIODevice& input, QIODevice& output);
 
 } // namespace usar::mission

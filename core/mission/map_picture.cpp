@@ -28,7 +28,8 @@ Rectangle extentOf(const Raster& raster) {
     return {{top_left_m.x(), top_left_m.y() - size_m.y()}, {top_left_m.x() + size_m.x(), top_left_m.y()}};
 }
 
-/// The raster, and where path and marks leave it (the way home from the scan) up to a map's length around it.
+/// Extent of the picture in the map frame: the raster, and path and marks outside it (such as the way home from the
+/// scan), up to a map's length around it.
 Rectangle pictureExtent(const ScanRecord& record) {
     const Rectangle map = extentOf(record.raster);
     const Vec2 reach_m = Vec2::Constant(std::max(map.width_m(), map.height_m()));
@@ -47,7 +48,7 @@ Rectangle pictureExtent(const ScanRecord& record) {
     return extent;
 }
 
-/// From metres in the map frame to pixels: x to the right, y up.
+/// Maps meters in the map frame to pixels; x points to the right, y up.
 struct View {
     Rectangle extent;
     double pixels_per_m = 1.0;
@@ -62,7 +63,7 @@ struct View {
         const double enlarged = std::min(std::ceil(legible_px / shorter), std::floor(longest_px / 2 / longer));
         const double pixels_per_cell = longer > longest_px ? longest_px / longer : std::max(1.0, enlarged);
         pixels_per_m = pixels_per_cell / cell_m;
-        // A thin strip gets unknown ground on both sides, so that the legend has room.
+        // A narrow strip gets unknown ground on both sides, so that the legend has room.
         const double narrow_m = std::max(0.0, legible_px / pixels_per_m - extent.width_m());
         extent.min_m.x() -= narrow_m / 2;
         extent.max_m.x() += narrow_m / 2;
@@ -75,7 +76,7 @@ struct View {
     }
 };
 
-/// Cell index under each pixel of one axis.
+/// Returns the cell index under each pixel of one axis; outside the raster it is negative or too large.
 std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, double offset_cells) {
     std::vector<std::int64_t> cells(static_cast<std::size_t>(pixels));
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -116,7 +117,7 @@ void paintPath(QPainter& painter, const ScanRecord& record, const View& view, do
 
 void paintMarks(QPainter& painter, const ScanRecord& record, const View& view, double unit_px) {
     using agent::MarkKind;
-    // What is rare and matters lies on top of what is frequent.
+    // Rare and important marks are drawn on top of frequent ones.
     for (const MarkKind kind : {MarkKind::Path, MarkKind::LowRisk, MarkKind::HighRisk, MarkKind::Diversion,
                                 MarkKind::GoalGivenUp, MarkKind::Landing, MarkKind::Recharge}) {
         for (const agent::MapMark& mark : record.marks) {

@@ -21,18 +21,20 @@ std::string inWords(const Rectangle& area) {
            ".." + fixed(area.max_m.y(), 1) + " m";
 }
 
-/// As people write it in a file: angles in degrees.
+/// Parameter spec with the units of a mission file: angles in degrees.
 agent::ParameterSpec asWritten(agent::ParameterSpec spec) {
     if (spec.unit != "rad")
         return spec;
-    const auto whole_nano = [](double angle_deg) { return std::round(angle_deg * 1e9) / 1e9; }; // 90, not 89.99..9
+    // Rounds, so that an error says 90 and not 89.99..9.
+    const auto whole_nano = [](double angle_deg) { return std::round(angle_deg * 1e9) / 1e9; };
     spec.unit = "deg";
     spec.minimum = whole_nano(degrees(spec.minimum));
     spec.maximum = whole_nano(degrees(spec.maximum));
     return spec;
 }
 
-/// Each by itself and in the units of the file, so that the first wrong one can be shown where it stands.
+/// Checks each parameter by itself and in the units of the file, so that the error can name the place of the first
+/// wrong one.
 Result<void> checkParameters(const Mission& mission, const std::vector<agent::ParameterSpec>& specs) {
     std::vector<agent::ParameterSpec> written;
     std::ranges::transform(specs, std::back_inserter(written), asWritten);
@@ -48,7 +50,7 @@ Result<void> checkParameters(const Mission& mission, const std::vector<agent::Pa
     return {};
 }
 
-/// "Choose airrobot/posh, or leave the plan out".
+/// Advice such as "Choose airrobot/posh, or leave the plan out".
 std::string whoTakesPlans(const agent::RobotDescription& robot) {
     for (const agent::BehaviorDescription& behavior : robot.behaviors)
         if (!behavior.plan_name.empty())

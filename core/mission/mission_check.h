@@ -1,4 +1,4 @@
-// What can be said against a mission before anything moves.
+// Checks of a mission before anything moves.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,33 @@
 
 namespace usar::mission {
 
-/// A mission's behavior, found and with its parameters checked.
+/// The behavior of a mission, found among the plugins, and its checked parameters.
 struct PreparedBehavior {
-    const agent::RobotPlugin* plugin = nullptr;
+    const agent::RobotPlugin* plugin = nullptr; ///< owned by the PluginLoader
     agent::ParameterSet parameters;
-    std::optional<agent::PlanText> plan; ///< a person's own
+    std::optional<agent::PlanText> plan; ///< the user's own plan, if one was given
 };
 
-/// Fails on an unknown behavior, a wrong parameter, no area where one is needed, a plan that cannot be read, has errors
-/// or does not fit the robot, or a plan for a behavior that none decides. Like all errors about a mission that was read
-/// from a file, these name line and column.
+/// Fails on an unknown behavior, a wrong parameter, a missing area if one is needed, a plan that cannot be read, has
+/// errors or does not fit the robot, or a plan for a behavior that is not decided by one. Errors about a mission that
+/// was read from a file name line and column, here and in the other checks.
 Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins);
 
-/// The plan in that file, checked against the robot of the behavior; nothing for an empty path.
+/// Reads the plan in the file at `path` and checks it against the robot of the behavior; nullopt for an empty path.
+/// Fails if the behavior is unknown or takes no plan, or the plan cannot be read, has errors or does not fit.
 Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const std::string& behavior_id,
                                                    const agent::PluginLoader& plugins);
 
-/// Fails on an area that is not wholly inside the world; an empty world is one whose size nobody knows.
+/// Fails on an area that is not entirely inside the world (meters, map frame). An empty area is accepted, and so is an
+/// empty world, which is one of unknown size.
 Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map);
 Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map);
 
-/// Makes the folder if it is missing and writes a file of no bytes there to try.
+/// Creates the folder if it is missing, and fails if no file can be created there.
 Result<void> checkFolderIsWritable(const QString& folder);
 
-/// The pose that the mission names, compared without regard to case; the error lists the names that are there.
+/// Start pose that the mission names, in the map frame; names are compared without regard to case. The error lists the
+/// names that exist.
 Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses);
 
 } // namespace usar::mission

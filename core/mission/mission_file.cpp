@@ -25,7 +25,7 @@ const std::vector<std::string> mission_keys{"name", "world",      "robot",      
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
-/// Reads one file's keys; the first trouble is kept and the rest then means nothing.
+/// Reads the keys of one file. Only the first error is kept; values read after it are meaningless.
 class Reading {
 public:
     Reading(const QByteArray& json, const QString& file_name)
@@ -77,7 +77,7 @@ public:
             failAt(key, QString("\"%1\" is neither true nor false").arg(key), "write it without quotes");
     }
 
-    /// False, with an error, where the value is there but is no object.
+    /// True if the key has an object as its value. Reports an error if it has another value.
     bool isObject(const QJsonObject& object, const QString& key) {
         if (!object[key].isUndefined() && !object[key].isObject())
             failAt(key, QString("\"%1\" is not an object").arg(key), "write it in braces");
@@ -94,7 +94,7 @@ public:
             error_ = Error{what.toStdString(), placeOf(offset), mend.toStdString()};
     }
 
-    /// Where every key and its value stand.
+    /// Places of every key and of its value, by path.
     std::map<std::string, KeyPlace> places() const {
         std::map<std::string, KeyPlace> places;
         LineWalk walk(json_);
@@ -247,7 +247,7 @@ Result<Mission> readMissionFile(const QString& path) {
 
 namespace {
 
-/// What the error was about goes into the sentence, for the place takes its seat.
+/// Puts the place into the error; its former `where` goes into the sentence instead.
 Error at(const std::string& place, const Error& error) {
     return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
 }

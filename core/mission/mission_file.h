@@ -1,4 +1,4 @@
-// MISSION.json: what to fly, where, and how.
+// The mission file (MISSION.json): what to fly, where, and how.
 #pragma once
 
 #include <map>
@@ -14,46 +14,49 @@
 
 namespace usar::mission {
 
-/// "FILE:LINE:COLUMN" of a key in the file and of its value.
+/// Places of a key and of its value in the file, as "FILE:LINE:COLUMN".
 struct KeyPlace {
     std::string key;
     std::string value;
     bool operator==(const KeyPlace&) const = default;
 };
 
-/// A mission as it is written down. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan in
-/// place of the one that comes with the robot; a relative path begins at the mission's folder), area {x, y, width,
-/// height} (lowest corner and size, metres, map frame: x forward, y left; width along x), parameters {}, cell_size_m,
-/// faults [] (texts, as the simulator's --fault takes them; their times count from the beginning of the mission),
-/// isolate (true: the behavior runs in a process of its own). Only the name must be there, and an area where the
-/// behavior needs one. Angles in the file are degrees where the parameter's unit is rad.
+/// A mission as written in its file. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan
+/// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
+/// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, faults []
+/// (texts, as for the simulator's --fault; their times count from the beginning of the mission), isolate (true: the
+/// behavior runs in a process of its own). Only the name is required, and an area if the behavior needs one. Angles in
+/// the file are in degrees if the parameter's unit is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
     std::string robot_class = "USARBot.AirRobot";
     std::string start = "PlayerStart"; ///< name of a start pose
     std::string behavior = "airrobot/cpp";
-    std::string plan;                                        ///< path; empty: the robot's own
-    Rectangle area_in_map;                                   ///< empty: none
+    std::string plan;                                        ///< path of a plan file; empty: the robot's own plan
+    Rectangle area_in_map;                                   ///< meters; empty: none
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
-    double cell_size_m = 0.25;                               ///< 0.02 .. 10
-    std::vector<std::string> faults;                         ///< of the embedded simulator
-    bool isolate = false;                                    ///< the behavior has a process of its own
-    /// By path ("area.width", "parameters.scan_altitude_m"), for what is found wrong only later. Empty where no file
-    /// was read; whoever puts another value in takes the place of the old one out.
+    double cell_size_m = 0.25;                               ///< 0.02 .. 10 m
+    std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
+    bool isolate = false;                                    ///< the behavior runs in a process of its own
+    /// Places in the file by path ("area.width", "parameters.scan_altitude_m"), for errors that are found later. Empty
+    /// if no file was read. Code that replaces a value must also remove its place.
     std::map<std::string, KeyPlace> places;
 };
 
-/// Errors name file, line and column: broken JSON, an unknown key (with the nearest known one), a key given twice or
-/// missing, a wrong type, an area without size.
+/// Reads a mission from JSON text; `file_name` is used in errors and for relative paths. Errors name file, line and
+/// column: broken JSON, an unknown key (with the nearest known one), a key given twice or missing, a wrong type, an
+/// area without size.
 Result<Mission> readMission(const QByteArray& json, const QString& file_name);
+/// Reads a mission file of at most 1 MiB.
 Result<Mission> readMissionFile(const QString& path);
 
-/// The error with the place in the file of this key, or of its value, put before it; unchanged where that is unknown.
+/// Returns the error with the place in the file of this key, or of its value, as its `where`; the former `where` moves
+/// into the text. Unchanged if the place is unknown.
 Error atKey(const Mission& mission, const std::string& path, const Error& error);
 Error atValue(const Mission& mission, const std::string& path, const Error& error);
 
-/// The file's parameters as a behavior takes them: those whose spec says "rad" turned from degrees to radians.
+/// Returns the file's parameters in a behavior's units: those whose spec says "rad" converted from degrees to radians.
 std::map<std::string, agent::ParameterValue>
 withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
                     const std::vector<agent::ParameterSpec>& specs);

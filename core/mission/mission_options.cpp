@@ -7,7 +7,7 @@ namespace usar::mission {
 
 namespace {
 
-/// One option with its value, put into `options`.
+/// Puts the value of one option into `options`; fails on an unknown option or a bad value.
 Result<void> takeOption(const QString& name, const QString& value, MissionOptions& options) {
     const std::string where = name.toStdString() + " " + value.toStdString();
     if (name == "--behavior") {

@@ -18,29 +18,31 @@ struct ServerAddress {
     bool operator==(const ServerAddress&) const = default;
 };
 
+/// Options of `usar-mission run`, with their defaults.
 struct MissionOptions {
     QString mission_file;
-    QString behavior; ///< empty: the file's
-    QString plan;     ///< file of a POSH plan; empty: the mission's, or the robot's own
-    std::uint64_t seed = 1;
-    std::optional<double> speed_x;       ///< absent: as fast as it can
+    QString behavior;                    ///< empty: the one in the mission file
+    QString plan;                        ///< file of a POSH plan; empty: the mission's plan, or the robot's own
+    std::uint64_t seed = 1;              ///< of the embedded simulator's noise and drift
+    std::optional<double> speed_x;       ///< simulated per real seconds; absent: as fast as possible
     std::optional<ServerAddress> server; ///< absent: the embedded simulator
-    QString result_folder;               ///< empty: default
-    QString recording;                   ///< empty: none
-    QStringList faults;                  ///< besides the mission's
-    QStringList plugin_folders;          ///< besides those that come with the program
-    bool isolate = false;                ///< also where the mission does not ask for it
-    bool help = false;
+    QString result_folder;               ///< empty: the default folder
+    QString recording;                   ///< file to record to; empty: none
+    QStringList faults;                  ///< in addition to the mission's
+    QStringList plugin_folders;          ///< in addition to the plugins that come with the program
+    bool isolate = false;                ///< on even if the mission does not ask for it
+    bool help = false;                   ///< only the help is wanted
     bool operator==(const MissionOptions&) const = default;
 };
 
-/// "HOST", "HOST:PORT" or "[IPV6]:PORT".
+/// Reads "HOST", "HOST:PORT" or "[IPV6]:PORT". Without a port it is 3000. Fails on a port outside 1..65535 or an empty
+/// host.
 Result<ServerAddress> readServerAddress(const QString& text);
 
-/// `arguments` without the program's name. Errors name the option and how to write it.
+/// Reads the command line; `arguments` does not include the program's name. Errors name the option and how to write it.
 Result<MissionOptions> readMissionOptions(const QStringList& arguments);
 
-/// What `--help` prints.
+/// The text that `--help` prints.
 QString missionHelp();
 
 } // namespace usar::mission

@@ -92,7 +92,7 @@ Result<void> MissionRunner::Private::prepare() {
             return inside;
     if (auto writable = checkFolderIsWritable(options.result_folder); !writable || options.recording.isEmpty())
         return writable;
-    const QSignalBlocker quiet(session); // what is wrong is said once, as the reason
+    const QSignalBlocker quiet(session); // The error is reported once, as the reason.
     return session.startRecording(options.recording, {{"robot", robot_name},
                                                       {"class", mission.robot_class},
                                                       {"mission", mission.name},
@@ -155,7 +155,7 @@ void MissionRunner::Private::look() {
         emit q.progressed(progress());
 }
 
-/// By the protocol clock.
+/// Time since the spawn, on the protocol clock.
 Seconds MissionRunner::Private::flightTime() const {
     const SessionFigures& figures = session.figures();
     return since_flight.isValid() && figures.spawned_at.count() > 0.0 ? figures.now - figures.spawned_at : Seconds{0.0};
@@ -185,11 +185,11 @@ Progress MissionRunner::Private::progress() const {
 
 void MissionRunner::Private::conclude(bool success, const std::string& reason, int exit_code) {
     if (phase == Phase::Flying)
-        emit q.progressed(progress()); // how far it came, also where the flight was shorter than the timer's period
+        emit q.progressed(progress()); // The final progress, even if the flight was shorter than the timer's period.
     if (std::exchange(phase, Phase::Over) == Phase::Over)
         return;
     timer.stop();
-    QCoreApplication::sendPostedEvents(&q, QEvent::MetaCall); // the fault that has ended it may be on its way
+    QCoreApplication::sendPostedEvents(&q, QEvent::MetaCall); // The fault that ended the run may still be queued.
     const ScanRecord record = session.snapshot();
     RunSummary figures = figuresOf(record);
     figures.success = success;
@@ -230,7 +230,8 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     return figures;
 }
 
-/// A disk that filled up since the check must not cost the scan: then the folder for temporary files is tried.
+/// Writes the results. If that fails, because the disk has filled up since the check, the scan is saved to the folder
+/// for temporary files instead.
 Result<QStringList> MissionRunner::Private::save(const ScanRecord& record, const RunSummary& figures) {
     if (record.raster.empty())
         return QStringList{};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double open_ground_limit_m = 0.05;
 
-/// Running root of the mean square.
+/// Accumulates a root mean square; values that are not finite are left out.
 class Rms {
 public:
     void add(double error_m) {
@@ -28,14 +28,14 @@ private:
     std::int64_t count_ = 0;
 };
 
-/// Indices first .. last of cells on one axis of the raster's grid whose centers lie in [low, high); they may lie
-/// outside the raster.
+/// Range of cell indices on one axis of the raster's grid, first .. last, both inclusive; may reach outside the raster.
 struct Span {
     std::int64_t first = 0;
     std::int64_t last = -1;
     std::int64_t count() const { return last - first + 1; }
 };
 
+/// Returns the cells whose centers are in [low, high).
 Span centersWithin(double first_center_m, double cell_size_m, double low_m, double high_m) {
     const auto index = [&](double at_m) {
         return static_cast<std::int64_t>(std::ceil((at_m - first_center_m) / cell_size_m - 1e-9));
@@ -43,7 +43,7 @@ Span centersWithin(double first_center_m, double cell_size_m, double low_m, doub
     return {index(low_m), index(high_m) - 1};
 }
 
-/// The two figures of a score while they are summed up.
+/// Accumulates the two errors of a score.
 struct Errors {
     Rms ground, surface;
 

@@ -14,7 +14,7 @@ namespace usar::mission {
 
 namespace {
 
-/// The degrees that a person typed, without the last bit that radians took from them.
+/// Returns the degrees that the user typed, without the rounding error of the conversion to radians.
 double typedDegrees(double angle_rad) {
     constexpr double grain = 1e9;
     return std::round(degrees(angle_rad) * grain) / grain;
@@ -30,7 +30,7 @@ QJsonValue written(const agent::ParameterValue& value, bool is_angle) {
     return QString::fromStdString(std::get<std::string>(value));
 }
 
-/// Relative to the folder where it lies in it, so that both can be moved together.
+/// Returns the path relative to the folder if the plan is inside it, so that both can be moved together; else absolute.
 QString planPath(const QString& plan, const QString& folder) {
     const QString absolute = QFileInfo(plan).absoluteFilePath();
     const QString relative = folder.isEmpty() ? absolute : QDir(folder).relativeFilePath(absolute);

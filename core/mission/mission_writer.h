@@ -1,4 +1,4 @@
-// A mission written down, so that it can be flown again.
+// Writes a mission to a file, so that it can be flown again.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,15 @@
 
 namespace usar::mission {
 
-/// JSON that `readMission` takes, ending in a newline. Values of `mission` are as a behavior takes them: those whose
-/// spec says "rad" are written in degrees. Reading it and turning the angles back gives the same mission, apart from
-/// whole reals, which the file cannot tell from integers and a behavior takes as either. The path of a plan is
-/// absolute, or relative where it lies in `folder`, the mission's.
+/// Returns JSON that `readMission` accepts, ending with a newline. Values in `mission` are in a behavior's units: those
+/// whose spec says "rad" are written in degrees. Reading the text and converting the angles back gives the same
+/// mission, except for reals with whole values, which the file cannot distinguish from integers and a behavior accepts
+/// as either. The path of a plan is written as an absolute path, or as a relative one if it is inside `folder`, the
+/// folder of the mission.
 QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
                         const QString& folder = {});
 
-/// The file is written whole or not at all; an error names path and reason.
+/// Writes the mission file completely or not at all; an error names path and reason.
 Result<void> writeMissionFile(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
                               const QString& path);
 

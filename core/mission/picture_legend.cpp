@@ -42,7 +42,8 @@ void drawText(QPainter& painter, const QPointF& baseline, const QString& text) {
         painter.drawText(baseline, text);
 }
 
-/// Calls `place` with each kind and the left end of its entry; returns the number of lines.
+/// Calls `place` with each kind of mark, the left end of its entry in pixels, and its line; returns the number of
+/// lines.
 template <class Place>
 int flowMarks(double width_px, double text_px, const Place& place) {
     double x = text_px;
@@ -59,7 +60,7 @@ int flowMarks(double width_px, double text_px, const Place& place) {
     return line + 1;
 }
 
-/// Metres without needless zeros.
+/// Formats a length in meters without trailing zeros.
 QString metres(double length_m) {
     return QString::number(length_m, 'g', 6) + " m";
 }
@@ -136,7 +137,7 @@ void drawMark(QPainter& painter, MarkKind kind, const QPointF& center, double un
             painter.drawLine(center - back, center + back);
         }
     } else if (kind == MarkKind::Path) {
-        painter.setPen(Qt::NoPen); // hundreds stand side by side: a rim would make a black line of them
+        painter.setPen(Qt::NoPen); // Path dots are close together: their rims would form a black line.
         painter.drawEllipse(center, unit_px, unit_px);
     } else {
         painter.drawEllipse(center, 1.4 * unit_px, 1.4 * unit_px);

@@ -1,4 +1,4 @@
-// The strip below a map picture: what the grays, the lengths and the colored marks mean.
+// The legend below a map picture: explains gray levels, lengths and the colored marks.
 #pragma once
 
 #include <optional>
@@ -15,29 +15,30 @@ class QPainter;
 
 namespace usar::mission {
 
-/// How a kind of mark looks, in the thesis's colors.
+/// Appearance of a kind of mark, in the colors of the thesis.
 struct MarkStyle {
     QColor color;
     QString label;
 };
 MarkStyle markStyle(agent::MarkKind kind);
 
-/// One mark around `center`: dots, yellow squares for recharges, violet circles for landings, crosses for goals given
-/// up; `unit_px` is the radius of a dot. A dark rim keeps it legible on light ground.
+/// Draws one mark around `center`: dots, yellow squares for recharges, violet circles for landings, crosses for
+/// abandoned goals; `unit_px` is the radius of a dot. A dark rim keeps all but path dots legible on light ground.
 void drawMark(QPainter& painter, agent::MarkKind kind, const QPointF& center, double unit_px);
 
-/// The longest of 1, 2, 5, 10, 20, 50 … metres that takes no more than `room_px`.
+/// Returns the longest of 1, 2, 5, 10, 20, 50 … meters that fits into `room_px`.
 double scaleBarLength_m(double pixels_per_m, double room_px);
 
-/// What the strip is made from. Heights in metres; a missing range is an empty map.
+/// Contents of the legend.
 struct Legend {
-    std::optional<mapping::HeightRange> range;
+    std::optional<mapping::HeightRange> range; ///< heights in meters; absent: the map is empty
     double pixels_per_m = 1.0;
     QString title;
     double text_px = 14.0;
 
     /// Height of the strip that this legend needs at this width.
     int heightFor(int width_px) const;
+    /// Draws into `strip`, whose height should come from heightFor().
     void draw(QPainter& painter, const QRect& strip) const;
 };
 

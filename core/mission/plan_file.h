@@ -1,4 +1,4 @@
-// A POSH plan that a person keeps in a file.
+// Reading of POSH plans from the user's files.
 #pragma once
 
 #include <string>
@@ -12,14 +12,15 @@
 
 namespace usar::mission {
 
-/// All of it; of what is longer than any plan, or never ends, just so much that its reader says so.
+/// Reads the whole plan. If the input is longer than any plan, or never ends, reads only so much that the plan reader
+/// reports it as too long.
 std::string readPlanText(QIODevice& input);
 
-/// The plan's name is the path. Refused where it cannot be opened; what is wrong with the plan itself is not looked at.
+/// Reads a plan file; the plan's name is the path. Fails if the file cannot be opened; the plan itself is not checked.
 Result<agent::PlanText> readPlanFile(const QString& path);
 
-/// The robot that goes by this name ("AirRobot"), class on the wire or behavior ("airrobot/posh"), in any case; the
-/// error lists the names of those that plans can decide for.
+/// Returns the robot with this name ("AirRobot"), class on the wire or behavior ("airrobot/posh"), regardless of case.
+/// The error lists the names of the robots for which plans can decide. The result points into `robots`.
 Result<const agent::RobotDescription*> robotForPlans(const std::vector<agent::RobotDescription>& robots,
                                                      const QString& name);
 

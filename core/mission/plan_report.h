@@ -1,4 +1,4 @@
-// What is wrong with a POSH plan as JSON lines, for scripts and editors: what `usar-mission check-plan` prints.
+// Problems of a POSH plan as JSON lines, for scripts and editors: the output of `usar-mission check-plan`.
 #pragma once
 
 #include <vector>
@@ -13,17 +13,17 @@
 
 namespace usar::mission {
 
-/// `code` ("E202"), `severity` ("error", "warning"), `line` and `column` from 1 (a column is one code point),
-/// `message`, `file`; where a parenthesis was never closed, `opener` with its `line` and `column`.
+/// One problem as a JSON object: `code` ("E202"), `severity` ("error", "warning"), `line` and `column` from 1 (a column
+/// is one code point), `message`, `file`; if a parenthesis was never closed, `opener` with its `line` and `column`.
 QJsonObject toJson(const posh::Finding& finding, const QString& file);
 
-/// One object a line, in the order of the findings, whoever found them: the reader, or a check against a robot. Refused
-/// when `output` takes no more.
+/// Prints one object per line, in the order of the findings, which may come from the reader or from a check against a
+/// robot. Fails if `output` accepts no more.
 Result<void> reportFindings(const posh::Findings& findings, const QString& file, QIODevice& output);
 
-/// Reads the plan that `input` holds and reports on it; with the senses and acts of a robot also on what does not fit
-/// that robot. What the window says besides of a plan that asks for real time (agent::clockRemark) is a "note", N501.
-/// True where it has no errors.
+/// Reads the plan in `input` and reports on it; given the senses and acts of a robot, also on what does not fit that
+/// robot. The remark that the window shows for a plan that asks for real time (agent::clockRemark) is reported as a
+/// "note", N501. Returns true if the plan has no errors; fails if `output` accepts no more.
 Result<bool> reportPlan(QIODevice& input, const QString& file, QIODevice& output,
                         const std::vector<agent::PrimitiveDescription>* primitives = nullptr);
 

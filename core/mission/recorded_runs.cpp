@@ -13,13 +13,14 @@ namespace usar::mission {
 
 namespace {
 
-/// A piece that begins as a trace does is of another run.
+/// Appends a piece to the last trace; a piece that begins as a trace does belongs to a new run.
 void append(std::vector<std::string>& traces, const std::string& piece) {
     if (traces.empty() || piece.starts_with(posh::trace_codec::magic))
         traces.emplace_back();
     traces.back() += piece;
 }
 
+/// Adds a finished run to those of the same plan.
 void close(PlanRuns run, std::vector<PlanRuns>& plans) {
     if (run.statistics.cycles() == 0)
         return;

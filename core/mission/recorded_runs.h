@@ -1,4 +1,4 @@
-// The runs of POSH plans that recordings and trace files hold, counted plan by plan.
+// Counts the runs of POSH plans that recordings and trace files contain, plan by plan.
 #pragma once
 
 #include <string>
@@ -11,23 +11,25 @@
 
 namespace usar::mission {
 
-/// All runs of one plan.
+/// Statistics of all runs of one plan.
 struct PlanRuns {
     posh::RunStatistics statistics;
     int runs = 0;
 };
 
+/// Traces of plans from one file.
 struct RecordedTraces {
     std::vector<std::string> traces; ///< each the bytes of a trace file (core/posh/trace_file.h)
-    std::string complaint;           ///< a sentence about what the file has lost, or empty
+    std::string complaint;           ///< a sentence about what is missing from the file, or empty
 };
 
-/// The file itself where it is a trace, else one trace for each run of a recording. A file that is neither, and a
-/// recording in which no plan decided, are errors that name it.
+/// Reads a file: a trace file gives itself, a recording one trace per run. A file that is neither, and a recording in
+/// which no plan decided, are errors that name the file.
 Result<RecordedTraces> readTraces(const QString& path);
 
-/// Adds the runs of a trace to those of the same plan, or behind the others. A plan that was replaced on the way is a
-/// run of each. A sentence where the trace is damaged, else nothing; a plan that cannot be read is damage, too.
+/// Adds the runs of a trace to those of the same plan in `plans`, or appends them. A plan that was replaced on the way
+/// counts as a run, and so does its successor. Returns a sentence if the trace is damaged or contains a plan that
+/// cannot be read, else an empty text.
 std::string addRuns(const std::string& trace, std::vector<PlanRuns>& plans);
 
 } // namespace usar::mission

@@ -12,23 +12,27 @@
 
 namespace usar::mission {
 
+/// The three subcommands.
 enum class ReplayVerb { Replay, ToText, ToRecording };
 
+/// Options of the three subcommands, with their defaults.
 struct ReplayOptions {
     ReplayVerb verb = ReplayVerb::Replay;
     QString file;
-    QString output; ///< of a conversion; "-" is standard output
-    double speed = std::numeric_limits<double>::infinity();
-    Seconds from{0.0};
-    std::optional<Seconds> to; ///< absent: to the end
+    QString output; ///< target of a conversion; "-" is standard output
+    double speed =
+        std::numeric_limits<double>::infinity(); ///< multiple of the recording's pace; infinity: as fast as possible
+    Seconds from{0.0};                           ///< since the recording began, like `to`
+    std::optional<Seconds> to;                   ///< absent: to the end
     bool help = false;
     bool operator==(const ReplayOptions&) const = default;
 };
 
+/// Returns true for "replay", "recording-to-text" and "text-to-recording".
 bool isReplayVerb(const QString& word);
-/// `arguments` without the program's name, the verb first.
+/// Reads the command line; `arguments` begins with the verb and does not include the program's name.
 Result<ReplayOptions> readReplayOptions(const QStringList& arguments);
-/// Part of what `usar-mission --help` prints.
+/// Returns a part of the text that `usar-mission --help` prints.
 QString replayHelp();
 
 } // namespace usar::mission

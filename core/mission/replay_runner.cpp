@@ -77,7 +77,7 @@ void ReplayRunner::line(std::string_view text, LineNumber number) {
     std::string type(segments_.typeWord().substr(0, 32));
     if (const std::string_view of = segments_.value("Type"); !of.empty())
         (type += ' ') += of.substr(0, 32);
-    ++types_[types_.size() < 1000 ? type : std::string("others")]; // names come from the wire
+    ++types_[types_.size() < 1000 ? type : std::string("others")]; // Bounded, because type names come from the wire.
     if (lines_in_++ == 0)
         first_line_ = number;
     last_line_ = number;

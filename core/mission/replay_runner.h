@@ -1,4 +1,4 @@
-// Plays a recording without a window and counts what is in it.
+// Plays a recording without a window and counts what it contains.
 #pragma once
 
 #include <map>
@@ -14,20 +14,22 @@
 
 namespace usar::mission {
 
-/// One replay per object, through the same Reader as a live connection. `finished` comes once, from the event loop.
+/// Plays one recording per object, through the same Reader as a live connection. `finished` is emitted once, from the
+/// event loop. Runs in its owner's thread.
 class ReplayRunner : public QObject, private link::ReplayTaker {
     Q_OBJECT
 public:
     ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options, QObject* parent = nullptr);
 
     void start();
-    /// Ctrl+C: the summary is of what was played.
+    /// Ends the replay (Ctrl+C); the summary covers what was played.
     void interrupt();
     link::ReplayFigures figures() const { return replayer_.figures(); }
-    /// Keys in README; valid after `finished`. Counts are of the part that was played.
+    /// Summary of the replay; README lists the keys. Valid after `finished`. Counts cover the part that was played.
     QJsonObject summary() const;
 
 signals:
+    /// `exit_code` is an ExitCode.
     void finished(int exit_code);
 
 private:
@@ -45,8 +47,8 @@ private:
     link::Replayer replayer_;
     protocol::Reader reader_;
     protocol::Segments segments_;
-    std::map<std::string, qint64> types_;
-    std::map<std::string, qint64> sources_;
+    std::map<std::string, qint64> types_;   ///< lines in, by type
+    std::map<std::string, qint64> sources_; ///< lines out, by source
     qint64 connections_ = 0;
     qint64 lines_in_ = 0;
     qint64 lines_out_ = 0;
@@ -61,7 +63,7 @@ private:
     bool over_ = false;
 };
 
-/// Of a recording that could not be opened: the same keys as far as they are known.
+/// Summary for a recording that could not be opened: the keys that are known then.
 QJsonObject refusedReplay(const QString& file, const std::string& reason);
 
 } // namespace usar::mission

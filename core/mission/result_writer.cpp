@@ -28,7 +28,7 @@ QString fileNamePart(const std::string& name, const QString& fallback) {
     return part.contains(QRegularExpression("[A-Za-z0-9]")) ? part : fallback;
 }
 
-/// The first stem that no file in the folder begins with.
+/// Returns the first stem with which no file in the folder begins.
 QString freeStem(const QDir& folder, const ScanRecord& record) {
     const QString base =
         QString("USAR_Scan_%1_%2").arg(fileNamePart(record.level, "map"), fileNamePart(record.robot_name, "robot"));
@@ -39,7 +39,7 @@ QString freeStem(const QDir& folder, const ScanRecord& record) {
     }
 }
 
-/// Writes files of one scan; after the first failure nothing more is tried.
+/// Writes the files of one scan; stops at the first failure.
 class Writing {
 public:
     Writing(QString folder, QString stem) : folder_(std::move(folder)), stem_(std::move(stem)) {}
@@ -62,7 +62,8 @@ public:
     const std::optional<Error>& error() const { return error_; }
 
 private:
-    /// Qt's scale: zlib level 3; the default takes thrice the time for a tenth of the size.
+    /// Quality on Qt's scale, which means zlib level 3; the default takes three times as long to save a tenth of the
+    /// size.
     static constexpr int fast_compression = 66;
 
     template <class Write>
@@ -105,7 +106,7 @@ QString markName(agent::MarkKind kind) {
     return "goal_given_up";
 }
 
-/// Marks but the path's, which has thousands.
+/// Marks except those of the path, of which there are thousands.
 QJsonArray marksOf(const ScanRecord& record) {
     QJsonArray marks;
     for (const agent::MapMark& mark : record.marks) {
@@ -187,7 +188,7 @@ QString defaultResultFolder() {
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder) {
     if (folder.isEmpty() || !QDir().mkpath(folder))
         return failure("cannot make the folder for the results", folder.toStdString(), folder_mend.toStdString());
-    // Held until all is written: two scans that end together must not both see the same number free.
+    // Held until everything is written: two scans that end at the same time must not take the same free number.
     QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
     lock.setStaleLockTime(0);
     if (!lock.tryLock(60'000))

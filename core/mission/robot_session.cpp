@@ -140,7 +140,7 @@ void RobotSession::control(const agent::PlanControl& control) {
     const bool was_halted = d_->host->halted();
     agent::RunningBehavior::Output output = d_->host->control(control);
     d_->takeOutput(output, false);
-    d_->sendDrive(was_halted); // at the same moment of the protocol's time as the safe command before
+    d_->sendDrive(was_halted); // At the same protocol time as the safe command before it.
     d_->stepOwed();
     d_->link.flush();
     d_->touched();
@@ -164,7 +164,7 @@ void RobotSession::sendCommand(const protocol::Command& command, const std::stri
     if (d_->refusedInReplay())
         return;
     if (!d_->connected()) {
-        if (!d_->troubles.contains("no connection")) // once, however fast a stick sends
+        if (!d_->troubles.contains("no connection")) // Once, however often an input device sends.
             d_->trouble(Severity::Warning, "no connection",
                         "There is no connection to send " + protocol::write(command) + " on. Connect first.");
         return;
@@ -195,7 +195,7 @@ void RobotSession::setCellSize(double cell_size_m) {
 
 void RobotSession::expectSilence(bool expected) {
     if (d_->silence_expected && !expected && d_->since_data.isValid())
-        d_->since_data.start(); // what came before was no silence of the robot's
+        d_->since_data.start(); // The silence until now was not the robot's.
     d_->silence_expected = expected;
 }
 

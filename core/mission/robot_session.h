@@ -15,17 +15,17 @@
 
 namespace usar::mission {
 
-/// What is known of a recording besides its records: robot, class, level, host …
+/// Facts about a recording besides its records: robot, class, level, host …
 using RecordingFacts = std::map<std::string, std::string>;
 
-/// What a person may ask of a replay; several at once where several are set.
+/// User's orders to a replay. All members that are set are carried out.
 struct ReplayOrder {
     std::optional<bool> play{};
-    std::optional<double> speed{};       ///< 0.1 to 100, or infinity
-    std::optional<Seconds> seek{};       ///< from the recording's beginning
-    std::optional<Seconds> seek_by{};    ///< from where it stands, or is on the way to
-    std::optional<Seconds> seek_clock{}; ///< by the robot's clock
-    bool step = false;                   ///< to the next bytes of the server
+    std::optional<double> speed{};       ///< 0.1 to 100, or infinity for as fast as possible
+    std::optional<Seconds> seek{};       ///< time since the recording's beginning
+    std::optional<Seconds> seek_by{};    ///< relative to the position, or to the target of a running seek
+    std::optional<Seconds> seek_clock{}; ///< time on the robot's clock
+    bool step = false;                   ///< to the next bytes from the server
 };
 
 struct SpawnRequest {
@@ -34,106 +34,106 @@ struct SpawnRequest {
     Pose start_in_map;
 };
 
-/// How long a session waits before it says that something is missing. Tests shorten them.
+/// How long a session waits before it reports that something is missing. Tests shorten the limits.
 struct SessionLimits {
     link::LinkLimits link;
-    Seconds greeting{5.0};               ///< wall: no start poses after connect
-    Seconds spawn{5.0};                  ///< wall: silence after INIT is a failed spawn (usarsim-protocol 2.4)
+    Seconds greeting{5.0};               ///< wall: no start poses after connecting
+    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (usarsim-protocol 2.4)
     Seconds stale{2.0};                  ///< wall: silence of a spawned robot
-    Seconds sensor_silence{3.0};         ///< protocol clock: a sensor that used to speak
-    Seconds hand{0.3};                   ///< wall: a hand that holds and says no more is a dead man's
-    Seconds behavior{1.0};               ///< wall: an answer of the behavior
-    Seconds behavior_lockstep{5.0};      ///< the same where the server's time waits for it
-    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait and the newest replace older ones
+    Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
+    Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
+    Seconds behavior{1.0};               ///< wall: the behavior's answer
+    Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
+    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait, and the newest replace older ones
 };
 
-/// Link, reader, modules, behavior, height map. Lives in a session thread; all slots are called by queued connection
-/// or from that thread; results leave by value in signals. After connect it asks for start poses; INIT is sent once per
-/// connection; after a reconnect the robot is spawned anew only by request, while map, marks and line numbers go on.
-/// Stop, close and a finished behavior send the behavior's safe command first. Asked for lockstep, it answers every STA
-/// with the behavior's commands and then STEP, once the server has agreed.
+/// Link, reader, modules, behavior and height map of one robot. Runs in a session thread; slots are called by queued
+/// connection or from that thread; results leave by value in signals. After connecting it asks for start poses; INIT is
+/// sent once per connection; after a reconnect the robot is spawned again only on request, while map, marks and line
+/// numbers continue. Stop, close and a finished behavior send the behavior's safe command first. If lockstep was
+/// requested and the server has agreed, it answers every STA with the behavior's commands and then STEP.
 class RobotSession : public QObject {
     Q_OBJECT
 public:
     explicit RobotSession(double cell_size_m = 0.25, QObject* parent = nullptr);
     ~RobotSession() override;
 
-    /// Before `open`.
+    /// To be called before `open`.
     void setLimits(const SessionLimits& limits);
 
-    /// For the headless twin, which runs in the same thread. The raster is filled in `snapshot` only.
+    /// For headless use in the same thread. The raster is filled by `snapshot` only.
     const ScanRecord& record() const;
     ScanRecord snapshot() const;
     const SessionFigures& figures() const;
     const link::LinkStatus& linkStatus() const;
 
-    /// Every byte from now on, with its time and cause, into a new file (resources/docs/recording-format.md), until
-    /// `stopRecording` or the end of the session. `facts` are kept with it. What goes wrong is a notice of the topic
-    /// "recording"; the session goes on.
+    /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),
+    /// until `stopRecording` or the end of the session. `facts` are stored with it. Problems are also notices with the
+    /// topic "recording"; the session continues.
     Result<void> startRecording(const QString& path, const RecordingFacts& facts);
 
 public slots:
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
-    /// Refused with a notice while the connection has a robot. After a spawn that failed the session reconnects first,
-    /// for a server takes one INIT per connection; after a lost connection it may be called as soon as there is a new
-    /// one. `figures().spawn` says where it stands.
+    /// Refused with a notice while the connection has a robot. After a failed spawn the session reconnects first,
+    /// because a server accepts one INIT per connection; after a lost connection it may be called once a new one is
+    /// there. The progress is in `figures().spawn`.
     void spawn(const usar::mission::SpawnRequest& request);
     void startBehavior(std::shared_ptr<usar::agent::RunningBehavior> host, const usar::agent::Task& task);
     void order(usar::agent::Order order);
     void setParameters(const usar::agent::ParameterSet& parameters);
-    /// For the plan that decides; nothing without a behavior. Where it stands still, a server in lockstep gets no STEP
-    /// and so waits with its time.
+    /// Controls the plan of the behavior; without a behavior it only refuses a new plan. While a plan is halted, a
+    /// server in lockstep gets no STEP, so its time waits.
     void control(const usar::agent::PlanControl& control);
-    /// Safe command at once; the behavior ends as stopped by the person, who gives control back.
+    /// Sends the safe command at once; the behavior ends as stopped by the user, and control by hand ends.
     void stop();
-    /// The person drives from now on: a behavior that runs is paused, and no DRIVE of its comes through. It ends with
-    /// `giveControlBack`, with a behavior that starts or is resumed, and with stop, close or a lost connection.
+    /// The user drives from now on: a running behavior is paused, and its DRIVEs are dropped. Ends with
+    /// `giveControlBack`, when a behavior starts or is resumed, and with stop, close or a lost connection.
     void takeControl();
     void giveControlBack();
-    /// Held until it says so, or says nothing for `SessionLimits::hand`, or the robot falls silent; all end in a zero
-    /// DRIVE at once. Without control it is not heard. `figures().control` tells what became of it.
+    /// Drives until the device is released or silent for `SessionLimits::hand`, or the robot falls silent; all of these
+    /// send a zero DRIVE at once. Ignored without control. The result is in `figures().control`.
     void drive(const usar::mission::HandIntent& intent);
-    /// The hold ends, control stays; `reason` is a part of a sentence.
+    /// Ends the hold but not the control; `reason` is a part of a sentence.
     void stopDriving(const QString& reason);
     void sendCommand(const usar::protocol::Command& command, const std::string& source);
-    /// Hands out a copy of all that was scanned, for the export pool.
+    /// Emits `recordReady` with a copy of everything that was scanned, for the export pool.
     void requestRecord();
-    /// Of the height map, 0.02 .. 10 m. Before anything is scanned: a map keeps its cells.
+    /// Cell size of the height map, 0.02 .. 10 m. Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);
-    /// The server's time is stopped on purpose, or runs again: until then silence is nothing to warn of.
+    /// `expected`: the server's time is stopped on purpose, so silence is not reported.
     void expectSilence(bool expected);
-    /// Something was made to go wrong, or is well again: kept with the record, the recording and the messages.
+    /// Notes that something was made to fail, or works again; kept in the record, the recording and the messages.
     void noteFault(const std::string& sentence);
-    /// An empty map, without path and marks.
+    /// Clears the map, the path and the marks.
     void clearRecord();
 
     void stopRecording();
-    /// `recordingFlushed` follows once all that happened until now is in the file. The recording goes on.
+    /// `recordingFlushed` follows once everything up to now is in the file. The recording continues.
     void flushRecording();
 
-    /// Instead of `open`: the lines come from a recording, paused at its beginning, and take the same way through the
-    /// session. Nothing can be sent. `replayOpened` or `replayFailed` follows.
+    /// Replaces `open`: the lines come from a recording, paused at its beginning, and are processed like live ones.
+    /// Nothing can be sent. `replayOpened` or `replayFailed` follows.
     void openRecording(const QString& path);
     void orderReplay(const usar::mission::ReplayOrder& order);
 
 signals:
-    /// `complaint` is a sentence about what the file has lost, or empty.
+    /// `complaint` is a sentence about what is missing from the file, or empty.
     void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
     void replayFailed(const QString& reason);
-    /// The file, or empty where nothing is recorded.
+    /// `path` is the file, or empty if nothing is recorded.
     void recordingFlushed(const QString& path);
     /// The last record has been played.
     void replayEnded();
     void linkChanged(const usar::link::LinkStatus& status);
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void spawned(const QString& robot_name);
-    /// Also said as a notice: silence after INIT, or the server hung up on it. Data may still come after silence (a
-    /// paused simulator); then `spawned` follows.
+    /// Also reported as a notice: silence after INIT, or the server closed the connection. After silence data may still
+    /// come (a paused simulator); then `spawned` follows.
     void spawnFailed(const QString& reason);
-    /// `broke`: by a fault of its own; it may be started again.
+    /// `broke`: the behavior failed by itself; it may be started again.
     void behaviorFinished(bool success, const QString& reason, bool broke);
-    /// At most one every 16 ms; costs nothing while nobody is connected to it.
+    /// At most one every 16 ms; costs nothing while nobody is connected to this signal.
     void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);

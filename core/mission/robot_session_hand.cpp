@@ -1,4 +1,4 @@
-// A person drives: who has the reins, the steady repetition, and every way in which a hold ends with a stop.
+// Driving by hand: who has control, the repetition of commands, and every way in which a hold ends with a stop.
 #include "core/mission/robot_session_private.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@ namespace usar::mission {
 
 namespace {
 
-constexpr Seconds beat = DriveGate::spacing; // usarsim-protocol 9.2: DRIVE no more often than about 20 Hz
+constexpr Seconds beat = DriveGate::spacing; // usarsim-protocol 9.2: DRIVE no more often than about 20 Hz.
 constexpr Seconds shortest_silence{1.0};
-constexpr Seconds longest_spacing{3.0}; // of STA, at the slowest speed of a simulator
+constexpr Seconds longest_spacing{3.0}; // Longest time between two STA, at the slowest speed of a simulator.
 
 } // namespace
 
@@ -87,13 +87,13 @@ void RobotSession::Private::takeHand(const HandIntent& intent) {
     touched();
 }
 
-/// Every 50 ms while a hand holds.
+/// Called every 50 ms while a device holds the robot.
 void RobotSession::Private::beatHand() {
     if (!hand.holding())
         return hand_timer.stop();
     if (hand.overdue(wallTime(), limits.hand))
         return stopHand("nothing was heard of the hand");
-    // Time that runs slowly is no silence.
+    // Slow simulated time is not silence.
     if (since_data.isValid() &&
         Seconds(static_cast<double>(since_data.elapsed()) / 1000.0) > std::max(shortest_silence, 4.0 * tick_spacing))
         return stopHand(request.robot_name + " is silent");
@@ -102,7 +102,7 @@ void RobotSession::Private::beatHand() {
     touched();
 }
 
-/// With each STA.
+/// Called with each STA.
 void RobotSession::Private::tickHand() {
     const Seconds now_by_wall = wallTime();
     tick_spacing = std::min(now_by_wall - last_tick, longest_spacing);
@@ -113,7 +113,7 @@ void RobotSession::Private::tickHand() {
     sendHand(hand.repeat(figures.now), "by hand: " + hand.holderText(), false);
 }
 
-/// The robot comes to rest at once, and hands have to let go before they count again.
+/// Brings the robot to rest at once. Devices must be released before they count again.
 void RobotSession::Private::stopHand(const std::string& reason) {
     hand_timer.stop();
     if (!hand.on())

@@ -1,4 +1,4 @@
-// The steps of a session's life: connection, lines, behavior, commands.
+// The life cycle of a session: connection, lines, behavior, commands.
 #include "core/mission/robot_session_private.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ void RobotSession::Private::beginConnection() {
     figures.traffic = {};
     complaints_before = complaints.count();
     replay_traffic = {};
-    lookForObservers(); // or the greeting, which comes before the first frame, would be lost to them
+    lookForObservers(); // Without this, observers would miss the greeting, which comes before the first frame.
 }
 
 void RobotSession::Private::opened() {
@@ -120,13 +120,13 @@ void RobotSession::Private::takeLine(std::string_view text) {
         ++figures.traffic.unknown;
     noteMessage(line);
     if (figures.spawned && figures.spawned_at.count() == 0.0)
-        figures.spawned_at = figures.now; // zero still when a sensor speaks before the first STA
+        figures.spawned_at = figures.now; // Still zero if a sensor message comes before the first STA.
     agent::RunningBehavior::Output output;
     if (host)
         output = host->receive(line);
     const bool is_tick = std::holds_alternative<protocol::RobotState>(line.message);
     if (observed)
-        collector.addLine(line); // first, so that the frame of a finished behavior has its last line
+        collector.addLine(line); // First, so that the frame of a finished behavior contains its last line.
     takeOutput(output, is_tick);
     touched();
 }
@@ -156,7 +156,8 @@ void RobotSession::Private::noteData() {
     since_data.start();
     if (std::exchange(silence_said, false))
         over("silence", request.robot_name + " speaks again.");
-    // A robot that was never asked for speaks on a proxy that shares connections; it is nobody's spawn.
+    // Data of a robot that was not requested comes from a proxy that shares connections; it belongs to no spawn of
+    // ours.
     if (figures.spawn != SpawnState::Asked && figures.spawn != SpawnState::Failed)
         return;
     setSpawn(SpawnState::Done);
@@ -165,8 +166,8 @@ void RobotSession::Private::noteData() {
     emit q.spawned(QString::fromStdString(request.robot_name));
 }
 
-/// Commands go out before the results are worked in, so that the simulator computes its next tick meanwhile; not so
-/// for the last tick, where whoever hears the end must find time standing still.
+/// Sends the commands before processing the results, so that the simulator computes its next tick meanwhile. In the
+/// last tick it is the other way around: receivers of the end must find the simulator's time standing still.
 void RobotSession::Private::takeOutput(agent::RunningBehavior::Output& output, bool is_tick) {
     const bool finishing = host && (host->finished() || host->ending());
     for (agent::CausedCommand& command : output.commands)
@@ -252,7 +253,7 @@ void RobotSession::Private::step() {
 void RobotSession::Private::stepOwed() {
     if (!step_held || (host && host->halted()))
         return;
-    since_data.start(); // the silence was ours
+    since_data.start(); // The silence was caused by us.
     step_held = false;
     if (!connected() || !figures.lockstep)
         return;
@@ -277,7 +278,7 @@ void RobotSession::Private::init(const SpawnRequest& asked) {
     since_init.start();
     send({*init, {"session: spawn", {}}});
     link.flush();
-    if (protocol::isStation(asked.class_name)) { // it never says that it has come
+    if (protocol::isStation(asked.class_name)) { // A station never announces that it has come.
         setSpawn(SpawnState::Done);
         emit q.spawned(QString::fromStdString(asked.robot_name));
     }
@@ -301,12 +302,12 @@ void RobotSession::Private::stopBehavior(const std::string& source, const std::s
         finishBehavior({false, reason}, false);
 }
 
-/// A last frame goes out first, so that whoever hears the end has the figures that belong to it.
+/// Emits a last frame first, so that receivers of the end have the figures that belong to it.
 void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finished, bool is_published) {
-    const agent::BehaviorFinished end = finished; // may live in what `host` answered
+    const agent::BehaviorFinished end = finished; // The argument may be a part of what `host` answered.
     if (!is_published)
         noteForRecording("finished", (end.success ? "1 " : "0 ") + end.reason);
-    if (end_watch) { // it may be what has told of the end
+    if (end_watch) { // It may be the object that has just signaled the end.
         end_watch->setEnabled(false);
         end_watch.release()->deleteLater();
     }
@@ -348,8 +349,8 @@ void RobotSession::Private::makeSafe(const std::string& source) {
     link.flush();
 }
 
-/// A zero DRIVE for the kind of vehicle, unless a behavior knows better, and the end of all else that was set in
-/// motion.
+/// Returns a zero DRIVE for the kind of vehicle, unless the behavior has a safe command of its own, and commands that
+/// stop everything else that was set in motion.
 std::vector<protocol::Command> RobotSession::Private::stops(const std::optional<protocol::Command>& safe) const {
     const auto& latest = state->latest();
     std::vector<protocol::Command> stops;
@@ -419,8 +420,8 @@ void RobotSession::Private::over(const std::string& topic, std::string text) {
         emit q.noticed({.severity = Severity::Note, .text = std::move(text), .topic = topic, .over = true});
 }
 
-/// A lost connection ends what was wrong on it, but not that it is lost nor that the robot would not spawn; that there
-/// is none ends only with a new one.
+/// Ends troubles. A lost connection ends those that belong to it, but not its loss itself nor a failed spawn; "no
+/// connection" ends only with a new one.
 void RobotSession::Private::endTroubles(bool all) {
     for (const std::string& topic : std::set(troubles))
         if (topic != "no connection" && (all || (topic != "link" && topic != "spawn")))

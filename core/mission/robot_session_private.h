@@ -1,4 +1,4 @@
-// The inside of RobotSession: its parts and the steps of its life. Included by its own .cpp files only.
+// Implementation of RobotSession: its parts and the steps of its life. Included by its own .cpp files only.
 #pragma once
 
 #include <chrono>
@@ -32,7 +32,7 @@
 
 namespace usar::mission {
 
-/// "host:port"
+/// Returns "host:port".
 inline std::string placeOf(const link::LinkStatus& status) {
     return status.host.toStdString() + ':' + std::to_string(status.port);
 }
@@ -55,9 +55,9 @@ struct RobotSession::Private : link::ReplayTaker {
     void takePublished(const std::vector<agent::Published>& published);
     void takeValue(const agent::Published& value);
     void endTick();
-    /// Between two calls, as far as anybody can tell.
+    /// Takes the end of a behavior that ended between two calls.
     void behaviorEnded();
-    /// Fails for names that no line can hold.
+    /// Fails for names that no line can contain.
     static Result<protocol::Init> initOf(const SpawnRequest& request);
     void init(const SpawnRequest& request);
     void setSpawn(SpawnState now);
@@ -70,13 +70,13 @@ struct RobotSession::Private : link::ReplayTaker {
     void finishBehavior(const agent::BehaviorFinished& finished, bool is_published);
     void worthSaving();
     void step();
-    /// The STEP that a halted plan held back, if it goes on or is over.
+    /// Sends the STEP that a halted plan has held back, once the plan runs again or has ended.
     void stepOwed();
     void makeSafe(const std::string& source);
     std::vector<protocol::Command> stops(const std::optional<protocol::Command>& safe) const;
     void send(const agent::CausedCommand& command);
     void sendDrive(bool at_once);
-    /// The server reads slower than we write.
+    /// True while the server reads more slowly than we write.
     bool congested() const { return link.unsentBytes() > limits.unsent_bytes; }
     void write(const agent::CausedCommand& command);
     void countTraffic();
@@ -93,18 +93,18 @@ struct RobotSession::Private : link::ReplayTaker {
     void showControl();
     Seconds wallTime() const { return Seconds(static_cast<double>(wall.nsecsElapsed()) * 1e-9); }
 
-    /// A word that needs no end.
+    /// Reports something that needs no later `over`.
     void say(Severity severity, std::string topic, std::string text);
-    /// Something wrong that lasts until `over` is said of the same topic.
+    /// Reports a problem that lasts until `over` is called with the same topic.
     void trouble(Severity severity, const std::string& topic, std::string text);
-    /// Nothing where there was no such trouble.
+    /// Reports the end of a problem; does nothing if there was no such problem.
     void over(const std::string& topic, std::string text = {});
     void endTroubles(bool all);
     const link::LinkStatus& linkStatus() const { return replayer ? replay_link : link.status(); }
     bool connected() const { return linkStatus().state == link::LinkState::Connected; }
 
     Result<void> beginRecording(const QString& path, RecordingFacts facts);
-    /// The behavior that `record` names has begun.
+    /// The behavior named in `record` has begun.
     void noteTask();
     void noteForRecording(const char* topic, std::string_view text);
     void notePublished(const agent::Published& value);
@@ -112,7 +112,7 @@ struct RobotSession::Private : link::ReplayTaker {
     void endRecording();
     void beginReplay(std::unique_ptr<link::RecordingReader> recording);
     void endReplay();
-    /// True, and a notice once, where nothing can be sent because all this has happened already.
+    /// True in a replay, in which nothing can be sent; reports that once.
     bool refusedInReplay();
     void setReplayLink(link::LinkState state, std::string_view reason);
     void takeReplayed(const agent::Published& value);
@@ -131,9 +131,9 @@ struct RobotSession::Private : link::ReplayTaker {
     link::TcpLink link;
     QTimer frame_timer;
     QTimer watch_timer;
-    QTimer recording_timer; ///< looks after the recorder
-    QTimer hand_timer;      ///< runs while a hand holds
-    QElapsedTimer wall;     ///< since the session was made
+    QTimer recording_timer; ///< checks the recorder
+    QTimer hand_timer;      ///< runs while an input device holds the robot
+    QElapsedTimer wall;     ///< since the session was created
     QElapsedTimer since_opened;
     QElapsedTimer since_init;
     QElapsedTimer since_data;
@@ -151,31 +151,31 @@ struct RobotSession::Private : link::ReplayTaker {
     UpdateCollector collector;
     ScanRecord record;
     SessionFigures figures;              ///< `traffic` as of the last countTraffic()
-    std::uint64_t complaints_before = 0; ///< on earlier connections
+    std::uint64_t complaints_before = 0; ///< from earlier connections
     std::shared_ptr<agent::RunningBehavior> host;
-    BehaviorSoFar so_far;                       ///< of `host`
-    std::unique_ptr<QSocketNotifier> end_watch; ///< of a behavior that may end between two calls
+    BehaviorSoFar so_far;                       ///< what `host` has published
+    std::unique_ptr<QSocketNotifier> end_watch; ///< for a behavior that may end between two calls
 
     std::unique_ptr<link::RecordingWriter> recorder;
     std::unique_ptr<link::Replayer> replayer;
     link::LinkStatus replay_link;
     protocol::TrafficCounts replay_traffic;
-    /// While a replay seeks: the latest value of each kind of which only the latest matters.
+    /// While a replay seeks: the newest value of each kind of which only the newest matters.
     std::map<std::size_t, agent::Published> newest_on_the_way;
     bool on_the_way = false;
 
-    std::set<std::string> troubles; ///< topics said and not over
+    std::set<std::string> troubles; ///< topics that were reported and are not over
     SpawnRequest request;
     std::optional<SpawnRequest> after_reconnect;
-    Seconds last_tick{0.0};    ///< by `wall`
-    Seconds tick_spacing{0.0}; ///< likewise
+    Seconds last_tick{0.0};    ///< time of the last STA, by `wall`
+    Seconds tick_spacing{0.0}; ///< time between the last two STA, likewise
     bool lockstep_wanted = false;
-    bool start_poses_settled = false; ///< they came, or their absence was said
+    bool start_poses_settled = false; ///< they came, or their absence was reported
     bool silence_said = false;
-    bool step_held = false; ///< a plan stands still, and the server's time with it
+    bool step_held = false; ///< a plan is halted, and the server's time with it
     bool silence_expected = false;
     bool unplaced_said = false;
-    bool observed = false; ///< somebody listens to `updated`; looked up at connect and once a frame
+    bool observed = false; ///< `updated` has receivers; checked at connect and once per frame
 };
 
 } // namespace usar::mission

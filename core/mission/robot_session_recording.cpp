@@ -1,4 +1,4 @@
-// What a session writes down as it goes.
+// Recording of a session while it runs.
 #include "core/mission/robot_session_private.h"
 
 #include <utility>
@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::chrono::milliseconds look_after{500};
 
-/// Of a trace in one note: a byte takes up to four letters there, and a note of two records would be none.
+/// Most bytes of a trace in one note. A byte takes up to four characters there, and a note that spreads over two
+/// records could not be read.
 constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8;
 
 std::string rectangleText(const Rectangle& area) {
@@ -54,7 +55,7 @@ void RobotSession::flushRecording() {
     if (!d_->recorder)
         return emit recordingFlushed({});
     const QString path = QString::fromStdString(d_->recorder->path());
-    // Told in the recorder's thread, which ends before this object does.
+    // Called in the recorder's thread, which ends before this object does.
     d_->recorder->flush([this, path] { link::post(this, [this, path] { emit recordingFlushed(path); }); });
 }
 

@@ -1,4 +1,4 @@
-// A session whose lines come from a recording: the same way through it, and nothing goes out.
+// Replay in a session: the lines come from a recording and are processed like live ones, and nothing is sent.
 #include "core/mission/robot_session_private.h"
 
 #include <utility>
@@ -126,7 +126,8 @@ void RobotSession::Private::opened(std::string_view) {
     touched();
 }
 
-/// Closed by ourselves, as every recording ends, what was said last still holds; a lost connection makes it stale.
+/// If we closed the connection, as at the end of every recording, the last values stay valid; a lost connection makes
+/// them stale.
 void RobotSession::Private::closed(std::string_view reason) {
     figures.behavior_running = false;
     if (reason.empty())
@@ -186,7 +187,8 @@ void RobotSession::Private::note(const link::Record& record_) {
     touched();
 }
 
-/// On the way only what adds up is gathered; of the rest the newest is enough, and an hour of it would be too much.
+/// During a seek, only values that add up are taken; of all others the newest is enough, and an hour of them would be
+/// too much.
 void RobotSession::Private::takeReplayed(const agent::Published& value) {
     const bool replaced =
         std::holds_alternative<agent::BehaviorStatus>(value) || std::holds_alternative<agent::SonarZones>(value) ||

@@ -1,4 +1,4 @@
-// What a session misses: an answer, a robot, a sensor.
+// Detection of what is missing in a session: an answer, a robot, a sensor.
 #include "core/mission/robot_session_private.h"
 
 #include <utility>
@@ -21,7 +21,7 @@ void RobotSession::Private::watch() {
     watchSilence();
     watchSensors();
     watchQueue();
-    if (!figures.lockstep && !congested()) // where the protocol clock stands still, nothing else would let it go
+    if (!figures.lockstep && !congested()) // Nothing else releases drives while the protocol clock stands still.
         sendDrive(true);
     if (const auto overlong = link.overlongCount(); overlong != figures.lines_overlong) {
         figures.lines_overlong = overlong;

@@ -24,7 +24,7 @@ double milliseconds(std::uint64_t time_ns) {
     return static_cast<double>(time_ns) / 1e6;
 }
 
-/// Of the time of the whole plan, in per cent.
+/// Share of the whole plan's time, in percent.
 double share_pct(const posh::RunStatistics& statistics, Index place) {
     const std::int64_t whole_ms = statistics.at(0).active_ms;
     return whole_ms > 0 ? 100.0 * static_cast<double>(statistics.at(place).active_ms) / static_cast<double>(whole_ms)
@@ -49,7 +49,7 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-/// "  67.7 %   812.4 s   4062 starts   P2DX ▸ ahead"
+/// Formats a line such as "  67.7 %   812.4 s   4062 starts   P2DX ▸ ahead".
 std::string lineOf(const posh::RunStatistics& statistics, Index place) {
     const PlaceCounts& counts = statistics.at(place);
     std::string line = padded(fixed(share_pct(statistics, place), 1), 7) + " %" +

@@ -8,7 +8,7 @@ namespace usar::mission {
 
 namespace {
 
-/// Rounded, for nobody reads the fifteenth digit; what is not a number is null.
+/// Rounds to a readable number of digits; null if the value is not finite.
 QJsonValue number(double value, int decimals) {
     if (!std::isfinite(value))
         return QJsonValue::Null;
@@ -28,7 +28,7 @@ QJsonValue seedOf(const RunSummary& summary) {
     return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
 }
 
-/// `tell` of what is there, or null.
+/// Returns `tell` applied to the part, or null if there is none.
 template <class Part, class Tell>
 QJsonValue partOf(const Part* part, Tell tell) {
     return part ? QJsonValue(tell(*part)) : QJsonValue(QJsonValue::Null);

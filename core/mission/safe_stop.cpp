@@ -35,7 +35,7 @@ Commands stopsOf(const OmniDrive& drive) {
     return {stop};
 }
 
-/// An angle is held by going to where the joint is now.
+/// Stops a joint. An angle is held by going to where the joint is now.
 Commands stopsOfJoint(const Token& joint, bool to_an_angle) {
     return {JointDrive{joint, to_an_angle ? JointOrder::RelativeAngle : JointOrder::Speed, 0.0}};
 }
@@ -56,7 +56,7 @@ Commands stopsOf(const SetJoint& set) {
     return stopsOfJoint(set.joint, set.opcode == JointOpcode::Angle || set.opcode == JointOpcode::RelativeAngle);
 }
 
-/// One command a link, so that each can be forgotten by itself. A package that goes to an angle ends there.
+/// Makes one command per link, so that each can be replaced by itself. A package that goes to an angle ends there.
 Commands stopsOf(const PackageDrive& drive) {
     Commands stops;
     for (const LinkTarget& target : drive.links) {
@@ -114,7 +114,7 @@ void MovingParts::remember(const Command& stop) {
         return;
     }
     Command all = stop;
-    keepAbsentTerms(all, *known); // wheels of an earlier command
+    keepAbsentTerms(all, *known); // Keeps the wheels of an earlier command.
     *known = all;
 }
 

@@ -1,4 +1,4 @@
-// What brings a robot of any kind to rest, so that none drives on when nobody holds its reins (no server has a
+// Commands that bring a robot of any kind to rest, so that none drives on when nobody controls it (no server has a
 // watchdog).
 #pragma once
 
@@ -9,17 +9,18 @@
 
 namespace usar::mission {
 
-/// A zero DRIVE for the kind of vehicle. An unknown one (UDK's aerial vehicle does not say that it is one) gets both
-/// that of the air and that of the ground; legged robots and static platforms have none, for they move by joints.
+/// Zero DRIVEs for a kind of vehicle. An unknown one (UDK's aerial vehicle does not identify itself as one) gets both
+/// that for the air and that for the ground; legged robots and static platforms get none, because they move by their
+/// joints.
 std::vector<protocol::Command> zeroDrives(protocol::VehicleKind kind);
 
-/// What was set in motion on this connection. Joints that were sent to an angle stay where they are when they are told
-/// to stop; those with a speed or a torque get the speed 0, and so do links of mission packages.
+/// Keeps track of what was set in motion on this connection. Joints that were sent to an angle stay where they are when
+/// they are stopped; those with a speed or a torque get speed 0, and so do links of mission packages.
 class MovingParts {
 public:
-    /// Every command that went out; raw lines too.
+    /// To be called with every command that was sent, including raw lines.
     void sent(const protocol::Command& command);
-    /// One command for each thing that was set in motion.
+    /// Returns one stop command for each thing that was set in motion.
     std::vector<protocol::Command> stops() const { return stops_; }
     void reset() { stops_.clear(); }
 

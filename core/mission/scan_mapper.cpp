@@ -24,7 +24,7 @@ void ScanMapper::takeScan(const protocol::RangeScan& scan, LineNumber line) {
 
 void ScanMapper::takeConfiguration(const protocol::ConfigurationInfo& configuration) {
     for (const protocol::SensorConfiguration& sensor : protocol::sensorConfigurationsOf(configuration))
-        if (sensor.fov_rad && sensor.range_max_m && *sensor.range_max_m > 0.0) // a scanner of whatever type
+        if (sensor.fov_rad && sensor.range_max_m && *sensor.range_max_m > 0.0) // A scanner of any type.
             maximum_m_[sensor.name] = *sensor.range_max_m;
 }
 

@@ -1,4 +1,4 @@
-// Keeps the newest scans until a behavior says where they were taken, and writes them into the height map.
+// Keeps the newest scans until a behavior tells where they were taken, and writes them into the height map.
 #pragma once
 
 #include <array>
@@ -14,36 +14,39 @@
 
 namespace usar::mission {
 
-/// A behavior places a scan in the tick that follows it or soon after, so a few scans of each scanner are enough.
-/// Strips are joined scanner by scanner. Scanners beyond `scanner_limit` (garbled names) share one place. Owned by one
-/// session.
+/// A behavior places a scan in the tick that follows it or soon after, so a few scans per scanner are enough. Strips
+/// are joined per scanner. Scanners beyond `scanner_limit` (garbled names) share one entry. Owned by one session.
 class ScanMapper {
 public:
     static constexpr std::size_t shelf_size = 8;
     static constexpr std::size_t scanner_limit = 16;
 
+    /// `cell_size_m` is the size of the map's cells.
     explicit ScanMapper(double cell_size_m) : map_(cell_size_m) {}
 
+    /// Keeps a scan; `line` is the info line in which it came.
     void takeScan(const protocol::RangeScan& scan, LineNumber line);
-    /// CONF of scanners: their maximum range, at and beyond which a beam hit nothing. 20 m until it is known.
+    /// Learns the maximum range of scanners from CONF; at and beyond it, a beam hit nothing. It is 20 m until it is
+    /// known.
     void takeConfiguration(const protocol::ConfigurationInfo& configuration);
-    /// False when the scan is not on the shelf (any more). Scans that do not follow one another are not joined.
+    /// Writes a kept scan into the map. False if the scan is not kept, or no longer. Scans that do not follow one
+    /// another are not joined.
     bool place(const agent::ScanPlacement& placement);
-    /// A new connection: line numbers of the old one mean nothing now. The map stays.
+    /// Forgets all scans, to be called for a new connection, on which old line numbers mean nothing. The map stays.
     void forgetScans();
-    /// An empty map; `cell_size_m` of its cells stays as it is where it is not given.
+    /// Empties the map; without `cell_size_m` the size of its cells stays the same.
     void clearMap(std::optional<double> cell_size_m = {});
 
     mapping::HeightMap& map() { return map_; }
     const mapping::HeightMap& map() const { return map_; }
-    /// Of the newest placed scan, whichever scanner took it.
+    /// Points hit by the newest placed scan of any scanner, map frame, NaN = no hit.
     const std::vector<Vec3>& lastHits() const { return last_hits_; }
 
 private:
     struct Shelved {
         protocol::RangeScan scan;
         LineNumber line;
-        std::uint64_t ordinal = 0; ///< scans of a scanner on a connection counted from 1
+        std::uint64_t ordinal = 0; ///< number of the scan on this connection and scanner, from 1; 0: empty
     };
     struct Scanner {
         mapping::ScanIntegrator integrator;
@@ -52,11 +55,12 @@ private:
         std::uint64_t last_placed = 0;
     };
     Scanner& scannerNamed(const std::string& name);
+    /// Maximum range in meters.
     double maximumOf(const std::string& scanner) const;
 
     mapping::HeightMap map_;
     std::map<std::string, Scanner> scanners_;
-    std::map<std::string, double> maximum_m_;
+    std::map<std::string, double> maximum_m_; ///< by scanner
     std::vector<Vec3> last_hits_;
 };
 

@@ -1,4 +1,4 @@
-// What every file of a scan says about itself, so that it can be read alone years later.
+// Metadata in every file of a scan, so that each can be understood on its own years later.
 #pragma once
 
 #include <utility>
@@ -10,12 +10,12 @@
 
 namespace usar::mission {
 
-/// Key and value, in this order: level, robot, behavior, axes, units, cell size, center of the upper left cell (metres,
-/// map frame), lowest and highest height (missing for an empty map), faults where there were any. Keys carry their
-/// unit.
+/// Keys and values, in this order: level, robot, behavior, axes, units, cell size, center of the upper left cell
+/// (meters, map frame), faults if there were any, lowest and highest height (missing for an empty map). Keys carry
+/// their unit.
 std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record);
 
-/// Shortest text with twelve digits; C locale.
+/// Formats a number with up to twelve significant digits; C locale.
 QString numberText(double value);
 
 } // namespace usar::mission

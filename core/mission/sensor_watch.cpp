@@ -10,7 +10,7 @@ namespace usar::mission {
 
 namespace {
 
-/// Types that are silent while there is nothing to tell (usarsim-protocol 5).
+/// Types that send nothing while there is nothing to report (usarsim-protocol 5).
 constexpr std::array<std::string_view, 10> not_watched{
     "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
     "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
@@ -20,10 +20,10 @@ bool isWatched(std::string_view type) {
            std::ranges::none_of(not_watched, [type](std::string_view one) { return sameWord(one, type); });
 }
 
-/// The first lines of a tick may come before the first that tells the server's time, which may be hours.
+/// The first lines of a tick may come before the first one that contains the server's time, which may be hours.
 constexpr Seconds clock_unknown{0.0};
 
-/// Of these a robot has one, however it is called.
+/// Sensors of which a robot has only one, whatever its name.
 template <class Sensor>
 constexpr bool is_alone =
     std::is_same_v<Sensor, protocol::InsReading> || std::is_same_v<Sensor, protocol::GroundTruthReading> ||
@@ -36,7 +36,7 @@ bool tellsSomething(const auto&) {
     return true;
 }
 
-/// Calls `speak(type, name)` for each sensor that the message is a reading of.
+/// Calls `speak(type, name)` for each sensor that has a reading in the message.
 template <class Speak>
 struct Speakers {
     const Speak& speak;
@@ -51,7 +51,7 @@ struct Speakers {
                 speak(type, is_alone<Sensor> ? std::string_view() : std::string_view(name));
         });
     }
-    /// A damaged line of a type that the table knows may be anybody's.
+    /// A damaged line of a known type could come from any sensor, so only unknown types count here.
     void operator()(const protocol::GenericMessage& message) const {
         if (sameWord(message.type_word, "SEN") && isWatched(message.type) && !protocol::isKnownSensor(message.type))
             speak(message.type, message.name);

@@ -1,4 +1,4 @@
-// Notices sensors that used to speak and have stopped.
+// Notices sensors that used to send readings and have stopped.
 #pragma once
 
 #include <map>
@@ -12,26 +12,26 @@
 
 namespace usar::mission {
 
-/// Watches each sensor by type and name ("Sonar F1", "RangeScanner Scanner1", "INS"), also those of types that no table
-/// knows. Types that speak only when there is something to say (RFID, victims, sound) are nobody's worry; a sonar
-/// without a number has not spoken. Names beyond `sensor_limit` are garbage and not watched. Times
-/// are the protocol clock's. One robot, one connection.
+/// Watches each sensor by type and name ("Sonar F1", "RangeScanner Scanner1", "INS"), including unknown types. Types
+/// that send only when there is something to report (RFID, victims, sound) are not watched; a sonar message without a
+/// number does not count as a reading. Names beyond `sensor_limit` are garbage and not watched. Times are on the
+/// protocol clock. For one robot and one connection.
 class SensorWatch {
 public:
     static constexpr std::size_t sensor_limit = 100;
 
     explicit SensorWatch(Seconds limit) : limit_(limit) {}
 
-    /// Names of sensors that were reported silent and speak again with this message.
+    /// Takes a message; returns the names of sensors that were reported silent and send again with this message.
     std::vector<std::string> saw(const protocol::InfoMessage& message, Seconds now);
-    /// Names of sensors silent for longer than the limit that were not reported yet; each once per silence.
+    /// Returns the names of sensors that have been silent for longer than the limit; each is reported once per silence.
     std::vector<std::string> newlySilent(Seconds now);
     void reset() { sensors_.clear(); }
 
 private:
     struct Seen {
         Seconds last{0.0};
-        bool reported = false;
+        bool reported = false; ///< as silent
     };
     using Sensors = std::map<std::string, Seen, std::less<>>;
 

@@ -7,12 +7,12 @@ namespace usar::mission {
 
 namespace {
 
-/// Where CONF did not say: what the wheels of a car and the fins of a submarine reach at least.
+/// Used if CONF gives no limit: an angle that the wheels of a car can reach at least.
 constexpr double cautious_angle_rad = 0.3;
-constexpr double cautious_turn_share = 0.4; ///< of the wheels' speed
+constexpr double cautious_turn_share = 0.4; ///< share of the wheels' speed
 constexpr double whole_pct = 100.0;
 
-/// How much faster the right wheels run than the robot, as a share of the most, at the whole turn.
+/// How much faster the right wheels run than the robot at full turn, as a share of their highest speed.
 double turnShare(const DriveLimits& limits) {
     if (!limits.wheel_speed_rad_s || !limits.wheel_radius_m || !limits.wheel_separation_m)
         return cautious_turn_share;
@@ -22,7 +22,8 @@ double turnShare(const DriveLimits& limits) {
 
 protocol::SkidDrive skidDrive(const DriveLimits& limits, const Stick& stick, double speed_share) {
     const double forward = stick.forward * speed_share;
-    const double turn = stick.turn * turnShare(limits) * std::sqrt(speed_share); // slow driving still gets round
+    // The square root keeps turns possible at low speed.
+    const double turn = stick.turn * turnShare(limits) * std::sqrt(speed_share);
     const double most = std::max(1.0, std::abs(forward) + std::abs(turn));
     const double whole = limits.wheel_speed_rad_s.value_or(whole_pct) / most;
     return {.left_rad_s = whole * (forward - turn),
@@ -49,7 +50,7 @@ protocol::AerialDrive aerialDrive(const DriveLimits& limits, const Stick& stick,
             .normalized = !learnt};
 }
 
-/// On the wire a positive rudder turns the nose to the right, and a positive stern plane lifts it.
+/// On the wire, a positive rudder turns the nose to the right, and a positive stern plane lifts it.
 protocol::NauticDrive nauticDrive(const DriveLimits& limits, const Stick& stick, double speed_share) {
     const bool learnt = limits.propeller_rad_s && limits.rudder_rad && limits.stern_plane_rad;
     const auto whole = [&](const std::optional<double>& limit) { return learnt ? *limit : whole_pct; };

@@ -18,7 +18,7 @@ void applyDeadZone(double& x, double& y, double zone) {
 Stick StickShaper::follow(const Stick& asked, Seconds dt) {
     const double most = std::max(0.0, dt.count()) / rise.count();
     const auto follow = [most](double now, double wanted) {
-        const double from = now * wanted > 0.0 ? now : 0.0; // a change of direction begins at rest
+        const double from = now * wanted > 0.0 ? now : 0.0; // A change of direction begins at rest.
         if (std::abs(wanted) <= std::abs(from))
             return wanted;
         return from + std::clamp(wanted - from, -most, most);

@@ -1,4 +1,4 @@
-// What makes a hand's stick gentle: a dead zone for what never quite rests, and a rise that takes its time.
+// Smoothing of stick input: a dead zone for sticks that never quite rest at zero, and a limited rise.
 #pragma once
 
 #include "core/base/clock.h"
@@ -6,17 +6,18 @@
 
 namespace usar::mission {
 
-/// Within `zone` (0..1) it is 0, and from there on it grows to the whole share again, so that nothing jumps. Both axes
-/// of one stick are judged together: one that is pushed straight ahead does not lose its slight turn.
+/// Within `zone` (0..1) both axes become 0; outside it they grow from 0 to the full share, so that nothing jumps. Both
+/// axes of one stick are judged together, so a stick that is pushed straight ahead keeps its slight turn.
 void applyDeadZone(double& x, double& y, double zone);
 
-/// Follows a stick: away from 0 no faster than a whole share in `rise`, toward 0 and through it at once. So a release
-/// is a stop, whatever came before. No clock of its own.
+/// Follows a stick: away from 0 by at most a full share per `rise`, toward 0 and through it at once. So a release stops
+/// the robot, whatever came before. It has no clock of its own.
 class StickShaper {
 public:
     static constexpr Seconds rise{0.4};
 
-    /// `dt` since the last call; the first one after a reset moves by that much, too.
+    /// Returns the shaped position; `dt` is the time since the last call, which also limits the first one after a
+    /// reset.
     Stick follow(const Stick& asked, Seconds dt);
     const Stick& now() const { return now_; }
     void reset() { now_ = {}; }

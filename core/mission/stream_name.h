@@ -1,4 +1,4 @@
-// What kind of message a line is, in the words of the wire.
+// The kind of a message, in the words of the wire.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace usar::mission {
 
-/// "STA", "SEN Sonar", "GEO" …; for a line that no table knows its type word and Type.
+/// Returns "STA", "SEN Sonar", "GEO" …; for a message of an unknown type, its type word and Type.
 std::string streamName(const protocol::InfoMessage& message);
 
-/// The robot itself speaks: STA or SEN, in contrast to what the server says about its game.
+/// True if the message comes from the robot itself (STA or SEN) and not from the server about its game.
 bool isRobotData(const protocol::InfoMessage& message);
 
 } // namespace usar::mission

@@ -31,7 +31,7 @@ std::vector<TraceSpot> TraceWatch::take(const SessionUpdate& update) {
     return spots;
 }
 
-/// By its text, for what a person types is raw, and a replay knows nothing else.
+/// Reads the command's text, because a command typed by the user is raw, and a replay has only the text.
 void TraceWatch::obey(const SentCommand& command) {
     constexpr std::string_view word = "TRACE";
     if (!sameWord(std::string_view(command.text).substr(0, word.size()), word))

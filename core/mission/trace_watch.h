@@ -1,4 +1,4 @@
-// The marks of a robot under TRACE, from what its session sees: on any server, and in a replay.
+// Marks of a robot under TRACE, derived from the updates of its session: works with any server, and in a replay.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,21 @@
 
 namespace usar::mission {
 
+/// One mark on the ground.
 struct TraceSpot {
     protocol::TraceColor color = protocol::TraceColor::Red;
     Vec3 position_in_map_m = Vec3::Zero();
     bool operator==(const TraceSpot&) const = default;
 };
 
-/// One robot's. A server draws its marks in its own game and tells nobody, so they are found again here: from the TRACE
-/// that went out and the poses that came in; ground truth where the robot has it, else INS, else what the behavior
-/// believes. Values only, no thread of its own.
+/// For one robot. A server draws the marks in its own game and reports them to nobody, so they are reconstructed here:
+/// from the TRACE commands sent and the poses received; from ground truth if the robot has it, else INS, else the
+/// behavior's pose estimate. Values only, no thread of its own.
 class TraceWatch {
 public:
-    /// Marks of this update, in order.
+    /// Returns the marks of this update, in order.
     std::vector<TraceSpot> take(const SessionUpdate& update);
+    /// True while the robot leaves marks.
     bool on() const { return pen_.on(); }
     protocol::TraceColor color() const { return pen_.color(); }
 

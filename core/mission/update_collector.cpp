@@ -7,7 +7,7 @@ namespace usar::mission {
 
 void UpdateCollector::addLine(protocol::InfoLine line) {
     update_.lines.push_back(std::move(line));
-    if (update_.lines.size() >= 2 * line_limit) // in one go, so that each line is moved once at most
+    if (update_.lines.size() >= 2 * line_limit) // All at once, so that each line is moved at most once.
         keepNewest(update_.lines);
 }
 
@@ -74,7 +74,7 @@ void UpdateCollector::measureRates(SessionFigures& figures) {
     const protocol::TrafficCounts& now = figures.traffic;
     const protocol::TrafficCounts& then = traffic_at_measuring_;
     const auto rate = [&](std::uint64_t count, std::uint64_t before) {
-        const std::uint64_t more = count < before ? count : count - before; // less than before: a new connection
+        const std::uint64_t more = count < before ? count : count - before; // Less than before means a new connection.
         return static_cast<double>(more) * 1000.0 / static_cast<double>(elapsed_ms);
     };
     figures.rates = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out),

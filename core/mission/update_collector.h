@@ -1,4 +1,4 @@
-// Gathers what changed until the next frame takes it.
+// Collects changes until the next frame takes them.
 #pragma once
 
 #include <memory>
@@ -12,26 +12,27 @@
 
 namespace usar::mission {
 
-/// Bounded in lines, for who shows them may be slower than the server; what is left out is counted. Owned by one
-/// session.
+/// The number of lines is bounded, because the receiver may be slower than the server; lines left out are counted.
+/// Owned by one session.
 class UpdateCollector {
 public:
-    /// A quarter of a million lines a second: more than one session reads.
+    /// Per frame; a quarter of a million lines a second, more than one session reads.
     static constexpr std::size_t line_limit = 4000;
-    static constexpr double profile_reach_m = 20.0; ///< of the terrain profile, ahead and behind: the belly scanner's
+    /// Length of the terrain profile, ahead and behind: the range of the belly scanner.
+    static constexpr double profile_reach_m = 20.0;
 
     void addLine(protocol::InfoLine line);
     void addCommand(SentCommand command);
     void addPublished(const std::vector<agent::Published>& published);
     void addTask(ReplayedTask task) { update_.task = std::move(task); }
-    /// What is gathered is void, and the next update says so.
+    /// Drops what was collected; the next update says that everything before is void.
     void rewind();
-    /// Everything since the last call, with the map's changed tiles; the figures get their rate.
+    /// Returns everything since the last call, with the map's changed tiles; updates the rates in `figures`.
     std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures& figures);
 
 private:
     void measureRates(SessionFigures& figures);
-    /// Counts what goes.
+    /// Removes all but the newest items and counts the removed ones.
     template <class Item>
     void keepNewest(std::vector<Item>& items);
 

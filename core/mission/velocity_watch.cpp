@@ -6,7 +6,7 @@ namespace usar::mission {
 
 namespace {
 
-constexpr Seconds patience{1.5}; // of a robot that has stopped telling where it is
+constexpr Seconds patience{1.5}; // For a robot that has stopped reporting its pose.
 
 } // namespace
 
@@ -47,7 +47,7 @@ std::optional<BodyTwist> VelocityWatch::twist() const {
     const double span_s = (to.time - from.time).count();
     const double turned_rad = normalizedAngle(to.base_in_map.yaw_rad - from.base_in_map.yaw_rad);
     const Vec3 way_in_map_m = to.base_in_map.position_m - from.base_in_map.position_m;
-    const Pose heading{.yaw_rad = from.base_in_map.yaw_rad + turned_rad / 2.0}; // level: up is up
+    const Pose heading{.yaw_rad = from.base_in_map.yaw_rad + turned_rad / 2.0}; // Level, so that up stays up.
     return BodyTwist{(inverse(heading) * way_in_map_m) / span_s, turned_rad / span_s, best_ == Source::Odometry};
 }
 

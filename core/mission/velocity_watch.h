@@ -1,4 +1,4 @@
-// How a robot moves by its own frame, from the poses that it tells: what a hand sees of what it asks.
+// Velocity of a robot in its own frame, computed from the poses that it reports; feedback for driving by hand.
 #pragma once
 
 #include <deque>
@@ -8,21 +8,22 @@
 
 namespace usar::mission {
 
+/// Velocity and yaw rate of a robot.
 struct BodyTwist {
     Vec3 velocity_m_s = Vec3::Zero(); ///< forward, left, up
-    double yaw_rate_rad_s = 0.0;
-    bool planar = false; ///< odometry knows nothing of up and down
+    double yaw_rate_rad_s = 0.0;      ///< counterclockwise is positive
+    bool planar = false;              ///< from odometry, which does not know the vertical
     bool operator==(const BodyTwist&) const = default;
 };
 
-/// One robot's. Over the last half second of its clock, because poses come with two decimals; from ground truth where
-/// the robot has it, else INS, else odometry. Values only, no thread of its own.
+/// For one robot. Averaged over the last half second of its clock, because poses come with two decimals; from ground
+/// truth if the robot has it, else INS, else odometry. Values only, no thread of its own.
 class VelocityWatch {
 public:
     static constexpr Seconds window{0.5};
 
     void take(const SessionUpdate& update);
-    /// Nothing until there are two poses, and where they stopped coming.
+    /// Nullopt until there are two poses, and when poses stop coming.
     std::optional<BodyTwist> twist() const;
 
 private:

@@ -15,14 +15,14 @@ namespace {
 // Meters, in the plane of a leg, from its hip.
 constexpr double thigh_m = 0.071;
 constexpr double shin_m = 0.072;
-constexpr double upright_m = 0.143; ///< hips above the ground as it is spawned
+constexpr double upright_m = 0.143; ///< height of the hips above the ground after the spawn
 constexpr double walking_m = 0.11;
-constexpr double feet_forward_m = 0.015; ///< the head weighs on the front
+constexpr double feet_forward_m = 0.015; ///< because the head weighs on the front legs
 constexpr double longest_step_m = 0.05;
 constexpr double lift_m = 0.01;
 constexpr double spread_rad = 0.1;
-constexpr double bend_steps = 5.0; ///< at once it would fall on its nose
-constexpr double turning = 0.7;    ///< share of a step that the whole turn takes from one side
+constexpr double bend_steps = 5.0; ///< all at once it would fall on its nose
+constexpr double turning = 0.7;    ///< share of a step that a full turn takes from one side
 
 constexpr std::array<std::string_view, 4> legs{"LF", "RH", "RF", "LH"}; ///< the first two move together
 
@@ -60,7 +60,7 @@ protocol::MultiDrive WalkingGait::stand() const {
 }
 
 std::optional<protocol::MultiDrive> WalkingGait::step(const Stick& stick, double speed_share, Seconds now) {
-    constexpr Seconds rounding{0.005}; // times on the wire have two decimals
+    constexpr Seconds rounding{0.005}; // Times on the wire have two decimals.
     if (last_ && now >= *last_ && now - *last_ < step_time - rounding)
         return std::nullopt;
     last_ = now;
@@ -75,7 +75,7 @@ std::optional<protocol::MultiDrive> WalkingGait::step(const Stick& stick, double
         const double side = legs[i].front() == 'L' ? -1.0 : 1.0;
         const double step_m =
             longest_step_m * speed_share * std::clamp(forward + side * turning * stick.turn, -1.0, 1.0);
-        const double swing_m[] = {0.0, step_m / 2.0, 0.0, -step_m / 2.0}; // lifted, ahead, under, behind
+        const double swing_m[] = {0.0, step_m / 2.0, 0.0, -step_m / 2.0}; // Lifted, ahead, under, behind.
         place(drive, legs[i], feet_forward_m + swing_m[phase], -walking_m + (phase == 0 ? lift_m : 0.0));
     }
     ++beat_;

@@ -1,4 +1,4 @@
-// An open-loop trot for the four legs of an ERS, so that a hand can drive a robot that only knows its joints.
+// An open-loop trot for the four legs of an ERS, which makes a robot that only obeys its joints drivable by hand.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,34 @@
 
 namespace usar::mission {
 
-/// MULTIDRIVE by MULTIDRIVE, one a step of the server's clock. First it bends its knees, in five steps; then legs on a
-/// diagonal lift, swing forward and push back while the other two do so. Turning makes the steps of one side longer
-/// than those of the other. Angles are of an ERS-7: hips and knees turn forward by positive angles. A value; time is an
+/// Produces one MULTIDRIVE per step on the server's clock. First the knees bend, in five steps; then two diagonal legs
+/// lift, swing forward and push back while the other two do the opposite. Turning makes the steps of one side longer
+/// than those of the other. Angles are for an ERS-7: positive angles turn hips and knees forward. A value; time is an
 /// argument.
 class WalkingGait {
 public:
-    /// Two steps of a leg are at least this far apart, by the protocol's clock.
+    /// Shortest time between two steps, on the protocol clock.
     static constexpr Seconds step_time{0.2};
 
-    /// Whether these are the joints that it moves.
+    /// True if `joints` include all joints that the gait moves.
     static bool fits(std::span<const protocol::JointAngle> joints);
 
-    /// The next step, if it is due; `stick` and share as for driveOf.
+    /// Returns the next step if it is due, else nullopt; `stick` and `speed_share` as for driveOf, `now` on the
+    /// protocol clock.
     std::optional<protocol::MultiDrive> step(const Stick& stick, double speed_share, Seconds now);
-    /// All feet on the ground below the hips, or as far as the knees are bent: what stops it in the middle of a step.
+    /// Returns a stance with all feet on the ground under the hips, with the knees as bent as they are now. It stops
+    /// the robot in the middle of a step.
     protocol::MultiDrive stand() const;
-    /// Its legs may be anywhere: the knees are bent anew before the next step.
+    /// For legs that may be anywhere: the knees bend again before the next step.
     void reset() { *this = {}; }
 
 private:
+    /// Adds the joints that put the foot of a leg at `x_m` (forward) and `z_m` (up) from its hip.
     void place(protocol::MultiDrive& drive, std::string_view leg, double x_m, double z_m) const;
 
-    double bent_ = 0.0; ///< 0 upright .. 1 ready to walk
-    int beat_ = 0;
-    std::optional<Seconds> last_;
+    double bent_ = 0.0;           ///< 0 upright .. 1 ready to walk
+    int beat_ = 0;                ///< number of steps so far
+    std::optional<Seconds> last_; ///< time of the last step
 };
 
 } // namespace usar::mission

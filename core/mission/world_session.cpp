@@ -10,7 +10,7 @@ namespace usar::mission {
 
 namespace {
 
-constexpr int answers_until_missed = 3; ///< the first may have been on its way, a slow server takes another tick
+constexpr int answers_until_missed = 3; ///< the first may have been under way, and a slow server takes another tick
 constexpr qint64 speed_span_ms = 1000;
 const char* const topic = "world";
 
@@ -104,7 +104,7 @@ void WorldSession::send(const protocol::Command& command) {
         awaited_[name] = {created->class_name.text(), 0};
     }
     if (const auto* const placed = std::get_if<protocol::PlaceObject>(&command))
-        ways_.erase(placed->object_name.text()); // a jump is no speed
+        ways_.erase(placed->object_name.text()); // A jump must not count as speed.
     link_.send(protocol::write(command, dialect_));
     questions_left_ = limits_.settling_questions;
     if (!open_question_)
@@ -112,7 +112,7 @@ void WorldSession::send(const protocol::Command& command) {
     beat();
 }
 
-/// Asks where it is time to, and wakes up when it may be time again.
+/// Asks if it is time to, and schedules the next check.
 void WorldSession::beat() {
     if (link_.status().state != link::LinkState::Connected)
         return;
@@ -148,7 +148,7 @@ void WorldSession::ask() {
 void WorldSession::missAnswer() {
     open_question_.reset();
     if (!ever_answered_ && dialect_ == protocol::Dialect::Ut2004) {
-        dialect_ = protocol::Dialect::Udk; // its class has another name, and a connection takes one INIT
+        dialect_ = protocol::Dialect::Udk; // UDK's class has another name, and a connection accepts one INIT.
         const link::LinkStatus status = link_.status();
         return link_.open(status.host, status.port);
     }
@@ -216,7 +216,7 @@ Vec3 WorldSession::velocityOf(const std::string& name, const Vec3& position_m) {
     return span_s > 0.05 ? Vec3((position_m - way.front().position_m) / span_s) : Vec3(Vec3::Zero());
 }
 
-/// The server says a thing's class to nobody, but tells the things of a class.
+/// The server does not report the class of a thing, but it lists the things of a class.
 void WorldSession::learnKinds() {
     bool strangers = false;
     for (const WorldThing& thing : view_.things)

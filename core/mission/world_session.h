@@ -21,58 +21,59 @@
 
 namespace usar::mission {
 
-/// A thing as the server told it last.
+/// A thing in the world, as the server last reported it.
 struct WorldThing {
     std::string name;
-    std::string class_name;     ///< without package; empty where it is not known
-    std::optional<Vec3> size_m; ///< along its own axes
+    std::string class_name;     ///< without package; empty if it is unknown
+    std::optional<Vec3> size_m; ///< along its own axes; absent: unknown
     Pose body_in_map;
-    Vec3 velocity_in_map_m_s = Vec3::Zero(); ///< by wall time, over the last second
+    Vec3 velocity_in_map_m_s = Vec3::Zero(); ///< per wall time, over the last second
     bool operator==(const WorldThing&) const = default;
 };
 
-/// Asking: connected, and the server has not answered yet. Refused: it does not answer as a world controller.
+/// Asking: connected, but the server has not answered yet. Refused: it does not answer as a world controller.
 enum class WorldState { Off, Connecting, Asking, Ready, Refused };
 
+/// State of the connection, and the known things.
 struct WorldView {
     WorldState state = WorldState::Off;
-    std::string trouble; ///< a sentence with the mend; empty while all is well
+    std::string trouble; ///< a sentence with the remedy; empty while all is well
     std::vector<WorldThing> things;
     bool operator==(const WorldView&) const = default;
 };
 
-/// Wall time. Tests shorten them.
+/// Limits in wall time. Tests shorten them.
 struct WorldSessionLimits {
     link::LinkLimits link;
-    std::chrono::milliseconds answer{4000}; ///< so long a question may stay open
+    std::chrono::milliseconds answer{4000}; ///< longest time that a question may stay open
     std::chrono::milliseconds settle{250};  ///< between questions after a command
-    int settling_questions = 4;             ///< after a command, though nobody polls
+    int settling_questions = 4;             ///< questions after a command, even without polling
 };
 
-/// Lives in a thread of its own, as a RobotSession does; slots are called by queued connection, values leave in
-/// signals. A server answers nothing but GetSTA: that a class is unknown shows in a thing that never comes, and is said
-/// so. One question is open at a time. INIT is said with UT2004's class name first and UDK's on a second connection.
-/// Things that it made may leave the world with a lost connection, as the server is configured.
+/// Runs in a thread of its own, as a RobotSession does; slots are called by queued connection, values leave in signals.
+/// A server answers nothing but GetSTA: an unknown class shows only in a thing that never appears, which is then
+/// reported. One question is open at a time. INIT is sent with UT2004's class name first, and with UDK's on a second
+/// connection. Things that it created may disappear with a lost connection, depending on the server's configuration.
 class WorldSession : public QObject {
     Q_OBJECT
 public:
     explicit WorldSession(QObject* parent = nullptr);
     ~WorldSession() override;
 
-    /// Before `open`.
+    /// To be called before `open`.
     void setLimits(const WorldSessionLimits& limits);
     const WorldView& view() const { return view_; }
 
 public slots:
     void open(const QString& host, quint16 port);
     void close();
-    /// The classes that are asked for to learn what kinds things are that others made.
+    /// Classes that are asked for to find out the kinds of things that others created.
     void setClasses(const std::vector<std::string>& class_names);
-    /// How often to ask where things are; nothing: only after commands.
+    /// How often to ask where things are; nullopt: only after commands.
     void setPolling(std::optional<std::chrono::milliseconds> interval);
-    /// While the simulator stands still it answers nothing, and nothing is wrong.
+    /// While the simulator is paused it answers nothing, and that is not reported.
     void setPaused(bool paused);
-    /// One of world_control.h.
+    /// Sends one of the commands of world_control.h; without a connection it is only reported.
     void send(const usar::protocol::Command& command);
 
 signals:
@@ -81,13 +82,13 @@ signals:
 
 private:
     struct Question {
-        std::string class_name; ///< empty: all things
+        std::string class_name; ///< class that is asked about; empty: all things
         QElapsedTimer since;
     };
-    /// A thing that was asked for and has not been seen.
+    /// A thing that was created by a command and has not been seen yet.
     struct Awaited {
         std::string class_name;
-        int answers = 0;
+        int answers = 0; ///< answers without it so far
     };
     struct Sample {
         qint64 at_ms = 0;
@@ -117,15 +118,15 @@ private:
     std::optional<std::chrono::milliseconds> polling_;
     int questions_left_ = 0;
     bool paused_ = false;
-    bool ever_answered_ = false; ///< on this server
+    bool ever_answered_ = false; ///< by this server
     bool silence_said_ = false;
-    protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< of the INIT
+    protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< dialect in which INIT is sent
     std::optional<Question> open_question_;
     std::deque<std::string> classes_to_ask_;
     std::vector<std::string> classes_;
-    std::map<std::string, std::string> kinds_; ///< by name; empty: asked for, and none of ours
-    std::map<std::string, Awaited> awaited_;   ///< by name
-    std::map<std::string, std::deque<Sample>> ways_;
+    std::map<std::string, std::string> kinds_;       ///< class by name; empty: asked for, but none of ours
+    std::map<std::string, Awaited> awaited_;         ///< by name
+    std::map<std::string, std::deque<Sample>> ways_; ///< positions over the last second, by name
 };
 
 } // namespace usar::mission
