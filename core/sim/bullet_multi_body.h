@@ -1,4 +1,4 @@
-// A body of several links in Bullet: Featherstone's reduced coordinates. Internal to the physics.
+// An articulated body in Bullet, in Featherstone's reduced coordinates. Internal to the physics.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@
 
 namespace usar::sim {
 
-/// Of its joint motors Bullet wants the largest impulse, not the largest torque: it is set anew at each step. A joint's
-/// damping is a second motor that pulls toward standstill with no more than the damping torque, so that it never turns
-/// a joint around however light it is.
+/// Bullet limits joint motors by impulse, not by torque, so the limit is set again at each step. A joint's damping is a
+/// second motor that pulls toward standstill with no more than the damping torque, so that it never reverses a joint,
+/// however light it is.
 class BulletMultiBody : public BulletBody {
 public:
-    /// The world outlives it.
+    /// `world` must outlive it.
     BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description, const Pose& base_in_map,
                     BodyId id);
     ~BulletMultiBody() override;
@@ -34,7 +34,7 @@ public:
     void wake() override;
     BodyState state(int link) const override;
     JointState joint(std::size_t link) const override;
-    /// Wakes the body where it is told something new.
+    /// Wakes the body if this changes the motor.
     void setMotor(std::size_t link, const JointMotor& motor) override;
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     void beforeStep(Seconds dt) override;
@@ -50,7 +50,7 @@ private:
     struct Joint {
         std::unique_ptr<btMultiBodyJointLimitConstraint> limits;
         std::unique_ptr<btMultiBodyJointMotor> damper;
-        std::unique_ptr<btMultiBodyJointMotor> motor; ///< there while a position or a speed is held
+        std::unique_ptr<btMultiBodyJointMotor> motor; ///< exists unless the wanted mode is Off
         double damping = 0.0;
         JointMotor wanted;
     };
@@ -67,8 +67,8 @@ private:
     btMultiBody body_;
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
-    std::vector<btVector3> velocities_; ///< of origins, map frame, after the last step
-    std::vector<btVector3> rates_;
+    std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
+    std::vector<btVector3> rates_;      ///< angular velocities, likewise
 };
 
 } // namespace usar::sim
