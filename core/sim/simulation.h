@@ -137,7 +137,7 @@ public:
     /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
-    std::vector<std::string> takeLog(); ///< up to 1000 sentences: what was ignored, refused or corrected since
+    std::vector<std::string> takeLog(); ///< sentences for the server's log since the last call, at most 1000
 
 private:
     struct State;
