@@ -1,4 +1,4 @@
-// A picture as plain bytes, and the ways in which the image server puts pictures together and cuts them.
+// A picture as plain bytes, and the operations with which the image server combines and crops pictures.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace usar::sim {
 
-/// Rows from the top, three bytes a pixel: red, green, blue.
+/// Rows from the top, three bytes per pixel: red, green, blue. Black when constructed.
 struct Picture {
     Picture() = default;
     Picture(int width, int height)
@@ -30,9 +30,9 @@ private:
     }
 };
 
-/// Draws `part` into `whole`, which has room for it, with its top left corner there.
+/// Draws `part` into `whole` with its top left corner at (x, y). It must fit.
 void paste(Picture& whole, const Picture& part, int x, int y);
-/// A part of it. What lies outside is left out; one pixel at least is given.
+/// Crops `whole`. What lies outside of it is left out, but the result has at least one pixel.
 Picture cut(const Picture& whole, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height);
 
 } // namespace usar::sim

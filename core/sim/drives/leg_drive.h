@@ -6,9 +6,9 @@
 
 namespace usar::sim {
 
-/// Each joint goes to its commanded angle with no more than its torque and speed and holds it; all start at 0. It obeys
-/// MULTIDRIVE, DRIVE of one joint with all its orders, and SET of a joint, and tells all angles in STA. It may sleep
-/// while it stands and nobody asks for anything else.
+/// Each joint moves to its commanded angle with no more than its torque and speed and holds it; all start at 0. The
+/// drive obeys MULTIDRIVE, DRIVE of one joint with all its orders, and SET of a joint, and reports all angles in STA.
+/// The body may sleep while it stands still without new commands.
 class LegDrive : public Drive {
 public:
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
@@ -25,7 +25,7 @@ private:
     LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
 
     DrivenJoints joints_;
-    std::vector<std::pair<std::string, std::size_t>> named_; ///< as STA tells them
+    std::vector<std::pair<std::string, std::size_t>> named_; ///< joints in the order in which STA reports them
     Physics& physics_;
     BodyId body_;
     bool off_ = false;

@@ -6,7 +6,8 @@
 
 namespace usar::sim {
 
-/// Settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit, tilt_limit …
+/// The drive's settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit,
+/// tilt_limit …
 class RotorDrive : public Drive {
 public:
     RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth);
@@ -27,7 +28,7 @@ private:
     AirRobotBody body_;
 };
 
-/// The model's figures over the usual ones.
+/// The default parameters with the model's figures in their place where it has them.
 AirRobotParameters airRobotParametersOf(const RobotModel& model);
 
 } // namespace usar::sim
