@@ -3,10 +3,10 @@
 
 namespace usar::sim {
 
-/// A fall is a lean of more than 60 degrees; the next one is counted after it has stood upright again.
+/// A fall is a lean of more than 60 degrees; the next one counts only after the robot has stood upright again.
 class FallWatch {
 public:
-    /// `up_z`: the third component, in the map frame, of the base's own z axis.
+    /// `up_z` is the z component of the base's z axis in the map frame.
     void step(double up_z) {
         if (!lies_ && up_z < lying_z) {
             lies_ = true;
