@@ -81,8 +81,8 @@ public:
     /// Answers a SET; nullopt if no part of the robot knows the command.
     std::optional<protocol::Response> set(const protocol::Command& wanted);
 
-    /// Sets the active faults that concern this robot, until the next call. A battery that a fault has drained stays
-    /// empty.
+    /// Sets the active faults that concern this robot, until the next call. A drained battery is not refilled when its
+    /// fault ends.
     void setFaults(const std::vector<Fault>& active);
     /// True if the robot has the sensor or the rotors that the fault is about.
     bool canHave(const Fault& fault) const;

@@ -1,4 +1,5 @@
-// The lie of the land of `point_lookout`: an island of hills, its cliffs and beaches, the bed of the sea around it.
+// The shape of the terrain of `point_lookout`: an island of hills, its cliffs and beaches, the bed of the sea around
+// it.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +10,16 @@
 
 namespace usar::sim {
 
-/// Shape after the thesis's ONS-PointLookout as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A
-/// pure function of seed and point; map frame, metres, the sea's surface at 0.
+/// Follows the thesis's ONS-PointLookout as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A pure
+/// function of seed and point; map frame, meters, the sea's surface at 0.
 class PointLookoutGround {
 public:
     explicit PointLookoutGround(std::uint64_t seed);
 
     double height_m(const Vec2& point_m) const;
-    /// How far inland, about; negative at sea.
+    /// Approximate distance to the coast; negative at sea.
     double inland_m(const Vec2& point_m) const;
-    /// On land, where the ground is level; and at sea.
+    /// Start places on land, where the ground is level, and at sea.
     const std::vector<StartPlace>& landStarts() const { return land_starts_; }
     const std::vector<StartPlace>& seaStarts() const { return sea_starts_; }
 
