@@ -34,17 +34,20 @@ public:
     bool anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const;
 
 private:
+    /// Columns and rows of buckets, both ends included.
     struct Range {
         std::ptrdiff_t first_column, last_column, first_row, last_row;
     };
     Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
+    /// Buckets under a sphere.
     Range footprint(const BodySphere& sphere) const;
+    /// Fits the grid to the spheres.
     void layOut();
 
     static constexpr std::size_t few_spheres = 8; ///< up to this many spheres, a linear scan is faster than the grid
 
     Vec2 origin_m_ = Vec2::Zero();
-    double bucket_m_ = 1.0;
+    double bucket_m_ = 1.0; ///< width of a bucket
     std::ptrdiff_t columns_ = 0;
     std::ptrdiff_t rows_ = 0;
     double minimum_z_m_ = 0.0;

@@ -32,16 +32,19 @@ public:
     /// Wakes the body because what it leaned on may be gone.
     virtual void wake() = 0;
     virtual BodyState state(int link) const = 0;
+    /// Rigid bodies have no joints and ignore motors; articulated ones have no running surface.
     virtual JointState joint(std::size_t /*link*/) const { return {}; }
     virtual void setMotor(std::size_t /*link*/, const JointMotor& /*motor*/) {}
     virtual void runSurface(const Vec3& /*velocity_in_body_m_s*/) {}
     virtual void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
+    /// Called right before and right after each step of the dynamics world.
     virtual void beforeStep(Seconds dt) = 0;
     virtual void afterStep() = 0;
     /// Velocity that a point of a link had before the step; point and velocity in the map frame.
     virtual btVector3 velocityBefore(int link, const btVector3& point) const = 0;
 
     std::span<const BulletPiece> pieces() const { return pieces_; }
+    /// Origin of the base in the map frame.
     btVector3 position() const { return pieces_.front().object->getWorldTransform().getOrigin(); }
 
     std::vector<Contact> contacts; ///< contacts of the last step

@@ -42,6 +42,7 @@ public:
     btVector3 velocityBefore(int link, const btVector3& point) const override;
 
 private:
+    /// The collider of the base or of a link, with its shape.
     struct Piece {
         explicit Piece(const BodyDescription& description) : shape(description) {}
         BulletShape shape;
@@ -51,14 +52,16 @@ private:
         std::unique_ptr<btMultiBodyJointLimitConstraint> limits;
         std::unique_ptr<btMultiBodyJointMotor> damper;
         std::unique_ptr<btMultiBodyJointMotor> motor; ///< exists unless the wanted mode is Off
-        double damping = 0.0;
+        double damping = 0.0;                         ///< N m s/rad or N s/m
         JointMotor wanted;
     };
 
     void addLink(int index, const LinkDescription& description);
     void addPiece(int link, const BodyDescription& description, BodyId id);
     void addConstraints(int index, const LinkDescription& description);
+    /// Sets the impulse limits of a joint's motor and damper for the next step.
     void drive(int index, Joint& joint, Seconds dt);
+    /// Moves the colliders to where the base and the joints put the links.
     void moveColliders();
     void refreshVelocities();
     const btTransform& transform(int link) const;

@@ -20,6 +20,7 @@ public:
     explicit BulletShape(const BodyDescription& description);
 
     btCompoundShape* compound() const { return compound_.get(); }
+    /// True if the body has no parts, so that it touches nothing.
     bool empty() const { return parts_.empty(); }
     /// Radius of the sphere around the body's origin that represents it in the index of bodies for rays.
     double radius_m() const { return radius_m_; }

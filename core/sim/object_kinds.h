@@ -10,6 +10,7 @@
 
 namespace usar::sim {
 
+/// Cylinders stand upright.
 enum class ObjectShape { Box, Sphere, Cylinder };
 
 /// Size, density and surface of a kind. The figures are ours, because no source gives the game's.

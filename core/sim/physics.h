@@ -90,6 +90,7 @@ public:
     virtual double distanceToBodies_m(const Vec3& point_m, BodyId except) const = 0;
 };
 
+/// The engine's gravity, for those who must compensate it.
 inline constexpr double gravity_m_s2 = 9.81;
 
 /// Creates the implementation with Bullet in double precision. `world` must outlive it: its heights are not copied.

@@ -27,6 +27,7 @@ public:
     double maximum_z_m() const { return maximum_z_m_; }
 
 private:
+    /// Columns and rows of buckets, both ends included.
     struct Range {
         std::ptrdiff_t first_column, last_column, first_row, last_row;
     };

@@ -35,6 +35,7 @@ struct Simulation::State {
             faults.add(fault);
     }
 
+    /// Adds a sentence for takeLog(); dropped if there are too many.
     void log(ClientId client, const std::string& sentence);
     /// Returns nullptr if the robot cannot be spawned; the log says why.
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
@@ -47,6 +48,7 @@ struct Simulation::State {
     /// Advances the fault schedule and applies what has changed.
     void followFaults();
     void setFaults(ClientId client, ClientSession& session);
+    /// True if a fault makes the session's robot disappear now.
     bool vanishes(const ClientSession& session) const;
     /// Runs the physics steps of one tick.
     void move();
@@ -69,19 +71,19 @@ struct Simulation::State {
     WorldController controller;
     FaultSchedule faults;
     std::map<ClientId, ClientSession> sessions;
-    std::vector<ClientId> cut;
-    std::vector<FaultStatus> fault_news;
+    std::vector<ClientId> cut;                    ///< for takeCut()
+    std::vector<FaultStatus> fault_news;          ///< for takeFaultNews()
     std::map<std::string, CameraChoice> attached; ///< each viewer's camera, by the viewer's address
     std::optional<Viewports> viewports;
     ClientId last_client;
-    std::uint64_t spawned = 0;
-    std::uint64_t ticks = 0;
+    std::uint64_t spawned = 0;    ///< robots ever spawned
+    std::uint64_t ticks = 0;      ///< message ticks made
     std::uint64_t marks_made = 0; ///< TRACE marks ever made
     /// Catalogs that learn() replaced; spawned robots may still refer to them.
     std::vector<std::shared_ptr<const RobotCatalog>> former_robots;
     std::vector<JournalEntry> journal;
     std::size_t journal_bytes = 0;
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences; ///< for takeLog()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }
 };

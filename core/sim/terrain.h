@@ -29,7 +29,9 @@ public:
     /// Bounds of the posts; an empty rectangle if there are none.
     Rectangle extent() const;
     const std::vector<float>& heights_m() const { return heights_m_; }
+    /// Height of a post; the indices are not checked.
     float post_m(std::size_t column, std::size_t row) const { return heights_m_[row * columns_ + column]; }
+    /// Lowest and highest post; 0 if there are none.
     float minimum_m() const { return minimum_m_; }
     float maximum_m() const { return maximum_m_; }
     bool empty() const { return heights_m_.empty(); }

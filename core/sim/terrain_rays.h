@@ -49,6 +49,7 @@ private:
     static Maxima coarser(const Maxima& fine);
     /// An upper bound of the ground's height under the box.
     double highestUnder_m(const Eigen::AlignedBox3d& box) const;
+    /// Time at which the ray meets the ground of a tile, given its time in the tile, or `no_hit_m`.
     double crossTile(const GridWalk& walk, const GridCell& tile, double enter, double leave) const;
 
     const Terrain* terrain_;

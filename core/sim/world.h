@@ -13,6 +13,7 @@
 
 namespace usar::sim {
 
+/// A sphere is centered on the top of the trunk; a cone stands on it.
 enum class CrownShape { Sphere, Cone };
 
 /// A tree or bush: a vertical trunk cylinder that stands on the ground, and a crown. A bush has a trunk height of 0.
@@ -36,7 +37,7 @@ struct Box {
 /// A still water surface over the whole world. Range sensors do not see it.
 struct Water {
     double surface_z_m = 0.0;
-    double density_kg_m3 = 1000.0;
+    double density_kg_m3 = 1000.0; ///< fresh water by default
     bool operator==(const Water&) const = default;
 };
 
@@ -59,7 +60,7 @@ struct WorldObject {
 
 /// A tag that an RFID reader can find, read and write.
 struct RfidTag {
-    int id = 0;
+    int id = 0; ///< 0 or more, unique in its world
     std::string memory;
     Vec3 position_in_map_m = Vec3::Zero();
     bool operator==(const RfidTag&) const = default;
@@ -68,6 +69,7 @@ struct RfidTag {
 /// Kinds of victim parts. `nameOf` depends on this order.
 enum class VictimPartKind { Head, Arm, Hand, Chest, Pelvis, Leg, Foot };
 
+/// One part of a victim's body.
 struct VictimPart {
     VictimPartKind kind = VictimPartKind::Head;
     Vec3 position_in_map_m = Vec3::Zero();
@@ -82,6 +84,7 @@ struct Victim {
     bool operator==(const Victim&) const = default;
 };
 
+/// A source of sound that never ends.
 struct SoundSource {
     std::string name;
     double loudness_db = 0.0; ///< at a distance of 1 m
@@ -89,6 +92,7 @@ struct SoundSource {
     bool operator==(const SoundSource&) const = default;
 };
 
+/// A source of gas at constant strength.
 struct GasSource {
     std::string gas = "CO2";
     double density = 0.0; ///< reading of a sensor at a distance of 1 m
@@ -112,8 +116,8 @@ struct World {
     std::vector<Plant> plants;
     std::vector<Box> boxes;
     std::vector<WorldObject> objects;
-    std::optional<Water> water; ///< nullopt: the world is dry
-    std::vector<NamedPose> start_poses;
+    std::optional<Water> water;         ///< nullopt: the world is dry
+    std::vector<NamedPose> start_poses; ///< a world file needs at least one
     std::vector<RfidTag> rfid_tags;
     std::vector<Victim> victims;
     std::vector<SoundSource> sounds;

@@ -45,6 +45,7 @@ private:
     Answer follow(const protocol::FollowWaypoints& wanted);
     template <class Keep>
     void removeUnless(Keep&& keep);
+    /// The object by this name, in any case; nullptr if there is none.
     SceneObject* find(std::string_view name) const;
     Answer missing(std::string_view name) const;
 

@@ -13,6 +13,7 @@ struct HeightScale {
     double step_m = 0.0; ///< 0 if the ground needs no picture
 };
 
+/// Largest value of a 16-bit picture.
 inline constexpr double highest_picture_value = 65535.0;
 
 /// Returns the whole file. It refers to height.png if `scale` has a step, and to plants.csv if there are plants.

@@ -8,6 +8,7 @@
 
 namespace usar::sim {
 
+/// Smallest step between two heights in a height map.
 inline constexpr double finest_height_step_m = 1.0 / 1024.0;
 
 /// Writes world.sdf and, if the world needs them, height.png and plants.csv into `folder`, which is created if missing.

@@ -22,7 +22,9 @@ public:
     /// Light on a surface with this normal, to be multiplied with its color. The sun contributes only if the surface is
     /// not in `shadow`.
     Color lightOn(const Vec3& normal, bool shadow) const;
+    /// Color of the sky in a direction, which is a unit vector.
     Color sky(const Vec3& direction) const;
+    /// Color that distant things fade to.
     Color haze() const;
     Color deepWater() const;
     /// Unit vector toward the sun; only of use if hasSun(), because rooms have none.

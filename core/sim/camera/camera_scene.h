@@ -63,9 +63,9 @@ struct Viewports {
 
 /// Everything that cameras can see at one tick of a simulation.
 struct CameraScene {
-    std::shared_ptr<const StillWorld> still;
-    std::uint64_t tick = 0; ///< equal ticks of one simulation show the same
-    std::vector<SeenSolid> solids;
+    std::shared_ptr<const StillWorld> still; ///< never null
+    std::uint64_t tick = 0;                  ///< equal ticks of one simulation show the same
+    std::vector<SeenSolid> solids;           ///< robots, objects, victims and tags
     std::vector<SeenLamp> lamps;
     std::vector<SeenFrom> cameras;                ///< in the order of the robots' connections
     std::map<std::string, CameraChoice> attached; ///< by the viewer's address

@@ -15,6 +15,7 @@ struct Picture {
         , height_px(height)
         , rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+    /// The three bytes of a pixel, which must be inside the picture.
     std::uint8_t* at(int x, int y) { return rgb.data() + offset(x, y); }
     const std::uint8_t* at(int x, int y) const { return rgb.data() + offset(x, y); }
     std::array<int, 3> pixel(int x, int y) const { return {at(x, y)[0], at(x, y)[1], at(x, y)[2]}; }

@@ -28,6 +28,7 @@ private:
     int height_px_;
 };
 
+/// The point at which a ray meets a solid.
 struct SolidHit {
     double distance_m;
     Vec3 normal_in_map;
@@ -37,6 +38,7 @@ struct SolidHit {
 /// A solid that the camera is inside of is not seen, such as its own housing. `scene` must outlive it.
 class SeenSolids {
 public:
+    /// Width and height of a tile.
     static constexpr int tile_px = 16;
 
     SeenSolids(const CameraScene& scene, const Eye& eye);
@@ -48,7 +50,7 @@ public:
 
 private:
     std::vector<const SeenSolid*> all_;
-    std::vector<std::vector<const SeenSolid*>> tiles_;
+    std::vector<std::vector<const SeenSolid*>> tiles_; ///< solids by tile, row by row
     int tile_columns_;
 };
 

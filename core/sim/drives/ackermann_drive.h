@@ -11,6 +11,7 @@ namespace usar::sim {
 /// is that of a wheel in the middle of the rear axle; inner and outer wheels get theirs from the common center.
 class AckermannDrive : public WheeledDrive {
 public:
+    /// Fails if a joint does not exist, if none is driven or none steered, or if there is no wheel base.
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
 
     bool obey(const protocol::Command& command) override;
@@ -30,6 +31,7 @@ private:
     double largestFrontSteer_rad() const override { return largest_front_rad_; }
     double largestRearSteer_rad() const override { return largest_rear_rad_; }
     double meanSteer_rad(bool front) const;
+    /// Gives all wheels their angles and spins for the commanded values.
     void steer();
 
     std::vector<Steered> steered_;

@@ -11,6 +11,7 @@ namespace usar::sim {
 /// The body may sleep while it stands still without new commands.
 class LegDrive : public Drive {
 public:
+    /// Fails if one of the drive's joints does not exist.
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
 
     bool obey(const protocol::Command& command) override;
@@ -29,8 +30,8 @@ private:
     Physics& physics_;
     BodyId body_;
     bool off_ = false;
-    bool may_sleep_ = false;
-    Seconds still_for_{0.0};
+    bool may_sleep_ = false; ///< as the physics was last told
+    Seconds still_for_{0.0}; ///< time without motion or a new command
 };
 
 } // namespace usar::sim

@@ -12,6 +12,7 @@ struct HullFigures {
     double length_m = 1.6;
     double volume_m3 = 0.0;    ///< 0: trimmed to hover in the water of its world
     double buoyancy_z_m = 0.0; ///< height of the center of buoyancy above the base's origin
+    // Drag is coefficient * speed^2, a force or a torque. Added mass is that of a fully submerged hull.
     double surge_drag_kg_m = 3.9;
     double cross_drag_kg_m = 131.0;
     double roll_drag_kg_m2 = 0.13;
@@ -26,7 +27,7 @@ struct HullFigures {
     double thrust_limit_n = 10.0; ///< at the limit; quadratic below
     double rudder_limit_rad = 0.35;
     double stern_plane_limit_rad = 0.35;
-    double fin_rate_rad_s = 1.0;
+    double fin_rate_rad_s = 1.0; ///< turning rate of rudder and stern plane
 };
 
 /// Takes the figures from the drive's numbers, where they have names without units: surge_drag, fin_lift,
@@ -54,6 +55,7 @@ public:
     void addTo(std::vector<protocol::Setting>& settings) const override;
 
 private:
+    /// A force and a torque on the body.
     struct Wrench {
         Vec3 force_n = Vec3::Zero(); ///< body frame, at the center of mass
         Vec3 torque_n_m = Vec3::Zero();

@@ -10,6 +10,7 @@ namespace usar::sim {
 /// tilt_limit …
 class RotorDrive : public Drive {
 public:
+    /// `physics` must outlive it; the body belongs to the caller.
     RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth);
 
     bool obey(const protocol::Command& command) override;

@@ -27,6 +27,7 @@ enum class FaultKind {
     Vanish,
 };
 
+/// Duration of a fault that lasts to the end of the run.
 inline constexpr Seconds without_end{std::numeric_limits<double>::infinity()};
 
 /// Acts from `from` on the simulation's clock for as long as `lasts`. Effects that happen at once (a cut, an empty
@@ -43,6 +44,7 @@ struct Fault {
     /// The number by this name, or its usual value if it is not given; 0 if the kind has no such number.
     double number(std::string_view name) const;
     bool activeAt(Seconds now) const { return now >= from && now < from + lasts; }
+    /// True if the fault is meant for every robot or for this one.
     bool concerns(std::string_view robot_name) const;
     bool operator==(const Fault&) const = default;
 };

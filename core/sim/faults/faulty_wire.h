@@ -18,8 +18,10 @@ namespace usar::sim {
 /// Owned by the client's session.
 class FaultyWire {
 public:
+    /// `random` decides which bytes are lost.
     explicit FaultyWire(Random random) : random_(random) {}
 
+    /// Replaces the faults that act from now on. What is already on its way keeps its time of arrival.
     void setFaults(const std::vector<Fault>& active);
 
     /// Sends what the server has written. `is_tick` marks the lines of a tick; all else are answers between two ticks.

@@ -8,8 +8,8 @@
 namespace usar::sim {
 
 struct WindParameters {
-    Vec3 mean_in_map_m_s = Vec3::Zero();
-    double gust_m_s = 0.0; ///< standard deviation along each horizontal axis; half of it vertically
+    Vec3 mean_in_map_m_s = Vec3::Zero(); ///< points to where it blows
+    double gust_m_s = 0.0;               ///< standard deviation along each horizontal axis; half of it vertically
 };
 
 /// Gusts are a first-order Gauss-Markov process, the longitudinal form of Dryden's spectrum. Its correlation time is
@@ -17,6 +17,7 @@ struct WindParameters {
 /// ground) gives a scale of 68 m.
 class Wind {
 public:
+    /// Starts with random gusts, as if the wind had always blown.
     Wind(const WindParameters& parameters, Random random);
 
     /// Moves on by `dt` and returns the air's velocity during it, map frame.

@@ -14,6 +14,7 @@ namespace usar::sim {
 /// SpoolingUp: the lift returns while it is still on its legs. Broken and Dead (empty battery): it never flies again.
 enum class MotorState { Idle, SpoolingUp, Flying, Settling, Broken, Dead };
 
+/// Initial conditions of an AirRobot.
 struct AirRobotSpawn {
     Pose base_in_map;
     bool near_ground = false; ///< lands by itself if true; otherwise it hovers where it was spawned
@@ -57,6 +58,7 @@ public:
     bool atRest() const;
     Seconds batteryLeft() const { return battery_left_; }
     int collisions() const { return collisions_.count(); }
+    /// Length of the path flown.
     double distance_m() const { return distance_m_; }
 
 private:
@@ -77,9 +79,9 @@ private:
     VelocityCommand command_;
     Vec3 wind_m_s_ = Vec3::Zero();
     MotorState motors_ = MotorState::Flying;
-    bool landing_itself_ = false;
-    Seconds in_state_{0.0};
-    Seconds since_gear_{1e9};
+    bool landing_itself_ = false; ///< sinks without a command, until it gets one
+    Seconds in_state_{0.0};       ///< time since `motors_` last changed
+    Seconds since_gear_{1e9};     ///< time since the legs last touched something to stand on
     Seconds battery_left_;
     Vec3 last_position_m_;
     double distance_m_ = 0.0;

@@ -38,10 +38,10 @@ struct AirRobotParameters {
     Vec3 pod_size_m{0.20, 0.20, 0.09};
     double leg_span_m = 0.25; ///< |x| and |y| of each leg
     double leg_radius_m = 0.02;
-    double leg_tip_z_m = -0.21;
+    double leg_tip_z_m = -0.21; ///< lowest point of the legs
 
-    double breaking_impulse_n_s = 0.5;
-    double safe_touchdown_m_s = 1.0;
+    double breaking_impulse_n_s = 0.5; ///< contacts of one step with more than this break it
+    double safe_touchdown_m_s = 1.0;   ///< touching down this fast or faster breaks it
 };
 
 /// Centers of the rotors in this order: front left, front right, rear right, rear left.

@@ -18,8 +18,8 @@ public:
     int count() const { return count_; }
 
 private:
-    static constexpr double lying_z = 0.5;
-    static constexpr double upright_z = 0.85;
+    static constexpr double lying_z = 0.5;    ///< cosine of 60 degrees
+    static constexpr double upright_z = 0.85; ///< cosine of 32 degrees
 
     bool lies_ = false;
     int count_ = 0;

@@ -32,12 +32,13 @@ struct RobotSurroundings {
     Scene& scene;
 };
 
+/// Initial conditions of a robot.
 struct RobotOptions {
     Pose base_in_map;
     std::uint64_t seed = 1;
     std::uint64_t number = 0;              ///< number of the spawn: each robot has random streams of its own
     std::optional<Seconds> battery_life{}; ///< replaces the model's
-    Seconds scan_interval{0.2};
+    Seconds scan_interval{0.2};            ///< the message tick
     bool noise = true;
     protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
@@ -67,6 +68,7 @@ public:
 
     /// Obeys a driving command. Returns false for those of other vehicles, which it ignores.
     bool obey(const protocol::Command& command);
+    /// Called before and after each physics step.
     void beforeStep(Seconds dt);
     void afterStep(Seconds dt);
 
@@ -88,6 +90,7 @@ public:
     bool canHave(const Fault& fault) const;
     void feelWind(const Vec3& wind_in_map_m_s) { drive_->feelWind(wind_in_map_m_s); }
 
+    /// The robot as it is now; the statistics count from the spawn.
     RobotFigures figures() const;
     bool lightOn() const { return light_on_ && alive(); }
     /// The cameras where they are now, without the robot's name, which the robot does not know.
@@ -109,7 +112,7 @@ private:
     FallWatch falls_;
     TouchWatch touches_;
     HeightWatch heights_;
-    bool went_under_ = false;
+    bool went_under_ = false; ///< a submarine that has been below the surface
     WorldRays rays_;
     const World& world_;
     Scene& scene_;

@@ -17,6 +17,7 @@ namespace usar::sim {
 /// Settings by name, in SI units and radians. Each part of the program ignores those that it does not know.
 using Numbers = std::map<std::string, double, std::less<>>;
 
+/// The number by this name, or `otherwise` if there is none.
 inline double numberOr(const Numbers& numbers, std::string_view key, double otherwise) {
     const auto found = numbers.find(key);
     return found == numbers.end() ? otherwise : found->second;
@@ -71,6 +72,7 @@ struct RobotModel {
     std::vector<SensorModel> sensors;
     std::vector<PackageModel> packages;
 
+    /// Mass of the base and all links.
     double mass_kg() const;
     /// All parts as one rigid body whose origin is that of the base, with joints at 0; for finding a free place.
     BodyDescription whole() const;

@@ -27,6 +27,7 @@ public:
     void start(double thrust_n);
     /// Makes rotor 0..3 give only this share of its thrust; the mixer does not know about it.
     void weaken(std::size_t rotor, double share) { strengths_[rotor] = share; }
+    /// Lets the thrusts follow what was commanded.
     void step(Seconds dt);
     /// The wrench that the rotors exert now.
     RotorWrench wrench() const;
@@ -37,7 +38,7 @@ private:
     std::array<Vec3, 4> centers_m_;
     std::array<double, 4> commanded_n_{};
     std::array<double, 4> thrusts_n_{};
-    std::array<double, 4> strengths_{1.0, 1.0, 1.0, 1.0};
+    std::array<double, 4> strengths_{1.0, 1.0, 1.0, 1.0}; ///< see weaken()
 };
 
 } // namespace usar::sim

@@ -50,6 +50,7 @@ public:
     bool has(std::string_view type_or_name) const;
 
 private:
+    /// Sensors of this type, all or the named one, in any case.
     std::vector<const Sensor*> find(const std::string& type, const std::string& name) const;
 
     struct Place {
@@ -60,6 +61,7 @@ private:
         std::uint64_t chance_stream = 0;
         std::optional<Random> chance{}; ///< decides which readings drop out; exists since the first such fault
     };
+    /// Measures as without faults, then alters the lines or leaves them out.
     void measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out);
     std::vector<Place> sensors_;
     std::uint64_t seed_ = 1;

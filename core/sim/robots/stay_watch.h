@@ -15,6 +15,7 @@ public:
 
     explicit StayWatch(const Vec3& position_m) : place_m_(position_m) {}
 
+    /// Takes the position after another `dt`.
     void step(Seconds dt, const Vec3& position_m) {
         stay_ += dt;
         if ((position_m - place_m_).norm() > place_radius_m) {

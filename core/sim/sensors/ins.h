@@ -39,7 +39,7 @@ private:
     Vec3 rotation_bias_ = Vec3::Zero();
     int still_scans_ = 0;
     bool has_last_ = false;
-    bool started_ = false;
+    bool started_ = false; ///< two scans without rotation have been seen
 };
 
 } // namespace usar::sim

@@ -49,7 +49,7 @@ private:
     Seconds scan_interval_;
     double last_left_rad_ = 0.0;
     double last_right_rad_ = 0.0;
-    Pose base_in_start_;
+    Pose base_in_start_; ///< estimate since the spawn or the last RESET
 };
 
 /// A running count of a joint's angle in steps of `resolution` (rad), with each increment off by a share of `sigma`.
@@ -57,6 +57,7 @@ private:
 /// RESET sets it to 0.
 class EncoderSensor : public Sensor {
 public:
+    /// `link` is the one on the joint that it counts.
     EncoderSensor(const SensorModel& model, const SensorBirth& birth, int link);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
@@ -99,7 +100,7 @@ private:
     double sigma_m_s2_;
     Random random_;
     Seconds scan_interval_;
-    std::optional<Vec3> last_velocity_m_s_;
+    std::optional<Vec3> last_velocity_m_s_; ///< at the last measurement; nullopt before it
 };
 
 /// Reports whether the link that carries it was touched since the last tick. Settings: diameter (m).

@@ -16,7 +16,7 @@ struct RangeScannerParameters {
     std::string name;
     Pose scanner_in_base;
     double resolution_rad = pi / 180.0;
-    double fov_rad = pi;
+    double fov_rad = pi; ///< full angle
     double minimum_m = 0.1;
     double maximum_m = 20.0;
     double sigma = 0.0007; ///< see RangeNoise

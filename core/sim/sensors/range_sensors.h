@@ -42,8 +42,8 @@ public:
 
 private:
     RangeScanner scanner_;
-    bool by_itself_;
-    bool wanted_ = false;
+    bool by_itself_;      ///< measures at each tick, without SCAN
+    bool wanted_ = false; ///< a SCAN waits for the next tick
 };
 
 } // namespace usar::sim

@@ -9,6 +9,7 @@
 
 namespace usar::sim {
 
+/// Interface of what a range sensor measures with.
 class Rays {
 public:
     virtual ~Rays() = default;

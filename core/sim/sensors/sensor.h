@@ -30,8 +30,8 @@ struct SensorView {
 /// Initial conditions of a sensor.
 struct SensorBirth {
     const RobotModel& robot;
-    Pose base_in_map;
-    Seconds scan_interval{0.2};
+    Pose base_in_map;           ///< at the spawn
+    Seconds scan_interval{0.2}; ///< the message tick
     bool noise = true;
     Random random; ///< a stream of its own: sensors added later change nobody's noise
 };
@@ -58,7 +58,9 @@ public:
 protected:
     protocol::Response answer(bool ok) const { return {{}, model_.type, model_.name, ok}; }
     static protocol::Setting setting(std::string key, double number) { return {std::move(key), "", number}; }
+    /// A setting of the model, or `otherwise` if it is not given.
     double number(std::string_view key, double otherwise) const { return numberOr(model_.numbers, key, otherwise); }
+    /// Current pose of the sensor.
     Eigen::Isometry3d sensor_in_map(const SensorView& view) const {
         return view.body.link_in_map(model_.link) * model_.sensor_in_link.isometry();
     }

@@ -27,6 +27,7 @@ class Sonar {
 public:
     Sonar(SonarParameters parameters, Random random);
 
+    /// The nearest range with noise; the maximum on a miss.
     protocol::NamedRange measure(const Eigen::Isometry3d& base_in_map, const Rays& rays);
     const SonarParameters& parameters() const { return parameters_; }
     std::size_t rayCount() const { return directions_in_base_.size(); }

@@ -16,6 +16,7 @@ class PointLookoutGround {
 public:
     explicit PointLookoutGround(std::uint64_t seed);
 
+    /// Height of the land or of the sea bed.
     double height_m(const Vec2& point_m) const;
     /// Approximate distance to the coast; negative at sea.
     double inland_m(const Vec2& point_m) const;
@@ -27,7 +28,9 @@ public:
     static constexpr double open_radius_m = 10.0; ///< around a start place on land
 
 private:
+    /// 1 where the coast is a cliff, 0 where it is a beach.
     double cliffs(const Vec2& point_m) const;
+    /// Height before the start places are leveled.
     double unlevelled_m(const Vec2& point_m) const;
     double land_m(const Vec2& point_m, double inland_m) const;
     double bed_m(const Vec2& point_m, double offshore_m) const;

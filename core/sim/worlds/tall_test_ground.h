@@ -15,7 +15,9 @@ class TallTestGround {
 public:
     explicit TallTestGround(std::uint64_t seed);
 
+    /// Height of the ground, also under the pond.
     double height_m(const Vec2& point_m) const;
+    /// Height of the pond's surface.
     double water_z_m() const { return water_z_m_; }
     const std::vector<StartPlace>& starts() const { return starts_; }
     /// Distance to the center line of the ravine, accurate only near it.
@@ -26,8 +28,10 @@ public:
 
 private:
     double hills_m(const Vec2& point_m) const;
+    /// The y of the ravine's center line.
     double ravineLine_m(double x_m) const;
     double hillsAndRavine_m(const Vec2& point_m) const;
+    /// Height before the start places are leveled.
     double unlevelled_m(const Vec2& point_m) const;
     void chooseStarts();
     void choosePond();
