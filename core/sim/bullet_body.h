@@ -25,9 +25,11 @@ class BulletBody {
 public:
     virtual ~BulletBody() = default;
 
+    /// Moves the body, at rest. The pose is that of the base's center of mass.
     virtual void place(const Pose& base_in_map) = 0;
     /// Moves the body up, with all its links, and cancels its downward velocity.
     virtual void lift(double height_m) = 0;
+    /// Allows or forbids falling asleep, and wakes the body.
     virtual void letSleep(bool allowed) = 0;
     /// Wakes the body because what it leaned on may be gone.
     virtual void wake() = 0;
@@ -36,6 +38,7 @@ public:
     virtual JointState joint(std::size_t /*link*/) const { return {}; }
     virtual void setMotor(std::size_t /*link*/, const JointMotor& /*motor*/) {}
     virtual void runSurface(const Vec3& /*velocity_in_body_m_s*/) {}
+    /// Acts at the base's center of mass during the next step; adds up.
     virtual void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     /// Called right before and right after each step of the dynamics world.
     virtual void beforeStep(Seconds dt) = 0;

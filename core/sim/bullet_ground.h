@@ -30,6 +30,7 @@ public:
     /// `world` must outlive it: its heights are not copied.
     explicit BulletGround(const World& world);
 
+    /// Objects for the dynamics world; valid as long as this exists.
     const std::vector<std::unique_ptr<btCollisionObject>>& objects() const { return objects_; }
 
 private:

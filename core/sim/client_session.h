@@ -43,6 +43,7 @@ public:
     /// True if the simulation need not wait for this client: it is not in lockstep, has no robot yet, has not heard of
     /// a tick yet (so it could not answer one), or has sent its STEP.
     bool ready() const { return !lockstep_ || !robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed(); }
+    /// True if it has nothing that needs a tick: no robot, no world controller and no waiting command.
     bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
@@ -56,6 +57,7 @@ public:
     void loseRobot() { robot_.reset(); }
     /// True if more waits because of a fault than a network would buffer.
     bool overfull() const { return wire_ && wire_->overfull(); }
+    /// Simulated time at which its INIT was obeyed.
     Seconds spawnedAt() const { return spawned_at_; }
     /// To be called when the client has gone; the robot then waits for another one that sends INIT with its name.
     void orphan();
@@ -71,6 +73,7 @@ public:
 
     /// Callbacks through which a session acts on its simulation.
     struct Host {
+        /// Spawns a robot; returns nullptr if that is refused.
         std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
         /// Start pose of a base station.
         std::function<Pose(const protocol::Init&)> startOf;

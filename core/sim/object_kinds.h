@@ -25,6 +25,7 @@ struct ObjectKind {
     bool conveyor = false;  ///< stands still; its top carries what lies on it along its x axis
 };
 
+/// All kinds, always in the same order.
 std::span<const ObjectKind> objectKinds();
 /// Finds a kind by its class, in any case, with or without package; nullptr if there is none.
 const ObjectKind* findObjectKind(std::string_view class_name);

@@ -66,6 +66,7 @@ public:
     /// State of a rigid body, or of the base of an articulated one.
     virtual BodyState state(BodyId body) const = 0;
     virtual BodyState state(BodyId body, std::size_t link) const = 0;
+    /// State of the joint that a link hangs on; a rigid body has none and returns zeros.
     virtual JointState joint(BodyId body, std::size_t link) const = 0;
     /// Drives a joint until the next call; a rigid body ignores it.
     virtual void setMotor(BodyId body, std::size_t link, const JointMotor& motor) = 0;

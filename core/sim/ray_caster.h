@@ -10,6 +10,7 @@
 
 namespace usar::sim {
 
+/// The parts of a world that a ray can meet.
 enum class Met { Nothing, Ground, Trunk, Crown, Box };
 
 /// The first thing that a ray meets.

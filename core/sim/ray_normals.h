@@ -9,7 +9,9 @@ namespace usar::sim {
 
 /// True if at this distance the ray hits the crown, not the trunk.
 bool isCrown(const Plant& plant, const Ray& ray, double distance_m);
+/// Normal of crown or trunk, whichever the ray has hit at this distance.
 Vec3 normalOfPlant(const Plant& plant, const Ray& ray, double distance_m);
+/// `box_in_map` is the box's rotation.
 Vec3 normalOfBox(const Ray& ray, double distance_m, const Vec3& center_m, const Eigen::Matrix3d& box_in_map,
                  const Vec3& half_size_m);
 /// Normal of a smooth surface through the posts, so that the triangles do not show.

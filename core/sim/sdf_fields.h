@@ -21,6 +21,7 @@ namespace usar::sim {
 /// ours is found in the file by the element's position among its siblings.
 tl::unexpected<Error> refusal(const std::string& what, const std::filesystem::path& file, const sdf::Element& element);
 
+// Both libraries mean meters, radians and the same order of rotations.
 Pose toPose(const ignition::math::Pose3d& pose);
 Vec3 toVec3(const ignition::math::Vector3d& vector);
 

@@ -44,14 +44,17 @@ struct Simulation::State {
     /// Returns false if there is no such camera, or no such viewer to detach.
     bool attachCamera(const protocol::Command& command);
     std::string knownClasses() const;
+    /// Obeys all clients' commands that are due, in the order of their connections.
     void obeyAll();
     /// Advances the fault schedule and applies what has changed.
     void followFaults();
+    /// Tells a session of its active faults, and logs those that have no effect on its robot.
     void setFaults(ClientId client, ClientSession& session);
     /// True if a fault makes the session's robot disappear now.
     bool vanishes(const ClientSession& session) const;
     /// Runs the physics steps of one tick.
     void move();
+    /// Refreshes the scene, and writes each client's lines and its robot's trace mark.
     void reportAll();
     /// Records an input of the run.
     void keep(JournalEntry::Kind kind, std::uint32_t client = 0, std::string_view bytes = {});

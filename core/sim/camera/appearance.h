@@ -15,6 +15,7 @@ inline constexpr double farthest_seen_m = 4.6 * air_visibility_m;
 /// Daylight under a low sun, or a room with its lamps. Made once per picture; `still` must outlive it.
 class Appearance {
 public:
+    /// A roofed world counts as a room.
     explicit Appearance(const StillWorld& still);
 
     /// Color of the surface itself, without light.
@@ -26,6 +27,7 @@ public:
     Color sky(const Vec3& direction) const;
     /// Color that distant things fade to.
     Color haze() const;
+    /// Color that things fade to under water.
     Color deepWater() const;
     /// Unit vector toward the sun; only of use if hasSun(), because rooms have none.
     const Vec3& sun() const { return sun_; }

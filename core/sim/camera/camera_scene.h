@@ -36,7 +36,7 @@ struct SeenLamp {
     Vec3 direction = Vec3::UnitX();
 };
 
-/// A camera and where it is now. Its x axis points into the picture, y left, z up.
+/// A camera and its current pose. Its x axis points into the picture, y left, z up.
 struct SeenFrom {
     std::string robot;
     std::string camera;

@@ -9,6 +9,7 @@ namespace usar::sim {
 
 /// Adds its body, its lamp if it is lit, and its cameras. `number` chooses the color.
 void addRobot(CameraScene& seen, const Robot& robot, const std::string& name, std::uint32_t number);
+/// Adds all objects, at the poses of the scene's last refresh.
 void addObjects(CameraScene& seen, const Scene& scene);
 /// Adds victims and tags, which no ray of a range sensor meets.
 void addMarks(CameraScene& seen, const World& world);

@@ -20,6 +20,7 @@ class DrivenJoints {
 public:
     DrivenJoints(const RobotModel& model, Physics& physics, BodyId body);
 
+    /// The joint by this name, in any case; nullopt if there is none.
     std::optional<std::size_t> find(std::string_view joint) const;
     /// Obeys JointDrive, MultiDrive and SetJoint. Returns the joints that now do so; none if it is another command or
     /// the joints do not exist. `normalized` speeds and torques are percentages of the joint's limits.
@@ -33,6 +34,7 @@ public:
     void release(std::size_t joint);
     void releaseAll();
 
+    /// Current position and velocity of a joint; below, its limits in N m or N, and in rad/s or m/s.
     JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
     double torqueLimit(std::size_t joint) const { return joints_[joint].torque_limit; }
     double speedLimit(std::size_t joint) const { return joints_[joint].speed_limit; }

@@ -16,13 +16,14 @@ public:
     DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>& wheels, double acceleration_rad_s2);
 
     std::size_t count() const { return wheels_.size(); }
-    std::size_t joint(std::size_t wheel) const { return wheels_[wheel].joint; } ///< the joint of a wheel
+    std::size_t joint(std::size_t wheel) const { return wheels_[wheel].joint; } ///< index of the link on its joint
     /// Sets the spin that the wheel is to reach.
     void want(std::size_t wheel, double spin_rad_s);
     /// Leaves the wheel on this joint, if there is one, to a command of its own.
     void leave(std::size_t joint);
     /// Drives all wheels again, from the speeds that they have now.
     void takeBack();
+    /// Gives the motors their setpoints for the next physics step.
     void step(Seconds dt);
     /// True if all wheels are told to stand, and brake.
     bool braking() const;

@@ -30,7 +30,7 @@ struct HullFigures {
     double fin_rate_rad_s = 1.0; ///< turning rate of rudder and stern plane
 };
 
-/// Takes the figures from the drive's numbers, where they have names without units: surge_drag, fin_lift,
+/// Takes the figures from the drive's numbers, whose names have no units: surge_drag, fin_lift,
 /// propeller_limit … The others keep their defaults.
 HullFigures hullFiguresOf(const RobotModel& model);
 

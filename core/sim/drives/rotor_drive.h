@@ -29,7 +29,7 @@ private:
     AirRobotBody body_;
 };
 
-/// The default parameters with the model's figures in their place where it has them.
+/// The default parameters, overridden by the figures that the model gives.
 AirRobotParameters airRobotParametersOf(const RobotModel& model);
 
 } // namespace usar::sim

@@ -10,6 +10,7 @@
 
 namespace usar::sim {
 
+/// A fault passes through these phases in this order; one that is ended early may skip Active.
 enum class FaultPhase { ToCome, Active, Over };
 
 /// A fault and its state, for lists and logs.
@@ -26,6 +27,7 @@ std::string sentenceOf(const FaultStatus& turned);
 /// Time is an argument: the same faults at the same ticks have the same effects. Owned by a Simulation.
 class FaultSchedule {
 public:
+    /// `seed` determines the gusts.
     explicit FaultSchedule(std::uint64_t seed) : seed_(seed) {}
 
     /// Schedules a fault and returns the number that `end` takes.
@@ -43,6 +45,7 @@ public:
     /// Velocity of the air during the next `dt`, map frame: the sum of all active winds.
     Vec3 wind(Seconds dt);
 
+    /// All faults ever added, in the order of their numbers.
     const std::vector<FaultStatus>& all() const { return faults_; }
 
 private:

@@ -8,7 +8,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double scale_m = 68.0;
-constexpr double slowest_m_s = 3.0; // In still air gusts do not stand still either.
+constexpr double slowest_m_s = 3.0; // Gusts pass at least this fast, even in still air.
 
 } // namespace
 

@@ -50,9 +50,11 @@ public:
     bool broken() const { return motors_ == MotorState::Broken; }
     /// Sets the velocity of the air (map frame), relative to which drag acts.
     void setWind(const Vec3& wind_in_map_m_s) { wind_m_s_ = wind_in_map_m_s; }
+    /// For faults that weaken a rotor.
     Rotors& rotors() { return rotors_; }
     /// Empties the battery.
     void switchOff() { battery_left_ = Seconds{0.0}; }
+    /// True if no rotor pushes: idle on the ground, broken, or without battery.
     bool motorsOff() const { return motors_ == MotorState::Idle || ended(); }
     /// True if it stands or lies still with its motors off.
     bool atRest() const;

@@ -49,6 +49,7 @@ std::array<Vec3, 4> rotorCenters(const AirRobotParameters& parameters);
 /// The rigid body with ring, pod and legs as its parts.
 BodyDescription bodyOf(const AirRobotParameters& parameters);
 
+/// Gear is the legs; Guard the ring outside of the discs; Belly the pod.
 enum class AirRobotPart { Gear, Guard, RotorDisc, Belly };
 /// The part of the hull that a point on it belongs to.
 AirRobotPart partAt(const AirRobotParameters& parameters, const Vec3& point_in_body_m);

@@ -12,6 +12,7 @@ public:
 
     /// Lets time pass, to be called at each step.
     void pass(Seconds dt) { since_ += dt; }
+    /// Takes a touch, several times per step if need be.
     void touch() {
         count_ += since_ > apart ? 1 : 0;
         since_ = Seconds{0.0};

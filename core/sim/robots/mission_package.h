@@ -24,6 +24,7 @@ public:
     protocol::PackageState state(Seconds now) const;
     /// Its links as items of GEO, each named by its position: "CameraPanTilt_Link1".
     std::vector<protocol::MountedItem> geometry() const;
+    /// Its part of CONF: for each link its number, kind of joint, and limits.
     std::vector<protocol::Setting> settings() const;
 
 private:

@@ -92,8 +92,9 @@ public:
 
     /// The robot as it is now; the statistics count from the spawn.
     RobotFigures figures() const;
+    /// True while its lamp is switched on and its battery is not empty.
     bool lightOn() const { return light_on_ && alive(); }
-    /// The cameras where they are now, without the robot's name, which the robot does not know.
+    /// The cameras with their current poses, but without the robot's name, which the robot does not know.
     std::vector<SeenFrom> cameras() const { return sensors_.cameras(body_); }
     const RobotBody& body() const { return body_; }
 

@@ -28,6 +28,7 @@ public:
     Vec3 rate_in_map_rad_s() const { return physics_.state(id_).rate_rad_s; }
     /// Pose of a link's frame, or of the base's if `link` is -1.
     Eigen::Isometry3d link_in_map(int link) const;
+    /// State of the joint that a link hangs on; the base has none.
     JointState joint(int link) const { return physics_.joint(id_, static_cast<std::size_t>(link)); }
 
     /// Called after each physics step: remembers the touched links and adds up the path.

@@ -31,6 +31,7 @@ public:
     void step(Seconds dt);
     /// The wrench that the rotors exert now.
     RotorWrench wrench() const;
+    /// The thrusts that the rotors give now.
     const std::array<double, 4>& thrusts_n() const { return thrusts_n_; }
 
 private:

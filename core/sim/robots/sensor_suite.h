@@ -34,7 +34,7 @@ public:
 
     /// Measures one tick. The `first` one brings only sensors that need no history.
     void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);
-    /// The cameras where they are on this robot now.
+    /// The cameras with their current poses.
     std::vector<SeenFrom> cameras(const RobotBody& body) const;
     /// The items of this type, all or the named one, in any case. If there are none, the bare head.
     protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;

@@ -16,6 +16,7 @@ struct FractalNoise {
     double wavelength_m = 80.0;
     double amplitude_m = 8.0;
 
+    /// Value at a point; its unit is that of `amplitude_m`.
     double at(const Vec2& point_m) const;
 };
 

@@ -28,6 +28,7 @@ NamedPose startOver(const StartPlace& place, double ground_z_m);
 /// score is not a candidate; if there is none, the result is the origin.
 Vec2 bestOnGrid(double half_m, double step_m, const std::function<std::optional<double>(const Vec2&)>& score);
 
+/// Yaw of a robot at `from_m` that faces `to_m`.
 double yawToward(const Vec2& from_m, const Vec2& to_m);
 
 } // namespace usar::sim
