@@ -1,4 +1,4 @@
-// A body of several links on joints, as physics sees it. A body without links is one rigid body.
+// Bodies as physics sees them: rigid parts, and links connected by joints. A body without links is one rigid body.
 #pragma once
 
 #include <variant>
@@ -8,22 +8,24 @@
 
 namespace usar::sim {
 
-/// Upright in its part's frame: axis along z.
+/// A cylinder along the z axis of its part's frame, centered on the origin.
 struct CylinderShape {
     double radius_m = 0.0;
     double height_m = 0.0;
     bool operator==(const CylinderShape&) const = default;
 };
-/// `height_m` is without the two half-spheres at its ends.
+/// A capsule along the z axis. `height_m` excludes the half-spheres at its ends.
 struct CapsuleShape {
     double radius_m = 0.0;
     double height_m = 0.0;
     bool operator==(const CapsuleShape&) const = default;
 };
+/// `size_m` is the full extent along each axis.
 struct BoxShape {
     Vec3 size_m = Vec3::Zero();
     bool operator==(const BoxShape&) const = default;
 };
+/// Centered on the origin of its part's frame.
 struct SphereShape {
     double radius_m = 0.0;
     bool operator==(const SphereShape&) const = default;
@@ -36,51 +38,54 @@ struct BodyPart {
     bool operator==(const BodyPart&) const = default;
 };
 
-/// What is rigid. The body frame's origin is its center of mass. Without parts it touches nothing.
+/// One rigid body. The origin of its frame is its center of mass. Without parts it touches nothing.
 struct BodyDescription {
-    double mass_kg = 1.0;
-    Vec3 inertia_kg_m2 = Vec3::Ones(); ///< about the body's axes
-    double friction = 0.9;
+    double mass_kg = 1.0;              ///< above 0; ignored if `still`
+    Vec3 inertia_kg_m2 = Vec3::Ones(); ///< moments about the axes of the body's frame
+    double friction = 0.9;             ///< coefficient, multiplied with that of the other side; 1 for the ground
     std::vector<BodyPart> parts{};
-    double restitution = 0.0;
-    double rolling_friction_m = 0.0; ///< rolling resistance torque over normal force
+    double restitution = 0.0;        ///< share of the closing speed that a bounce gives back, 0 to 1
+    double rolling_friction_m = 0.0; ///< rolling resistance torque divided by normal force
     bool still = false;              ///< stays where it is placed, whatever pushes it
     bool operator==(const BodyDescription&) const = default;
 };
 
+/// Revolute joints turn about their axis; prismatic ones slide along it.
 enum class JointKind { Revolute, Prismatic };
 
-/// A rigid body that hangs on an earlier one by a joint with one degree of freedom.
+/// A rigid body connected to an earlier one by a joint with one degree of freedom.
 struct LinkDescription {
     BodyDescription body;
-    int parent = -1;     ///< an earlier link, or -1: the base
-    Pose link_in_parent; ///< while the joint stands at 0; both frames have their origins in the centers of mass
-    Vec3 pivot_in_link_m = Vec3::Zero();
-    Vec3 axis_in_link = Vec3::UnitZ(); ///< unit; positive turns are right-handed about it
+    int parent = -1;     ///< index of an earlier link, or -1: the base
+    Pose link_in_parent; ///< while the joint is at 0; both frames have their origins in the centers of mass
+    Vec3 pivot_in_link_m = Vec3::Zero(); ///< a point on the joint's axis
+    Vec3 axis_in_link = Vec3::UnitZ();   ///< unit vector; positive turns are right-handed about it
     JointKind kind = JointKind::Revolute;
-    double lower = 1.0; ///< rad or m; above `upper` where there are no limits
+    double lower = 1.0; ///< rad or m; above `upper` if there are no limits
     double upper = -1.0;
     double damping = 0.0; ///< N m s/rad or N s/m
 };
 
+/// A base and the links that hang on it, directly or one on another.
 struct ArticulatedDescription {
     BodyDescription base;
     std::vector<LinkDescription> links{};
 };
 
-/// rad and rad/s, or m and m/s.
+/// Position and velocity of a joint: rad and rad/s, or m and m/s.
 struct JointState {
     double position = 0.0;
     double velocity = 0.0;
 };
 
-/// What drives a joint until it is told otherwise, with no more than `limit` (N m or N).
+/// Command to a joint, in force until the next one. It acts with no more than `limit` (N m or N).
 struct JointMotor {
+    /// Position moves there and holds; Velocity holds a speed; Torque pushes.
     enum class Mode { Off, Position, Velocity, Torque };
     Mode mode = Mode::Off;
-    double target = 0.0; ///< rad, rad/s or N m (m, m/s, N)
-    double limit = 0.0;
-    double largest_speed = 1e9; ///< how fast Position goes there and Torque can make it
+    double target = 0.0;        ///< rad, rad/s or N m (m, m/s, N)
+    double limit = 0.0;         ///< largest torque or force
+    double largest_speed = 1e9; ///< speed at which Position approaches its target and which Torque can reach
     bool operator==(const JointMotor&) const = default;
 };
 

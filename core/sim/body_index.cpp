@@ -9,7 +9,7 @@ namespace {
 
 constexpr double smallest_bucket_m = 4.0;
 constexpr double most_buckets_a_side = 128.0;
-constexpr double hair_m = 1e-6; // a ray that touches the very edge may be counted into the next bucket
+constexpr double hair_m = 1e-6; // A ray that touches the very edge may be counted into the next bucket.
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// Where moving bodies are, sorted into square buckets, so that a ray looks only at those near its path.
+// Positions of moving bodies, sorted into square buckets, so that a ray tests only those near its path.
 #pragma once
 
 #include <algorithm>
@@ -10,47 +10,51 @@
 
 namespace usar::sim {
 
-/// A sphere around a rigid piece of a body.
+/// A sphere around one rigid piece of a body, map frame.
 struct BodySphere {
     Vec3 center_m = Vec3::Zero();
     double radius_m = 0.0;
-    std::uint32_t piece = 0; ///< the owner's own number for it
+    std::uint32_t piece = 0; ///< the caller's own number for the piece
 };
 
-/// Built anew whenever something has moved and a ray wants to know: with two hundred robots that is 20 us, and a ray
-/// then meets those of its own few buckets. Map frame.
+/// Built again when something has moved and a ray asks. With two hundred robots that takes 20 us, and a ray then tests
+/// only those in the few buckets on its path.
 class BodyIndex {
 public:
+    /// Replaces the spheres. Those without a finite center are left out.
     void build(std::vector<BodySphere> spheres);
 
-    /// Calls `visit(sphere, nearest_m)` for every sphere that the ray may meet before `nearest_m`, some more than once;
-    /// it answers the new `nearest_m`.
+    /// Calls `visit(sphere, nearest_m)` for every sphere that the ray may meet before `nearest_m`, for some more than
+    /// once. `visit` returns the new `nearest_m`; the last one is the result.
     template <class Visit>
     double along(const Ray& ray, double maximum_m, Visit visit) const;
 
-    /// Whether `counts(sphere)` holds of a sphere that reaches into a box.
+    /// True if `counts(sphere)` holds for a sphere that reaches into the box.
     template <class Counts>
     bool anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const;
 
 private:
+    /// Columns and rows of buckets, both ends included.
     struct Range {
         std::ptrdiff_t first_column, last_column, first_row, last_row;
     };
     Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
+    /// Buckets under a sphere.
     Range footprint(const BodySphere& sphere) const;
+    /// Fits the grid to the spheres.
     void layOut();
 
-    static constexpr std::size_t few_spheres = 8; ///< up to this many, trying each one is faster than the grid
+    static constexpr std::size_t few_spheres = 8; ///< up to this many spheres, a linear scan is faster than the grid
 
     Vec2 origin_m_ = Vec2::Zero();
-    double bucket_m_ = 1.0;
+    double bucket_m_ = 1.0; ///< width of a bucket
     std::ptrdiff_t columns_ = 0;
     std::ptrdiff_t rows_ = 0;
     double minimum_z_m_ = 0.0;
     double maximum_z_m_ = 0.0;
     std::vector<BodySphere> spheres_;
     std::vector<std::uint32_t> starts_; ///< bucket i holds items_[starts_[i]] to items_[starts_[i + 1] - 1]
-    std::vector<std::uint32_t> items_;  ///< places in spheres_
+    std::vector<std::uint32_t> items_;  ///< indices into spheres_
 };
 
 template <class Visit>

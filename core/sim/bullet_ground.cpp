@@ -16,7 +16,7 @@ btTransform at(const Vec3& position_m) {
     return btTransform(btQuaternion::getIdentity(), toBullet(position_m));
 }
 
-// btConeShape is 6 cm fat by its margin; a hull is not.
+// The margin of btConeShape makes it 6 cm too thick; a hull can do with less.
 void fillCone(btConvexHullShape& hull, double radius_m, double height_m) {
     for (int side = 0; side < cone_sides; ++side) {
         const double angle_rad = 2.0 * pi * side / cone_sides;
@@ -58,7 +58,7 @@ Shape* BulletGround::keep(Arguments&&... arguments) {
 }
 
 void BulletGround::addTerrain(const Terrain& terrain) {
-    // Bullet centers the field on its bounds, so equal margins leave the center where it is; a flat field needs them.
+    // Bullet centers the field on its bounds, so equal margins keep the center where it is; a flat field needs them.
     const double low_m = terrain.minimum_m() - 1.0;
     const double high_m = terrain.maximum_m() + 1.0;
     const float* const heights_m = terrain.heights_m().data();
@@ -105,8 +105,9 @@ void BulletGround::addObject(btCollisionShape* shape, const btVector3& origin, S
     object->setCollisionShape(shape);
     object->setWorldTransform(btTransform(btQuaternion::getIdentity(), origin));
     object->setFriction(1.0);
-    object->setRestitution(1.0);                 // Bullet multiplies: the body decides
-    object->setActivationState(ISLAND_SLEEPING); // else a sleeping robot's contacts are sought at every step
+    object->setRestitution(1.0); // Bullet multiplies both, so the body decides.
+    // Otherwise a sleeping robot's contacts are searched for at every step.
+    object->setActivationState(ISLAND_SLEEPING);
     object->setUserIndex(static_cast<int>(surface));
     objects_.push_back(std::move(object));
 }

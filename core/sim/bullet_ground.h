@@ -1,5 +1,5 @@
-// A world's still parts as Bullet collision objects: height field, one compound of plants, one of boxes. Internal to
-// the physics: the only headers that see Bullet are this one and the sources beside it.
+// A world's fixed parts as Bullet collision objects: a height field, one compound of plants, one of boxes. Internal to
+// the physics: only the bullet_* headers include Bullet.
 #pragma once
 
 #include <memory>
@@ -20,14 +20,17 @@ inline Vec3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }
 btTransform toBullet(const Pose& pose);
+/// State from Bullet's transform and velocities, all in the map frame.
 BodyState bodyState(const btTransform& body_in_map, const btVector3& velocity_m_s, const btVector3& rate_rad_s);
 
-/// Owns shapes and objects; each object's user index is its Surface. One compound for all plants keeps an empty world's
-/// step six times cheaper than 4000 separate bodies (robots-and-worlds 6).
+/// Owns shapes and objects; each object's user index is its Surface. One compound for all plants makes a step of an
+/// empty world six times cheaper than 4000 separate bodies (robots-and-worlds 6).
 class BulletGround {
 public:
+    /// `world` must outlive it: its heights are not copied.
     explicit BulletGround(const World& world);
 
+    /// Objects for the dynamics world; valid as long as this exists.
     const std::vector<std::unique_ptr<btCollisionObject>>& objects() const { return objects_; }
 
 private:

@@ -9,12 +9,13 @@ namespace usar::sim {
 
 namespace {
 
-// How soon a position motor is there when nothing holds it back: fast beside a gait, slow beside a physics step.
+// Time constant with which a position motor that nothing holds back reaches its target: short compared with a gait,
+// long compared with a physics step.
 constexpr Seconds servo_time{0.02};
 constexpr double no_clamp = 1e30;
-constexpr double sleepy_joint = 0.05; // rad/s or m/s
+constexpr double sleepy_joint = 0.05; // In rad/s or m/s.
 
-// A torque is a motor that never reaches its speed, or no more than its largest.
+// A torque is commanded as a velocity motor of limited strength whose target is the largest speed.
 double speedTarget(const JointMotor& motor) {
     return motor.mode == JointMotor::Mode::Torque ? std::copysign(motor.largest_speed, motor.target) : motor.target;
 }
@@ -40,7 +41,7 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     body_.setHasSelfCollision(false);
     body_.setLinearDamping(0.0);
     body_.setAngularDamping(0.0);
-    // Bullet adds the squares of the base's speeds and of all joints'.
+    // Bullet compares this with the sum of the squares of the base's speeds and of all joint speeds.
     body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
@@ -83,7 +84,7 @@ void BulletMultiBody::addLink(int index, const LinkDescription& link) {
                              center_from_pivot, true);
 }
 
-// Links that touch nothing have a collider too: Bullet finds a joint's motor and limits by it.
+// Links that touch nothing need a collider too: Bullet finds a joint's motor and limits through it.
 void BulletMultiBody::addPiece(int link, const BodyDescription& description, BodyId id) {
     Piece part(description);
     part.collider = std::make_unique<btMultiBodyLinkCollider>(&body_, link);
@@ -203,8 +204,8 @@ void BulletMultiBody::beforeStep(Seconds dt) {
 }
 
 void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {
-    // A motor that holds a position or a speed has to overcome the damping first. Left to the solver, the two would
-    // meet somewhere in between.
+    // A motor that holds a position or a speed must overcome the damping first. Left to the solver, the two would
+    // settle somewhere in between.
     const double damping = joint.damping * std::abs(body_.getJointVel(index));
     const double strength = joint.motor ? strengthOf(joint.wanted) : 0.0;
     const double overcome = joint.wanted.mode == JointMotor::Mode::Torque ? 0.0 : std::min(damping, strength);

@@ -1,4 +1,4 @@
-// A body of several links in Bullet: Featherstone's reduced coordinates. Internal to the physics.
+// An articulated body in Bullet, in Featherstone's reduced coordinates. Internal to the physics.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@
 
 namespace usar::sim {
 
-/// Of its joint motors Bullet wants the largest impulse, not the largest torque: it is set anew at each step. A joint's
-/// damping is a second motor that pulls toward standstill with no more than the damping torque, so that it never turns
-/// a joint around however light it is.
+/// Bullet limits joint motors by impulse, not by torque, so the limit is set again at each step. A joint's damping is a
+/// second motor that pulls toward standstill with no more than the damping torque, so that it never reverses a joint,
+/// however light it is.
 class BulletMultiBody : public BulletBody {
 public:
-    /// The world outlives it.
+    /// `world` must outlive it.
     BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description, const Pose& base_in_map,
                     BodyId id);
     ~BulletMultiBody() override;
@@ -34,7 +34,7 @@ public:
     void wake() override;
     BodyState state(int link) const override;
     JointState joint(std::size_t link) const override;
-    /// Wakes the body where it is told something new.
+    /// Wakes the body if this changes the motor.
     void setMotor(std::size_t link, const JointMotor& motor) override;
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     void beforeStep(Seconds dt) override;
@@ -42,6 +42,7 @@ public:
     btVector3 velocityBefore(int link, const btVector3& point) const override;
 
 private:
+    /// The collider of the base or of a link, with its shape.
     struct Piece {
         explicit Piece(const BodyDescription& description) : shape(description) {}
         BulletShape shape;
@@ -50,15 +51,17 @@ private:
     struct Joint {
         std::unique_ptr<btMultiBodyJointLimitConstraint> limits;
         std::unique_ptr<btMultiBodyJointMotor> damper;
-        std::unique_ptr<btMultiBodyJointMotor> motor; ///< there while a position or a speed is held
-        double damping = 0.0;
+        std::unique_ptr<btMultiBodyJointMotor> motor; ///< exists unless the wanted mode is Off
+        double damping = 0.0;                         ///< N m s/rad or N s/m
         JointMotor wanted;
     };
 
     void addLink(int index, const LinkDescription& description);
     void addPiece(int link, const BodyDescription& description, BodyId id);
     void addConstraints(int index, const LinkDescription& description);
+    /// Sets the impulse limits of a joint's motor and damper for the next step.
     void drive(int index, Joint& joint, Seconds dt);
+    /// Moves the colliders to where the base and the joints put the links.
     void moveColliders();
     void refreshVelocities();
     const btTransform& transform(int link) const;
@@ -67,8 +70,8 @@ private:
     btMultiBody body_;
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
-    std::vector<btVector3> velocities_; ///< of origins, map frame, after the last step
-    std::vector<btVector3> rates_;
+    std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
+    std::vector<btVector3> rates_;      ///< angular velocities, likewise
 };
 
 } // namespace usar::sim

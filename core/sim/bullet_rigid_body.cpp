@@ -63,8 +63,8 @@ void BulletRigidBody::apply(const Vec3& force_in_map_n, const Vec3& torque_in_ma
 }
 
 void BulletRigidBody::beforeStep(Seconds dt) {
-    // Bullet takes the velocity of a kinematic body from where it was before the step and never moves it: a body that
-    // says it was elsewhere drags what touches it, and stays.
+    // Bullet takes a kinematic body's velocity from where it was before the step, and never moves the body. So a body
+    // that claims to have been elsewhere drags along what touches it, and stays in place.
     if (rigid_->isKinematicObject()) {
         btTransform before = rigid_->getWorldTransform();
         before.setOrigin(before.getOrigin() - before.getBasis() * surface_ * dt.count());

@@ -11,9 +11,10 @@
 
 namespace usar::sim {
 
+/// A still body becomes a kinematic object of Bullet.
 class BulletRigidBody : public BulletBody {
 public:
-    /// The world outlives it.
+    /// `world` must outlive it.
     BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map, BodyId id);
     ~BulletRigidBody() override;
     BulletRigidBody(const BulletRigidBody&) = delete;
@@ -34,7 +35,7 @@ private:
     btDynamicsWorld& world_;
     BulletShape shape_;
     std::unique_ptr<btRigidBody> rigid_;
-    btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, as `rate_`
+    btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, like `rate_`
     btVector3 rate_{0.0, 0.0, 0.0};
     btVector3 surface_{0.0, 0.0, 0.0}; ///< velocity of a still body's surface, in its frame
 };

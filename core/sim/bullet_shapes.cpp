@@ -23,7 +23,7 @@ std::unique_ptr<btCollisionShape> makeShape(const SphereShape& shape) {
     return std::make_unique<btSphereShape>(shape.radius_m);
 }
 
-// The margin of a capsule or sphere is its radius.
+// The collision margin of a capsule or sphere is its radius.
 bool isRound(const BodyPart& part) {
     return std::holds_alternative<CapsuleShape>(part.shape) || std::holds_alternative<SphereShape>(part.shape);
 }

@@ -35,7 +35,7 @@ void BulletSolver::convertContacts(btPersistentManifold** manifolds, int count, 
         else
             convertContact(manifolds[i], info);
     }
-    btMultiBodyConstraintSolver::convertContacts(nullptr, 0, info); // the joints' rows
+    btMultiBodyConstraintSolver::convertContacts(nullptr, 0, info); // Adds the rows of the joints.
 }
 
 BulletWorld::BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,

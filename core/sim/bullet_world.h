@@ -1,4 +1,4 @@
-// Bullet's world for bodies of several links, which costs nothing while there are none. Internal to the physics.
+// Bullet's dynamics world for articulated bodies, which costs nothing while there are none. Internal to the physics.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
@@ -7,9 +7,10 @@
 
 namespace usar::sim {
 
-/// For rigid bodies one direction of friction suffices: it halves the cost and lets a body come to rest. Links of
-/// articulated bodies have no direction of sliding and need two, but Bullet has one switch for all contacts. Links also
-/// need more iterations, because Bullet does not remember their impulses from the last step.
+/// Solver for contacts and joints. One direction of friction suffices for rigid bodies: it halves the cost and lets a
+/// body come to rest. Links of articulated bodies have no direction of sliding and need two, but Bullet has one switch
+/// for all contacts. Links also need more iterations, because Bullet does not remember their impulses from the last
+/// step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
@@ -21,10 +22,10 @@ protected:
     void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override;
 };
 
-/// While it has no links it steps as a plain world of rigid bodies does, bit by bit and as fast.
+/// While it contains no articulated body, it steps like a plain world of rigid bodies, bit for bit and as fast.
 class BulletWorld : public btMultiBodyDynamicsWorld {
 public:
-    /// All of it outlives the world.
+    /// All arguments must outlive the world.
     BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,
                 BulletSolver& link_solver, btCollisionConfiguration& configuration);
 

@@ -68,7 +68,7 @@ void ClientSession::leaveLockstep() {
 std::string ClientSession::takeOutput(Seconds now) {
     if (!wire_)
         return std::exchange(output_, {});
-    wire_->push(std::exchange(output_, {}), now, lockstep_, false); // answers between two ticks
+    wire_->push(std::exchange(output_, {}), now, lockstep_, false); // Answers between two ticks.
     FaultyWire::Arrived arrived = wire_->take(now);
     ticks_heard_ += lockstep_ ? static_cast<std::size_t>(arrived.ticks) : 0;
     return std::move(arrived.bytes);
@@ -76,7 +76,7 @@ std::string ClientSession::takeOutput(Seconds now) {
 
 void ClientSession::obeyWaiting(const Host& host) {
     const bool in_step = lockstep_ && robot_ && heard_tick_;
-    std::size_t steps = in_step ? stepsOwed() : 0; // to be taken; the last one ends the commands for this tick
+    std::size_t steps = in_step ? stepsOwed() : 0; // STEPs still to be taken; the last one ends this tick's commands.
     while (!waiting_.empty() && !(in_step && steps == 0)) {
         const protocol::Command command = std::move(waiting_.front());
         waiting_.pop_front();
@@ -116,7 +116,7 @@ void ClientSession::takeOver(ClientSession& fresh) {
     output_ = std::move(fresh.output_);
     splitter_ = std::move(fresh.splitter_);
     wire_.reset();
-    new_ = true; // faults are set anew
+    new_ = true; // Its faults will be set again.
     std::erase_if(waiting_, [](const auto& one) { return std::holds_alternative<protocol::Step>(one); });
     bool init_seen = false;
     for (protocol::Command& command : fresh.waiting_)
@@ -163,7 +163,7 @@ void ClientSession::control(const protocol::Command& command, const Host& host) 
         host.log("ignored " + quoted(command) + ": " + *trouble);
 }
 
-/// Which camera the image server shows to a viewer. True for these two commands.
+/// Chooses the camera that the image server shows to a viewer. Returns true for these two commands only.
 bool ClientSession::attachCamera(const protocol::Command& command, const Host& host) {
     const auto* const attach = std::get_if<protocol::AttachCamera>(&command);
     if (!attach && !std::holds_alternative<protocol::DetachCamera>(command))
@@ -178,7 +178,8 @@ bool ClientSession::hasCamera(std::string_view name) const {
     return std::ranges::any_of(robot_->cameras(), [&](const SeenFrom& one) { return sameWord(one.camera, name); });
 }
 
-/// What the image server's window shows: cameras of this robot. True for this command; UDK does not know it.
+/// Chooses the cameras of this robot that the image server's window shows. Returns true for this command only, which
+/// UDK does not know.
 bool ClientSession::setViewports(const protocol::Command& command, const Host& host) {
     const auto* const wanted = std::get_if<protocol::SetViewports>(&command);
     if (!wanted || isUdk())
@@ -190,7 +191,7 @@ bool ClientSession::setViewports(const protocol::Command& command, const Host& h
     for (std::size_t i = 0; i < (viewports.four ? wanted->views.size() : 1); ++i) {
         const std::string& view = wanted->views[i];
         if (view.empty())
-            continue; // as it was
+            continue; // Stays unchanged.
         const bool off = sameWord(view, "Disabled") || sameWord(view, "None");
         const bool fine = off || hasCamera(view);
         if (off)
@@ -210,7 +211,7 @@ void ClientSession::obeyUnknown(const protocol::Command& command, const Host& ho
     Diagnostics diagnostics;
     protocol::Segments segments;
     segments.read(line, diagnostics);
-    // UT2004 answers every SET but that of a joint, at the tick; UDK obeys at once and never answers.
+    // UT2004 answers every SET except that of a joint, at the tick; UDK obeys at once and never answers.
     const bool is_set = sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint");
     if (is_set && isUdk() && robot_->alive())
         robot_->set(command);
@@ -220,7 +221,8 @@ void ClientSession::obeyUnknown(const protocol::Command& command, const Host& ho
         host.log("ignored " + quoted(line) + ": not a command of this server, or not for this robot");
 }
 
-/// False for what this robot does not understand. One with an empty battery understands and does nothing.
+/// Returns false for commands that this robot does not understand. A robot with an empty battery accepts every command
+/// and does nothing.
 bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) {
     if (const auto* const asked = std::get_if<protocol::GetGeometry>(&command))
         geometry_asked_ = *asked;
@@ -231,7 +233,7 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
     else
         return !robot_->alive() || robot_->obey(command);
     if (isUdk())
-        answer(now); // any number a tick, each at once
+        answer(now); // Any number of queries per tick, each at once.
     return true;
 }
 
@@ -241,15 +243,16 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     robot_name_ = wanted.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
-    const bool is_station = protocol::isStation(bare_name); // without sensors or motion: no data
+    // A station has no sensors and does not move, so it sends no data.
+    const bool is_station = protocol::isStation(bare_name);
     if (!controls_ && !is_station)
         robot_ = host.spawn(wanted);
     if (robot_ && isUdk())
-        send(robot_->configuration("Camera", ""), host.now); // unasked; nothing is written where there is no camera
+        send(robot_->configuration("Camera", ""), host.now); // Sent unasked; nothing is written if there is no camera.
     spawned_at_ = host.now;
     if (is_station)
         station_in_map_ = host.startOf(wanted);
-    initialized_ = robot_ || controls_ || is_station; // after a refused INIT the client may try again
+    initialized_ = robot_ || controls_ || is_station; // After a refused INIT the client may try again.
 }
 
 void ClientSession::startPoses() {
@@ -318,7 +321,7 @@ void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
     for (std::size_t i = before; i < output_.size(); ++i)
         said_digest_ = (said_digest_ ^ static_cast<unsigned char>(output_[i])) * 1099511628211ull;
     if (orphan_)
-        output_.clear(); // nobody hears it
+        output_.clear(); // No client is there to read it.
 }
 
 } // namespace usar::sim

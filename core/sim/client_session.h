@@ -1,4 +1,4 @@
-// One connection of the simulator: what it has said and not yet seen done, and what waits to be sent to it.
+// One client connection of the simulator: its commands that wait to be obeyed and its output that waits to be sent.
 #pragma once
 
 #include <deque>
@@ -22,72 +22,78 @@
 
 namespace usar::sim {
 
-/// Commands wait in order for the next tick. With lockstep those behind a STEP wait for the tick after it: when they
-/// arrived cannot change what happens. GETSTARTPOSES and LOCKSTEP are obeyed at once, so that a paused server
-/// answers. One question of each kind is pending and the newest wins (usarsim-protocol 5.4). Owned by a Simulation.
+/// Commands wait in order for the next tick. In lockstep, those after a STEP wait for the tick after it, so that the
+/// time of their arrival cannot change what happens. GETSTARTPOSES and LOCKSTEP are obeyed at once, so that a paused
+/// server answers. At most one query of each kind is pending, and the newest wins (usarsim-protocol 5.4). Owned by a
+/// Simulation; `world` must outlive it.
 class ClientSession {
 public:
     using Log = std::function<void(std::string)>;
 
     ClientSession(const World& world, protocol::Dialect profile);
 
+    /// Takes bytes in chunks of any size; `log` gets a sentence about each line that is wrong or dropped.
     void receive(std::string_view bytes, const Log& log);
-    /// What has arrived at the client by now.
+    /// Takes the bytes that have reached the client by now.
     std::string takeOutput(Seconds now);
 
     bool lockstep() const { return lockstep_; }
-    /// Tells the client that nobody waits for its STEP any more; it may ask for lockstep again.
+    /// Tells the client that nobody waits for its STEP any longer; it may ask for lockstep again.
     void leaveLockstep();
-    /// A client that need not be waited for: not in lockstep, without a robot yet (it hears nothing of the ticks, so it
-    /// could not answer them), or it has said STEP.
+    /// True if the simulation need not wait for this client: it is not in lockstep, has no robot yet, has not heard of
+    /// a tick yet (so it could not answer one), or has sent its STEP.
     bool ready() const { return !lockstep_ || !robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed(); }
+    /// True if it has nothing that needs a tick: no robot, no world controller and no waiting command.
     bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
     Robot* robot() { return robot_.get(); }
     const std::string& robotName() const { return robot_name_; }
-    /// Of a connection that is a base station's.
+    /// Pose of a base station; nullopt if this is not a base station's connection.
     const std::optional<Pose>& stationInMap() const { return station_in_map_; }
 
-    /// What acts on its robot and its connection from now on. `random` is this connection's own.
+    /// Sets the faults that act on its robot and connection from now on. `random` belongs to this connection alone.
     void setFaults(const std::vector<Fault>& active, const Random& random);
-    /// The robot is gone without a word; the connection stays and may not have another.
+    /// Removes the robot without a message; the connection stays and cannot spawn another.
     void loseRobot() { robot_.reset(); }
-    /// More waits behind a fault than a network would keep.
+    /// True if more waits because of a fault than a network would buffer.
     bool overfull() const { return wire_ && wire_->overfull(); }
+    /// Simulated time at which its INIT was obeyed.
     Seconds spawnedAt() const { return spawned_at_; }
-    /// The client has gone; the robot waits for another one that says INIT with its name.
+    /// To be called when the client has gone; the robot then waits for another one that sends INIT with its name.
     void orphan();
     bool isOrphan() const { return orphan_; }
-    /// The name in an INIT that waits to be obeyed; empty where there is none.
+    /// The robot name in an INIT that waits to be obeyed; empty if there is none.
     std::string wantedName() const;
-    /// This session's robot belongs to the client of `fresh` from now on, whose INIT is obeyed by it.
+    /// Gives this session's robot to the client of `fresh`, whose INIT thereby counts as obeyed.
     void takeOver(ClientSession& fresh);
-    /// Of all bytes that it ever said.
+    /// Digest of all output bytes ever written.
     std::uint64_t saidDigest() const { return said_digest_; }
-    /// Its robot has not been told of faults yet.
+    /// True until the new robot has been told of the active faults.
     bool isNew() const { return robot_ && new_; }
 
-    /// What the simulation does for its clients.
+    /// Callbacks through which a session acts on its simulation.
     struct Host {
+        /// Spawns a robot; returns nullptr if that is refused.
         std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
-        /// Where a base station stands.
+        /// Start pose of a base station.
         std::function<Pose(const protocol::Init&)> startOf;
-        /// A CONTROL; a sentence where it cannot be obeyed.
+        /// Obeys a CONTROL. Returns a sentence if that is impossible.
         std::function<std::optional<std::string>(const protocol::Command&)> control;
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
-        /// AttachCamera and DetachCamera; false where there is no such camera.
+        /// Obeys AttachCamera and DetachCamera. Returns false if there is no such camera or viewer.
         std::function<bool(const protocol::Command&)> attach;
-        /// SET of viewports, of which the session has said which cameras there are.
+        /// Sets the viewports; the session has already checked that the robot has the cameras.
         std::function<void(const Viewports&)> show;
-        /// The viewports that there are.
+        /// Returns the current viewports.
         std::function<Viewports()> shown;
         Log log;
         Seconds now{0.0};
     };
+    /// Obeys the commands that are due at this tick.
     void obeyWaiting(const Host& host);
-    /// Answers, then the robot's lines.
+    /// Writes the answers to pending queries, then the robot's lines.
     void report(Seconds now);
-    /// Where its robot is now, if TRACE wants one there.
+    /// A mark at its robot's position if TRACE calls for one now.
     std::optional<TraceMark> takeMark(Seconds now);
 
 private:
@@ -104,7 +110,7 @@ private:
     void answer(Seconds now);
     protocol::Response resultOf(const protocol::Command& asked, Seconds now);
     void send(const protocol::InfoMessage& message, Seconds now = Seconds{0.0});
-    /// STEPs that the client owes before the next tick: one for each tick that it has heard of.
+    /// STEPs that the client must send before the next tick: one for each tick that it has heard of.
     std::size_t stepsOwed() const { return wire_ ? ticks_heard_ : 1; }
     bool isUdk() const { return profile_ == protocol::Dialect::Udk; }
 
@@ -115,17 +121,17 @@ private:
     std::size_t steps_waiting_ = 0;
     bool lockstep_ = false;
     std::string output_;
-    std::optional<FaultyWire> wire_; ///< since the first fault of the connection
-    std::size_t ticks_heard_ = 0;    ///< by the client over the wire, without its STEP yet
+    std::optional<FaultyWire> wire_; ///< exists since the first link fault
+    std::size_t ticks_heard_ = 0;    ///< ticks that reached the client and are not answered by a STEP yet
 
     std::unique_ptr<Robot> robot_;
     std::string robot_name_;
     std::optional<Pose> station_in_map_;
     protocol::TracePen pen_;
     bool initialized_ = false;
-    bool controls_ = false; ///< a world controller's connection
+    bool controls_ = false; ///< belongs to a world controller
     bool first_tick_ = true;
-    bool heard_tick_ = false; ///< the client that is there now has been told of a tick
+    bool heard_tick_ = false; ///< the current client has been told of a tick
     bool orphan_ = false;
     std::uint64_t said_digest_ = 14695981039346656037ull; ///< FNV-1a
     bool new_ = true;
@@ -133,7 +139,7 @@ private:
     std::optional<protocol::GetGeometry> geometry_asked_;
     std::optional<protocol::GetConfiguration> configuration_asked_;
     std::optional<protocol::Command> set_asked_;
-    std::optional<protocol::Response> window_set_; ///< AttachCamera or Viewports, to be answered at the tick
+    std::optional<protocol::Response> window_set_; ///< result of AttachCamera or SET Viewports, to be sent at the tick
     std::vector<protocol::InfoMessage> lines_;
 };
 

@@ -1,4 +1,4 @@
-// How a ray passes over a grid of square cells: when it is where, and which cell comes next.
+// A ray's way over a grid of square cells: its coordinates at any time, and the next cell on its way.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace usar::sim {
 
-/// One coordinate of a ray, moving evenly. Time along the ray is its length in metres; the coordinate's unit is the
-/// caller's: cells for x and y, metres for z.
+/// One coordinate of a point that moves along a ray at constant speed. Time is the distance along the ray in meters;
+/// the coordinate's unit is the caller's: cells for x and y, meters for z.
 struct GridAxis {
     GridAxis(double from, double per_m)
         : start(from)
@@ -19,10 +19,12 @@ struct GridAxis {
         , forward(speed > 0.0 ? 1 : 0) {}
 
     double at(double t) const { return start + t * speed; }
-    /// When it leaves cell `cell`, where a cell is `width` units wide.
+    /// Time at which the point leaves cell `cell`, where a cell is `width` units wide; `no_hit_m` if the coordinate is
+    /// constant.
     double leaves(std::ptrdiff_t cell, std::ptrdiff_t width) const {
         return speed != 0.0 ? (static_cast<double>((cell + forward) * width) - start) * inverse : no_hit_m;
     }
+    /// The cell at time t, clamped to `first`..`last`.
     std::ptrdiff_t cellAt(double t, std::ptrdiff_t first, std::ptrdiff_t last) const {
         return std::clamp(static_cast<std::ptrdiff_t>(std::floor(at(t))), first, last);
     }
@@ -39,7 +41,7 @@ struct GridWalk {
         , z(ray.origin_m.z(), ray.direction.z())
         , leave(maximum_m) {}
 
-    /// Keeps the part where one coordinate is within the limits; nothing is left once `leave` < `enter`.
+    /// Keeps the part in which one coordinate is within the limits; nothing is left once `leave` < `enter`.
     void clip(const GridAxis& axis, double low, double high) {
         if (axis.speed == 0.0) {
             if (axis.start < low || axis.start > high)
@@ -52,7 +54,7 @@ struct GridWalk {
         leave = std::min(leave, std::max(a, b));
     }
 
-    /// Lowest height between two times.
+    /// Lowest height of the ray between two times.
     double lowest_m(double from, double to) const { return std::min(z.at(from), z.at(to)); }
 
     GridAxis x, y, z;
@@ -60,14 +62,14 @@ struct GridWalk {
     double leave;
 };
 
-/// The cell under a ray at one time, `width` grid units wide.
+/// The cell under a ray at a given time, `width` grid units wide.
 struct GridCell {
     GridCell(const GridWalk& walk, double t, std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t unit_width)
         : column(walk.x.cellAt(t, 0, columns * unit_width - 1) / unit_width)
         , row(walk.y.cellAt(t, 0, rows * unit_width - 1) / unit_width)
         , width(unit_width) {}
 
-    /// Moves on to the next cell and answers when the ray gets there.
+    /// Moves to the next cell and returns the time at which the ray enters it.
     double advance(const GridWalk& walk) {
         const double next_x = walk.x.leaves(column, width);
         const double next_y = walk.y.leaves(row, width);

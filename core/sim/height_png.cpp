@@ -16,7 +16,7 @@ constexpr png_uint_32 longest_side = 16385;
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// Everything that a jump out of libpng must not skip the destruction of lives here, outside of the jump.
+/// Holds everything whose destructors a jump out of libpng must not skip; it is declared outside of the jump.
 struct Job {
     File file{nullptr, std::fclose};
     png_structp png = nullptr;

@@ -10,7 +10,7 @@
 
 namespace usar::sim {
 
-/// Rows from the top of the picture down: as a map, north (highest y) first.
+/// Rows go from the top of the picture down, the one with the highest y first.
 struct HeightImage {
     std::size_t columns = 0;
     std::size_t rows = 0;
@@ -18,9 +18,9 @@ struct HeightImage {
     bool operator==(const HeightImage&) const = default;
 };
 
-/// Refuses everything that is not 16-bit grayscale, damaged files, and sides above 16385.
+/// Fails for anything that is not 16-bit grayscale, for damaged files, and for sides above 16385 pixels.
 Result<HeightImage> readHeightPng(const std::filesystem::path& file);
-/// `values.size()` is columns * rows. Equal images give equal bytes.
+/// `values.size()` must be columns * rows. Equal images give equal bytes.
 Result<void> writeHeightPng(const HeightImage& image, const std::filesystem::path& file);
 
 } // namespace usar::sim

@@ -5,12 +5,13 @@
 
 namespace usar::sim {
 
-/// Multiplicative: a range r reads r (1 + N(0, sigma)), never outside the sensor's limits; a miss reads the maximum
-/// without noise (robots-and-worlds 4.1). Each sensor owns one, with a random stream of its own.
+/// Multiplicative noise: a range r reads r (1 + N(0, sigma)), clamped to the sensor's limits; a miss reads the maximum
+/// without noise (robots-and-worlds 4.1). Each sensor owns one, with its own random stream.
 class RangeNoise {
 public:
     RangeNoise(double sigma, Random random) : sigma_(sigma), random_(random) {}
 
+    /// Returns the noisy range. A `range_m` of at least `maximum_m` is a miss.
     double operator()(double range_m, double minimum_m, double maximum_m);
 
 private:

@@ -10,7 +10,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double belt_rise_m = 0.01; ///< of the belt over the frame
+constexpr double belt_rise_m = 0.01; ///< height of the belt above the frame
 
 const std::array object_kinds{
     ObjectKind{"Box", ObjectShape::Box, {0.5, 0.5, 0.5}, 80.0, 0.6, 0.1, 0.0},

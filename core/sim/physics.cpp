@@ -16,7 +16,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double stuck_depth_m = 0.01;
-constexpr double bouncing_m_s = 0.1; // what comes slower stays
+constexpr double bouncing_m_s = 0.1; // Slower impacts do not bounce.
 
 struct DeepestContact : btCollisionWorld::ContactResultCallback {
     double depth_m = 0.0;
@@ -79,9 +79,9 @@ private:
     BulletWorld dynamics_{dispatcher_, broadphase_, rigid_solver_, link_solver_, configuration_};
     std::map<BodyId, std::unique_ptr<BulletBody>> bodies_;
     BodyId last_;
-    // Made when a ray asks for it, so that steps without rays cost nothing.
+    // Rebuilt when a ray asks for it, so that steps without rays cost nothing.
     mutable BodyIndex index_;
-    mutable std::vector<btCollisionObject*> indexed_; ///< by BodySphere::piece
+    mutable std::vector<btCollisionObject*> indexed_; ///< index: BodySphere::piece
     mutable bool moved_ = true;
 };
 
@@ -126,7 +126,7 @@ void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
     wakeAll();
 }
 
-// Sleepers wake when they are touched, not when what they lie on goes away.
+// Sleeping bodies wake when they are touched, but not when the thing they lie on goes away.
 void BulletPhysics::wakeAll() {
     for (auto& [id, body] : bodies_)
         body->wake();
@@ -136,7 +136,7 @@ bool BulletPhysics::isStuck(BodyId id) {
     const BulletBody& self = *bodies_.at(id);
     const Vec3 position_m = fromBullet(self.position());
     const Vec2 point_m = position_m.head<2>();
-    // The height field is a thin sheet to Bullet: a body wholly beneath it touches nothing.
+    // To Bullet the height field is a thin sheet: a body entirely beneath it touches nothing.
     if (!terrain_.empty() && terrain_.extent().contains(point_m) && position_m.z() < terrain_.height_m(point_m))
         return true;
     DeepestContact deepest;
@@ -165,8 +165,8 @@ void BulletPhysics::step(Seconds dt) {
     }
 }
 
-// The height field is a thin sheet to Bullet, and the ground a solid block: what was pressed through, as by a car that
-// rolls over it, comes out again.
+// To Bullet the height field is a thin sheet, but the ground is a solid block: a body that was pressed through it, for
+// example by a car that rolls over it, is lifted out again. A body that was just placed is left where it is.
 void BulletPhysics::keepAboveGround(BulletBody& body) {
     const Vec3 at_m = fromBullet(body.position());
     const bool carried = std::exchange(body.placed, false);
@@ -219,8 +219,8 @@ void BulletPhysics::record(const btPersistentManifold& manifold, const btManifol
         bounce(manifold, point, restitution * closing_speed_m_s);
 }
 
-// Bullet sees contacts a little ahead, and its own restitution then falls short by as much as the gap is wide. It has
-// brought rigid bodies to the surface by now: here they leave it.
+// Bullet reports contacts slightly ahead of time, so its own restitution falls short by the width of the gap. At this
+// point it has brought rigid bodies to the surface; here they get the speed at which they leave it.
 void BulletPhysics::bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s) {
     const btRigidBody* const pair[2] = {btRigidBody::upcast(manifold.getBody0()),
                                         btRigidBody::upcast(manifold.getBody1())};

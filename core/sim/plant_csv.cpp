@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view heading = "kind,x,y,z,trunk_radius,trunk_height,crown_radius,crown_height";
 constexpr std::size_t numbers = 7;
 
-/// The plant of one line, or what is wrong with the line.
+/// The plant that a line describes, or what is wrong with the line.
 Result<Plant, std::string> readRow(std::string_view row) {
     std::array<double, numbers> values{};
     const std::size_t comma = row.find(',');

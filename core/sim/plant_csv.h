@@ -1,4 +1,4 @@
-// Scattered plants as a table of text: thousands of trees cost kilobytes here and gigabytes as SDFormat models.
+// Scattered plants as a text table: thousands of trees take kilobytes here and gigabytes as SDFormat models.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace usar::sim {
 
-/// Columns kind (`round` or `cone`: the crown), x, y, z of the base, trunk radius and height, crown radius and height;
-/// metres, map frame, one plant a line after the heading line (robots-and-worlds, section 5). Empty lines are skipped.
-/// Refuses with the number of the first line that is wrong.
+/// Reads columns kind (`round` or `cone`: the crown), x, y, z of the base, trunk radius and height, crown radius and
+/// height; meters, map frame, one plant per line after the heading line (robots-and-worlds, section 5). Empty lines are
+/// skipped. An error names the first line that is wrong.
 Result<std::vector<Plant>> readPlantCsv(const std::filesystem::path& file);
-/// Reads back equal, number by number.
+/// Writes the same format. The numbers read back exactly.
 Result<void> writePlantCsv(const std::vector<Plant>& plants, const std::filesystem::path& file);
 
 } // namespace usar::sim

@@ -21,13 +21,13 @@ double top_m(const Plant& plant) {
     return plant.base_in_map_m.z() + plant.trunk_height_m + crown_m;
 }
 
-/// A sphere may hang lower than its trunk's foot.
+/// A spherical crown may hang lower than the foot of its trunk.
 double bottom_m(const Plant& plant) {
     const double crown_m = plant.crown == CrownShape::Sphere ? plant.crown_radius_m : 0.0;
     return plant.base_in_map_m.z() + std::min(0.0, plant.trunk_height_m - crown_m);
 }
 
-/// False when the ray's line passes the plant's axis at a distance, or the plant lies wholly behind its start.
+/// False if the ray's line passes the plant's axis at a distance, or if the plant is entirely behind the ray's start.
 bool passesNear(const Plant& plant, const Ray& ray) {
     const double x = plant.base_in_map_m.x() - ray.origin_m.x();
     const double y = plant.base_in_map_m.y() - ray.origin_m.y();
@@ -108,7 +108,7 @@ PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
 }
 
 PlantIndex::Range PlantIndex::footprint(const Plant& plant) const {
-    // A hair more than the radius: a ray that touches the very edge may be counted into the next bucket.
+    // Slightly more than the radius, because a ray that touches the very edge may be counted into the next bucket.
     const Vec2 reach = Vec2::Constant(reach_m(plant) + 1e-6);
     return bucketsUnder(plant.base_in_map_m.head<2>() - reach, plant.base_in_map_m.head<2>() + reach);
 }
@@ -126,7 +126,7 @@ std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) cons
 }
 
 double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const {
-    constexpr std::ptrdiff_t most_buckets = 64; // long rays of a wide bundle are better off each on its own way
+    constexpr std::ptrdiff_t most_buckets = 64; // Beyond this, each ray of a wide bundle is better cast on its own.
     const Eigen::AlignedBox3d box = bundle.box(maximum_m);
     const double bottom = box.min().z() - slack_m;
     const double top = box.max().z() + slack_m;

@@ -19,7 +19,7 @@ struct Line {
     Vec3 direction;
     double length_m;
 
-    /// From there to the next solid thing; 0 within one.
+    /// Distance from a point on the line to the next solid thing; 0 inside one.
     double free_m(double at_m) const { return still.cast(from_m + at_m * direction, direction, length_m - at_m); }
 };
 
@@ -35,7 +35,7 @@ int obstaclesBetween(const RayCaster& still, const Vec3& a_in_map_m, const Vec3&
                      const RadioParameters& parameters) {
     Vec3 from_m = a_in_map_m;
     Vec3 to_m = b_in_map_m;
-    if (before(to_m, from_m)) // samples fall on the same points whoever asks
+    if (before(to_m, from_m)) // Samples fall on the same points in both directions.
         std::swap(from_m, to_m);
     const double length_m = (to_m - from_m).norm();
     if (!(length_m > 0.0) || !std::isfinite(length_m))
@@ -48,7 +48,7 @@ int obstaclesBetween(const RayCaster& still, const Vec3& a_in_map_m, const Vec3&
         if (at_m >= length_m)
             break;
         ++obstacles;
-        // A ray tells where it enters, not where it leaves: so ask at each step whether it is out again.
+        // A ray tells where it enters a solid, not where it leaves it, so test at each step whether it is out again.
         double entered_m = at_m;
         do {
             at_m += parameters.sample_m;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double edge_slack_m = 1e-6;
 
-/// Positive when `b` lies to the left of `a`.
+/// Positive when `b` is to the left of `a`.
 double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }

@@ -19,7 +19,7 @@ struct PlacedBox {
     double radius_m;
 };
 
-/// Cheap answer for the many rays that pass a box at a distance.
+/// Cheap test that rules out most boxes which a ray passes at a distance.
 bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
     const Vec3 to_center = box.center_m - ray.origin_m;
     const double along = to_center.dot(ray.direction);
@@ -28,7 +28,7 @@ bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
     return to_center.squaredNorm() - along * along <= box.radius_m * box.radius_m + 1e-9;
 }
 
-/// Whether it lies level over all the ground, as ceilings do.
+/// True if the box is level and covers all the ground, as ceilings do.
 bool covers(const PlacedBox& box, const Rectangle& ground) {
     if (ground.empty() || !box.box_in_map.isIdentity(1e-9))
         return false;
@@ -117,7 +117,7 @@ struct RayCaster::Index {
     PlantIndex plants;
     TerrainRays ground;
     std::vector<PlacedBox> boxes;
-    double top_m = 0.0;    ///< above everything; under the ceiling where there is one
+    double top_m = 0.0;    ///< above everything, but below a ceiling if there is one
     double bottom_m = 0.0; ///< below everything
     bool roofed = false;
 };
@@ -128,7 +128,7 @@ RayCaster::~RayCaster() = default;
 
 double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
     const Ray ray{origin_m, direction};
-    // Things first: their hit bounds the walk over the ground, which is the dearer one.
+    // Things first: their hits shorten the walk over the ground, which costs more.
     return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
 }
 
@@ -139,7 +139,7 @@ double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
 
 RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
     const Ray ray{origin_m, direction};
-    // The way is long. Downward the ground ends it soon; upward it is for plants to say how far to look for ground.
+    // The range is long. Downward, the ground soon ends the ray; upward, the plants limit how far to look for ground.
     const bool down = direction.z() < 0.0;
     double ground_m = down ? index_->ground.cast(ray, maximum_m) : maximum_m;
     RayHit hit = index_->lookAtThings(ray, ground_m);

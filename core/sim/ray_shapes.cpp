@@ -8,7 +8,7 @@ namespace usar::sim {
 
 namespace {
 
-/// Part of a ray inside something convex; empty when `leave` < `enter`.
+/// The part of a ray that is inside something convex; empty when `leave` < `enter`.
 struct Span {
     double enter = -no_hit_m;
     double leave = no_hit_m;
@@ -32,7 +32,7 @@ double firstHit(const Span& span) {
     return span.leave < span.enter || span.leave < 0.0 ? no_hit_m : std::max(span.enter, 0.0);
 }
 
-/// Inside of the infinite vertical cylinder around (x, y) = 0.
+/// The part inside the infinite vertical cylinder around (x, y) = 0.
 Span column(double x, double y, const Vec3& direction, double radius_m) {
     const double a = direction.x() * direction.x() + direction.y() * direction.y();
     const double c = x * x + y * y - radius_m * radius_m;
@@ -46,7 +46,7 @@ Span column(double x, double y, const Vec3& direction, double radius_m) {
     return {(-b - root) / a, (-b + root) / a};
 }
 
-/// Real roots of a t^2 + 2 b t + c, without cancellation; infinite where there is none.
+/// Real roots of a t^2 + 2 b t + c, without cancellation; infinite if there are none.
 std::pair<double, double> roots(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0)

@@ -21,7 +21,7 @@ Vec3 halfSizeOf(const SphereShape& shape) {
     return Vec3::Constant(shape.radius_m);
 }
 
-/// Around all parts, along the body's axes.
+/// Bounding box of all parts along the body's axes; it includes the body's origin.
 Eigen::AlignedBox3d boundsOf(const BodyDescription& body) {
     Eigen::AlignedBox3d bounds(Vec3::Zero().eval());
     for (const BodyPart& part : body.parts) {

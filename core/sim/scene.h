@@ -1,4 +1,5 @@
-// What changes in a world beside the robots: things that can be pushed or are moved about, and what tags remember.
+// The part of a world that changes during a simulation, apart from the robots: movable objects, RFID tags' memory and
+// TRACE marks.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +13,36 @@
 
 namespace usar::sim {
 
-/// A thing that is carried along instead of left to physics: along way points, or turning where it is.
+/// Kinematic motion of an object, which replaces physics for it: along waypoints, spinning in place, or both.
 struct ObjectMotion {
-    Vec3 spin_rad_s = Vec3::Zero(); ///< roll, pitch, yaw rates
+    Vec3 spin_rad_s = Vec3::Zero(); ///< roll, pitch and yaw rates
     std::vector<Vec3> waypoints_in_map_m;
-    std::size_t next_waypoint = 0;
+    std::size_t next_waypoint = 0; ///< index of the waypoint it heads for; the number of waypoints after the last one
     double speed_m_s = 0.0;
-    bool loop = false;
-    bool moving = false;
+    bool loop = false;   ///< starts again at the first waypoint after the last one
+    bool moving = false; ///< follows the waypoints; the spin acts in any case
 
+    /// True while the object must be moved at each step.
     bool carries() const { return !spin_rad_s.isZero() || (moving && next_waypoint < waypoints_in_map_m.size()); }
 };
 
-/// A thing where it is now.
+/// An object of the world in its current state.
 struct SceneObject {
     std::string name;
     std::string class_name;
     BodyId body;
     Pose body_in_map;
-    std::vector<BodyPart> parts{}; ///< as cameras see it
-    Vec3 size_m = Vec3::Zero();    ///< of its bounding box along its own axes
-    double radius_m = 0.0;         ///< of a sphere that holds it
-    std::string memory{};
-    std::optional<std::uint32_t> goes_with{}; ///< the client with whom it leaves the world
+    std::vector<BodyPart> parts{}; ///< shapes in the body frame, for cameras
+    Vec3 size_m = Vec3::Zero();    ///< size of its bounding box along its own axes
+    double radius_m = 0.0;         ///< radius of a sphere around the body's origin that encloses it
+    std::string memory{};          ///< text given at its creation, reported with its state
+    /// Id of the client whose disconnection removes it; nullopt if it is permanent.
+    std::optional<std::uint32_t> goes_with{};
     ObjectMotion motion{};
-    std::optional<BodyId> belt{}; ///< of a conveyor
+    std::optional<BodyId> belt{}; ///< the moving surface of a conveyor; nullopt for all other objects
 };
 
-/// What a robot under TRACE left behind.
+/// A mark left by a robot under TRACE: the position of its base at that moment.
 struct TraceMark {
     std::string robot_name;
     protocol::TraceColor color = protocol::TraceColor::Red;
@@ -47,24 +50,26 @@ struct TraceMark {
     bool operator==(const TraceMark&) const = default;
 };
 
-/// Owned by a Simulation, which refreshes the poses at each tick.
+/// All that can change in one world. Owned by a Simulation, which refreshes the poses at each tick.
 struct Scene {
     std::vector<SceneObject> objects;
     std::vector<RfidTag> tags;
-    std::vector<TraceMark> trace_marks{}; ///< in order of time, the newest 20,000 at least
+    std::vector<TraceMark> trace_marks{}; ///< oldest first; at least the newest 20,000 are kept
 };
 
-/// Adds what the world begins with to the physics.
+/// Adds the world's initial objects to the physics and returns the scene that refers to them.
 Scene makeScene(const World& world, Physics& physics);
-/// One object more.
+/// Adds an object to scene and physics. The reference is valid until the list of objects changes.
 SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object);
+/// Removes body and belt from the physics only; the caller erases the object from the scene.
 void removeObject(const SceneObject& object, Physics& physics);
-/// Both its body and its belt, at rest.
+/// Moves the object, together with its belt, to a pose, at rest.
 void placeObject(SceneObject& object, Physics& physics, const Pose& body_in_map);
+/// Appends a mark. When 40,000 are kept, the oldest 20,000 are dropped first.
 void addMark(Scene& scene, TraceMark mark);
-/// The poses as physics has them now.
+/// Copies the current poses from the physics into the scene.
 void refresh(Scene& scene, const Physics& physics);
-/// Carries what is on its way.
+/// Moves the objects that have a motion of their own by `dt`.
 void carryObjects(Scene& scene, Physics& physics, Seconds dt);
 
 } // namespace usar::sim

@@ -11,7 +11,7 @@ namespace usar::sim {
 
 namespace {
 
-/// Line of the start tag number `number` (from 0) with this name, comments left out.
+/// Line of the start tag number `number` (from 0) with this name, not counting comments.
 std::optional<int> lineOfTag(const std::filesystem::path& file, const std::string& name, int number) {
     std::ifstream in(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};

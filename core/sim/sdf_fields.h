@@ -1,4 +1,5 @@
-// Numbers, poses and attributes out of SDF elements, and where an element stands in its file. For the world readers.
+// Reads numbers, poses and attributes from SDF elements, and finds the line of an element in its file. For the readers
+// of worlds and robots.
 #pragma once
 
 #include <array>
@@ -16,24 +17,25 @@
 
 namespace usar::sim {
 
-/// `what` on the element's line: libsdformat knows those of SDFormat's own elements; those of ours are sought in the
-/// file by the element's place among its parent's.
+/// The error `what` at the element's line. libsdformat knows the lines of SDFormat's own elements; the line of one of
+/// ours is found in the file by the element's position among its siblings.
 tl::unexpected<Error> refusal(const std::string& what, const std::filesystem::path& file, const sdf::Element& element);
 
+// Both libraries mean meters, radians and the same order of rotations.
 Pose toPose(const ignition::math::Pose3d& pose);
 Vec3 toVec3(const ignition::math::Vector3d& vector);
 
-/// Attribute of an element of ours; nothing when it is missing or empty.
+/// Attribute of one of our elements; nullopt if it is missing or empty.
 std::optional<std::string> attributeOf(const sdf::Element& element, const std::string& name);
-/// A finite number; nothing when it is missing or anything else.
+/// The attribute as a finite number; nullopt if it is missing or anything else.
 std::optional<double> numberOf(const sdf::Element& element, const std::string& attribute);
-/// Text of a child element of ours.
+/// Text of a child element of ours; nullopt if there is none.
 std::optional<std::string> childText(sdf::Element& element, const std::string& name);
 
-/// Fills `values` with as many finite numbers with blanks between them; false where there is anything else.
+/// Fills `values` with exactly `count` finite numbers separated by blanks. Returns false if the text is anything else.
 bool readNumbers(std::string_view text, double* values, std::size_t count);
 
-/// The text of an element as `count` finite numbers.
+/// The element's text as exactly `count` finite numbers; nullopt if it is anything else.
 template <std::size_t count>
 std::optional<std::array<double, count>> numbersIn(const sdf::Element& element) {
     std::array<double, count> values{};

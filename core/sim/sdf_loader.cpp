@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* sdf_mend = "Mend the file or generate the world again";
 
-/// While it lives, libsdformat's console speaks into `heard()` and not into the log file in the home folder.
+/// While it exists, libsdformat's console writes into `heard()` and not into the log file in the home folder.
 class Listener {
 public:
     Listener()
@@ -43,7 +43,7 @@ private:
     std::ostringstream text_;
 };
 
-/// Broken XML has no error of its own: its reason and line are only said to the console.
+/// Broken XML has no error of its own: the reason and the line appear only on the console.
 tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem::path& file) {
     constexpr std::string_view reason_mark = "XML_ERROR_";
     constexpr std::string_view line_mark = "Line number=";
@@ -63,7 +63,7 @@ tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem
 } // namespace
 
 Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
-    // The library has one console for the whole process; a world that was given up may still be read by its thread.
+    // The library has one console for the whole process, and a canceled world may still be being read by its thread.
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
     const Listener listener;

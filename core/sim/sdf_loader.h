@@ -1,4 +1,4 @@
-// libsdformat behind our kind of error: file, line and reason in one value, nothing on the terminal.
+// Loads SDFormat files with our kind of error: file, line and reason in one value, nothing on the terminal.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace usar::sim {
 
-/// Refuses missing files, broken XML and whatever SDFormat does not allow. libsdformat talks to one console per
-/// process: load from one thread at a time. Included by readers only, so that its headers stay out of
-/// everyone's way.
+/// Fails for missing files, broken XML and anything that SDFormat does not allow. Callable from several threads, which
+/// take turns, because libsdformat has one console per process. Include this header in readers only, so that
+/// libsdformat's headers stay out of everyone else's way.
 Result<sdf::Root> loadSdf(const std::filesystem::path& file);
 
 } // namespace usar::sim

@@ -11,7 +11,7 @@ namespace usar::sim {
 namespace {
 
 constexpr std::size_t most_log_sentences = 1000;
-constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // beyond those of sensors and winds
+constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // Beyond the random streams of sensors and winds.
 constexpr std::size_t most_viewers = 64;
 
 Result<void> checked(const World& world, const SimulationOptions& options) {

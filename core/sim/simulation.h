@@ -1,4 +1,4 @@
-// The embedded USARSim server without its sockets: bytes in, bytes out, time by steps.
+// The embedded USARSim server without its sockets: bytes in, bytes out; only step() advances time.
 #pragma once
 
 #include <cstddef>
@@ -23,31 +23,32 @@
 
 namespace usar::sim {
 
-/// A day: the thesis (4.1) sets the server's battery very high, for a server cannot charge, and lets the client count.
+/// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
+/// lets the client keep track of the charge.
 inline constexpr Seconds survey_battery_life{86400.0};
 
 struct SimulationOptions {
     std::uint64_t seed = 1;
-    /// How the server speaks. UDK answers each question at once, sends each sensor in a line of its own and usually
-    /// ticks each 0.1 s (usarsim-protocol 7).
+    /// How the server speaks. UDK answers each query at once, sends each sensor on a line of its own and usually ticks
+    /// every 0.1 s (usarsim-protocol 7).
     protocol::Dialect profile = protocol::Dialect::Ut2004;
-    Seconds tick{0.2};                     ///< UT2004 message tick
-    int physics_steps_per_tick = 50;       ///< 250 Hz
-    std::optional<Seconds> battery_life{}; ///< instead of what each robot's file says
-    bool noise = true;
-    std::shared_ptr<const RobotCatalog> robots{}; ///< what can be spawned
-    std::vector<Fault> faults{};                  ///< on request
-    std::string world_source{};                   ///< name or folder that the world came from, for snapshots
+    Seconds tick{0.2};                            ///< message tick; 0.2 s is UT2004's
+    int physics_steps_per_tick = 50;              ///< 250 Hz by default
+    std::optional<Seconds> battery_life{};        ///< replaces what each robot's file says
+    bool noise = true;                            ///< sensor noise and INS drift
+    std::shared_ptr<const RobotCatalog> robots{}; ///< the classes that can be spawned; null: none
+    std::vector<Fault> faults{};                  ///< scheduled from the start
+    std::string world_source{};                   ///< name or folder that the world was loaded from, for snapshots
     RadioParameters radio{};
 };
 
-/// Identifies one connection.
+/// Identifies one connection of a Simulation, from 1; never reused.
 struct ClientId {
     std::uint32_t value = 0;
     auto operator<=>(const ClientId&) const = default;
 };
 
-/// What a viewer other than the wire may know of a robot (tests, scoring, figures); behaviors never see it.
+/// Ground truth about a robot for viewers other than the wire (tests, scoring, figures). Behaviors never see it.
 struct RobotTruth {
     ClientId client;
     std::string name;
@@ -55,94 +56,88 @@ struct RobotTruth {
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     bool broken = false;
     int collisions = 0;
-    double distance_m = 0.0;               ///< true path length
+    double distance_m = 0.0;               ///< length of the path it actually traveled
     Seconds longest_stay{0.0};             ///< see StayWatch
     int falls = 0;                         ///< see FallWatch
-    int touches = 0;                       ///< of things that can be pushed; see TouchWatch
-    std::optional<Seconds> first_touch{};  ///< since the spawn
-    std::optional<HeightFigures> height{}; ///< of what dives, since it went under
+    int touches = 0;                       ///< how often it touched an object or another robot; see TouchWatch
+    std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
+    std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
 };
 
 struct TraceMark;
 
-/// One world, its robots and their connections. Single-threaded; the same seed and the same bytes at the same ticks
-/// give the same bytes. Owned by whoever serves it.
+/// One world, its robots and their connections. Single-threaded and deterministic: the same seed and the same bytes at
+/// the same ticks give the same output. Owned by the server that passes the bytes in and out.
 class Simulation {
 public:
+    /// Fails if there is nothing to stand on, or if tick, physics steps or battery life are not positive.
     static Result<std::unique_ptr<Simulation>> make(World world, SimulationOptions options = {});
     ~Simulation();
 
-    ClientId connect();
-    void disconnect(ClientId client);
-    /// Bytes from the client, in any chunks; obeyed at the next step, but GETSTARTPOSES and LOCKSTEP at once.
+    ClientId connect();               ///< its first output is the greeting
+    void disconnect(ClientId client); ///< removes its robot and its non-permanent objects
+    /// Takes bytes from the client, in chunks of any size. Commands are obeyed at the next step, except GETSTARTPOSES
+    /// and LOCKSTEP, which are obeyed at once.
     void receive(ClientId client, std::string_view bytes);
-    /// Bytes for the client since the last call.
-    std::string takeOutput(ClientId client);
+    std::string takeOutput(ClientId client); ///< the bytes for the client since the last call
 
-    /// This moment, to go on from. Fails where the run has been told more than can be kept (256 MiB).
+    /// The current state, to be resumed later. Fails if the run's inputs exceed 256 MiB.
     Result<Snapshot> snapshot() const;
-    /// So much of a run has been lived through again, of so much; false gives it up.
+    /// Progress of `resume`: simulated time replayed so far, and in total. Returns false to cancel.
     using ResumeWatch = std::function<bool(Seconds done, Seconds whole)>;
-    /// Goes on where the snapshot was taken, with this world and these robots; fails where they are not those of the
-    /// run any more, or where `watch`, which is asked each tick, gives it up. Its robots wait, and time with them, each
-    /// for a client that says INIT with its name; one that nobody wants is let go by `releaseFromLockstep`.
+    /// Continues where the snapshot was taken, with this world and these robots. Fails if they are no longer those of
+    /// the run, or if `watch`, which is called at each tick, cancels. Each robot then waits, and time stands still,
+    /// until a client sends INIT with its name or `releaseFromLockstep` removes it.
     static Result<std::unique_ptr<Simulation>> resume(World world, std::shared_ptr<const RobotCatalog> robots,
                                                       const Snapshot& snapshot, const ResumeWatch& watch = {});
-    /// A robot that waits.
+    /// A resumed robot that waits for a client.
     struct Orphan {
         std::string class_name; ///< as INIT takes it
         std::string name;
         Pose base_in_map;
     };
     std::vector<Orphan> orphans() const;
-    void letOrphansGo();
+    void letOrphansGo(); ///< removes them all
 
-    /// One more class of robots can be spawned, or this one in the place of one of the same name. No input of the run:
-    /// a snapshot is taken up with all its robots.
+    /// Adds a robot class that can be spawned, or replaces the one of the same name. This is not recorded as an input:
+    /// `resume` needs a catalog that already contains all robots of the run.
     void learn(RobotModel model);
 
-    /// False while a lockstep client has not said STEP since the last tick.
+    /// False while an orphan waits or a lockstep client has not sent STEP since the last tick.
     bool readyToStep() const;
     bool hasLockstepClients() const;
-    /// The clients whose STEP is missing.
+    /// The clients that `readyToStep` waits for; an orphan is listed by its former client.
     std::vector<ClientId> awaited() const;
-    /// For a client that has hung: it is told, and not waited for any more.
+    /// Stops waiting for a client that hangs, and tells it so; removes an orphan.
     void releaseFromLockstep(ClientId client);
-    /// True while nothing would happen but the passing of time: no robot and no command that waits.
+    /// True while only time would pass: no robot, no world controller and no waiting command.
     bool idle() const;
-    /// One message tick: physics, sensors, lines for every client.
-    void step();
+    void step(); ///< simulates one message tick: commands, faults, physics, sensors, output for every client
 
-    /// From the next tick on, or when its time comes. The number is for `endFault`, which says whether there was
-    /// something to end.
+    /// Schedules a fault, to act from the next tick or from its own start time. Returns the number for `endFault`,
+    /// which returns false if there is no such fault or it is already over.
     int addFault(const Fault& fault);
     bool endFault(int id);
     const std::vector<FaultStatus>& faults() const;
-    /// Those that have begun or ended since the last call.
-    std::vector<FaultStatus> takeFaultNews();
-    /// Clients whose connection a fault has cut: whoever serves them hangs up.
-    std::vector<ClientId> takeCut();
+    std::vector<FaultStatus> takeFaultNews(); ///< those that have begun or ended since the last call
+    std::vector<ClientId> takeCut();          ///< those cut by a fault since the last call; the server must close them
 
     Seconds now() const;
     const SimulationOptions& options() const;
     const World& world() const;
-    /// What cameras can see now, for pictures in any thread.
-    CameraScene cameraScene() const;
+    CameraScene cameraScene() const; ///< a value that any thread can render
     std::vector<RobotTruth> robots() const;
-    /// Of all robots and base stations, in the order of their connections.
-    std::vector<RadioStation> radios() const;
-    /// All of them, also those that weaken a radio no further.
+    std::vector<RadioStation> radios() const; ///< those of all robots and base stations, in the order of connection
+    /// Counts all obstacles, even those beyond the number that weakens a radio.
     int obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const;
-    /// Between two antennas, as they stand now.
+    /// Received signal strength between two antennas, with the obstacles of the still world.
     double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
-    /// What robots under TRACE left behind, oldest first; of all clients.
-    const std::vector<TraceMark>& traceMarks() const;
-    std::uint64_t traceMarksMade() const;
-    /// Those that came after the first so many were made, as far as they are kept.
+    const std::vector<TraceMark>& traceMarks() const; ///< those still kept of all clients, oldest first
+    std::uint64_t traceMarksMade() const;             ///< ever, including dropped ones
+    /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
-    /// What was ignored, refused or mended since the last call: one sentence each, for the server's log.
-    std::vector<std::string> takeLog();
+    std::vector<std::string> takeLog(); ///< sentences for the server's log since the last call, at most 1000
 
 private:
     struct State;

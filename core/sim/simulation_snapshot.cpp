@@ -1,4 +1,4 @@
-// How a simulation is kept and taken up again: by what it was told.
+// Snapshots of a simulation: recording its inputs and replaying them.
 #include <algorithm>
 #include <bit>
 
@@ -35,11 +35,12 @@ std::vector<std::string> textsOf(const std::vector<Fault>& faults) {
 
 } // namespace
 
-/// Neighboring bytes of one client in one tick are one entry: how they were cut into pieces changes nothing.
+/// Records an input. Successive bytes of one client within one tick become one entry, because it does not matter how
+/// they were split into chunks.
 void Simulation::State::keep(JournalEntry::Kind kind, std::uint32_t client, std::string_view bytes) {
     journal_bytes += bytes.size() + sizeof(JournalEntry);
     if (journal_bytes > most_journal_bytes)
-        return journal.clear(); // a run of weeks; its snapshots are refused
+        return journal.clear(); // A run of weeks; its snapshots are refused.
     JournalEntry* const last = journal.empty() ? nullptr : &journal.back();
     if (kind == JournalEntry::Kind::Receive && last && last->kind == kind && last->client == client &&
         last->tick == ticks)
@@ -62,7 +63,8 @@ std::uint64_t Simulation::State::digest() const {
     return digest.value();
 }
 
-/// A client that says INIT with the name of a robot that waits gets it, at once, for time stands still until then.
+/// If the client's INIT names a robot that waits for a client, the client gets that robot at once, because time stands
+/// still until then.
 bool Simulation::State::adopt(ClientId client, ClientSession& session) {
     const std::string name = session.wantedName();
     const auto orphan = std::ranges::find_if(
@@ -158,7 +160,7 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
             return failure("it was given up before its moment was reached", "snapshot of " + snapshot.world);
         simulation.step();
         for (auto& [client, session] : simulation.state_->sessions)
-            session.takeOutput(simulation.now()); // as its server did
+            session.takeOutput(simulation.now()); // As the server did in the original run.
     }
     if (simulation.state_->digest() != snapshot.digest)
         return failure("the run does not come out as it was", "snapshot of " + snapshot.world,

@@ -1,4 +1,4 @@
-// What a Simulation is made of; for its own files.
+// Private implementation of a Simulation; for its own source files only.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@
 
 namespace usar::sim {
 
-/// What comes from outside is kept up to here.
+/// Inputs are recorded up to this size in total; beyond it the run can no longer be saved as a snapshot.
 inline constexpr std::size_t most_journal_bytes = std::size_t(256) << 20;
 
 struct Simulation::State {
@@ -35,22 +35,36 @@ struct Simulation::State {
             faults.add(fault);
     }
 
+    /// Adds a sentence for takeLog(); dropped if there are too many.
     void log(ClientId client, const std::string& sentence);
+    /// Returns nullptr if the robot cannot be spawned; the log says why.
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
+    /// The start that INIT asks for. An unknown name is logged and gives the command's fallback or the map's origin.
     Pose startOf(ClientId client, const protocol::Init& init);
+    /// Returns false if there is no such camera, or no such viewer to detach.
     bool attachCamera(const protocol::Command& command);
     std::string knownClasses() const;
+    /// Obeys all clients' commands that are due, in the order of their connections.
     void obeyAll();
+    /// Advances the fault schedule and applies what has changed.
     void followFaults();
+    /// Tells a session of its active faults, and logs those that have no effect on its robot.
     void setFaults(ClientId client, ClientSession& session);
+    /// True if a fault makes the session's robot disappear now.
     bool vanishes(const ClientSession& session) const;
+    /// Runs the physics steps of one tick.
     void move();
+    /// Refreshes the scene, and writes each client's lines and its robot's trace mark.
     void reportAll();
+    /// Records an input of the run.
     void keep(JournalEntry::Kind kind, std::uint32_t client = 0, std::string_view bytes = {});
+    /// Gives a robot that waits for a client to this one if its INIT names that robot; returns whether it did.
     bool adopt(ClientId client, ClientSession& session);
+    /// Digest of everything that must come out the same when the run is replayed.
     std::uint64_t digest() const;
 
-    // In this order: physics and rays look into the world, sessions hold robots that live in the physics.
+    // The order matters: physics and ray caster refer to the world, and sessions hold robots whose bodies are in the
+    // physics.
     std::shared_ptr<const StillWorld> still;
     const World& world;
     SimulationOptions options;
@@ -60,18 +74,19 @@ struct Simulation::State {
     WorldController controller;
     FaultSchedule faults;
     std::map<ClientId, ClientSession> sessions;
-    std::vector<ClientId> cut;
-    std::vector<FaultStatus> fault_news;
-    std::map<std::string, CameraChoice> attached; ///< cameras, by the address of the viewer
+    std::vector<ClientId> cut;                    ///< for takeCut()
+    std::vector<FaultStatus> fault_news;          ///< for takeFaultNews()
+    std::map<std::string, CameraChoice> attached; ///< each viewer's camera, by the viewer's address
     std::optional<Viewports> viewports;
     ClientId last_client;
-    std::uint64_t spawned = 0;
-    std::uint64_t ticks = 0;
-    std::uint64_t marks_made = 0;                                   ///< of TRACE
-    std::vector<std::shared_ptr<const RobotCatalog>> former_robots; ///< robots that are there may be of them
+    std::uint64_t spawned = 0;    ///< robots ever spawned
+    std::uint64_t ticks = 0;      ///< message ticks made
+    std::uint64_t marks_made = 0; ///< TRACE marks ever made
+    /// Catalogs that learn() replaced; spawned robots may still refer to them.
+    std::vector<std::shared_ptr<const RobotCatalog>> former_robots;
     std::vector<JournalEntry> journal;
     std::size_t journal_bytes = 0;
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences; ///< for takeLog()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }
 };

@@ -26,7 +26,7 @@ void addNumber(std::string& out, std::string_view key, double value) {
     add(out, key, text);
 }
 
-/// Goes through the file; the first trouble is kept.
+/// Reads a snapshot file piece by piece and keeps the first error.
 class SnapshotReading {
 public:
     explicit SnapshotReading(std::string_view file) : rest_(file) {}
@@ -64,7 +64,7 @@ public:
         return value;
     }
 
-    /// What a damaged digit must not make of a run: one that nobody lives to see the end of.
+    /// Like whole(), but fails above `most`, so that a damaged digit cannot ask for a run that takes forever to replay.
     std::uint64_t upTo(std::uint64_t most, std::string_view text, std::string_view what) {
         const std::uint64_t value = whole(text, what);
         if (value > most)

@@ -1,4 +1,4 @@
-// A world with the rays through it: what never changes while a simulation runs.
+// A world and its ray caster: all that never changes while a simulation runs.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace usar::sim {
 
-/// Const once made, so threads may share it. Stays where it was made: the caster points to the world.
+/// Immutable once made, so threads may share it. Cannot be moved, because the caster points to the world.
 struct StillWorld {
     explicit StillWorld(World still) : world(std::move(still)), caster(world) {}
     StillWorld(const StillWorld&) = delete;

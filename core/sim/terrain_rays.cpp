@@ -13,7 +13,7 @@ constexpr std::ptrdiff_t tile_cells = finest_cells * times_coarser;
 constexpr std::size_t tile_level = 1;
 constexpr double rounding_m = 1e-6;
 
-/// Four posts of a cell and the height of its two triangles; u, v within the cell.
+/// The four posts of a cell, and the height of its two triangles at u, v within the cell.
 struct Corners {
     double low, right, left, high;
 
@@ -23,7 +23,8 @@ struct Corners {
     }
 };
 
-/// Parameter in 0..1 where a straight line from (u0, v0, z0) to (u1, v1, z1) first dips below the cell's surface.
+/// Parameter in 0..1 at which a straight line from (u0, v0, z0) to (u1, v1, z1) first dips below the cell's surface, or
+/// `no_hit_m`.
 double dips(const Corners& corners, const Vec3& from, const Vec3& to) {
     double before = from.z() - corners.height(from.x(), from.y());
     if (before < 0.0)
@@ -96,7 +97,7 @@ double TerrainRays::cast(const Ray& ray, double maximum_m) const {
     const Vec3 enters_m = ray.origin_m + walk.enter * ray.direction;
     if (enters_m.z() < terrain_->height_m(enters_m.head<2>()))
         return walk.enter;
-    // One metre of slack below keeps rays that end exactly on the lowest ground.
+    // One meter of slack below keeps rays that end exactly on the lowest ground.
     walk.clip(walk.z, static_cast<double>(terrain_->minimum_m()) - 1.0, static_cast<double>(terrain_->maximum_m()));
 
     double enter = walk.enter;
@@ -127,7 +128,7 @@ double TerrainRays::castNearest(const RayBundle& bundle, double maximum_m) const
 }
 
 double TerrainRays::highestUnder_m(const Eigen::AlignedBox3d& box) const {
-    constexpr double most_squares = 4.0; // a side; more and fewer are both slower
+    constexpr double most_squares = 4.0; // Per side; more and fewer are both slower.
     const Vec2 low = (box.min().head<2>() - terrain_->origin_m()) / terrain_->step_m();
     const Vec2 high = (box.max().head<2>() - terrain_->origin_m()) / terrain_->step_m();
     const double longer = (high - low).maxCoeff();
@@ -152,7 +153,7 @@ double TerrainRays::crossTile(const GridWalk& walk, const GridCell& tile, double
     const double top_m = levels_[tile_level].at(tile.column, tile.row);
     if (walk.lowest_m(enter, leave) > top_m)
         return no_hit_m;
-    // A falling ray need not be followed before it is down at the tile's highest post.
+    // A falling ray need not be followed until it is down at the tile's highest post.
     double t = walk.z.speed < 0.0 ? std::max(enter, (top_m - walk.z.start) * walk.z.inverse) : enter;
     const auto columns = static_cast<std::ptrdiff_t>(terrain_->columns());
     const auto rows = static_cast<std::ptrdiff_t>(terrain_->rows());
@@ -163,7 +164,7 @@ double TerrainRays::crossTile(const GridWalk& walk, const GridCell& tile, double
         const auto y = static_cast<double>(cell.row);
         const float* post = posts + cell.row * columns + cell.column;
         const Corners corners{post[0], post[1], post[columns], post[columns + 1]};
-        // To the cell's far edge, even beyond `leave`: a hit is then where it is for those who look farther.
+        // Go to the cell's far edge, even beyond `leave`, so that the hit does not depend on how far the caller looks.
         const double next = std::max(t, std::min(cell.advance(walk), walk.leave));
         if (walk.lowest_m(t, next) <= corners.maximum()) {
             const double part = dips(corners, {walk.x.at(t) - x, walk.y.at(t) - y, walk.z.at(t)},

@@ -1,4 +1,4 @@
-// Rays against a height field: grid traversal that steps over whole tiles which lie below the ray.
+// Rays against a height field: a grid traversal that skips whole tiles below the ray.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace usar::sim {
 
-/// Maxima over 16x16 cells (robots-and-worlds, section 6: 4 Mray/s against Bullet's 0.2), and finer and coarser ones
-/// for bundles. Watertight: the height of the ray above the ground is followed from cell edge to cell edge, so no ray
-/// slips between triangles. Built once from a terrain that must outlive it; const afterwards.
+/// Uses height maxima over 16x16 cells (robots-and-worlds, section 6: 4 Mray/s against Bullet's 0.2), and finer and
+/// coarser ones for bundles. Watertight: the height of the ray above the ground is followed from cell edge to cell
+/// edge, so no ray slips between triangles. Built once from a terrain that must outlive it; immutable afterwards.
 class TerrainRays {
 public:
     explicit TerrainRays(const Terrain& terrain);
 
-    /// Distance to the ground, `maximum_m` on a miss, 0 from below ground. The ground is a solid block: a ray that
-    /// enters the extent below its rim hits there. How far one looks decides whether a hit counts, not where it is.
+    /// Distance to the ground: `maximum_m` on a miss, 0 from below ground. The ground is a solid block: a ray that
+    /// enters the extent below its rim hits there. `maximum_m` decides whether a hit counts, not where it is.
     double cast(const Ray& ray, double maximum_m) const;
 
-    /// The least of what `cast` answers for each ray.
+    /// The minimum of `cast` over the bundle's rays.
     double castNearest(const RayBundle& bundle, double maximum_m) const;
 
 private:
-    /// Highest posts of squares of `cells` x `cells` cells, row-major.
+    /// The highest posts of squares of `cells` x `cells` cells, row-major.
     struct Maxima {
         Maxima(std::ptrdiff_t cells_, std::ptrdiff_t columns_, std::ptrdiff_t rows_)
             : cells(cells_)
@@ -47,8 +47,9 @@ private:
     };
     static Maxima finestMaxima(const Terrain& terrain);
     static Maxima coarser(const Maxima& fine);
-    /// No ground in the box's footprint is higher; it may be lower.
+    /// An upper bound of the ground's height under the box.
     double highestUnder_m(const Eigen::AlignedBox3d& box) const;
+    /// Time at which the ray meets the ground of a tile, given its time in the tile, or `no_hit_m`.
     double crossTile(const GridWalk& walk, const GridCell& tile, double enter, double leave) const;
 
     const Terrain* terrain_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> part_names{"Head", "Arm", "Hand", "Chest", "Pelvis", "Leg", "Foot"};
 
-/// Half of the upright box around a box, whatever its attitude.
+/// Half size of the axis-aligned bounding box of a box in any attitude.
 Vec3 reach_m(const Box& box) {
     return box.center_in_map.rotation().toRotationMatrix().cwiseAbs() * (box.size_m / 2.0);
 }

@@ -121,7 +121,7 @@ WorldController::Answer WorldController::move(const protocol::Token& name, const
     if (!object)
         return missing(name);
     placeObject(*object, physics_, body_in_map);
-    makeRoom(*object); // where there is none it stays where it was told to be
+    makeRoom(*object); // Without room it stays where it was told to be.
     return {};
 }
 
@@ -129,7 +129,7 @@ bool WorldController::makeRoom(SceneObject& object) {
     constexpr double step_m = 0.05;
     constexpr int most_steps = 20;
     if (object.belt)
-        return true; // what stands still may stand in the ground
+        return true; // A conveyor stands still, so it may overlap the ground.
     const Pose wanted = object.body_in_map;
     Pose raised = wanted;
     const Vec2 point_m = wanted.position_m.head<2>();

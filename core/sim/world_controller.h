@@ -1,4 +1,4 @@
-// Obeys CONTROL: makes, moves and removes things while the simulation runs (usarsim-protocol 5.8).
+// Obeys CONTROL: creates, moves and removes objects while the simulation runs (usarsim-protocol 5.8).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace usar::sim {
 
-/// Where the things are that it works on. All of it outlives it.
+/// Works on the objects of one simulation. World, physics and scene must outlive it.
 class WorldController {
 public:
     WorldController(const World& world, Physics& physics, Scene& scene)
@@ -19,28 +19,33 @@ public:
         , physics_(physics)
         , scene_(scene) {}
 
+    /// True for the commands that only a world controller's connection may send.
     static bool isControl(const protocol::Command& command);
-    /// A sentence where the command cannot be obeyed, for the server's log.
+    /// Obeys a command of this client. Returns a sentence for the server's log if that is impossible.
     std::optional<std::string> obey(const protocol::Command& command, std::uint32_t client);
+    /// States of the objects with the name and class that were asked for; an empty name or class matches all.
     protocol::WorldObjects states(const protocol::GetObjectStates& asked) const;
-    /// Things that are not permanent leave with who made them.
+    /// Removes the objects that this client created and did not make permanent.
     void clientLeft(std::uint32_t client);
 
 private:
-    using Answer = std::optional<std::string>;
+    using Answer = std::optional<std::string>; ///< nullopt: done; otherwise the reason why not
     Answer create(const protocol::CreateObject& wanted, std::uint32_t client);
-    /// What is to be made, but for its name and place: a thing that the world begins with, by its name and, if it has
-    /// one, its class; one of our kinds; or one of the world's classes.
+    /// Determines what to create, without its name and pose. Candidates in this order: an object that the world starts
+    /// with, by its name and, if it has one, its class; one of the built-in kinds; any of the world's objects of this
+    /// class.
     Answer describe(const protocol::CreateObject& wanted, WorldObject& object) const;
     Answer startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const;
     std::string knownClasses() const;
     Answer move(const protocol::Token& name, const Pose& body_in_map);
     Answer runConveyor(const protocol::RunConveyor& wanted);
-    /// Raised by up to a meter until nothing is in its way: what is dropped on a slope or a thing lands on it.
+    /// Raises the object by up to a meter until nothing is in its way, so that it lands on the slope or thing that it
+    /// is dropped on. Returns false, with the object where it was, if there is no room.
     bool makeRoom(SceneObject& object);
     Answer follow(const protocol::FollowWaypoints& wanted);
     template <class Keep>
     void removeUnless(Keep&& keep);
+    /// The object by this name, in any case; nullptr if there is none.
     SceneObject* find(std::string_view name) const;
     Answer missing(std::string_view name) const;
 

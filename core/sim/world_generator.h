@@ -1,4 +1,4 @@
-// Makes the worlds that come with the program, reproducibly from a seed.
+// Generates the worlds that come with the program, reproducibly from a seed.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,15 @@
 
 namespace usar::sim {
 
-/// Names that `makeWorld` knows.
+/// Names of the worlds that `makeWorld` can generate.
 std::vector<std::string> generatedWorldNames();
 
-/// Equal seeds give equal worlds. `data` is the folder of measured data that worlds after real places are made from:
-/// resources/worlds of the sources.
+/// Generates a world; equal seeds give equal worlds. `data` is the folder of measured data for worlds that follow real
+/// places: resources/worlds of the source tree. Fails if the name is unknown or the data cannot be read.
 Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data);
 
-/// Writes world.sdf and what it needs into `folder` (made if missing). Equal seeds give equal bytes.
+/// Writes world.sdf and the files it refers to into `folder`, which is created if missing. Equal seeds give equal
+/// bytes.
 Result<void> generateWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data,
                            const std::filesystem::path& folder);
 

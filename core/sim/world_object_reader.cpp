@@ -20,7 +20,7 @@ struct SurfaceFigures {
     bool operator==(const SurfaceFigures&) const = default;
 };
 
-/// The number at the end of a path of child elements, or `otherwise` where the path ends early.
+/// The number at the end of a path of child elements, or `otherwise` if the path ends early.
 double numberAt(sdf::ElementPtr element, std::initializer_list<const char*> path, double otherwise) {
     for (const char* name : path) {
         if (!element->HasElement(name))
@@ -43,12 +43,12 @@ bool isSound(const SurfaceFigures& surface) {
            surface.rolling_friction_m >= 0.0;
 }
 
-/// Mass, inertia and center of a link; the pose is that of the body's frame in the link's.
+/// Reads mass and inertia of a link. Returns the pose of the body's frame in the link's, or what is wrong.
 Result<Pose, std::string> readInertial(const sdf::Link& link, BodyDescription& body) {
     const ignition::math::Inertiald& inertial = link.Inertial();
     if (!link.Element()->HasElement("inertial"))
         return tl::unexpected(std::string("needs an inertial with its mass"));
-    // Not by comparing vectors: those of ignition are equal within 1e-3.
+    // Vectors are not compared, because ignition's count as equal within 1e-3.
     if (inertial.MassMatrix().OffDiagonalMoments().SquaredLength() > 0.0)
         return tl::unexpected(std::string("needs its inertia about its main axes: turn the inertial's pose"));
     body.mass_kg = inertial.MassMatrix().Mass();

@@ -1,4 +1,4 @@
-// Movable things of a world file: models that are not static.
+// Reads the movable objects of a world file: models that are not static.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace usar::sim {
 
-/// One link with a mass and collisions of box, sphere, cylinder or capsule, all of one surface. Errors name `file`, the
-/// line and the reason.
+/// The model must be one link with a mass and with collisions of box, sphere, cylinder or capsule, all of one surface.
+/// An error names `file`, the line and the reason.
 Result<WorldObject> readObject(const sdf::Model& model, const std::filesystem::path& file);
 
 } // namespace usar::sim

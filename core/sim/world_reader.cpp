@@ -16,7 +16,7 @@ namespace usar::sim {
 
 namespace {
 
-/// Fills a world from the elements of one file.
+/// Builds a world from the elements of one file.
 class WorldReading {
 public:
     explicit WorldReading(const std::filesystem::path& file) : file_(file) {}

@@ -1,4 +1,4 @@
-// World folders to worlds: <name>/world.sdf (SDFormat 1.9) and, where it names them, height.png (16 bit), plants.csv.
+// Reads world folders: <name>/world.sdf (SDFormat 1.9) and, if it names them, height.png (16 bit) and plants.csv.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 
 namespace usar::sim {
 
-/// Refuses with file, line where known, and reason. Loads through libsdformat; its own messages become the error's.
+/// Reads one world, which needs some ground and a start pose. An error names the file, the line if known, and the
+/// reason. libsdformat parses the file; its own messages become the error's.
 Result<World> readWorld(const std::filesystem::path& folder);
 
 } // namespace usar::sim

@@ -89,7 +89,8 @@ std::string placedShape(std::size_t number, const std::string& pose, const std::
            "        <visual name=\"visual" + name + placed + "</visual>\n";
 }
 
-/// All in one model: libsdformat takes 7 ms for each model in a world, and hardly any for a shape in a link.
+/// Puts all boxes into one model: libsdformat takes 7 ms for each model of a world, and hardly any time for a shape in
+/// a link.
 std::string buildings(const std::vector<Box>& boxes) {
     std::string shapes;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -142,7 +143,7 @@ std::string objectModel(const WorldObject& object) {
     return text + "      </link>\n    </model>\n";
 }
 
-/// <usar:NAME ATTRIBUTES>content</usar:NAME>, on a line of its own.
+/// Makes <usar:NAME ATTRIBUTES>content</usar:NAME> on a line of its own.
 std::string mark(const std::string& name, const std::string& attributes, const std::string& content) {
     return "    <usar:" + name + attributes + ">" + content + "</usar:" + name + ">\n";
 }

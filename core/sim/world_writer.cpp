@@ -18,7 +18,7 @@ bool isLevelFloor(const Terrain& terrain) {
            Terrain::level(terrain.extent(), terrain.minimum_m()) == terrain;
 }
 
-/// The finest scale that holds the relief.
+/// The finest scale that covers the relief; a step of 0 if there is none.
 HeightScale scaleFor(const Terrain& terrain) {
     if (terrain.empty() || isLevelFloor(terrain))
         return {};

@@ -13,7 +13,7 @@ const Color sun_light{0.86f, 0.80f, 0.68f};
 const Color sky_light{0.42f, 0.46f, 0.52f};
 const Color room_light{1.12f, 1.09f, 1.03f};
 
-/// 0 to 1, the same for the same cell on every machine.
+/// Pseudorandom value in 0..1, the same for the same cell on every machine.
 float speckle(std::int64_t x, std::int64_t y, std::int64_t z = 0) {
     auto mixed_bits = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u +
                       static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu +
@@ -42,7 +42,7 @@ float ramp(double value, double from, double to) {
     return static_cast<float>(std::clamp((value - from) / (to - from), 0.0, 1.0));
 }
 
-/// One for each thing: where it stands tells it apart.
+/// A value in 0..1 for each thing, which its position tells apart from others.
 float own(const Vec3& thing_m) {
     return speckle(std::llround(thing_m.x() * 100.0), std::llround(thing_m.y() * 100.0));
 }
@@ -95,7 +95,7 @@ Color Appearance::colorOf(const RayHit& hit, const Vec3& point_m) const {
 }
 
 Color Appearance::lightOn(const Vec3& normal, bool shadow) const {
-    if (room_) // lamps overhead; walls that face two ways differ, so that corners show
+    if (room_) // Lamps overhead. Walls that face different ways differ, so that corners show.
         return room_light * static_cast<float>(0.72 + 0.22 * normal.z() + 0.16 * normal.dot(Vec3{0.8, 0.5, 0.0}));
     const Color from_sky = sky_light * static_cast<float>(0.75 + 0.25 * normal.z());
     const double facing = shadow ? 0.0 : std::max(0.0, normal.dot(sun_));

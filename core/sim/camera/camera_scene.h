@@ -1,4 +1,5 @@
-// What cameras can see at one moment, by value: a picture of it can be made in any thread while the simulation goes on.
+// Everything that cameras can see at one moment, by value: any thread can make a picture of it while the simulation
+// continues.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@
 
 namespace usar::sim {
 
-/// Red, green, blue, 0 to 1 (more is too bright and is cut).
+/// Red, green, blue, from 0 to 1; larger values are too bright and are clipped.
 using Color = Eigen::Array3f;
 
 /// One convex part of something that moves, or that only cameras see.
@@ -25,49 +26,50 @@ struct SeenSolid {
     std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape> shape;
     Vec3 center_m = Vec3::Zero();
     Eigen::Matrix3d solid_in_map = Eigen::Matrix3d::Identity();
-    double radius_m = 0.0; ///< of a sphere around it
+    double radius_m = 0.0; ///< radius of a sphere around its center that encloses it
     Color color = Color::Constant(0.5f);
 };
 
-/// A lamp on a robot: a cone of light.
+/// A lamp on a robot, which throws a cone of light. Map frame; `direction` is a unit vector.
 struct SeenLamp {
     Vec3 position_m = Vec3::Zero();
     Vec3 direction = Vec3::UnitX();
 };
 
-/// A camera as it stands now: x into the picture, y left, z up.
+/// A camera and its current pose. Its x axis points into the picture, y left, z up.
 struct SeenFrom {
     std::string robot;
     std::string camera;
     Eigen::Isometry3d camera_in_map = Eigen::Isometry3d::Identity();
-    double field_of_view_rad = 1.396; ///< across the width
+    double field_of_view_rad = 1.396; ///< horizontally
     int width_px = 320;
     int height_px = 240;
 };
 
-/// Which camera a viewer wants to see.
+/// The camera that a viewer wants to see.
 struct CameraChoice {
     std::string robot;
-    std::string camera; ///< empty: the robot's first one
+    std::string camera; ///< empty: the robot's first camera
     bool operator==(const CameraChoice&) const = default;
 };
 
-/// How the window is cut where a client has said so (SET {Type Viewports}): one camera, or four, from the top left.
-/// Without a camera a part stays black.
+/// How a client has divided the window (SET {Type Viewports}): one camera, or four, from the top left row by row. A
+/// part without a camera stays black.
 struct Viewports {
     bool four = false;
     std::array<std::optional<CameraChoice>, 4> cameras{};
     bool operator==(const Viewports&) const = default;
 };
 
+/// Everything that cameras can see at one tick of a simulation.
 struct CameraScene {
-    std::shared_ptr<const StillWorld> still;
-    std::uint64_t tick = 0; ///< of one simulation: equal ticks show the same
-    std::vector<SeenSolid> solids;
+    std::shared_ptr<const StillWorld> still; ///< never null
+    std::uint64_t tick = 0;                  ///< equal ticks of one simulation show the same
+    std::vector<SeenSolid> solids;           ///< robots, objects, victims and tags
     std::vector<SeenLamp> lamps;
     std::vector<SeenFrom> cameras;                ///< in the order of the robots' connections
-    std::map<std::string, CameraChoice> attached; ///< by the address of the viewer
-    std::optional<Viewports> viewports{};
+    std::map<std::string, CameraChoice> attached; ///< by the viewer's address
+    std::optional<Viewports> viewports{};         ///< nullopt: no client has set them
 };
 
 } // namespace usar::sim

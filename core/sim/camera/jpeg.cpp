@@ -10,7 +10,7 @@ namespace usar::sim {
 std::string jpegOf(const Picture& picture, int quality) {
     jpeg_compress_struct writer{};
     jpeg_error_mgr errors{};
-    writer.err = jpeg_std_error(&errors); // ends the program: there is no input that could be at fault
+    writer.err = jpeg_std_error(&errors); // Ends the program on an error: no input could cause one.
     jpeg_create_compress(&writer);
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
@@ -24,7 +24,7 @@ std::string jpegOf(const Picture& picture, int quality) {
     writer.dct_method = JDCT_FASTEST;
     jpeg_start_compress(&writer, TRUE);
     while (writer.next_scanline < writer.image_height) {
-        // libjpeg only reads the row, though it does not say so.
+        // The row is only read, although libjpeg does not say so in its signature.
         auto* row = const_cast<unsigned char*>(picture.at(0, static_cast<int>(writer.next_scanline)));
         jpeg_write_scanlines(&writer, &row, 1);
     }

@@ -1,4 +1,4 @@
-// Pictures as JPEG files in memory, by libjpeg.
+// Encodes pictures as JPEG files in memory, with libjpeg.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace usar::sim {
 
-/// `quality` 1 to 100. A picture of at least one pixel.
+/// `quality` is 1 to 100. The picture must have at least one pixel.
 std::string jpegOf(const Picture& picture, int quality);
 
 } // namespace usar::sim

@@ -1,4 +1,4 @@
-// A picture as plain bytes, and the ways in which the image server puts pictures together and cuts them.
+// A picture as plain bytes, and the operations with which the image server combines and crops pictures.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace usar::sim {
 
-/// Rows from the top, three bytes a pixel: red, green, blue.
+/// Rows from the top, three bytes per pixel: red, green, blue. Black when constructed.
 struct Picture {
     Picture() = default;
     Picture(int width, int height)
@@ -15,6 +15,7 @@ struct Picture {
         , height_px(height)
         , rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+    /// The three bytes of a pixel, which must be inside the picture.
     std::uint8_t* at(int x, int y) { return rgb.data() + offset(x, y); }
     const std::uint8_t* at(int x, int y) const { return rgb.data() + offset(x, y); }
     std::array<int, 3> pixel(int x, int y) const { return {at(x, y)[0], at(x, y)[1], at(x, y)[2]}; }
@@ -30,9 +31,9 @@ private:
     }
 };
 
-/// Draws `part` into `whole`, which has room for it, with its top left corner there.
+/// Draws `part` into `whole` with its top left corner at (x, y). It must fit.
 void paste(Picture& whole, const Picture& part, int x, int y);
-/// A part of it. What lies outside is left out; one pixel at least is given.
+/// Crops `whole`. What lies outside of it is left out, but the result has at least one pixel.
 Picture cut(const Picture& whole, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height);
 
 } // namespace usar::sim

@@ -10,14 +10,14 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double shadows_within_m = 120.0; ///< farther away haze hides them
+constexpr double shadows_within_m = 120.0; ///< beyond this, haze hides them
 constexpr double shadow_reach_m = 40.0;
-constexpr double off_surface_m = 0.02; ///< so that a surface does not shade itself
-constexpr double lamp_cosine = 0.82;   ///< of half its cone
+constexpr double off_surface_m = 0.02; ///< keeps a surface from shading itself
+constexpr double lamp_cosine = 0.82;   ///< cosine of half its cone
 constexpr double lamp_reach_m = 7.0;
 constexpr float lamp_light = 1.3f;
 
-/// What a ray has met, already in its own color under its own light.
+/// The first thing that a ray meets, in its own color under its own light; the sky if there is none.
 struct Sight {
     double distance_m;
     bool something = false;
@@ -95,7 +95,8 @@ Sight Painter::sightAlong(const Ray& ray, int tile_x, int tile_y) const {
     return {hit.distance_m, true, lit(look_.colorOf(hit, point_m), point_m, hit.normal_in_map, hit.distance_m)};
 }
 
-/// The water's own color over what lies behind it, and the sky's mirror image on it. `sight` ends at the surface then.
+/// Blends the water's own color over what is below, and adds the sky's reflection on the surface. `sight` then ends at
+/// the surface.
 Color Painter::throughWater(const Ray& ray, Sight& sight) const {
     const double surface_m = still_.world.water->surface_z_m;
     const double above_m = ray.origin_m.z() - surface_m;
@@ -105,14 +106,15 @@ Color Painter::throughWater(const Ray& ray, Sight& sight) const {
         const double wet_m = crosses ? to_surface_m : sight.distance_m;
         const Color seen = mixed(look_.deepWater(), sight.color, leftAfter(wet_m, 2.0 * water_visibility_m));
         sight.distance_m = 0.0;
-        sight.something = true; // haze is of the air
+        sight.something = true; // There is no haze under water.
         return seen;
     }
     if (!crosses)
         return sight.color;
     const double wet_m = sight.something ? sight.distance_m - to_surface_m : no_hit_m;
     const Color below = mixed(look_.deepWater(), sight.color, leftAfter(wet_m, water_visibility_m));
-    const double mirrored = 0.02 + 0.98 * std::pow(1.0 + ray.direction.z(), 5.0); // Schlick, for water in air
+    // Schlick's approximation, for water in air.
+    const double mirrored = 0.02 + 0.98 * std::pow(1.0 + ray.direction.z(), 5.0);
     sight.distance_m = to_surface_m;
     sight.something = true;
     return mixed(below, look_.sky({ray.direction.x(), ray.direction.y(), -ray.direction.z()}), mirrored);

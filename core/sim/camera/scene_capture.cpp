@@ -9,7 +9,8 @@ namespace usar::sim {
 
 namespace {
 
-/// Okabe and Ito: told apart under the common color deficiencies, and no ground or tree has them.
+/// Palette of Okabe and Ito: can be told apart with the common color deficiencies, and no ground or tree has these
+/// colors.
 const std::array robot_colors{Color{0.90f, 0.62f, 0.00f}, Color{0.34f, 0.71f, 0.91f}, Color{0.94f, 0.89f, 0.26f},
                               Color{0.80f, 0.47f, 0.65f}, Color{0.84f, 0.37f, 0.00f}, Color{0.00f, 0.45f, 0.70f}};
 const Color running_gear{0.16f, 0.16f, 0.18f};

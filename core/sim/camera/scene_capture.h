@@ -1,4 +1,4 @@
-// Puts into a camera's scene what is where now. Colors are given here.
+// Adds the current state of things to a camera's scene and chooses their colors.
 #pragma once
 
 #include "core/sim/camera/camera_scene.h"
@@ -7,13 +7,14 @@
 
 namespace usar::sim {
 
-/// Its body, its lamp where it is lit, its cameras. `number` chooses the color.
+/// Adds its body, its lamp if it is lit, and its cameras. `number` chooses the color.
 void addRobot(CameraScene& seen, const Robot& robot, const std::string& name, std::uint32_t number);
+/// Adds all objects, at the poses of the scene's last refresh.
 void addObjects(CameraScene& seen, const Scene& scene);
-/// Victims and tags: no ray of a range sensor meets them.
+/// Adds victims and tags, which no ray of a range sensor meets.
 void addMarks(CameraScene& seen, const World& world);
 
-/// Works out the radius.
+/// Makes a solid and computes its radius.
 SeenSolid seenSolid(const std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape>& shape,
                     const Eigen::Isometry3d& solid_in_map, const Color& color);
 

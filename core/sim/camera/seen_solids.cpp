@@ -81,7 +81,8 @@ SeenSolids::SeenSolids(const CameraScene& scene, const Eye& eye)
     for (int row = 0; row < tile_rows; ++row)
         for (int column = 0; column < tile_columns_; ++column) {
             const Ray middle = eye.through((column + 0.5) * tile_px, (row + 0.5) * tile_px);
-            // A cone around the tile: to its farthest corner, which is one of these two.
+            // A cone around the tile, to the farther of these two corners and a tenth more. The other two corners are
+            // not considered, although one of them may be farther off the middle ray.
             const double reach_rad =
                 std::max(
                     std::acos(

@@ -40,7 +40,7 @@ SeenFrom bystander(const StillWorld& still) {
 
 using Views = std::array<const SeenFrom*, most_views>;
 
-/// In the size of the largest; what has no camera is black.
+/// Each part has the size of the largest picture; parts without a camera are black.
 Picture quadView(const CameraScene& scene, const Views& views) {
     int width_px = 0;
     int height_px = 0;
@@ -62,7 +62,7 @@ Picture firstFour(const CameraScene& scene) {
     return quadView(scene, views);
 }
 
-/// Nothing where every camera that was chosen has gone.
+/// Returns nullopt if all cameras that were chosen are gone.
 std::optional<Picture> viewportPicture(const CameraScene& scene, const Viewports& wanted) {
     const SeenFrom usual;
     Views views{};
@@ -76,7 +76,7 @@ std::optional<Picture> viewportPicture(const CameraScene& scene, const Viewports
     if (any_chosen && !any_there)
         return std::nullopt;
     if (!any_there)
-        return Picture(usual.width_px, usual.height_px); // switched off
+        return Picture(usual.width_px, usual.height_px); // All parts are switched off.
     return wanted.four ? quadView(scene, views) : render(scene, *views[0]);
 }
 

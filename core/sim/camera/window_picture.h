@@ -1,4 +1,4 @@
-// What the image server shows: the game's window (usarsim-protocol 6.1).
+// The picture that the image server shows: the game's window (usarsim-protocol 6.1).
 #pragma once
 
 #include "core/sim/camera/camera_scene.h"
@@ -6,9 +6,9 @@
 
 namespace usar::sim {
 
-/// The chosen camera's picture. Without a choice, or with one that is not there: the viewports that a client has set,
-/// unless all their cameras have gone; else of the only camera; of several the first four as QuadView has them (top
-/// left, top right, bottom left, bottom right); with none what somebody sees who stands behind the first start pose.
+/// Renders the chosen camera. Without a choice, or if it does not exist: the viewports that a client has set, unless
+/// all their cameras are gone. Otherwise the only camera; of several, the first four as in QuadView (top left, top
+/// right, bottom left, bottom right); without any camera, the view of a bystander behind the first start pose.
 Picture windowPicture(const CameraScene& scene, const CameraChoice* choice = nullptr);
 
 } // namespace usar::sim

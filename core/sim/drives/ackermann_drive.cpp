@@ -6,7 +6,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double straight = 1e-6; // a difference of tangents below which nothing turns
+constexpr double straight = 1e-6; // Below this difference of tangents, nothing turns.
 
 } // namespace
 
@@ -59,7 +59,7 @@ bool AckermannDrive::obey(const protocol::Command& command) {
     return true;
 }
 
-// With the center of turning at (x, y), tan(front) = (front_x - x) / y and tan(rear) = (rear_x - x) / y.
+// With the center of turning at (x, y): tan(front) = (front_x - x) / y and tan(rear) = (rear_x - x) / y.
 void AckermannDrive::steer() {
     const double difference = std::tan(front_rad_) - std::tan(rear_rad_);
     const bool turns = std::abs(difference) > straight;

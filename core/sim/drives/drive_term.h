@@ -1,4 +1,4 @@
-// One number of a DRIVE as the robot can do it.
+// Limits one number of a DRIVE to what the robot can do.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace usar::sim {
 
-/// `normalized` values are hundredths of the limit. What is no number asks for nothing.
+/// Clamps a value to -limit..limit. `normalized` values are hundredths of the limit. NaN gives 0.
 inline double limited(double value, double limit, bool normalized) {
     const double physical = normalized ? value / 100.0 * limit : value;
     return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);

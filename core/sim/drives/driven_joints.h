@@ -1,4 +1,4 @@
-// A robot's joints by name, and what commands to single joints do to them. Part of the drives.
+// A robot's joints by name, and how they obey commands to single joints. Part of the drives.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,37 @@
 
 namespace usar::sim {
 
-/// Joints are told by their links' indices. Each is driven with no more than its torque and speed; one without torque
-/// cannot be driven. Names are compared without regard to case: clients write MULTIDRIVE {FLflipper 1.5}.
+/// Joints are identified by the indices of their links. Each is driven with no more than its torque and speed; one
+/// without torque cannot be driven. Names are compared without regard to case, because clients write MULTIDRIVE
+/// {FLflipper 1.5}. `physics` must outlive it.
 class DrivenJoints {
 public:
     DrivenJoints(const RobotModel& model, Physics& physics, BodyId body);
 
+    /// The joint by this name, in any case; nullopt if there is none.
     std::optional<std::size_t> find(std::string_view joint) const;
-    /// JointDrive, MultiDrive and SetJoint: the joints that now do what was said. None where it is no such command or
-    /// the joints are not there. `normalized` speeds and torques are per cent of the joint's limits.
+    /// Obeys JointDrive, MultiDrive and SetJoint. Returns the joints that now do so; none if it is another command or
+    /// the joints do not exist. `normalized` speeds and torques are percentages of the joint's limits.
     std::vector<std::size_t> obey(const protocol::Command& command);
 
+    /// Positions in rad or m, speeds in rad/s or m/s, torques in N m or N; each is clamped to the joint's limits.
     void hold(std::size_t joint, double position);
     void spin(std::size_t joint, double speed);
     void push(std::size_t joint, double torque);
+    /// Turns the motor off; `releaseAll` leaves out the joints of mission packages.
     void release(std::size_t joint);
     void releaseAll();
 
+    /// Current position and velocity of a joint; below, its limits in N m or N, and in rad/s or m/s.
     JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
     double torqueLimit(std::size_t joint) const { return joints_[joint].torque_limit; }
     double speedLimit(std::size_t joint) const { return joints_[joint].speed_limit; }
-    /// Of the pivot, in the base's frame with all joints at 0; the axis likewise.
+    /// The pivot, in the base's frame with all joints at 0; `axis` likewise, as a unit vector.
     const Vec3& pivot(std::size_t joint) const { return joints_[joint].pivot_in_base_m; }
     const Vec3& axis(std::size_t joint) const { return joints_[joint].axis_in_base; }
-    /// None of them moves to speak of.
+    /// True if no joint moves noticeably.
     bool still() const;
-    /// Flippers and the like, with their angles: joints with torque and limits that no mission package moves.
+    /// Angles of flippers and the like: joints with torque and limits that no mission package moves.
     std::vector<protocol::JointAngle> angles() const;
 
 private:
@@ -65,7 +70,7 @@ private:
     std::vector<Joint> joints_;
 };
 
-/// Within -limit..limit, as per cent of it where normalized; what is no number is 0.
+/// Clamps a value to -limit..limit, of which a normalized one is a percentage. NaN gives 0.
 double limitedTerm(double value, double limit, bool normalized);
 
 } // namespace usar::sim

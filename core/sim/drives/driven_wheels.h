@@ -1,4 +1,4 @@
-// Wheels that turn at a wanted spin, and reach it with limited torque and acceleration. Part of the drives.
+// Wheels that turn at a wanted spin and reach it with limited torque and acceleration. Part of the drives.
 #pragma once
 
 #include <vector>
@@ -8,35 +8,38 @@
 namespace usar::sim {
 
 /// Positive spin rolls forward, whichever way a wheel's axis points. A wheel that is told to stand brakes and then
-/// holds its angle: a spin of 0 alone lets a robot creep down a slope. One that got a command of its own is left alone
-/// until the whole drive is told something again.
+/// holds its angle, because a spin of 0 alone lets a robot creep down a slope. A wheel that got a command of its own is
+/// left alone until the whole drive is commanded again.
 class DrivenWheels {
 public:
-    /// Without an acceleration limit (rad/s2) where it is 0.
+    /// The acceleration is unlimited if `acceleration_rad_s2` is 0. `joints` must outlive it.
     DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>& wheels, double acceleration_rad_s2);
 
     std::size_t count() const { return wheels_.size(); }
-    std::size_t joint(std::size_t wheel) const { return wheels_[wheel].joint; }
+    std::size_t joint(std::size_t wheel) const { return wheels_[wheel].joint; } ///< index of the link on its joint
+    /// Sets the spin that the wheel is to reach.
     void want(std::size_t wheel, double spin_rad_s);
-    /// Its motor belongs to somebody else from now on.
+    /// Leaves the wheel on this joint, if there is one, to a command of its own.
     void leave(std::size_t joint);
+    /// Drives all wheels again, from the speeds that they have now.
     void takeBack();
+    /// Gives the motors their setpoints for the next physics step.
     void step(Seconds dt);
-    /// All are told to stand, and brake.
+    /// True if all wheels are told to stand, and brake.
     bool braking() const;
-    /// The least of the wheels' largest spins.
+    /// The smallest of the wheels' speed limits, rad/s.
     double largestSpin() const;
-    double largestTorque() const;
+    double largestTorque() const; ///< that of the first wheel, N m
 
 private:
     struct Wheel {
         std::size_t joint = 0;
         double sign = 1.0;
         double wanted_rad_s = 0.0;
-        double now_rad_s = 0.0; ///< what it was told, on its way to what is wanted
-        bool ours = true;
-        bool told = false;
-        bool held = false;
+        double now_rad_s = 0.0; ///< current setpoint on its way to the wanted spin
+        bool ours = true;       ///< false while it has a command of its own
+        bool told = false;      ///< has got a setpoint
+        bool held = false;      ///< holds its angle
     };
 
     void brake(Wheel& wheel);

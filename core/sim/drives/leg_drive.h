@@ -6,11 +6,12 @@
 
 namespace usar::sim {
 
-/// Each joint goes to its commanded angle with no more than its torque and speed and holds it; all start at 0. It obeys
-/// MULTIDRIVE, DRIVE of one joint with all its orders, and SET of a joint, and tells all angles in STA. It may sleep
-/// while it stands and nobody asks for anything else.
+/// Each joint moves to its commanded angle with no more than its torque and speed and holds it; all start at 0. The
+/// drive obeys MULTIDRIVE, DRIVE of one joint with all its orders, and SET of a joint, and reports all angles in STA.
+/// The body may sleep while it stands still without new commands.
 class LegDrive : public Drive {
 public:
+    /// Fails if one of the drive's joints does not exist.
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
 
     bool obey(const protocol::Command& command) override;
@@ -25,12 +26,12 @@ private:
     LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
 
     DrivenJoints joints_;
-    std::vector<std::pair<std::string, std::size_t>> named_; ///< as STA tells them
+    std::vector<std::pair<std::string, std::size_t>> named_; ///< joints in the order in which STA reports them
     Physics& physics_;
     BodyId body_;
     bool off_ = false;
-    bool may_sleep_ = false;
-    Seconds still_for_{0.0};
+    bool may_sleep_ = false; ///< as the physics was last told
+    Seconds still_for_{0.0}; ///< time without motion or a new command
 };
 
 } // namespace usar::sim

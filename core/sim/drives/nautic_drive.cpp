@@ -12,13 +12,13 @@ namespace {
 constexpr int slices = 9;
 constexpr double propeller_lag_s = 0.3;
 
-/// Share of a circle's area that lies under a level which is `depth` radii over its center.
+/// Share of a circle's area below a level that is `depth` radii above its center.
 double circleUnder(double depth) {
     const double d = std::clamp(depth, -1.0, 1.0);
     return (std::acos(-d) + d * std::sqrt(1.0 - d * d)) / pi;
 }
 
-/// Against the motion, and not more than stops it within the step.
+/// Drag against the motion, but no more than stops it within the step.
 double dragOn(double speed, double coefficient, double inertia, double dt_s) {
     return -std::copysign(std::min(coefficient * speed * speed, inertia * std::abs(speed) / dt_s), speed);
 }
@@ -86,7 +86,7 @@ void NauticDrive::turnFins(double dt_s) {
     stern_plane_rad_ = approach(stern_plane_rad_, wanted_stern_plane_rad_, hull_.fin_rate_rad_s * dt_s);
 }
 
-/// How much of the hull is under water, and what lifts it there.
+/// Share of the hull that is under water. Adds the lift of that part to `buoyancy`.
 double NauticDrive::submergedShare(const BodyState& state, Wrench& buoyancy) const {
     double share = 0.0;
     const Vec3 up_in_body = state.rotation.conjugate() * Vec3::UnitZ();
@@ -103,7 +103,7 @@ double NauticDrive::submergedShare(const BodyState& state, Wrench& buoyancy) con
     return share;
 }
 
-/// Of the whole robot, about the base's center of mass: what hangs on the base pulls at its own place.
+/// Weight of the whole robot, about the base's center of mass: links pull at their own places.
 NauticDrive::Wrench NauticDrive::weight(const BodyState& state) const {
     const Vec3 down_in_body = state.rotation.conjugate() * -Vec3::UnitZ();
     Wrench weight{mass_kg_ * gravity_m_s2 * down_in_body};
@@ -131,7 +131,7 @@ NauticDrive::Wrench NauticDrive::propulsion(double surge_m_s, double share) cons
     Wrench push;
     push.force_n = {hull_.thrust_limit_n * spin * std::abs(spin), hull_.fin_lift_kg_m * flow_m2_s2 * rudder_rad_,
                     -hull_.fin_lift_kg_m * flow_m2_s2 * stern_plane_rad_};
-    // In the base's frame, z up and y left, a nose that rises and one that goes right both turn negative.
+    // In the base's frame, z up and y left, both a rising nose and a turn to the right are negative.
     push.torque_n_m = {0.0, -hull_.fin_moment_kg * flow_m2_s2 * stern_plane_rad_,
                        -hull_.fin_moment_kg * flow_m2_s2 * rudder_rad_};
     push.force_n *= share;
@@ -156,8 +156,8 @@ void NauticDrive::beforeStep(Seconds dt) {
         sum.force_n += part.force_n;
         sum.torque_n_m += part.torque_n_m;
     }
-    // Water that must be moved along makes the body slower to push: the same as less force on the body alone. The
-    // engine adds the weight itself, so it is taken out again.
+    // Water that must be moved along makes the body harder to accelerate, which is the same as less force on the body
+    // alone. The engine adds the weight itself, so it is taken out again.
     const Vec3 added_kg = share * Vec3(hull_.surge_added_mass_kg, hull_.cross_added_mass_kg, hull_.cross_added_mass_kg);
     const Vec3 added_kg_m2 = share * Vec3(0.0, hull_.turn_added_inertia_kg_m2, hull_.turn_added_inertia_kg_m2);
     const Vec3 moved = Vec3::Constant(mass_kg_).cwiseQuotient(Vec3::Constant(mass_kg_) + added_kg);
@@ -186,7 +186,7 @@ void NauticDrive::addTo(protocol::RobotState& state) const {
     state.joints.push_back({"RudderAngle", rudder_rad_});
 }
 
-/// The names of the maxima are ours: no source tells UT2004's (robots-and-worlds 2).
+/// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds 2).
 void NauticDrive::addTo(std::vector<protocol::Setting>& settings) const {
     settings.insert(settings.end(), {{"MaxPropellerSpeed", "", hull_.propeller_limit_rad_s},
                                      {"MaxRudderAngle", "", hull_.rudder_limit_rad},

@@ -6,12 +6,13 @@
 
 namespace usar::sim {
 
-/// Figures of a torpedo-shaped hull along the base's x, after the published REMUS model (robots-and-worlds 3.3).
+/// Figures of a torpedo-shaped hull along the base's x axis, after the published REMUS model (robots-and-worlds 3.3).
 struct HullFigures {
     double radius_m = 0.095;
     double length_m = 1.6;
-    double volume_m3 = 0.0;    ///< 0: trimmed to hang still in the water of its world
-    double buoyancy_z_m = 0.0; ///< center of buoyancy over the base's origin
+    double volume_m3 = 0.0;    ///< 0: trimmed to hover in the water of its world
+    double buoyancy_z_m = 0.0; ///< height of the center of buoyancy above the base's origin
+    // Drag is coefficient * speed^2, a force or a torque. Added mass is that of a fully submerged hull.
     double surge_drag_kg_m = 3.9;
     double cross_drag_kg_m = 131.0;
     double roll_drag_kg_m2 = 0.13;
@@ -26,18 +27,20 @@ struct HullFigures {
     double thrust_limit_n = 10.0; ///< at the limit; quadratic below
     double rudder_limit_rad = 0.35;
     double stern_plane_limit_rad = 0.35;
-    double fin_rate_rad_s = 1.0;
+    double fin_rate_rad_s = 1.0; ///< turning rate of rudder and stern plane
 };
 
-/// The drive's numbers carry the figures by name, without units: surge_drag, fin_lift, propeller_limit …
+/// Takes the figures from the drive's numbers, whose names have no units: surge_drag, fin_lift,
+/// propeller_limit … The others keep their defaults.
 HullFigures hullFiguresOf(const RobotModel& model);
 
-/// Buoyancy slice by slice along the hull, so that it floats, dives and falls in as it lies; quadratic drag that never
-/// turns a motion round within a step; added mass as a share of every force that is not a contact. The Coriolis part of
-/// the added mass is left out. Positive angles turn right and lift the nose, as the wire's positive yaw and pitch do.
-/// Without water it is a body that falls.
+/// Buoyancy acts slice by slice along the hull, so that it floats, dives and plunges in any attitude. Quadratic drag
+/// never reverses a motion within a step. Added mass reduces every force that is not a contact; its Coriolis part is
+/// left out. Positive angles turn right and lift the nose, like the wire's positive yaw and pitch. Without water the
+/// body just falls.
 class NauticDrive : public Drive {
 public:
+    /// `model` and `physics` must outlive it.
     NauticDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world);
 
     bool obey(const protocol::Command& command) override;
@@ -45,13 +48,14 @@ public:
     void afterStep(Seconds dt) override;
     void switchOff() override;
     bool idle() const override;
-    /// With anything, the bottom of the sea as well.
+    /// Counts contacts with anything, including the bottom of the sea.
     int collisions() const override { return collisions_.count(); }
     using Drive::addTo;
     void addTo(protocol::RobotState& state) const override;
     void addTo(std::vector<protocol::Setting>& settings) const override;
 
 private:
+    /// A force and a torque on the body.
     struct Wrench {
         Vec3 force_n = Vec3::Zero(); ///< body frame, at the center of mass
         Vec3 torque_n_m = Vec3::Zero();

@@ -6,9 +6,11 @@
 
 namespace usar::sim {
 
-/// Settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit, tilt_limit …
+/// The drive's settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit,
+/// tilt_limit …
 class RotorDrive : public Drive {
 public:
+    /// `physics` must outlive it; the body belongs to the caller.
     RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth);
 
     bool obey(const protocol::Command& command) override;
@@ -27,7 +29,7 @@ private:
     AirRobotBody body_;
 };
 
-/// The model's figures over the usual ones.
+/// The default parameters, overridden by the figures that the model gives.
 AirRobotParameters airRobotParametersOf(const RobotModel& model);
 
 } // namespace usar::sim

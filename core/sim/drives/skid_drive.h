@@ -5,10 +5,11 @@
 
 namespace usar::sim {
 
-/// The first half of the model's drive joints are left wheels, the second half right ones. Casters are joints of the
-/// body that no drive names.
+/// The first half of the model's drive joints are the left wheels, the second half the right ones. Casters are joints
+/// of the body that the drive does not name.
 class SkidDrive : public WheeledDrive {
 public:
+    /// Fails unless the drive names an even number of existing joints, at least two.
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
 
     bool obey(const protocol::Command& command) override;

@@ -6,7 +6,7 @@ namespace usar::sim {
 
 namespace {
 
-/// What presses from below, at most 45 degrees aside, is stood on.
+/// Contacts that press from below, at most 45 degrees off the vertical, are with what the robot stands on.
 constexpr double standing_normal_z = 0.7;
 
 std::optional<double> figure(const RobotModel& model, std::string_view key) {

@@ -1,4 +1,4 @@
-// What drives on wheels of every steering have in common. Part of the drives.
+// Common base of the drives on wheels, however they steer. Part of the drives.
 #pragma once
 
 #include "core/base/result.h"
@@ -8,10 +8,10 @@
 
 namespace usar::sim {
 
-/// Settings of the model's drive: `wheel_radius`, `wheel_separation` and `wheel_base` (m) for GEO, `acceleration` of a
-/// wheel's spin (rad/s2; unlimited where it is absent). What a wheel can do (torque, speed) are its joint's limits.
-/// Joints other than the wheels, flippers say, obey commands to single joints. It may sleep while its wheels brake. A
-/// touch of a plant, a building or another body counts as a collision unless the robot stands on what it touches.
+/// Settings of the model's drive: `wheel_radius`, `wheel_separation` and `wheel_base` (m) for GEO, and `acceleration`
+/// of a wheel's spin (rad/s2; unlimited if absent). Torque and speed of a wheel are limited by its joint. Other joints,
+/// such as flippers, obey commands to single joints. The robot may sleep while its wheels brake. Touching a plant, a
+/// building or another body counts as a collision unless the robot stands on it.
 class WheeledDrive : public Drive {
 public:
     void beforeStep(Seconds dt) override;
@@ -26,17 +26,17 @@ public:
     void addTo(std::vector<protocol::Setting>& settings) const override;
 
 protected:
-    /// `wheels` are the driven ones.
+    /// `wheels` are the driven joints. `model` is not kept; `physics` must outlive the drive.
     WheeledDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels);
 
-    /// Counter-clockwise; of skid-steered robots 0.
+    /// Mean steering angles, counter-clockwise positive; 0 for skid-steered robots.
     virtual double frontSteer_rad() const { return 0.0; }
     virtual double rearSteer_rad() const { return 0.0; }
     virtual double largestFrontSteer_rad() const { return 0.0; }
     virtual double largestRearSteer_rad() const { return 0.0; }
 
     bool off() const { return off_; }
-    /// Commands to single joints; true where one of them is here.
+    /// Obeys a command to single joints. Returns true if at least one of them is here.
     bool obeyJoint(const protocol::Command& command);
 
     DrivenJoints joints_;
@@ -54,7 +54,7 @@ private:
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
 };
 
-/// The links on these joints, or which one is not there.
+/// The links on these joints. An error names the joint that does not exist.
 Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints);
 
 } // namespace usar::sim

@@ -96,7 +96,7 @@ std::string short_(double value) {
     if (text.back() == '.')
         text.pop_back();
     if (readNumber(text) == value)
-        return text; // as people write it
+        return text; // This is how users write it.
     text.clear();
     appendShortest(text, value);
     return text;
@@ -115,7 +115,7 @@ Result<double> numberOf(std::string_view key, std::string_view value, double sma
     return *number;
 }
 
-/// Puts one key's value into the fault.
+/// Stores one key's value in the fault.
 Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view key, std::string_view value) {
     if (kind.of_robot && sameWord(key, "robot")) {
         fault.robot = value;

@@ -6,7 +6,8 @@ namespace usar::sim {
 
 namespace {
 
-constexpr std::uint64_t wind_streams = std::uint64_t(1) << 41; // beyond those of sensors and connections
+// Apart from the random streams of sensors and connections.
+constexpr std::uint64_t wind_streams = std::uint64_t(1) << 41;
 
 Wind windOf(const Fault& fault, Random random) {
     const double toward_rad = radians(fault.number("toward_deg"));
@@ -69,7 +70,7 @@ bool FaultSchedule::takeCut(std::string_view robot_name) {
             !status.fault.concerns(robot_name))
             continue;
         cut = true;
-        ending_.push_back(status.id); // at the next tick, so that every robot it is meant for is cut off
+        ending_.push_back(status.id); // It ends at the next tick, so that every robot it is meant for is cut off.
     }
     return cut;
 }

@@ -1,4 +1,4 @@
-// The faults of a run: what is to come, what acts now, and what is over.
+// The faults of a run: those to come, those active now, and those that are over.
 #pragma once
 
 #include <string>
@@ -10,38 +10,42 @@
 
 namespace usar::sim {
 
+/// A fault passes through these phases in this order; one that is ended early may skip Active.
 enum class FaultPhase { ToCome, Active, Over };
 
-/// For lists and logs.
+/// A fault and its state, for lists and logs.
 struct FaultStatus {
-    int id = 0;
+    int id = 0; ///< the number that `end` takes, from 1
     Fault fault;
     FaultPhase phase = FaultPhase::ToCome;
     bool operator==(const FaultStatus&) const = default;
 };
 
-/// "fault begins: wind speed=5".
+/// A sentence for the log when a fault has begun or ended: "fault begins: wind speed=5".
 std::string sentenceOf(const FaultStatus& turned);
 
-/// Time is an argument: the same faults at the same ticks do the same. Owned by a Simulation.
+/// Time is an argument: the same faults at the same ticks have the same effects. Owned by a Simulation.
 class FaultSchedule {
 public:
+    /// `seed` determines the gusts.
     explicit FaultSchedule(std::uint64_t seed) : seed_(seed) {}
 
-    /// The number that `end` takes.
+    /// Schedules a fault and returns the number that `end` takes.
     int add(const Fault& fault);
-    /// At the next `advance`; false where there is no such fault or it is over.
+    /// Ends a fault at the next `advance`. Returns false if there is no such fault or it is over.
     bool end(int id);
 
-    /// Those that have begun or ended since the last call.
+    /// Brings the schedule to time `now`. Returns the faults that have thereby begun or ended.
     std::vector<FaultStatus> advance(Seconds now);
-    /// What acts on this robot.
+    /// The active faults that concern this robot.
     std::vector<Fault> activeOn(std::string_view robot_name) const;
-    /// A cut happens once, as soon as there is somebody to cut off: true, and the cut is over.
+    /// True if an active cut concerns this robot. The cut is over at the next `advance`, so it cuts off each robot
+    /// once.
     bool takeCut(std::string_view robot_name);
-    /// The air's velocity for the next `dt`, map frame.
+    /// Velocity of the air during the next `dt`, map frame: the sum of all active winds.
     Vec3 wind(Seconds dt);
 
+    /// All faults ever added, in the order of their numbers.
     const std::vector<FaultStatus>& all() const { return faults_; }
 
 private:

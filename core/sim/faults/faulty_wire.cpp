@@ -6,7 +6,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr Seconds hair{1e-6}; // ticks are sums of doubles
+constexpr Seconds hair{1e-6}; // Tolerance, because ticks are sums of doubles.
 
 bool isClock(std::string_view line) {
     return line.starts_with("STA ") || line.starts_with("NFO {Lockstep");
@@ -39,7 +39,7 @@ void FaultyWire::push(std::string lines, Seconds now, bool lockstep, bool is_tic
         rest.remove_prefix(line.size());
         bytes += lockstep && isClock(line) ? std::string(line) : damaged(line);
         if (lockstep && !bytes.ends_with('\n'))
-            bytes += "\r\n"; // or the clock's line would be glued to this one
+            bytes += "\r\n"; // Otherwise the clock's line would be glued to this one.
     }
     const Seconds earliest = outward_.empty() ? now : outward_.back().due;
     waiting_bytes_ += bytes.size();

@@ -1,4 +1,4 @@
-// The connection between the server and one client, as bad as its faults make it: late, lossy or half open.
+// The connection between the server and one client, degraded by faults: late, lossy or half open.
 #pragma once
 
 #include <deque>
@@ -13,30 +13,33 @@
 
 namespace usar::sim {
 
-/// Time moves in message ticks, so a delay is rounded up to them. Nothing changes places. Where a client is in lockstep
-/// its STA and STEP are never damaged, for they are the clock of both sides; they may come late. Owned by the client's
-/// session.
+/// Time moves in message ticks, so a delay is rounded up to whole ticks. The order never changes. If a client is in
+/// lockstep, its STA and STEP are never damaged, because they are the clock of both sides, but they may come late.
+/// Owned by the client's session.
 class FaultyWire {
 public:
+    /// `random` decides which bytes are lost.
     explicit FaultyWire(Random random) : random_(random) {}
 
+    /// Replaces the faults that act from now on. What is already on its way keeps its time of arrival.
     void setFaults(const std::vector<Fault>& active);
 
-    /// What the server has written in a tick.
+    /// Sends what the server has written. `is_tick` marks the lines of a tick; all else are answers between two ticks.
     void push(std::string lines, Seconds now, bool lockstep, bool is_tick);
-    /// What has arrived at the client by now; `ticks` counts the ticks whose lines are among it.
+    /// The bytes that have reached the client by now; `ticks` counts the ticks whose lines are among them.
     struct Arrived {
         std::string bytes;
         int ticks = 0;
     };
     Arrived take(Seconds now);
 
-    /// A line of the client, as the server gets it.
+    /// A line from the client as the server receives it.
     std::string garbled(std::string_view line);
-    /// A command that the client sent, and those that have arrived by now.
+    /// Sends a command from the client, which arrives after the delay.
     void push(protocol::Command command, Seconds now) { inward_.push_back({std::move(command), now + delay_}); }
+    /// Takes the commands that have arrived by now.
     std::vector<protocol::Command> takeCommands(Seconds now);
-    /// More waits than the buffers of a network hold: 8 MiB of lines, or 65,536 commands.
+    /// True if more waits than the buffers of a network hold: 8 MiB of lines, or 65,536 commands.
     bool overfull() const { return waiting_bytes_ > (8u << 20) || inward_.size() > (1u << 16); }
 
 private:
@@ -55,7 +58,7 @@ private:
     Random random_;
     Seconds delay_{0.0};
     double loss_ = 0.0;
-    bool holds_ = false;
+    bool holds_ = false; ///< half open: nothing comes through
     std::deque<Lines> outward_;
     std::size_t waiting_bytes_ = 0;
     std::deque<Waiting> inward_;

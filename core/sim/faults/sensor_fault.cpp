@@ -10,9 +10,9 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double metres_per_degree = 111'200.0; // robots-and-worlds 4.8
+constexpr double metres_per_degree = 111'200.0; // See robots-and-worlds 4.8.
 
-/// Adds the bias to whatever holds numbers.
+/// Adds the bias to anything that holds numbers.
 class Bias {
 public:
     explicit Bias(const Fault& fault)
@@ -36,7 +36,7 @@ public:
             (*this)(*value);
     }
     void operator()(protocol::RangeScan& scan) const { (*this)(scan.ranges_m); }
-    void operator()(protocol::GpsReading& gps) const { // x is north
+    void operator()(protocol::GpsReading& gps) const { // The map's x axis points north.
         if (gps.latitude_rad && gps.longitude_rad) {
             *gps.latitude_rad += radians(shift_m_.x() / metres_per_degree);
             *gps.longitude_rad -= radians(shift_m_.y() / (metres_per_degree * std::cos(*gps.latitude_rad)));

@@ -1,4 +1,4 @@
-// What a faulty sensor tells instead of the truth.
+// Alters the messages of faulty sensors.
 #pragma once
 
 #include "core/protocol/info_message.h"
@@ -6,14 +6,14 @@
 
 namespace usar::sim {
 
-/// A bias: `by` on every number of the message with a unit of its own, x, y, z and yaw_deg on positions and
-/// orientations. Texts, counts, yes and no, and times stay.
+/// Adds a bias: `by` to every number of the message that has a unit of its own; x, y, z and yaw_deg to positions and
+/// orientations. Texts, counts, flags and times stay the same.
 void addBias(const Fault& bias, protocol::InfoMessage& message);
 
-/// The message of a frozen sensor, said again now.
+/// Sets the time of a frozen sensor's message, if it has one, to `now`.
 void sayAgain(Seconds now, protocol::InfoMessage& frozen);
 
-/// Puts a line of one sensor behind the others, into the line of its type where that is the last one there.
+/// Appends one sensor's message to `out`, or merges it into the last message there if that has the same type.
 void addLine(protocol::InfoMessage&& message, std::vector<protocol::InfoMessage>& out);
 
 } // namespace usar::sim

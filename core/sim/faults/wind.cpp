@@ -8,7 +8,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double scale_m = 68.0;
-constexpr double slowest_m_s = 3.0; // in still air gusts do not stand either
+constexpr double slowest_m_s = 3.0; // Gusts pass at least this fast, even in still air.
 
 } // namespace
 
@@ -17,7 +17,7 @@ Wind::Wind(const WindParameters& parameters, Random random)
     , random_(random)
     , correlation_(scale_m / std::max(slowest_m_s, parameters.mean_in_map_m_s.norm())) {
     for (double& component : gust_m_s_)
-        component = gaussian(random_, 1.0); // as if it had always blown
+        component = gaussian(random_, 1.0); // As if the wind had always blown.
     gust_m_s_ = gust_m_s_.cwiseProduct(Vec3(1.0, 1.0, 0.5)) * parameters_.gust_m_s;
 }
 

@@ -144,7 +144,7 @@ void AirRobotBody::leaveGround() {
     if (standing && command_.climb_m_s > climb_wish_m_s)
         enter(MotorState::SpoolingUp);
     else if (motors_ == MotorState::SpoolingUp && in_state_ > spooling_time)
-        motors_ = MotorState::Flying; // the controller keeps what it has learnt on the way up
+        motors_ = MotorState::Flying; // The controller keeps what it has learned on the way up.
 }
 
 void AirRobotBody::enter(MotorState motors) {

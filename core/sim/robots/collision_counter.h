@@ -1,4 +1,4 @@
-// Counts collisions: touches that follow one another closely are one.
+// Counts collisions: touches in close succession count as one.
 #pragma once
 
 #include "core/base/clock.h"
@@ -7,9 +7,12 @@ namespace usar::sim {
 
 class CollisionCounter {
 public:
+    /// Touches no more than this apart are one collision.
     static constexpr Seconds apart{0.5};
 
+    /// Lets time pass, to be called at each step.
     void pass(Seconds dt) { since_ += dt; }
+    /// Takes a touch, several times per step if need be.
     void touch() {
         count_ += since_ > apart ? 1 : 0;
         since_ = Seconds{0.0};

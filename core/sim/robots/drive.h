@@ -1,4 +1,4 @@
-// What makes a robot move: wheels, rotors, fins or legs. It obeys its kind of DRIVE and nothing else.
+// The drive of a robot: wheels, rotors, fins or legs. It obeys its own kind of DRIVE and nothing else.
 #pragma once
 
 #include <memory>
@@ -14,41 +14,43 @@
 
 namespace usar::sim {
 
-/// Made for one body, which outlives it. Belongs to one robot.
+/// Moves one body, which outlives it. Belongs to one robot.
 class Drive {
 public:
     virtual ~Drive() = default;
 
-    /// False for what is meant for another kind of vehicle.
+    /// Returns false for a command that is meant for another kind of vehicle.
     virtual bool obey(const protocol::Command& command) = 0;
-    /// Forces and motors for the next physics step.
+    /// Applies forces and motors for the next physics step.
     virtual void beforeStep(Seconds dt) = 0;
-    /// Contacts and counters of the step that was made.
+    /// Evaluates the contacts of the physics step that was made, and updates the counters.
     virtual void afterStep(Seconds /*dt*/) {}
-    /// The battery is empty: no force any more.
+    /// Called when the battery is empty; from then on the drive exerts no force.
     virtual void switchOff() = 0;
-    /// The air moves (map frame); of no account to what does not fly.
+    /// Sets the velocity of the air (map frame), which matters only to flying robots.
     virtual void feelWind(const Vec3& /*wind_in_map_m_s*/) {}
-    /// Rotor 1..4 gives this share of its thrust. False where there are no rotors.
+    /// Makes rotor 1..4 give only this share of its thrust. Returns false if there are no rotors.
     virtual bool weakenRotor(int /*rotor*/, double /*share*/) { return false; }
-    /// Nothing pushes, so that the body may be taken as standing still (the INS wants to know).
+    /// True if nothing pushes, so that the body may count as standing still, which the INS needs to know.
     virtual bool idle() const = 0;
+    /// True if the robot can no longer move because it was damaged.
     virtual bool broken() const { return false; }
     virtual int collisions() const { return 0; }
 
-    /// The kind's own terms of STA, GEO and CONF.
+    /// Add the terms of this kind of drive to STA, GEO and CONF.
     virtual void addTo(protocol::RobotState&) const {}
     virtual void addTo(protocol::GeometryInfo&) const {}
     virtual void addTo(std::vector<protocol::Setting>&) const {}
 };
 
-/// Where a robot appears.
+/// Initial conditions of a drive.
 struct DriveBirth {
     Pose base_in_map;
-    bool near_ground = false; ///< then what flies settles down by itself
+    bool near_ground = false; ///< if true, a flying robot lands by itself
 };
 
-/// Fails where the model's drive lacks something, naming it. What it is given must outlive it.
+/// Makes the drive that the model names. Fails if the model lacks something for it, and names what. All arguments
+/// except `birth` must outlive the drive.
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          const DriveBirth& birth);
 

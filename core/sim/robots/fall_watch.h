@@ -3,10 +3,10 @@
 
 namespace usar::sim {
 
-/// A fall is a lean of more than 60 degrees; the next one is counted after it has stood upright again.
+/// A fall is a lean of more than 60 degrees; the next one counts only after the robot has stood upright again.
 class FallWatch {
 public:
-    /// `up_z`: the third component, in the map frame, of the base's own z axis.
+    /// `up_z` is the z component of the base's z axis in the map frame.
     void step(double up_z) {
         if (!lies_ && up_z < lying_z) {
             lies_ = true;
@@ -18,8 +18,8 @@ public:
     int count() const { return count_; }
 
 private:
-    static constexpr double lying_z = 0.5;
-    static constexpr double upright_z = 0.85;
+    static constexpr double lying_z = 0.5;    ///< cosine of 60 degrees
+    static constexpr double upright_z = 0.85; ///< cosine of 32 degrees
 
     bool lies_ = false;
     int count_ = 0;

@@ -7,19 +7,19 @@ namespace usar::sim {
 
 namespace {
 
-// Reference model: critically damped, 1 m/s settles in about 1.5 s.
+// Reference model: critically damped; 1 m/s settles in about 1.5 s.
 constexpr double lead_rad_s = 4.5;
 const Vec3 acceleration_limit_m_s2(2.5, 2.5, 3.0);
 const Vec3 jerk_limit_m_s3(6.0, 6.0, 20.0);
-// How far the body lags the reference: tilt loop and rotors sideways, rotors alone upward.
+// Time by which the body lags the reference: tilt loop and rotors sideways, rotors alone upward.
 const Vec3 tracking_lag_s(0.12, 0.12, 0.06);
 const Vec3 velocity_gain_per_s(2.0, 2.0, 4.0);
 const Vec3 place_gain_per_s2(1.0, 1.0, 4.0);
 constexpr double lag_limit_m = 0.5;
-// Tilt and rate loops.
+// Gains of the tilt and rate loops.
 constexpr double tilt_gain_per_s2 = 64.0;
 constexpr double rate_gain_per_s = 13.0;
-// The body overshoots the rate of its reference by a quarter while the rotors lag.
+// While the rotors lag, the body overshoots the rate of its reference by a quarter.
 constexpr double tilt_rate_share = 0.78;
 constexpr double yaw_gain_per_s2 = 4.0;
 constexpr double yaw_rate_gain_per_s = 6.0;

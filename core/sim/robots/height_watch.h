@@ -1,4 +1,4 @@
-// How high something was over the ground all the time.
+// Statistics of how high something was above the ground.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,14 @@
 
 namespace usar::sim {
 
-/// Metres, of the base's origin over the ground straight below it.
+/// Height of the base's origin above the ground straight below it, in meters.
 struct HeightFigures {
     double least_m = 0.0;
     double mean_m = 0.0;
     double spread_m = 0.0; ///< standard deviation
 };
 
+/// Collects heights, one per tick.
 class HeightWatch {
 public:
     void step(double height_m) {
@@ -23,6 +24,7 @@ public:
         mean_m_ += off_m / count_;
         squares_m2_ += off_m * (height_m - mean_m_);
     }
+    /// Returns nullopt before the first height.
     std::optional<HeightFigures> figures() const {
         if (count_ == 0)
             return std::nullopt;

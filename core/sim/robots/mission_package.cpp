@@ -57,7 +57,7 @@ bool MissionPackage::obey(const protocol::Command& command) {
     return true;
 }
 
-/// A link that it does not have is ignored, as servers ignore it.
+/// Ignores a link that the package does not have, as servers do.
 void MissionPackage::move(int number, double value, protocol::LinkOrder order) {
     if (number < 1 || static_cast<std::size_t>(number) > links_.size())
         return;

@@ -1,4 +1,4 @@
-// A mission package: joints that MISPKG moves, a camera's pan and tilt or an arm.
+// A mission package: joints that MISPKG moves, such as a camera's pan and tilt, or an arm.
 #pragma once
 
 #include <vector>
@@ -10,28 +10,31 @@
 
 namespace usar::sim {
 
-/// Holds its joints where they are until it is told otherwise. `body` must outlive it.
+/// Its joints start at 0 and are held where they were last told to be. `body` must outlive it.
 class MissionPackage {
 public:
     MissionPackage(const PackageModel& model, RobotBody& body);
 
     const std::string& name() const { return model_.name; }
-    /// MISPKG in both its forms, and ACT; false for what is meant for another package.
+    /// Obeys both forms of MISPKG, and ACT. Returns false for a command that is meant for another package.
     bool obey(const protocol::Command& command);
+    /// Turns the joints' motors off.
     void switchOff();
 
     protocol::PackageState state(Seconds now) const;
-    /// Its links as GEO's items, each named after its place: "CameraPanTilt_Link1".
+    /// Its links as items of GEO, each named by its position: "CameraPanTilt_Link1".
     std::vector<protocol::MountedItem> geometry() const;
+    /// Its part of CONF: for each link its number, kind of joint, and limits.
     std::vector<protocol::Setting> settings() const;
 
 private:
+    /// Links are counted from 1; the value is in rad or m, rad/s or m/s, N m or N, depending on the order.
     void move(int link, double value, protocol::LinkOrder order);
     const ModelLink& link(std::size_t index) const;
 
     PackageModel model_;
     RobotBody& body_;
-    std::vector<std::size_t> links_; ///< of the body
+    std::vector<std::size_t> links_; ///< indices of the body's links, the one nearest to the base first
 };
 
 } // namespace usar::sim

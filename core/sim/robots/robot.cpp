@@ -84,7 +84,7 @@ bool Robot::obey(const protocol::Command& command) {
     return for_package || drive_->obey(command) || std::holds_alternative<protocol::DriveSwitches>(command);
 }
 
-/// Level again, lifted clear of what it lay on.
+/// Turns the robot level again and lifts it clear of what it lay on.
 void Robot::rightItself() {
     Pose level = body_.base_in_map();
     level.position_m.z() += raised_to_turn_m;
@@ -106,7 +106,7 @@ void Robot::afterStep(Seconds dt) {
     discharge(dt);
 }
 
-/// A plain count-down, and water is the end of a battery that was not made for it (usarsim-protocol 2.6).
+/// Counts down the battery. Water ends the battery of a robot that was not made for it (usarsim-protocol 2.6).
 void Robot::discharge(Seconds dt) {
     if (!alive())
         return;
@@ -150,7 +150,7 @@ protocol::RobotState Robot::state(Seconds now) const {
     protocol::RobotState state;
     state.kind = body_.model().kind;
     state.time = now;
-    state.battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)}; // whole seconds, 1200 at first
+    state.battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)}; // In whole seconds, 1200 at first.
     state.light_on = light_on_;
     state.light_intensity_pct = light_on_ ? 100 : 0;
     state.view = -1;

@@ -24,7 +24,7 @@
 
 namespace usar::sim {
 
-/// Where robots live. All of it outlives them.
+/// The parts of the simulation that a robot interacts with. All of them outlive it.
 struct RobotSurroundings {
     const World& world;
     const RayCaster& caster;
@@ -32,17 +32,18 @@ struct RobotSurroundings {
     Scene& scene;
 };
 
+/// Initial conditions of a robot.
 struct RobotOptions {
     Pose base_in_map;
     std::uint64_t seed = 1;
-    std::uint64_t number = 0;              ///< of the spawn: each robot has random streams of its own
-    std::optional<Seconds> battery_life{}; ///< instead of the model's
-    Seconds scan_interval{0.2};
+    std::uint64_t number = 0;              ///< number of the spawn: each robot has random streams of its own
+    std::optional<Seconds> battery_life{}; ///< replaces the model's
+    Seconds scan_interval{0.2};            ///< the message tick
     bool noise = true;
     protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
 
-/// What a viewer other than the wire may know of a robot.
+/// Ground truth about a robot, as in RobotTruth.
 struct RobotFigures {
     Pose base_in_map;
     Vec3 velocity_in_map_m_s = Vec3::Zero();
@@ -51,43 +52,49 @@ struct RobotFigures {
     double distance_m = 0.0;
     Seconds longest_stay{0.0};             ///< see StayWatch
     int falls = 0;                         ///< see FallWatch
-    int touches = 0;                       ///< of things that can be pushed; see TouchWatch
-    std::optional<Seconds> first_touch{};  ///< since the spawn
-    std::optional<HeightFigures> height{}; ///< of what dives, since it went under
+    int touches = 0;                       ///< how often it touched an object or another robot; see TouchWatch
+    std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
+    std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
 };
 
-/// Owned by its client's session.
+/// One spawned robot. Owned by its client's session.
 class Robot {
 public:
-    /// Raises the robot by up to a meter until it is free, as the game's engine does, and puts it beside another robot
-    /// that has its place; fails where that is not enough, and for a model that cannot be built. `model` must outlive
-    /// it.
+    /// Spawns a robot. It is raised by up to a meter until it is free, as the game's engine does, and put beside
+    /// another robot that occupies its place. Fails if that is not enough, or if the model cannot be built. `model`
+    /// must outlive it.
     static Result<std::unique_ptr<Robot>> spawn(const RobotModel& model, const RobotSurroundings& surroundings,
                                                 const RobotOptions& options);
 
-    /// A driving command; those of other vehicles are ignored (false).
+    /// Obeys a driving command. Returns false for those of other vehicles, which it ignores.
     bool obey(const protocol::Command& command);
+    /// Called before and after each physics step.
     void beforeStep(Seconds dt);
     void afterStep(Seconds dt);
 
-    /// The lines of a tick in UT2004's order (usarsim-protocol 9.1). The first tick brings only what needs no history.
+    /// Appends the lines of a tick in UT2004's order (usarsim-protocol 9.1). The `first` tick brings only sensors that
+    /// need no history.
     void measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out);
     /// With an empty battery a robot neither obeys nor answers.
     bool alive() const { return battery_left_ > Seconds{0.0}; }
+    /// Answers to GETGEO and GETCONF; an empty name asks for all items of the type.
     protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;
     protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const;
-    /// Nothing where no part of it knows the command.
+    /// Answers a SET; nullopt if no part of the robot knows the command.
     std::optional<protocol::Response> set(const protocol::Command& wanted);
 
-    /// Those that concern this robot, from now until the next call. A battery that fails stays as it is.
+    /// Sets the active faults that concern this robot, until the next call. A drained battery is not refilled when its
+    /// fault ends.
     void setFaults(const std::vector<Fault>& active);
-    /// Whether the robot has what the fault is about.
+    /// True if the robot has the sensor or the rotors that the fault is about.
     bool canHave(const Fault& fault) const;
     void feelWind(const Vec3& wind_in_map_m_s) { drive_->feelWind(wind_in_map_m_s); }
 
+    /// The robot as it is now; the statistics count from the spawn.
     RobotFigures figures() const;
+    /// True while its lamp is switched on and its battery is not empty.
     bool lightOn() const { return light_on_ && alive(); }
-    /// Where its cameras stand now; without the robot's name, which the robot does not know.
+    /// The cameras with their current poses, but without the robot's name, which the robot does not know.
     std::vector<SeenFrom> cameras() const { return sensors_.cameras(body_); }
     const RobotBody& body() const { return body_; }
 
@@ -106,7 +113,7 @@ private:
     FallWatch falls_;
     TouchWatch touches_;
     HeightWatch heights_;
-    bool went_under_ = false;
+    bool went_under_ = false; ///< a submarine that has been below the surface
     WorldRays rays_;
     const World& world_;
     Scene& scene_;

@@ -1,4 +1,4 @@
-// A robot's body in the physics, spoken of in the frames of its file: base, links and joints.
+// A robot's body in the physics, in terms of the frames of its file: base, links and joints.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace usar::sim {
 
-/// Adds the body, and removes it at its end. `physics` and `model` must outlive it.
+/// Adds the body to the physics and removes it when destroyed. `physics` and `model` must outlive it.
 class RobotBody {
 public:
     RobotBody(Physics& physics, const RobotModel& model, const Pose& base_in_map);
@@ -20,19 +20,23 @@ public:
     Physics& physics() const { return physics_; }
     BodyId id() const { return id_; }
 
+    /// Pose of the base's frame.
     Pose base_in_map() const;
+    /// Velocity of the base's center of mass.
     Vec3 velocity_in_map_m_s() const { return physics_.state(id_).velocity_m_s; }
-    /// Angular velocity.
+    /// Angular velocity of the base.
     Vec3 rate_in_map_rad_s() const { return physics_.state(id_).rate_rad_s; }
-    /// Of a link, or of the base where `link` is -1.
+    /// Pose of a link's frame, or of the base's if `link` is -1.
     Eigen::Isometry3d link_in_map(int link) const;
+    /// State of the joint that a link hangs on; the base has none.
     JointState joint(int link) const { return physics_.joint(id_, static_cast<std::size_t>(link)); }
 
-    /// After each physics step: keeps which links were touched, and the way.
+    /// Called after each physics step: remembers the touched links and adds up the path.
     void afterStep();
-    /// Since the last call of `forgetTouches`.
+    /// True if the link, or the base if it is -1, was touched since the last call of `forgetTouches`.
     bool touched(int link) const { return touched_[static_cast<std::size_t>(link + 1)]; }
     void forgetTouches();
+    /// Length of the path so far.
     double distance_m() const { return distance_m_; }
 
 private:

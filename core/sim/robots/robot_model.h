@@ -1,4 +1,5 @@
-// A kind of robot as plain values: what a robot file says (resources/robots/README.md) and a robot is built from.
+// A kind of robot as plain values: the content of a robot file (resources/robots/README.md), from which robots are
+// built.
 #pragma once
 
 #include <map>
@@ -13,75 +14,79 @@
 
 namespace usar::sim {
 
-/// Settings by name, SI units and radians. What a part of the program does not know it leaves alone.
+/// Settings by name, in SI units and radians. Each part of the program ignores those that it does not know.
 using Numbers = std::map<std::string, double, std::less<>>;
 
+/// The number by this name, or `otherwise` if there is none.
 inline double numberOr(const Numbers& numbers, std::string_view key, double otherwise) {
     const auto found = numbers.find(key);
     return found == numbers.end() ? otherwise : found->second;
 }
 
-/// A link that hangs on another by a joint. Frames of links are those of the file; physics has its origins in the
-/// centers of mass instead.
+/// A link that is connected to another one by a joint. The frames of links are those of the file, whereas those of the
+/// physics have their origins in the centers of mass.
 struct ModelLink {
     std::string name;
-    std::string joint; ///< name of the joint that it hangs on
+    std::string joint; ///< name of the joint that connects it to its parent
     Vec3 center_of_mass_in_link_m = Vec3::Zero();
-    double torque_limit = 0.0; ///< of that joint: N m or N
+    double torque_limit = 0.0; ///< N m or N, of that joint
     double speed_limit = 0.0;  ///< rad/s or m/s
 };
 
-/// What makes it move, with its settings; `joints` are the joints that it drives, in the order of its kind.
+/// The drive of a robot and its settings. `joints` are those that it drives, in the order that this kind needs.
 struct DriveModel {
-    std::string kind; ///< rotors, skid, ackermann, nautic, legs
+    std::string kind; ///< rotors, skid, ackermann, nautic or legs
     std::vector<std::string> joints;
     Numbers numbers;
 };
 
+/// A sensor and its settings: `numbers` are those that read as numbers, `words` all others.
 struct SensorModel {
-    std::string type; ///< on the wire: Sonar, RangeScanner …
+    std::string type; ///< its type on the wire: Sonar, RangeScanner …
     std::string name;
     int link = -1; ///< index of the link that carries it; -1: the base
     Pose sensor_in_link;
-    std::string mount; ///< as GEO tells it: HARD for the chassis, or the name of a part
+    std::string mount; ///< as GEO reports it: HARD for the chassis, or the name of a part
     Numbers numbers;
     std::map<std::string, std::string, std::less<>> words;
 };
 
-/// A mission package: joints that MISPKG moves, the first one nearest to the base.
+/// A mission package: joints that MISPKG moves, the one nearest to the base first.
 struct PackageModel {
     std::string name;
     std::vector<std::string> joints;
 };
 
+/// Everything about one class of robots. Frames are those of the file, except in `body`.
 struct RobotModel {
     std::string class_name; ///< without "USARBot."
     protocol::VehicleKind kind = protocol::VehicleKind::Ground;
-    std::string steering; ///< SteeringType of CONF
-    Vec3 dimensions_m = Vec3::Zero();
-    Vec3 center_of_gravity_m = Vec3::Zero();
+    std::string steering;                    ///< SteeringType in CONF
+    Vec3 dimensions_m = Vec3::Zero();        ///< length, width, height, as GEO reports them
+    Vec3 center_of_gravity_m = Vec3::Zero(); ///< as GEO reports it; physics uses `center_of_mass_in_base_m`
     Seconds battery_life{1200.0};
     Vec3 center_of_mass_in_base_m = Vec3::Zero();
     ArticulatedDescription body;
-    std::vector<ModelLink> links; ///< as `body.links`
+    std::vector<ModelLink> links; ///< parallel to `body.links`
     DriveModel drive;
     std::vector<SensorModel> sensors;
     std::vector<PackageModel> packages;
 
+    /// Mass of the base and all links.
     double mass_kg() const;
-    /// All parts as one rigid body with its origin in the base's, joints at 0: for finding a free place.
+    /// All parts as one rigid body whose origin is that of the base, with joints at 0; for finding a free place.
     BodyDescription whole() const;
-    /// Index of the link on this joint; nothing where there is none.
+    /// Index of the link on this joint, whose name must match exactly; nullopt if there is none.
     std::optional<int> linkOnJoint(std::string_view joint) const;
 };
 
-/// The robots that can be spawned, by class name without regard to case.
+/// The robots that can be spawned. Class names are compared without regard to case.
 using RobotCatalog = std::vector<RobotModel>;
 
-/// "AirRobot" of "USARBot.AirRobot".
+/// "AirRobot" for "USARBot.AirRobot".
 std::string_view withoutPackage(std::string_view class_name);
 
-/// With or without its package, "USARBot.AirRobot"; nullptr where there is none.
+/// Finds a robot by its class, in any case, with or without its package ("USARBot.AirRobot"); nullptr if there is none.
 const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name);
 
 } // namespace usar::sim

@@ -29,7 +29,7 @@ std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
     return joints;
 }
 
-/// What stands between the tags of the first child of this name; empty without one.
+/// Text of the first child with this name; empty if there is none.
 std::string textOf(const sdf::Element& parent, const std::string& name) {
     const sdf::ElementConstPtr child = parent.FindElement(name);
     return child && child->GetValue() ? child->GetValue()->GetAsString() : std::string();
@@ -44,7 +44,7 @@ std::optional<Vec3> vectorIn(const sdf::Element& parent, const std::string& name
     return readNumbers(textOf(parent, name), vector.data(), 3) ? std::optional(vector) : std::nullopt;
 }
 
-/// The words of all children of this name.
+/// Texts of all children with this name.
 std::vector<std::string> textsOf(const sdf::Element& parent, const std::string& name) {
     std::vector<std::string> texts;
     for (sdf::ElementPtr child = parent.GetFirstElement(); child; child = child->GetNextElement())
@@ -53,7 +53,8 @@ std::vector<std::string> textsOf(const sdf::Element& parent, const std::string& 
     return texts;
 }
 
-/// Our own children of an element by their names: what reads as a number, and what does not.
+/// Reads our own children of an element by their names: numbers into `numbers`, and other texts into `words` if it is
+/// given.
 void readSettings(const sdf::Element& parent, Numbers& numbers,
                   std::map<std::string, std::string, std::less<>>* words) {
     for (sdf::ElementPtr child = parent.GetFirstElement(); child; child = child->GetNextElement()) {
@@ -68,7 +69,7 @@ void readSettings(const sdf::Element& parent, Numbers& numbers,
     }
 }
 
-/// Fills a model from the elements of one file.
+/// Builds a model from the elements of one file.
 class RobotReading {
 public:
     RobotReading(const std::filesystem::path& file, const sdf::Model& source)
@@ -93,7 +94,7 @@ private:
 
     tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), mend); }
     const sdf::Link* linkNamed(const std::string& name) const { return source_.LinkByName(name); }
-    /// Of the center of mass, in the model's frame and with its axes.
+    /// Pose in the model's frame of the link's center of mass, with the link's axes.
     static Pose bodyInModel(const sdf::Link& link);
 
     std::filesystem::path file_;
@@ -211,7 +212,7 @@ Result<void> RobotReading::readBase() {
     return {};
 }
 
-/// Parents before children, whatever the order of the file.
+/// Adds parents before their children, whatever the order in the file.
 Result<void> RobotReading::hangLinks() {
     std::vector<std::pair<std::string, int>> open{{base_->Name(), -1}};
     for (std::size_t next = 0; next < open.size(); ++next) {
@@ -316,7 +317,7 @@ Result<RobotModel> readAnew(const std::filesystem::path& file) {
     return RobotReading(file, *root->Model()).read();
 }
 
-/// A robot as its file was when it was read.
+/// A robot, and the state of its file when it was read.
 struct ReadRobot {
     std::filesystem::file_time_type written;
     std::uintmax_t bytes;
@@ -325,7 +326,8 @@ struct ReadRobot {
 
 } // namespace
 
-/// Reading SDFormat takes some 70 ms a file, and each start of a simulator wants them all.
+/// Keeps the robots it has read, because SDFormat takes some 70 ms per file and every start of a simulator needs all of
+/// them.
 Result<RobotModel> readRobot(const std::filesystem::path& file) {
     static std::mutex one_at_a_time;
     static std::map<std::filesystem::path, ReadRobot> known;
@@ -334,7 +336,7 @@ Result<RobotModel> readRobot(const std::filesystem::path& file) {
     const auto written = std::filesystem::last_write_time(path, trouble);
     const std::uintmax_t bytes = trouble ? 0 : std::filesystem::file_size(path, trouble);
     if (trouble)
-        return readAnew(file); // which says what is wrong
+        return readAnew(file); // Its error says what is wrong.
     const std::scoped_lock lock(one_at_a_time);
     const auto found = known.find(path);
     if (found != known.end() && found->second.written == written && found->second.bytes == bytes)

@@ -1,4 +1,4 @@
-// Robot files (SDFormat 1.9, described in resources/robots/README.md) to robot models.
+// Reads robot files (SDFormat 1.9, described in resources/robots/README.md) into robot models.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,18 @@
 
 namespace usar::sim {
 
-/// Refuses what it cannot build, with the file and the name of the part. A file that was not written since is not read
-/// again. From any thread.
+/// Fails for what cannot be built, and names the file and the part. A file that has not been written since the last
+/// call is not read again. Callable from any thread.
 Result<RobotModel> readRobot(const std::filesystem::path& file);
 
+/// Result of reading a folder.
 struct RobotsRead {
     RobotCatalog robots;
-    std::vector<Error> refused; ///< one for each file that cannot be read; the others are there all the same
+    std::vector<Error> refused; ///< one error for each file that was left out
 };
 
-/// All *.sdf of a folder, by name of the file; of two with one class name the first.
+/// Reads all *.sdf files of a folder in the order of their names. A class name that occurs twice is refused the second
+/// time.
 RobotsRead readRobots(const std::filesystem::path& folder);
 
 } // namespace usar::sim

@@ -7,7 +7,7 @@ namespace usar::sim {
 
 namespace {
 
-// Front left and rear right turn one way, the other two the other way; +1 pushes the body counter-clockwise.
+// Front left and rear right turn one way, the other two the other way; +1 turns the body counter-clockwise.
 constexpr std::array<double, 4> yaw_sense{-1.0, 1.0, -1.0, 1.0};
 
 } // namespace

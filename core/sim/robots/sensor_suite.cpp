@@ -14,14 +14,14 @@ namespace usar::sim {
 namespace {
 
 constexpr std::uint64_t streams_per_robot = 256;
-constexpr std::uint64_t chance_streams = std::uint64_t(1) << 40; // beyond those of the sensors' noise
+constexpr std::uint64_t chance_streams = std::uint64_t(1) << 40; // Beyond the streams of the sensors' noise.
 
 struct Address {
     std::string type;
-    std::string name; ///< empty: all of the type
+    std::string name; ///< empty: all of this type
 };
 
-/// Whom a SET is meant for.
+/// The sensors that a SET is meant for.
 Address addressOf(const protocol::Command& command) {
     return std::visit(
         [](const auto& one) -> Address {
@@ -161,7 +161,7 @@ protocol::GeometryInfo SensorSuite::geometry(const std::string& type, const std:
         info.items.push_back({model.name, model.sensor_in_link, model.mount, {}});
     }
     if (info.items.empty())
-        info.robot_class = name; // the bare head repeats the name that was asked for
+        info.robot_class = name; // The bare head repeats the name that was asked for.
     return info;
 }
 

@@ -1,4 +1,4 @@
-// The sensors of one robot: measured in a tick's order, asked and set by type and name.
+// The sensors of one robot: measured in the order of a tick, queried and set by type and name.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 
 namespace usar::sim {
 
+/// Initial conditions of a robot's sensors.
 struct SuiteBirth {
     Pose base_in_map;
     std::uint64_t seed = 1;
@@ -23,39 +24,44 @@ struct SuiteBirth {
     protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
 
-/// Every sensor has a random stream of its own: sensors and robots that come later change nobody's noise. The setting
-/// `every` of a sensor makes it measure at each n-th tick only. UT2004's measure at each tick, UDK's at intervals of
-/// their own (usarsim-protocol 1.8).
+/// Every sensor has a random stream of its own, so sensors and robots added later change nobody's noise. With the
+/// setting `every`, a sensor measures only at each n-th tick. UT2004's sensors measure at each tick, UDK's at intervals
+/// of their own (usarsim-protocol 1.8).
 class SensorSuite {
 public:
-    /// `robot` must outlive it. Fails for a sensor that cannot be built.
+    /// Fails for a sensor that cannot be built. `robot` must outlive the suite.
     static Result<SensorSuite> make(const RobotModel& robot, const SuiteBirth& birth);
 
-    /// One tick; on the `first` only what needs no history.
+    /// Measures one tick. The `first` one brings only sensors that need no history.
     void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);
-    /// As they stand on this robot now.
+    /// The cameras with their current poses.
     std::vector<SeenFrom> cameras(const RobotBody& body) const;
-    /// Items of this type, all or the named one, in any case; the bare head when there is none.
+    /// The items of this type, all or the named one, in any case. If there are none, the bare head.
     protocol::GeometryInfo geometry(const std::string& type, const std::string& name) const;
     protocol::ConfigurationInfo configuration(const std::string& type, const std::string& name) const;
-    /// The first answer of the sensors that the command is meant for; nothing when there is none, or none knows it.
+    /// Passes a SET to the sensors it is meant for. Returns the first answer, or a later one that reports a failure;
+    /// nullopt if there is no such sensor or none knows the command.
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest);
 
-    /// Those that act on sensors, until the next call. The sensors' own noise goes on as without them.
+    /// Sets the faults that act on sensors, until the next call. The sensors' own noise continues as it would without
+    /// them.
     void setFaults(const std::vector<Fault>& active);
+    /// True if there is a sensor with this type or name, in any case.
     bool has(std::string_view type_or_name) const;
 
 private:
+    /// Sensors of this type, all or the named one, in any case.
     std::vector<const Sensor*> find(const std::string& type, const std::string& name) const;
 
     struct Place {
         std::unique_ptr<Sensor> sensor;
-        std::uint64_t every = 1; ///< ticks
+        std::uint64_t every = 1; ///< measures at each n-th tick
         std::vector<Fault> faults{};
-        std::vector<protocol::InfoMessage> frozen{}; ///< what it repeats, while it does
+        std::vector<protocol::InfoMessage> frozen{}; ///< the lines it repeats while it is frozen
         std::uint64_t chance_stream = 0;
-        std::optional<Random> chance{}; ///< of the readings that do not come, since the first such fault
+        std::optional<Random> chance{}; ///< decides which readings drop out; exists since the first such fault
     };
+    /// Measures as without faults, then alters the lines or leaves them out.
     void measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out);
     std::vector<Place> sensors_;
     std::uint64_t seed_ = 1;

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double most_raise_m = 1.0;
 constexpr double raise_step_m = 0.05;
-/// Centers nearer than this are one place: two robots that settle there would land on each other.
+/// Centers closer than this count as one place: two robots that settle there would land on each other.
 constexpr double same_place_m = 1.2;
-/// What a robot beside others keeps between its center and theirs.
+/// Distance between the centers of a robot that is put beside others and those others.
 constexpr double beside_m = 1.8;
 constexpr std::array rings_m{2.0, 3.0, 4.0};
 constexpr int bearings = 12;
-constexpr double most_step_m = 1.0; ///< of the ground, between the wanted place and the one beside it
+constexpr double most_step_m = 1.0; ///< change of ground height, from the wanted place to the one beside it
 constexpr double sky_m = 30.0;
 constexpr double body_half_width_m = 1.0;
 
-/// A body for trying places; gone when it goes out of scope.
+/// A body for trying out places; removed when it goes out of scope.
 class Probe {
 public:
     Probe(Physics& physics, const BodyDescription& body, const Pose& pose)
@@ -51,7 +51,7 @@ std::optional<Pose> raised(const Probe& probe, Pose pose, double room_m) {
     return stuck || probe.roomAt_m(pose.position_m) < room_m ? std::nullopt : std::optional(pose);
 }
 
-/// Nothing above the robot's middle and its four sides: it can rise.
+/// True if nothing is above the robot's middle and its four sides, so that it can rise.
 bool underOpenSky(const RayCaster& caster, const Vec3& position_m) {
     for (const Vec2& side_m : {Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(0.0, 1.0), Vec2(-1.0, 0.0), Vec2(0.0, -1.0)}) {
         const Vec3 from_m =
@@ -62,7 +62,8 @@ bool underOpenSky(const RayCaster& caster, const Vec3& position_m) {
     return true;
 }
 
-/// The pose moved aside by `step_m`, as high over the ground as before if it was near it.
+/// The pose moved aside by `step_m`, and kept at its height above the ground if it was near it; nullopt if there is no
+/// suitable ground.
 std::optional<Pose> movedAside(const RobotSurroundings& surroundings, Pose pose, const Vec2& step_m) {
     const double height_m = heightOverGround_m(surroundings, pose.position_m);
     pose.position_m.head<2>() += step_m;
@@ -72,7 +73,7 @@ std::optional<Pose> movedAside(const RobotSurroundings& surroundings, Pose pose,
     const double reach_m = height_m + 2.0 * most_step_m;
     const double down_m = surroundings.caster.cast(over_m, -Vec3::UnitZ(), reach_m);
     if (down_m <= 0.0 || down_m >= reach_m)
-        return std::nullopt; // a cliff, a wall, or the end of the world
+        return std::nullopt; // There is a cliff, a wall, or the end of the world.
     pose.position_m.z() = over_m.z() - down_m + height_m;
     return pose;
 }
@@ -81,7 +82,8 @@ std::optional<Pose> beside(const RobotSurroundings& surroundings, const Probe& p
     const bool open = underOpenSky(surroundings.caster, wanted.position_m);
     for (const double ring_m : rings_m) {
         for (int i = 0; i < bearings; ++i) {
-            const double bearing_rad = wanted.yaw_rad + pi / 2.0 + 2.0 * pi * i / bearings; // the left side first
+            // The left side comes first.
+            const double bearing_rad = wanted.yaw_rad + pi / 2.0 + 2.0 * pi * i / bearings;
             const auto pose =
                 movedAside(surroundings, wanted, ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad)));
             if (!pose || (open && !underOpenSky(surroundings.caster, pose->position_m)))

@@ -1,4 +1,4 @@
-// Where a robot can be put when it is told to appear at a pose.
+// Finds a place for a robot that is told to appear at a pose.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,15 @@
 
 namespace usar::sim {
 
-/// Below this height over something solid a spawned robot will settle on it.
+/// A robot spawned less than this above something solid will settle on it.
 inline constexpr double near_ground_m = 1.0;
 
-/// Distance down to the world's still parts; 2 m at most.
+/// Distance down to the fixed parts of the world; at most 2 m.
 double heightOverGround_m(const RobotSurroundings& surroundings, const Vec3& position_m);
 
-/// `wanted`, level and raised out of the ground by up to a meter. Where another robot is, the nearest place beside it,
-/// 2 to 4 m away, as high over the ground and under a sky as open. Nothing where there is no room.
+/// Returns `wanted`, level and raised out of the ground by up to a meter. If another robot is there, the nearest place
+/// beside it instead, 2 to 4 m away, at the same height above the ground and under an equally open sky. Returns nullopt
+/// if there is no room.
 std::optional<Pose> freePose(const RobotSurroundings& surroundings, const BodyDescription& body, const Pose& wanted);
 
 } // namespace usar::sim

@@ -1,4 +1,4 @@
-// The longest time that something stayed in one place: a robot that is trapped, or one that waits.
+// The longest time that something stayed in one place, be it a robot that is trapped or one that waits.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 
 namespace usar::sim {
 
-/// A stay begins anew when it is a meter away from where the last one began.
+/// A new stay begins when the position is more than a meter from where the last one began.
 class StayWatch {
 public:
     static constexpr double place_radius_m = 1.0;
 
     explicit StayWatch(const Vec3& position_m) : place_m_(position_m) {}
 
+    /// Takes the position after another `dt`.
     void step(Seconds dt, const Vec3& position_m) {
         stay_ += dt;
         if ((position_m - place_m_).norm() > place_radius_m) {

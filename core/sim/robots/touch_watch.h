@@ -1,4 +1,4 @@
-// When a robot touched a thing that can be pushed, and how often.
+// When a robot first touched an object or another robot, and how often it did.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@ namespace usar::sim {
 /// Time counts from the spawn.
 class TouchWatch {
 public:
+    /// Lets time pass, to be called at each step.
     void pass(Seconds dt) {
         now_ += dt;
         touches_.pass(dt);
@@ -19,8 +20,9 @@ public:
         if (!first_)
             first_ = now_;
     }
-    /// Those that follow one another closely are one.
+    /// Touches in close succession count as one; see CollisionCounter.
     int count() const { return touches_.count(); }
+    /// Time of the first touch; nullopt before it.
     std::optional<Seconds> first() const { return first_; }
 
 private:

@@ -1,4 +1,4 @@
-// A camera as the bot port knows it: an angle of view that SET can change. Pictures come from the image server.
+// A camera as the bot port knows it: a field of view that SET can change. Pictures come from the image server.
 #pragma once
 
 #include "core/sim/camera/camera_scene.h"
@@ -12,16 +12,20 @@ public:
     CameraSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView&, std::vector<protocol::InfoMessage>&) override {}
     std::vector<protocol::Setting> settings() const override;
-    /// Zoom: 0 goes back to the default and yet reports Failed, as does an angle out of limits, which is cut
+    /// Zooms. 0 restores the default and yet reports Failed, as does an angle outside the limits, which is clamped
     /// (usarsim-protocol 4.8).
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
-    /// As UDK has them: degrees, the angle now, and where it is in the picture of a viewer that is attached to it.
+    /// Settings as UDK reports them: in degrees, with the current angle, and the camera's place in the picture of an
+    /// attached viewer.
     std::vector<protocol::Setting> udkSettings() const;
+    /// The current horizontal angle.
     double fieldOfView_rad() const { return fov_rad_; }
+    /// The camera with its current pose; the robot's name is left empty.
     SeenFrom view(const RobotBody& body) const;
 
 private:
+    /// A picture size in pixels, clamped to 16..1280.
     int pixels(std::string_view key, double otherwise) const;
 
     double default_rad_;

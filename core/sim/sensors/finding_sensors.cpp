@@ -12,7 +12,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double body_half_m = 0.2; ///< a part of a person is as thick as this, so its middle may lie behind its skin
+constexpr double body_half_m = 0.2; ///< half the thickness of a person's part, whose center may be behind its skin
 
 bool inView(const Vec3& point_in_sensor_m, double range_m, double horizontal_rad, double vertical_rad) {
     const double yaw_rad = std::atan2(point_in_sensor_m.y(), point_in_sensor_m.x());
@@ -21,7 +21,7 @@ bool inView(const Vec3& point_in_sensor_m, double range_m, double horizontal_rad
            std::abs(lift_rad) <= vertical_rad / 2.0;
 }
 
-/// Nothing between the eye and a thing of this half-width.
+/// True if nothing is between the eye and a thing of this half-width.
 bool isOpen(const SensorView& view, const Vec3& eye_m, const Vec3& thing_m, double half_m) {
     const double distance_m = (thing_m - eye_m).norm();
     if (distance_m <= half_m)

@@ -1,12 +1,12 @@
-// What finds things and people: RFID, VictSensor, HumanMotion, Sound, CO2Sensor, and the ball finder Helper.
+// Sensors that find things and people: RFID, VictSensor, HumanMotion, Sound, CO2Sensor, and the ball finder Helper.
 #pragma once
 
 #include "core/sim/sensors/sensor.h"
 
 namespace usar::sim {
 
-/// Tags within `max_range` (2 m), walls or not. Speaks when the list changes (usarsim-protocol 9.1); SET Read and Write
-/// reach what it hears.
+/// Finds tags within `max_range` (2 m), even behind walls. Reports when the list has changed and is not empty
+/// (usarsim-protocol 9.1). SET Read and Write reach the tags on the last list.
 class RfidSensor : public Sensor {
 public:
     using Sensor::Sensor;
@@ -16,15 +16,17 @@ public:
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
+    /// The tag with this id if it is on the last list; otherwise nullptr.
     RfidTag* heard(const std::string& id) const;
 
-    Scene* scene_ = nullptr; ///< of the last tick
+    Scene* scene_ = nullptr; ///< the scene at the last tick; null before it
     std::vector<int> ids_;
     bool spoken_ = false;
 };
 
-/// Parts of victims within `max_range` (6 m) and the fields of view (60 and 45 degrees) that nothing hides; each place
-/// off by `sigma` (0.02 m). Now and then, with the probability `false_alarm` (0.01 a look), a part that is not there.
+/// Finds parts of victims within `max_range` (6 m) and the fields of view (60 and 45 degrees) that nothing hides, at
+/// positions with noise of `sigma` (0.02 m). Occasionally, with the probability `false_alarm` (0.01 per measurement),
+/// it reports a part that does not exist.
 class VictimSensor : public Sensor {
 public:
     VictimSensor(const SensorModel& model, const SensorBirth& birth);
@@ -40,8 +42,8 @@ private:
     Random random_;
 };
 
-/// A pyroelectric eye: the nearer a living person within `max_range` (6 m) and `fov` (60 degrees), the surer. Those
-/// whose status is Unconscious or Dead do not move.
+/// A pyroelectric sensor. The closer a person is within `max_range` (6 m) and `fov` (60 degrees), the higher the
+/// reported probability, 0 to 1. Persons whose status is Unconscious or Dead do not move and are not found.
 class HumanMotionSensor : public Sensor {
 public:
     HumanMotionSensor(const SensorModel& model, const SensorBirth& birth);
@@ -55,7 +57,8 @@ private:
     Random random_;
 };
 
-/// The loudest source, 6 dB less for each doubling of the distance; silent below `threshold` (20 dB).
+/// Reports the loudest source, 6 dB less for each doubling of the distance from 1 m on; nothing below `threshold` (20
+/// dB).
 class SoundSensor : public Sensor {
 public:
     SoundSensor(const SensorModel& model, const SensorBirth& birth);
@@ -68,7 +71,8 @@ private:
     Random random_;
 };
 
-/// The sum of all sources of its gas (word `gas`, CO2), each falling with the square of the distance from 1 m on.
+/// Reports the sum of all sources of its gas (word `gas`, default CO2), each falling with the square of the distance
+/// from 1 m on.
 class GasSensor : public Sensor {
 public:
     using Sensor::Sensor;
@@ -76,9 +80,9 @@ public:
     std::vector<protocol::Setting> settings() const override { return {}; }
 };
 
-/// The ball finder of the ERS (thesis 5.2): the nearest thing whose class or name ends with Ball, where nothing hides
-/// it within `fov` (56.9 degrees) and `max_range` (10 m). Its place is in the wire's axes: forward, right, down; off by
-/// `sigma` (0.01, share of the distance).
+/// The ball finder of the ERS (thesis 5.2): finds the nearest object whose class or name ends with Ball, if nothing
+/// hides it within `fov` (56.9 degrees) and `max_range` (10 m). Its position is in the wire's axes (forward, right,
+/// down), with noise of `sigma` (0.01) times the distance.
 class BallSensor : public Sensor {
 public:
     BallSensor(const SensorModel& model, const SensorBirth& birth);

@@ -11,11 +11,11 @@ constexpr double meters_per_degree_north = 111'200.0;
 constexpr double meters_per_degree_east = 71'670.0;
 constexpr int satellites_in_sky = 12;
 constexpr int satellites_for_fix = 4;
-constexpr double worst_sigma_m = 0.83; ///< with four of them
-constexpr double best_sigma_m = 0.25;  ///< with all
-constexpr double satellite_m = 300.0;
+constexpr double worst_sigma_m = 0.83; ///< with four satellites
+constexpr double best_sigma_m = 0.25;  ///< with all satellites
+constexpr double satellite_m = 300.0;  ///< a satellite is hidden by anything within this distance
 
-/// Spread over the sky above 10 degrees by the golden angle.
+/// Unit vectors that the golden angle spreads over the sky above 10 degrees.
 std::vector<Vec3> makeSatellites() {
     std::vector<Vec3> satellites;
     for (int i = 0; i < satellites_in_sky; ++i) {
@@ -45,7 +45,7 @@ void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
         const double share = static_cast<double>(seen - satellites_for_fix) / (satellites_in_sky - satellites_for_fix);
         const double sigma_m = noise_ ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
         const auto error_m = [&] { return sigma_m > 0.0 ? gaussian(random_, sigma_m) : 0.0; };
-        // x points north and y west: the wire's y points east (usarsim-protocol 3).
+        // The map's x points north and its y west; the wire's y points east (usarsim-protocol 3).
         reading.latitude_rad =
             radians(view.world.gps_reference.latitude_deg + (at_m.x() + error_m()) / meters_per_degree_north);
         reading.longitude_rad =

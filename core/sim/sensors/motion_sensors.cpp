@@ -19,7 +19,7 @@ InsParameters insOf(const SensorModel& model, const SensorBirth& birth) {
     return p;
 }
 
-/// A RESET of this type; whose name fits was looked at before.
+/// True for a RESET. The caller has already checked that its type and name fit.
 bool isReset(const protocol::Command& command) {
     return std::holds_alternative<protocol::ResetSensor>(command);
 }

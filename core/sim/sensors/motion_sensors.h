@@ -1,4 +1,4 @@
-// What tells a robot how it moves: INS, GroundTruth, Odometry, Encoder, Tachometer, Accel, AcceleroMeter, Touch, GPS.
+// Sensors of a robot's own motion: INS, GroundTruth, Odometry, Encoder, Tachometer, Accel, AcceleroMeter, Touch, GPS.
 #pragma once
 
 #include "core/sim/sensors/ins.h"
@@ -19,6 +19,7 @@ private:
     Seconds scan_interval_;
 };
 
+/// Reports the true pose of the base.
 class GroundTruthSensor : public Sensor {
 public:
     GroundTruthSensor(const SensorModel& model, const SensorBirth& birth);
@@ -30,10 +31,11 @@ private:
     Seconds scan_interval_;
 };
 
-/// Dead reckoning from two wheels, which slip; there is no other error (robots-and-worlds 4.6). Settings: wheel_radius,
-/// wheel_separation (m), words left and right: the joints of the wheels. RESET puts it back to 0.
+/// Dead reckoning from two wheels. Their slip is the only error (robots-and-worlds 4.6). Settings: wheel_radius,
+/// wheel_separation (m); the words left and right name the joints of the wheels. RESET sets the pose to 0.
 class OdometrySensor : public Sensor {
 public:
+    /// `left` and `right` are the links of the wheels.
     OdometrySensor(const SensorModel& model, const SensorBirth& birth, int left, int right);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     std::vector<protocol::Setting> settings() const override;
@@ -47,13 +49,15 @@ private:
     Seconds scan_interval_;
     double last_left_rad_ = 0.0;
     double last_right_rad_ = 0.0;
-    Pose base_in_start_;
+    Pose base_in_start_; ///< estimate since the spawn or the last RESET
 };
 
-/// A running count of a joint's angle in steps of `resolution` (rad), each step's length off by `sigma` (share);
-/// `sign` -1 counts down when the wheel rolls forward, as the P2DX's do (usarsim-protocol 4.5). RESET puts it to 0.
+/// A running count of a joint's angle in steps of `resolution` (rad), with each increment off by a share of `sigma`.
+/// With a `sign` of -1 it counts down when the wheel rolls forward, as the P2DX's encoders do (usarsim-protocol 4.5).
+/// RESET sets it to 0.
 class EncoderSensor : public Sensor {
 public:
+    /// `link` is the one on the joint that it counts.
     EncoderSensor(const SensorModel& model, const SensorBirth& birth, int link);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
@@ -70,7 +74,7 @@ private:
     double counted_rad_ = 0.0;
 };
 
-/// Speed and angle of the drive's joints, in their order.
+/// Reports speeds and angles of the drive's joints, in their order.
 class TachometerSensor : public Sensor {
 public:
     TachometerSensor(const SensorModel& model, const SensorBirth& birth);
@@ -82,10 +86,11 @@ private:
     Seconds scan_interval_;
 };
 
-/// Accel without gravity, AcceleroMeter with it; the mean over a tick, in the frame of the sensor. Settings: sigma
-/// (m/s2).
+/// Accel reports the acceleration without gravity, AcceleroMeter with it: the mean over a tick, in the sensor's frame.
+/// Settings: sigma (m/s2).
 class AccelerationSensor : public Sensor {
 public:
+    /// `proper` includes gravity.
     AccelerationSensor(const SensorModel& model, const SensorBirth& birth, bool proper);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     std::vector<protocol::Setting> settings() const override;
@@ -95,10 +100,10 @@ private:
     double sigma_m_s2_;
     Random random_;
     Seconds scan_interval_;
-    std::optional<Vec3> last_velocity_m_s_;
+    std::optional<Vec3> last_velocity_m_s_; ///< at the last measurement; nullopt before it
 };
 
-/// True where the link that carries it was touched since the last tick. Settings: diameter (m).
+/// Reports whether the link that carries it was touched since the last tick. Settings: diameter (m).
 class TouchSensor : public Sensor {
 public:
     using Sensor::Sensor;
@@ -106,8 +111,8 @@ public:
     std::vector<protocol::Setting> settings() const override;
 };
 
-/// robots-and-worlds 4.8: twelve satellites over the horizon, each counted where the sky is open toward it; four give a
-/// fix with a noise of 0.83 m, twelve one of 0.25 m.
+/// Model (robots-and-worlds 4.8): twelve satellites above the horizon, each received if the sky toward it is open. Four
+/// give a fix with a noise of 0.83 m, twelve one of 0.25 m.
 class GpsSensor : public Sensor {
 public:
     GpsSensor(const SensorModel& model, const SensorBirth& birth);

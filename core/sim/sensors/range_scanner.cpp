@@ -8,7 +8,7 @@ namespace usar::sim {
 RangeScanner::RangeScanner(RangeScannerParameters parameters, Random random)
     : parameters_(std::move(parameters))
     , noise_(parameters_.sigma, random) {
-    // The hair of slack keeps the last beam where the quotient is whole but for rounding.
+    // The small slack keeps the last beam if the quotient misses a whole number only by rounding.
     const int last = static_cast<int>(std::floor(parameters_.fov_rad / parameters_.resolution_rad + 1e-6));
     for (int beam = 0; beam <= last; ++beam) {
         const double angle_rad = -parameters_.fov_rad / 2.0 + beam * parameters_.resolution_rad;

@@ -10,22 +10,24 @@
 
 namespace usar::sim {
 
-/// The fan lies in the scanner's xy plane, around its x axis.
+/// The fan is in the scanner's xy plane, around its x axis. Here and below, the base is the link that carries the
+/// scanner.
 struct RangeScannerParameters {
     std::string name;
     Pose scanner_in_base;
     double resolution_rad = pi / 180.0;
-    double fov_rad = pi;
+    double fov_rad = pi; ///< full angle
     double minimum_m = 0.1;
     double maximum_m = 20.0;
-    double sigma = 0.0007;
+    double sigma = 0.0007; ///< see RangeNoise
 };
 
-/// Beams from right (-fov/2, counter-clockwise positive) to left; floor(fov / resolution) + 1 of them.
+/// The beams go from right to left, -fov/2 to fov/2 counter-clockwise; there are floor(fov / resolution) + 1 of them.
 class RangeScanner {
 public:
     RangeScanner(RangeScannerParameters parameters, Random random);
 
+    /// One scan, without time and type.
     protocol::RangeScan measure(const Eigen::Isometry3d& base_in_map, const Rays& rays);
     const RangeScannerParameters& parameters() const { return parameters_; }
 

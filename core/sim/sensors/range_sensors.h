@@ -7,7 +7,7 @@
 
 namespace usar::sim {
 
-/// Settings: min_range, max_range (m), beam_angle (rad, full), cones, rays_per_cone, sigma.
+/// A sonar. Settings: min_range, max_range (m), beam_angle (rad, full), cones, rays_per_cone, sigma.
 class SonarSensor : public Sensor {
 public:
     SonarSensor(const SensorModel& model, const SensorBirth& birth);
@@ -18,7 +18,7 @@ private:
     Sonar sonar_;
 };
 
-/// One ray: IR, and the single-ray laser as Range. Settings: min_range, max_range (m), sigma.
+/// A single ray: IR, and the single-ray laser Range. Settings: min_range, max_range (m), sigma.
 class RaySensor : public Sensor {
 public:
     RaySensor(const SensorModel& model, const SensorBirth& birth);
@@ -31,7 +31,8 @@ private:
     RangeNoise noise_;
 };
 
-/// Settings: min_range, max_range (m), resolution, fov (rad), sigma, auto (0: measures on SET … SCAN only).
+/// A line scanner. Settings: min_range, max_range (m), resolution, fov (rad), sigma, auto (0: measures only on SET …
+/// SCAN).
 class ScannerSensor : public Sensor {
 public:
     ScannerSensor(const SensorModel& model, const SensorBirth& birth);
@@ -41,8 +42,8 @@ public:
 
 private:
     RangeScanner scanner_;
-    bool by_itself_;
-    bool wanted_ = false;
+    bool by_itself_;      ///< measures at each tick, without SCAN
+    bool wanted_ = false; ///< a SCAN waits for the next tick
 };
 
 } // namespace usar::sim

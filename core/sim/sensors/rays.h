@@ -1,4 +1,4 @@
-// What range sensors look through: the still world and the other robots.
+// Ray casting for range sensors: against the still world and against other robots and objects.
 #pragma once
 
 #include <span>
@@ -9,12 +9,13 @@
 
 namespace usar::sim {
 
+/// Interface of what a range sensor measures with.
 class Rays {
 public:
     virtual ~Rays() = default;
     /// Distance to the first thing hit, `maximum_m` on a miss. `direction` is a unit vector; map frame.
     virtual double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const = 0;
-    /// The shortest of several; at least one direction. Bit for bit the least of what `cast` answers for each.
+    /// The shortest distance of several rays, at least one. Bit for bit the minimum of `cast` over all of them.
     virtual double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
         for (const Vec3& direction : directions)
             maximum_m = cast(origin_m, direction, maximum_m);
@@ -22,7 +23,7 @@ public:
     }
 };
 
-/// Everything but the robot that looks. What it refers to must outlive it.
+/// Meets everything except the robot that looks. Its references must outlive it.
 class WorldRays : public Rays {
 public:
     WorldRays(const RayCaster& still, const Physics& moving, BodyId self)

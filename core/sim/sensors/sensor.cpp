@@ -21,7 +21,7 @@ Made make(const SensorModel& model, const SensorBirth& birth) {
     return std::make_unique<One>(model, birth, Arguments...);
 }
 
-/// The link on the joint that a word of the sensor names.
+/// The link on the joint that this word of the sensor names.
 Result<int> jointOf(const SensorModel& model, const SensorBirth& birth, const char* word) {
     const auto name = model.words.find(word);
     const auto link = name == model.words.end() ? std::nullopt : birth.robot.linkOnJoint(name->second);
@@ -56,7 +56,7 @@ struct Row {
     Make make;
 };
 
-/// In the order of a tick.
+/// The types in the order in which they report at a tick.
 constexpr std::array rows{
     Row{"Sonar", make<SonarSensor>},
     Row{"IR", make<RaySensor>},

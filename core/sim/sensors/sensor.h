@@ -17,39 +17,40 @@
 
 namespace usar::sim {
 
-/// What there is to be measured at a tick.
+/// Everything that a sensor can measure at a tick.
 struct SensorView {
     Seconds now;
-    Seconds tick; ///< since the last one
+    Seconds tick; ///< length of a message tick
     const RobotBody& body;
     const Rays& rays;
     const World& world;
     Scene& scene;
 };
 
-/// What a sensor is born with.
+/// Initial conditions of a sensor.
 struct SensorBirth {
     const RobotModel& robot;
-    Pose base_in_map;
-    Seconds scan_interval{0.2};
+    Pose base_in_map;           ///< at the spawn
+    Seconds scan_interval{0.2}; ///< the message tick
     bool noise = true;
-    Random random; ///< a stream of its own: sensors that come later change nobody's noise
+    Random random; ///< a stream of its own: sensors added later change nobody's noise
 };
 
+/// Base of all sensors. Owned by its robot's SensorSuite.
 class Sensor {
 public:
     explicit Sensor(SensorModel model) : model_(std::move(model)) {}
     virtual ~Sensor() = default;
 
     const SensorModel& model() const { return model_; }
-    /// Adds its line to `out`, or its part to the line of its type that is the last one there (UT2004 puts all sensors
-    /// of a simple type into one line). Nothing where there is nothing to tell.
+    /// Appends its line to `out`, or adds its part to the last line there if that is of its type (UT2004 puts all
+    /// sensors of a simple type into one line). Adds nothing if there is nothing to report.
     virtual void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) = 0;
-    /// False for those that the first tick after INIT brings already (usarsim-protocol 2.4).
+    /// False for sensors that already report at the first tick after INIT (usarsim-protocol 2.4).
     virtual bool needsHistory() const { return true; }
-    /// Its part of CONF.
+    /// Its settings as CONF reports them.
     virtual std::vector<protocol::Setting> settings() const = 0;
-    /// A SET that names its type and name, or its type only; nothing where it knows no such opcode.
+    /// Answers a SET that names its type and name, or its type only; nullopt if it does not know the opcode.
     virtual std::optional<protocol::Response> set(const protocol::Command& /*command*/, bool /*at_rest*/) {
         return std::nullopt;
     }
@@ -57,7 +58,9 @@ public:
 protected:
     protocol::Response answer(bool ok) const { return {{}, model_.type, model_.name, ok}; }
     static protocol::Setting setting(std::string key, double number) { return {std::move(key), "", number}; }
+    /// A setting of the model, or `otherwise` if it is not given.
     double number(std::string_view key, double otherwise) const { return numberOr(model_.numbers, key, otherwise); }
+    /// Current pose of the sensor.
     Eigen::Isometry3d sensor_in_map(const SensorView& view) const {
         return view.body.link_in_map(model_.link) * model_.sensor_in_link.isometry();
     }
@@ -66,7 +69,7 @@ private:
     SensorModel model_;
 };
 
-/// The line of type `Readings` that ends `out`, or a new one.
+/// The last line of `out` if it is of type `Readings`; otherwise a new one.
 template <class Readings>
 Readings& lineIn(std::vector<protocol::InfoMessage>& out) {
     if (out.empty() || !std::holds_alternative<Readings>(out.back()))
@@ -74,11 +77,11 @@ Readings& lineIn(std::vector<protocol::InfoMessage>& out) {
     return std::get<Readings>(out.back());
 }
 
-/// Fails for a type that no sensor of the simulator has, and for settings that make no sense.
+/// Makes the sensor of the model's type. Fails if the simulator has no such type, or if the settings make no sense.
 Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const SensorBirth& birth);
 
-/// The place of a type in a tick's order (usarsim-protocol 9.1); types that it does not name come between GPS and the
-/// packages.
+/// The position of a type in the order of a tick (usarsim-protocol 9.1). Types that are not named there come between
+/// GPS and the packages.
 int orderOf(std::string_view type);
 
 } // namespace usar::sim

@@ -1,4 +1,4 @@
-// What generated worlds are built from: numbers that files keep exactly, grounds, trees, blocks.
+// Parts that generated worlds are built from: numbers that files keep exactly, grounds, trees, blocks.
 #pragma once
 
 #include <cstddef>
@@ -9,29 +9,31 @@
 
 namespace usar::sim {
 
+/// Rounds to 1/1000.
 double wholeMillimetres(double value_m);
-/// Evenly drawn, in whole millimetres.
+/// A uniformly distributed random number, in whole millimeters.
 double between(Random& random, double low_m, double high_m);
 
-/// The square or rectangle of posts that a ground is made of, centered on the map's origin.
+/// The rectangular grid of posts that a ground is made of, centered on the map's origin.
 struct PostGrid {
     std::size_t columns = 0;
     std::size_t rows = 0;
     double step_m = 1.0;
-    double steps_per_m = 1024.0; ///< heights are rounded to this; see world_writer.h for which relief allows which
+    /// Heights are rounded to whole steps; see world_writer.h for the relief that each value allows.
+    double steps_per_m = 1024.0;
 };
 
-/// Heights of a function of the place, in whole steps.
+/// Samples a height function of the place at all posts, in whole steps.
 Terrain terrainOf(const PostGrid& grid, const std::function<double(const Vec2&)>& height_m);
 
-/// The lowest ground on a circle and its center, in whole millimetres below it.
+/// The lowest ground at the center of a circle and on the circle, rounded down to whole millimeters.
 double lowestGround_m(const Terrain& terrain, const Vec2& at_m, double radius_m);
 
-/// Of random size, rooted so deep that slopes leave no gap under the trunk's lower side. Crowns reach the 6 m above
-/// ground at which an AirRobot scans.
+/// A tree of random size, rooted so deep that no slope leaves a gap under the trunk's lower side. Trees are tall enough
+/// for an AirRobot to find crowns when it scans 6 m above ground.
 Plant makeTree(Random& random, const Terrain& terrain, const Vec2& at_m);
 
-/// The upright box between two corners.
+/// The upright box between its lowest and its highest corner.
 Box block(const Vec3& low_m, const Vec3& high_m);
 
 } // namespace usar::sim

@@ -1,4 +1,4 @@
-// Tables of measured heights: what worlds after real places are made from.
+// Tables of measured heights, which worlds that follow real places are made from.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace usar::sim {
 
-/// Rows as lines of the file, columns as numbers of a line.
+/// Rows are lines of the file, columns are numbers in a line.
 struct ElevationTable {
     std::size_t rows = 0;
     std::size_t columns = 0;
@@ -18,7 +18,7 @@ struct ElevationTable {
     double at(std::size_t row, std::size_t column) const { return heights_m[row * columns + column]; }
 };
 
-/// Lines of equally many numbers with commas between them, at least 4 x 4. Refuses with the number of the wrong line.
+/// Reads lines of equally many numbers with commas between them, at least 4 x 4. An error names the wrong line.
 Result<ElevationTable> readElevationCsv(const std::filesystem::path& file);
 
 } // namespace usar::sim

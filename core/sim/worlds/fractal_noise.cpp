@@ -14,14 +14,14 @@ std::uint64_t mixed(std::uint64_t bits) {
     return bits ^ (bits >> 31);
 }
 
-/// -1..1 on the lattice.
+/// A random value in -1..1 for a point of the lattice.
 double latticeValue(std::uint64_t seed, std::int64_t x, std::int64_t y) {
     const std::uint64_t bits =
         mixed(mixed(mixed(seed) ^ static_cast<std::uint64_t>(x)) ^ static_cast<std::uint64_t>(y));
     return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;
 }
 
-/// Second derivative vanishes at both ends, so that slopes have no kinks along the lattice.
+/// Its second derivative vanishes at both ends, so that slopes have no kinks along the lattice.
 double fade(double t) {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }

@@ -31,7 +31,7 @@ double PointLookoutGround::inland_m(const Vec2& point_m) const {
     return island_radius_m - point_m.norm() + coast_.at(point_m + shift_m_);
 }
 
-/// 1 where the coast is a cliff, 0 where it is a beach.
+/// Returns 1 where the coast is a cliff, 0 where it is a beach.
 double PointLookoutGround::cliffs(const Vec2& point_m) const {
     return smoothStep(-0.35, 0.3, cliffs_.at(point_m + shift_m_));
 }

@@ -1,4 +1,5 @@
-// The lie of the land of `point_lookout`: an island of hills, its cliffs and beaches, the bed of the sea around it.
+// The shape of the terrain of `point_lookout`: an island of hills, its cliffs and beaches, the bed of the sea around
+// it.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +10,17 @@
 
 namespace usar::sim {
 
-/// Shape after the thesis's ONS-PointLookout as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A
-/// pure function of seed and point; map frame, metres, the sea's surface at 0.
+/// Follows the thesis's ONS-PointLookout as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A pure
+/// function of seed and point; map frame, meters, the sea's surface at 0.
 class PointLookoutGround {
 public:
     explicit PointLookoutGround(std::uint64_t seed);
 
+    /// Height of the land or of the sea bed.
     double height_m(const Vec2& point_m) const;
-    /// How far inland, about; negative at sea.
+    /// Approximate distance to the coast; negative at sea.
     double inland_m(const Vec2& point_m) const;
-    /// On land, where the ground is level; and at sea.
+    /// Start places on land, where the ground is level, and at sea.
     const std::vector<StartPlace>& landStarts() const { return land_starts_; }
     const std::vector<StartPlace>& seaStarts() const { return sea_starts_; }
 
@@ -26,7 +28,9 @@ public:
     static constexpr double open_radius_m = 10.0; ///< around a start place on land
 
 private:
+    /// 1 where the coast is a cliff, 0 where it is a beach.
     double cliffs(const Vec2& point_m) const;
+    /// Height before the start places are leveled.
     double unlevelled_m(const Vec2& point_m) const;
     double land_m(const Vec2& point_m, double inland_m) const;
     double bed_m(const Vec2& point_m, double offshore_m) const;

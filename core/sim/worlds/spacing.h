@@ -1,4 +1,4 @@
-// Points that keep their distance: asks whether a place is clear of all points so far.
+// Keeps points apart: tells if a place is far enough from all points so far.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace usar::sim {
 
-/// Buckets over the square +-`half_m`; points must lie inside. Metres.
+/// Sorts points into buckets over the square +-`half_m`, which all of them must be inside of. Meters.
 class Spacing {
 public:
     explicit Spacing(double half_m);
 
     void add(const Vec2& point_m);
-    /// No point is nearer than `distance_m`.
+    /// True if no point is closer than `distance_m`.
     bool isClear(const Vec2& point_m, double distance_m) const;
 
 private:

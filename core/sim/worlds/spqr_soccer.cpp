@@ -30,7 +30,7 @@ void buildBoards(World& world) {
                 block({end, from, 0.0}, {end + board_m, from + y - goal_half_width_m, board_height_m}));
 }
 
-/// Back, two sides and a roof behind the gap in the boards at `end` = -1 or 1.
+/// Adds back, two sides and a roof at the gap in the boards; `end` is -1 or 1.
 void buildGoal(World& world, double end) {
     constexpr double y = goal_half_width_m;
     const auto add = [&](double from_m, double to_m, double low_y, double high_y, double low_z) {

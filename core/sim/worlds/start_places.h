@@ -1,4 +1,4 @@
-// Where robots start in generated worlds, and how such places are sought.
+// Places where robots start in generated worlds, and how they are found.
 #pragma once
 
 #include <functional>
@@ -18,16 +18,17 @@ struct StartPlace {
     double yaw_rad = 0.0;
 };
 
-/// Over the ground: an AirRobot's middle and a little air below.
+/// Height of a start pose above the ground, which leaves a little air below an AirRobot's legs.
 inline constexpr double spawn_height_m = 0.35;
 
-/// The start pose over ground of this height, in numbers that files keep.
+/// The start pose above ground of this height, rounded to numbers that files keep exactly.
 NamedPose startOver(const StartPlace& place, double ground_z_m);
 
-/// The point of a square grid of posts `step_m` apart within +-`half_m` that is highest by `score`; a point without a
-/// score is no candidate, the origin is the answer where there is none.
+/// The point with the highest `score` on a square grid of posts `step_m` apart within +-`half_m`. A point without a
+/// score is not a candidate; if there is none, the result is the origin.
 Vec2 bestOnGrid(double half_m, double step_m, const std::function<std::optional<double>(const Vec2&)>& score);
 
+/// Yaw of a robot at `from_m` that faces `to_m`.
 double yawToward(const Vec2& from_m, const Vec2& to_m);
 
 } // namespace usar::sim

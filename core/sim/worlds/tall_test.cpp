@@ -19,7 +19,7 @@ constexpr int bushes = 200;
 constexpr int houses = 3;
 constexpr double half_m = TallTestGround::side_m / 2.0;
 
-/// Puts things down one after the other; each sees what stands already.
+/// Places things one after the other, each of them clear of those placed before.
 class Planter {
 public:
     Planter(World& world, const TallTestGround& ground, std::uint64_t seed)
@@ -47,7 +47,8 @@ private:
     Spacing trunks_{half_m};
 };
 
-/// The quick scan's area and a margin: few enough trees to fly between, enough to be a wood.
+/// True in the area of the quick scan and a margin around it, where there are few enough trees to fly between but
+/// enough to make a wood.
 bool isMeadow(const Vec2& at_m) {
     return std::abs(at_m.x()) < 36.0 && std::abs(at_m.y()) < 26.0;
 }
@@ -71,7 +72,7 @@ bool Planter::growsHere(const Vec2& at_m) {
 }
 
 void Planter::plantTrees() {
-    // Far more tries than it takes; a bound all the same.
+    // This is a bound on the tries, far above the number needed.
     for (int planted = 0, tries = 0; planted < trees && tries < 500 * trees; ++tries) {
         const Vec2 at_m = anywhere();
         if (!growsHere(at_m) || !trunks_.isClear(at_m, isMeadow(at_m) ? 6.5 : 2.5))

@@ -33,7 +33,7 @@ TallTestGround::TallTestGround(std::uint64_t seed) {
         start_heights_m_.push_back(unlevelled_m(start.at_m));
 }
 
-// Noise is level at its lattice points, the first of them the origin: the shift keeps places from sitting on one.
+// Noise is level at its lattice points, one of which is the origin. The shift keeps start places off them.
 double TallTestGround::hills_m(const Vec2& point_m) const {
     return hills_.at(point_m + shift_m_);
 }

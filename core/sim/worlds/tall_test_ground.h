@@ -1,4 +1,4 @@
-// The lie of the land of `tall_test`: hills, a ravine, a pond, level places to start from.
+// The shape of the terrain of `tall_test`: hills, a ravine, a pond, level places to start from.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,18 @@
 
 namespace usar::sim {
 
-/// Shape after the thesis's DM-TallTestWorld as robots-and-worlds, section 5, reconstructs it; all sizes are ours.
-/// A pure function of seed and point; map frame, metres.
+/// Follows the thesis's DM-TallTestWorld as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A pure
+/// function of seed and point; map frame, meters.
 class TallTestGround {
 public:
     explicit TallTestGround(std::uint64_t seed);
 
+    /// Height of the ground, also under the pond.
     double height_m(const Vec2& point_m) const;
+    /// Height of the pond's surface.
     double water_z_m() const { return water_z_m_; }
     const std::vector<StartPlace>& starts() const { return starts_; }
-    /// Distance to the middle line of the ravine, good near it.
+    /// Distance to the center line of the ravine, accurate only near it.
     double ravineDistance_m(const Vec2& point_m) const;
 
     static constexpr double side_m = 256.0;
@@ -26,8 +28,10 @@ public:
 
 private:
     double hills_m(const Vec2& point_m) const;
+    /// The y of the ravine's center line.
     double ravineLine_m(double x_m) const;
     double hillsAndRavine_m(const Vec2& point_m) const;
+    /// Height before the start places are leveled.
     double unlevelled_m(const Vec2& point_m) const;
     void chooseStarts();
     void choosePond();

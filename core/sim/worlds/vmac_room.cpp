@@ -20,7 +20,7 @@ void buildWalls(World& world) {
     constexpr double y = half_width_m;
     constexpr double out_x = x + wall_m;
     constexpr double out_y = y + wall_m;
-    // Walls reach below the floor and into the ceiling, and overlap at their corners: no ray finds a gap.
+    // Walls reach below the floor and into the ceiling and overlap at their corners, so that no ray finds a gap.
     constexpr double low = -wall_m;
     constexpr double high = height_m + wall_m;
     world.boxes = {block({x, -out_y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {-x, out_y, high}),
@@ -35,7 +35,7 @@ void buildPillars(World& world) {
             world.boxes.push_back(block({x - 0.3, y - 0.3, 0.0}, {x + 0.3, y + 0.3, height_m}));
 }
 
-/// Four boards between two sides, along x or y, with a carton on some of them.
+/// Adds four boards between two sides, along x or y, with a carton on some of them.
 void buildShelf(World& world, Random& random, const Vec2& center_m, bool along_x) {
     const double top_m = between(random, 2.4, 4.4);
     const auto add = [&](double from, double to, double low_m, double high_m, double depth_m) {

@@ -14,17 +14,18 @@ namespace usar::sim {
 namespace {
 
 constexpr int trees = 300;
-constexpr std::size_t posts_between = 20; ///< of ours from one post of the source to the next
+constexpr std::size_t posts_between = 20; ///< steps of ours from one post of the source to the next
 constexpr double open_radius_m = 10.0;
 constexpr GpsReference maunga_whau{-36.8764, 174.7647}; ///< near the crater
 
-/// Catmull-Rom: through the middle two of four posts, with the slopes of their neighbors; weights at 0..1 between them.
+/// Weights of four posts for a Catmull-Rom spline at `t` in 0..1 between the middle two, with the slopes of their
+/// neighbors.
 std::array<double, 4> splineWeights(double t) {
     return {0.5 * t * (-1.0 + t * (2.0 - t)), 1.0 + 0.5 * t * t * (3.0 * t - 5.0),
             0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
 }
 
-/// The source's surface and our noise on it.
+/// The source's surface plus our noise.
 class VolcanoGround {
 public:
     VolcanoGround(const ElevationTable& source, std::uint64_t seed)
@@ -64,7 +65,7 @@ double VolcanoGround::spline_m(const Vec2& at_m) const {
     const std::size_t column = cellOf(post.y(), source_.columns);
     const auto along_rows = splineWeights(post.x() - static_cast<double>(row));
     const auto along_columns = splineWeights(post.y() - static_cast<double>(column));
-    // Beyond the border its posts are repeated.
+    // Beyond the border, the posts on it are repeated.
     const auto neighbor = [](std::size_t cell, std::size_t i, std::size_t count) {
         return std::min(cell + i - std::min<std::size_t>(cell + i, 1), count - 1);
     };
