@@ -8,10 +8,10 @@
 
 namespace usar::widgets {
 
-/// Who drives. Person is the user, at keys, pad or gamepad.
+/// The one in control of a robot; Person is the user, at keys, pad or gamepad.
 enum class Driver { Nobody, Behavior, Person };
 
-/// What the chip says, for example {"R1", Person, "keys"}.
+/// Content of the chip, for example {"R1", Person, "keys"}.
 struct ControlWords {
     QString robot{}; ///< empty: no robot is selected
     Driver driver = Driver::Nobody;

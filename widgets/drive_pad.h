@@ -19,8 +19,8 @@ public:
     /// The current position; zero when released.
     QPointF value() const { return value_; }
     bool held() const { return held_; }
-    /// What to show while this pad is not held: the position that another input asks for, and what is sent to the
-    /// robot.
+    /// Sets what is shown while this pad is not held: the position that another input asks for, and the one that is
+    /// sent to the robot.
     void setShown(const QPointF& asked, const QPointF& sent);
     /// Labels of the keys that do the same, drawn at the edges in the order up, down, left, right; an empty one is not
     /// drawn.

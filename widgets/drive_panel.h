@@ -28,7 +28,7 @@ struct BodyVelocity {
     bool operator==(const BodyVelocity&) const = default;
 };
 
-/// What can be driven and who drives it.
+/// The robot that can be driven, and the state of its manual control.
 struct DriveState {
     QString robot{}; ///< "R1"; empty: no robot that can move
     ControlWords control{};
@@ -36,9 +36,9 @@ struct DriveState {
     bool taken = false;    ///< the user is in control
     StickAxes axes{};
     Stick asked{};                         ///< by the pad, keys or gamepad
-    Stick sent{};                          ///< what is on its way to the robot
+    Stick sent{};                          ///< on its way to the robot
     std::optional<double> top_speed_m_s{}; ///< at full stick and full speed share; nullopt: unknown
-    QString note{};                        ///< what is missing, or why manual control ended
+    QString note{};                        ///< says what is missing, or why manual control ended
     bool note_is_trouble = false;          ///< shows the note as a warning
     bool operator==(const DriveState&) const = default;
 };

@@ -8,7 +8,7 @@ namespace usar::widgets {
 /// Shortens `text` to `width_px`: drops trailing parts (separated by " · ") first, then elides the rest.
 QString fittedText(const QString& text, const QFontMetrics& metrics, int width_px);
 
-/// text() remains complete for assistive tools; give the label a tooltip with the complete text.
+/// The property `text` remains complete for assistive tools; give the label a tooltip with the complete text.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

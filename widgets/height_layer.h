@@ -14,7 +14,7 @@
 
 namespace usar::widgets {
 
-/// What is known about one cell; shown for the cell under the cursor.
+/// Data of one cell; shown for the cell under the cursor.
 struct HeightProbe {
     float height_m = 0.0f; ///< value of the height array: the mean of the measurements
     int hits = 0;          ///< number of measurements; 0: interpolated between two beams
@@ -49,7 +49,7 @@ public:
     const std::map<mapping::GridIndex, PagePicture>& pages() const { return pages_; }
     /// Extent of all tiles in meters of the map frame; empty without tiles.
     Rectangle bounds_in_map() const;
-    /// What is known about the cell at that point; nullopt if its height is unknown.
+    /// Data of the cell at that point; nullopt if its height is unknown.
     std::optional<HeightProbe> probe(const Vec2& point_in_map_m) const;
     /// True while a worker renders or changes wait for it.
     bool busy() const { return rendering_ || !dirty_.empty(); }

@@ -68,7 +68,7 @@ struct RobotOnMap {
     MapRobot robot;
     /// Path since the spawn or the last clearTraces, without stale poses.
     Trail trail;
-    /// Where the behavior is heading; nullopt while it has no goal.
+    /// Place that the behavior is heading for; nullopt while it has no goal.
     std::optional<Vec3> goal_in_map_m;
     /// End points of the newest scan; NaN for beams that hit nothing.
     std::vector<Vec3> hits_in_map_m;

@@ -8,7 +8,7 @@
 
 namespace usar::widgets {
 
-/// What only the view knows, neither content nor transform.
+/// State that only the view has; neither content nor transform contain it.
 struct MapOverlay {
     QString probe;        ///< "x 31.2  y −8.0  z 4.31 m  hits 7"; empty while the cursor is not on the map
     QString following;    ///< name of the robot that the view follows; empty: none
@@ -16,7 +16,7 @@ struct MapOverlay {
     bool legend = true;   ///< legends of heights and marks are drawn
 };
 
-/// Area behind the axes that is dimmed, in pixels; labels stay out of it.
+/// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);
 
 /// Paints over all layers, once per frame; leaves antialiasing on. GUI thread.

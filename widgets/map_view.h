@@ -13,7 +13,7 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// What the left mouse button does on open ground. Place: a click places an object in the world. Waypoint: a click adds
+/// Action of the left mouse button on open ground. Place: a click places an object in the world. Waypoint: a click adds
 /// a way point to the selected object. The middle and right buttons always pan.
 enum class MapTool { Pan, Area, Place, Waypoint };
 

@@ -20,7 +20,7 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// What can be done with the list; a command registry may adopt these actions. They are children of the list.
+/// Actions of the list, which are its children; a command registry may adopt them.
 struct MessageActions {
     QAction* copy = nullptr; ///< the columns of the selected rows, separated by tabs
     QAction* copy_text = nullptr;
