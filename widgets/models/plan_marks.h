@@ -17,7 +17,7 @@ struct PlanMark {
     std::string path;         ///< path of the part, as the engine names it
     int breakpoints = 0;      ///< number of enabled breakpoints
     int breakpoints_off = 0;  ///< number of disabled breakpoints
-    bool conditional = false; ///< one of them has a condition, a hit count, or stops only once
+    bool conditional = false; ///< one of them has a condition or ignores its first hits
     bool pinned = false;      ///< pinned to an answer that the user chose
     bool switched_off = false;
     bool halted = false; ///< the plan is halted here
