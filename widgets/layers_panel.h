@@ -22,7 +22,7 @@ public:
 
     /// Shows the state without emitting layerChanged. Opacity below 10 % is shown as 10 %.
     void setLayer(MapLayer layer, const LayerState& state);
-    /// The state as shown; opacity is rounded to whole per cent.
+    /// The state as shown; opacity is rounded to whole percent.
     LayerState layer(MapLayer layer) const;
 
     /// Visibility and opacity of all layers as JSON, keyed by the layers' names; for the settings.

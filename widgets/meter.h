@@ -15,7 +15,7 @@ class Meter : public QWidget {
 public:
     explicit Meter(const QString& caption, QWidget* parent = nullptr);
 
-    /// In per cent, 0..100; nullopt: unknown.
+    /// In percent, 0..100; nullopt: unknown.
     void setValue(std::optional<double> value_pct);
     std::optional<double> value() const { return value_pct_; }
     /// High values are bad from these limits on; above 100 means never.
