@@ -80,6 +80,7 @@ signals:
     void areaToolToggled(bool active);
     /// By the user only.
     void isolationChosen(bool isolated);
+    /// Start the chosen behavior; plan(), area() and isolated() say how.
     void startRequested();
     /// True: pause, false: resume. The button shows the new state only when setRunState reports it.
     void pauseRequested(bool paused);

@@ -14,6 +14,7 @@ public:
 
     /// Shows this picture as fresh; a null image shows an empty ground.
     void setPicture(const QImage& picture);
+    /// The picture as last set; null if there is none.
     const QImage& picture() const { return picture_; }
     /// Draws the picture faded, because it may be out of date.
     void setStale(bool stale);

@@ -41,6 +41,7 @@ public:
     /// Shows the robot's name with the shown camera; with more than one camera they are offered in a list. Emits
     /// nothing.
     void setSource(const QString& robot, const QStringList& cameras, const QString& shown);
+    /// Shows the current angle and the limits of the camera; emits nothing.
     void setZoom(const CameraZoom& zoom);
     /// Replaces the picture by a sheet that says what is missing and what to do, with a button for `action` if given.
     /// The next picture removes it.
@@ -51,6 +52,7 @@ public:
     void setActions(const QList<QAction*>& actions);
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
     void setUncovered(bool uncovered);
+    /// True while the view is shown and not covered.
     bool wantsPictures() const { return uncovered_ && isVisible(); }
     QSize sizeHint() const override { return {340, 330}; }
 

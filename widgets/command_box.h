@@ -29,6 +29,7 @@ public:
     void setHistory(const QStringList& lines) { history_.setLines(lines); }
     /// Shows a sentence under the line until the text changes.
     void complain(Severity severity, const QString& sentence);
+    /// The line edit; owned by the box.
     CommandLine* line() const { return line_; }
     /// The sentence shown under the line; empty if there is none.
     QString complaint() const { return complaint_->isHidden() ? QString() : complaint_->text(); }

@@ -22,7 +22,7 @@ struct CommandSpec {
     QString help;                  ///< one sentence; the tooltip appends the shortcut
     QString icon;                  ///< icon name for icons.h; may be empty
     QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
-    bool checkable = false;
+    bool checkable = false;        ///< the action has an on/off state
 };
 
 /// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not

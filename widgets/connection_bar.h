@@ -32,7 +32,7 @@ enum class BarRoom { Wide, Medium, Narrow };
 /// includes the remedy.
 struct ConnectionStatus {
     ConnectionState state = ConnectionState::Disconnected;
-    QString where;
+    QString where;         ///< name of the world or server, shown when connected
     QString reason;        ///< without the time to the next try, which the bar appends
     Seconds retry_in{0.0}; ///< while Waiting: wall time to the next try
     bool operator==(const ConnectionStatus&) const = default;
@@ -57,6 +57,7 @@ public:
     quint16 port() const;
     /// Shows the state. The server choice is locked unless the state is Disconnected.
     void setStatus(const ConnectionStatus& status);
+    /// Sets how much room the bar has; the owner knows the width of the window.
     void setRoom(BarRoom room);
     /// Info lines per second of wall time; nullopt shows no figure. The figure is visible in every BarRoom.
     void setRate(std::optional<double> lines_per_s);

@@ -29,6 +29,7 @@ class ControlBadge : public QWidget {
 public:
     explicit ControlBadge(QWidget* parent = nullptr);
 
+    /// Shows who drives; the same words again cost nothing.
     void setWords(const ControlWords& words);
     /// The whole text, "R1: you drive · keys", even if it is elided on the screen.
     QString text() const;

@@ -33,6 +33,7 @@ public:
     /// Key labels for a pad that does the same, in the order forward, back, left, right; empty if the robot lacks the
     /// axis.
     static QStringList turnKeys(const StickAxes& axes);
+    /// Labels of the keys for sideways and vertical motion, in the order up, down, left, right of DrivePad::setKeys.
     static QStringList sideKeys() { return {{}, {}, QStringLiteral("Q"), QStringLiteral("E")}; }
     static QStringList liftKeys() { return {QStringLiteral("R"), QStringLiteral("F"), {}, {}}; }
 

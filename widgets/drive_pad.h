@@ -18,6 +18,7 @@ public:
 
     /// The current position; zero when released.
     QPointF value() const { return value_; }
+    /// True while the user holds the stick.
     bool held() const { return held_; }
     /// Sets what is shown while this pad is not held: the position that another input asks for, and the one that is
     /// sent to the robot.

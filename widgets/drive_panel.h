@@ -34,6 +34,7 @@ struct DriveState {
     ControlWords control{};
     bool can_take = false; ///< the user can take control or give it back
     bool taken = false;    ///< the user is in control
+    /// The axes that the robot can follow; controls of the others are hidden.
     StickAxes axes{};
     Stick asked{};                         ///< by the pad, keys or gamepad
     Stick sent{};                          ///< on its way to the robot
@@ -50,6 +51,7 @@ class DrivePanel : public QWidget {
 public:
     explicit DrivePanel(QWidget* parent = nullptr);
 
+    /// Shows this state; emits nothing.
     void setState(const DriveState& state);
     const DriveState& state() const { return state_; }
     /// Replaces the controls by a sheet that says what is missing and what to do. An empty title shows the controls
@@ -108,6 +110,7 @@ private:
     DrivePad* lift_;
     QSlider* speed_;
     QLabel* speed_text_;
+    /// Labels of one axis: its name, the share that is sent, and the measured velocity.
     struct FigureRow {
         QLabel* name = nullptr;
         QLabel* sent = nullptr;

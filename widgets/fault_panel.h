@@ -23,10 +23,12 @@ struct FaultQuantity {
     QString key;
     /// "m/s", "deg"; empty: none.
     QString unit;
+    /// Limits of the editor.
     double smallest = 0.0;
     double largest = 0.0;
     /// Default; the text form leaves it out.
     double usual = 0.0;
+    /// One sentence fragment, shown as a tooltip.
     QString help;
 };
 
@@ -44,10 +46,10 @@ enum class FaultState { ToCome, Active, Over };
 
 /// A fault of the running simulation, as the list shows it.
 struct FaultRow {
-    int id = 0;
-    QString text;
+    int id = 0;   ///< positive
+    QString text; ///< the fault in text form, without its times
     FaultState state = FaultState::ToCome;
-    QString when; ///< "from 60 s for 30 s"
+    QString when; ///< its times in words, shown as a tooltip; may be empty
     bool operator==(const FaultRow&) const = default;
 };
 
@@ -86,6 +88,7 @@ signals:
     void selectionChanged();
 
 private:
+    /// The editor of a quantity of the shown kind.
     struct Field {
         QString key;
         QuantityBox* box = nullptr;

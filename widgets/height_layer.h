@@ -41,6 +41,7 @@ public:
     /// Renders every page again.
     void setOrientation(MapOrientation orientation);
 
+    /// Side of a cell in meters.
     double cellSize_m() const { return cell_size_m_; }
     const HeightStyle& style() const { return style_; }
     /// True until the first tile arrives, whether or not it has been rendered.

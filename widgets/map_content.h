@@ -89,7 +89,7 @@ struct ObjectsOnMap {
     std::vector<MapObject> objects; ///< in drawing order
     QString selected;               ///< name; empty: none
     QString held;                   ///< name of the object that is being dragged to `held_to_m`; empty: none
-    Vec2 held_to_m = Vec2::Zero();
+    Vec2 held_to_m = Vec2::Zero();  ///< meters in the map frame; place of its center
     std::optional<MapObject> ghost; ///< preview of an object that a click or drop would place here
 };
 

@@ -28,6 +28,7 @@ public:
     TypeChoiceButton* types() const { return types_; }
     /// Appends a button for `action` to the row.
     void addButton(QAction* action);
+    /// Moves the focus to the search field and selects its text.
     void focusSearch();
     /// Small, because the fields can shrink.
     QSize minimumSizeHint() const override { return {200, QWidget::minimumSizeHint().height()}; }

@@ -54,6 +54,7 @@ signals:
     void changed(const std::map<std::string, usar::agent::ParameterValue>& values);
 
 private:
+    /// Parameters under a common header.
     struct Group {
         QLabel* header = nullptr;
         std::vector<ParameterRow*> rows;

@@ -30,6 +30,7 @@ public:
 private:
     PinDialog(const QString& call, const QString& question, QWidget* parent);
     void add(const QString& label, QWidget* field);
+    /// Shows whether the typed answer is a value, and enables OK accordingly.
     void check();
 
     QLineEdit* answer_ = nullptr;

@@ -46,6 +46,7 @@ signals:
     void dropRefused();
     /// The user changed the words of the line editor and closed it with Return, or by leaving it.
     void wordsEntered(int node, const QString& words, int what);
+    /// The end of the range changed.
     void rangeChanged();
     /// `node` is -1 if the background was clicked.
     void menuRequested(int node, const QPoint& global);

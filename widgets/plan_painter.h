@@ -25,13 +25,14 @@ struct PlanScene {
     std::vector<bool> found{};
     /// -1: none.
     int selected = -1;
-    int hot = -1; ///< under the mouse; -1: none
-    bool focused = false;
+    int hot = -1;                     ///< under the mouse; -1: none
+    bool focused = false;             ///< the view has the keyboard focus
     const PlanMarks* marks = nullptr; ///< nullptr: no marks
 };
 
 /// Level of detail that a scale has room for: everything; blocks with names; blocks only.
 enum class PlanDetail { Full, Names, Blocks };
+/// Level of detail for a number of screen pixels per layout pixel.
 PlanDetail planDetailAt(double scale);
 
 /// Font in pixels at a scale of 1, so that screen and paper agree; `bold` for titles.

@@ -35,6 +35,7 @@ public:
     explicit PlanPanel(QWidget* parent = nullptr);
 
     PlanView& view() { return *view_; }
+    /// Shows a plan in the drawing; see PlanView::setPlan.
     void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
     /// Also shows the plan's blackboard.
     void setSnapshot(PlanSnapshot snapshot);
@@ -54,20 +55,26 @@ public:
     PlanTextEdit& textEdit() { return *text_; }
     /// Sets the robots to choose from; with fewer than two the choice is hidden. Emits nothing.
     void setRobots(const QStringList& names, const QString& shown);
+    /// Name of the chosen robot; empty if there is none.
     QString shownRobot() const { return robots_->currentText(); }
 
     QSize sizeHint() const override { return {1100, 420}; }
     QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
+    /// The user chose another robot.
     void robotChosen(const QString& name);
     /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
     void textRequested(const usar::posh::Spot& at);
     /// The user wants to save the drawing as a picture.
     void exportRequested();
+    /// The user enabled or disabled a breakpoint in the list.
     void breakpointSwitched(int id, bool on);
+    /// The user wants to edit this breakpoint.
     void breakpointEditRequested(int id);
+    /// The user wants to remove this breakpoint.
     void breakpointRemoved(int id);
+    /// The selection in the blackboard's list changed; see selectedKey.
     void keySelected();
     /// Double-click or Return: toggles whether the plan stops when the selected key is written.
     void keyActivated();
@@ -82,20 +89,25 @@ private:
     QBoxLayout* makeSearchRow();
     QBoxLayout* makeButtonRow();
     QWidget* makeText();
+    /// Fills the side with the lists: running, reasons, blackboard, breakpoints.
     void fillSide();
     void addBreakpointList();
     void addBoard();
     void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
+    /// Switches between the narrow and the wide layout.
     void arrange();
     void search(const QString& words);
     void showFound();
     void showRunning();
     void showReasons();
+    /// Marks the selected part in the text.
     void showTextPlace();
+    /// Tints the lines of running parts.
     void showRunningLines();
     void showFinding();
+    /// Selects the part that a list item refers to.
     void jumpTo(const QListWidgetItem* item);
 
     PlanView* view_;

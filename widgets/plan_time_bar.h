@@ -17,7 +17,9 @@ class PlanTimeBar : public QWidget {
 public:
     explicit PlanTimeBar(QWidget* parent = nullptr);
 
+    /// Sets the actions of the buttons, which must outlive the bar.
     void setActions(QAction* halt, QAction* back, QAction* forward, QAction* look_back, QAction* live);
+    /// Shows this moment; emits nothing.
     void setTime(const PlanTime& time);
     const PlanTime& time() const { return time_; }
     QSlider* slider() const { return slider_; }

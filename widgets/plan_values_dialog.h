@@ -34,11 +34,14 @@ private:
         const agent::PoshParameter* parameter = nullptr;
         ValueField* field = nullptr;
     };
+    /// The following add the parts of the form from top to bottom.
     void addHead();
     void addArguments();
+    /// For an argument that the description does not list.
     void addUndeclared(std::size_t argument);
     void addComparison();
     void addEnd();
+    /// Shows the resulting phrase and enables OK if all values are valid.
     void check();
 
     agent::PrimitiveDescription description_;

@@ -65,14 +65,19 @@ private:
     };
 
     void connectGestures();
+    /// Stops following and emits followingChanged if that is a change.
     void leaveFollowing();
     /// Directs the wheel to the axis under the mouse.
     void aimWheel(const QPointF& at_px);
     /// Adds and removes lines so that they match the store.
     void matchLines(const SeriesStore& store);
+    /// Copies the new samples of a series into its line.
     void feed(const Series& series);
+    /// Assigns each line to the axis of its unit.
     void assignAxes(const SeriesStore& store);
+    /// Shows the window that ends at the newest sample.
     void fitTime();
+    /// Fits the value axes to the visible samples, unless the user has zoomed one.
     void fitValues();
     void fitAxis(QCPAxis* axis);
     void applyTheme();

@@ -21,6 +21,7 @@ public:
     void begin(const QString& what);
     /// Progress in simulated time.
     void setProgress(Seconds done, Seconds whole);
+    /// Hides the strip.
     void end();
 
 signals:

@@ -14,8 +14,8 @@ namespace usar::widgets {
 
 /// State of the recording that is being written.
 struct RecordState {
-    Seconds elapsed{0.0};
-    std::uint64_t bytes = 0;
+    Seconds elapsed{0.0};    ///< since the beginning of the recording
+    std::uint64_t bytes = 0; ///< size of the file so far
     QString path;
 };
 

@@ -31,6 +31,7 @@ public:
 
     /// Sets the actions of the buttons, which must outlive the bar; the icon of `play` shows what it would do.
     void setActions(QAction* play, QAction* back, QAction* forward, QAction* step, QAction* close);
+    /// Shows this state; emits nothing.
     void setState(const ReplayState& state);
     const ReplayState& state() const { return state_; }
     /// Path of the recording, for the tooltip at the left.

@@ -16,6 +16,7 @@ public:
     QSize sizeHint() const override { return {900, 520}; }
 
 signals:
+    /// The user wants to save text().
     void saveRequested();
 
 private:

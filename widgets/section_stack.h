@@ -47,6 +47,7 @@ private:
         bool keeps_title = false;
     };
     Section* sectionOf(const QWidget* body);
+    /// Switches between stacked sections and tabs, depending on the height.
     void arrange();
     void showTabs();
 

@@ -40,7 +40,9 @@ private:
     static double scaleWidth_px(const Span& span);
     /// Screen position of a point at this distance along the course.
     QPointF place(double distance_m, double height_m, const QRectF& plot, const Span& span) const;
+    /// Paints the robot, with a dotted line to the ground below it.
     void paintRobot(QPainter& painter, const QRectF& plot, const Span& span) const;
+    /// Paints the height labels and the reach of the profile.
     void paintScale(QPainter& painter, const QRectF& plot, const Span& span) const;
 
     mapping::CourseProfile profile_;

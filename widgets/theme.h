@@ -85,6 +85,7 @@ inline constexpr int minimum_target = 24; ///< smallest size of anything that ca
 
 /// One font family with digits of equal width, in three sizes. `Big` is for the figures of instruments.
 enum class FontRole { Small, Body, Big };
+/// The font of a role in the theme's family.
 QFont themeFont(FontRole role = FontRole::Body, QFont::Weight weight = QFont::Normal);
 /// Fixed-pitch font, for protocol lines.
 QFont codeFont();

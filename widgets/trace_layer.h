@@ -20,8 +20,10 @@ public:
     /// Adds a mark in meters of the map frame; ignored if it is not finite.
     void add(const Vec2& point_in_map_m, const QColor& color);
     void clear();
+    /// Number of marks, whether visible or not.
     bool empty() const { return marks_.empty(); }
     std::size_t count() const { return marks_.size(); }
+    /// Paints the visible tiles; missing ones are made first.
     void paint(QPainter& painter, const MapTransform& transform) const;
 
 private:

@@ -25,6 +25,7 @@ public:
     void setChoice(const TypeChoice& choice);
     /// Lists the types seen so far and those already chosen, with check boxes.
     void openList();
+    /// The list of the popup; owned by the button.
     QListWidget* list() const { return list_; }
     QSize sizeHint() const override;
 

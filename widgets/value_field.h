@@ -44,6 +44,7 @@ public:
     std::optional<PlanValue> value() const;
 
 signals:
+    /// The user edited the value; value() may be nullopt.
     void changed();
 
 private:

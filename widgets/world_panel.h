@@ -27,16 +27,17 @@ class EmptyState;
 /// A class of objects that the server can make; `size_m` is its size at a scale of 1.
 struct PaletteKind {
     QString class_name;
-    QString icon;
+    QString icon; ///< name for icons.h
     ObjectForm form = ObjectForm::Box;
     Vec3 size_m = Vec3::Ones();
-    bool conveyor = false;
+    bool conveyor = false; ///< it has a belt instead of way points
 };
 
 /// The object that the next click on the map would place.
 struct PaletteChoice {
     QString class_name;
     Vec3 size_m = Vec3::Ones();
+    /// Factor per axis relative to the size of the kind.
     Vec3 scale = Vec3::Ones();
     ObjectForm form = ObjectForm::Box;
     bool conveyor = false;
@@ -82,6 +83,7 @@ signals:
     void objectSelected(const QString& name);
     /// The user pressed Delete in the list.
     void removeRequested(const QString& name);
+    /// The user chose the color of future trace marks.
     void traceColorChosen(usar::protocol::TraceColor color);
 
 protected:

@@ -14,6 +14,7 @@ namespace usar::widgets {
 /// Breakpoints in the order in which they were set. Each has an id that stays unique while the program runs.
 class BreakpointList {
 public:
+    /// All breakpoints with their ids; the reference is valid until the list changes.
     const std::vector<agent::PlanBreakpoint>& all() const { return all_; }
     /// Returns nullptr if no breakpoint has this id. The pointer is valid until the list changes.
     const posh::Breakpoint* find(int id) const;

@@ -14,6 +14,7 @@ class CaselessFinder {
 public:
     explicit CaselessFinder(std::string_view needle);
 
+    /// True if the needle occurs in `text`.
     bool isIn(std::string_view text) const { return placeIn(text) != std::string_view::npos; }
     /// Returns the offset, in bytes, of the first occurrence, or npos.
     std::size_t placeIn(std::string_view text) const;

@@ -15,6 +15,7 @@ public:
     const QStringList& lines() const { return lines_; }
     /// Keeps the newest `limit` lines and ends the walk.
     void setLines(const QStringList& lines);
+    /// Appends a sent line and ends the walk.
     void add(const QString& line);
 
     /// Returns the next older line that contains `typed`, ignoring case; nullopt at the oldest. The first call begins a

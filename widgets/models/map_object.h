@@ -10,13 +10,16 @@
 
 namespace usar::widgets {
 
+/// Basic shape. Spheres and cylinders have the diameter size_m.x(); a cylinder's axis is its z axis.
 enum class ObjectForm { Box, Sphere, Cylinder };
 
+/// An object of the world as the server or the simulator reports it.
 struct MapObject {
     QString name;
     QString kind; ///< "Crate"; empty: unknown
     ObjectForm form = ObjectForm::Box;
     Vec3 size_m = Vec3::Ones(); ///< in meters along its own axes
+    /// Pose of the object's center.
     Pose body_in_map;
     std::optional<double> speed_m_s;      ///< nullopt: unknown
     std::vector<Vec2> waypoints_in_map_m; ///< the way that it was given, if any

@@ -24,8 +24,10 @@ struct MapTransform {
     double pixels_per_m = 5.0;
     QSizeF viewport{640.0, 480.0};
 
+    /// Converts map points in meters to screen points in pixels and back.
     QPointF toScreen(const Vec2& point_in_map_m) const;
     Vec2 toMap(const QPointF& point_px) const;
+    /// Bounding rectangle on the screen.
     QRectF toScreen(const Rectangle& rectangle_in_map) const;
     /// The visible part of the map, in meters of the map frame.
     Rectangle visible() const;

@@ -49,6 +49,7 @@ public:
     std::size_t capacity() const { return capacity_; }
     /// Number of stored rows, shown or not.
     int total() const { return static_cast<int>(rows_.size()); }
+    /// Number of stored rows of that connection.
     int totalOf(int connection) const;
     /// Types of the stored rows, with the number of rows of each.
     const std::map<std::string, int, std::less<>>& types() const { return types_; }

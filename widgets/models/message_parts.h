@@ -21,6 +21,7 @@ struct MessagePart {
     std::string help;
 };
 
+/// Everything that the details of a row show.
 struct MessageParts {
     std::vector<protocol::Field> fields; ///< info lines only; SI units and map axes if the type is known
     std::vector<MessagePart> segments;   ///< at most two thousand

@@ -26,6 +26,7 @@ struct CountedLine {
 /// only one of its stream is never lost. A value with one owner.
 class NewestLines {
 public:
+    /// Stores a line; it replaces the previous line of the same stream.
     void take(const protocol::InfoLine& line, Seconds now);
     /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
     std::vector<CountedLine> takeAll();

@@ -18,11 +18,13 @@ struct Offer {
     QString help; ///< says what the button will do, with its shortcut
 };
 
+/// One row: all reports of one problem.
 struct Notification {
     QString key; ///< identifies the problem: reports with the same key share a row ("link", "export")
     Severity severity = Severity::Note;
     QString text;   ///< says what happened, to what, and what to do
     QDateTime last; ///< wall time of the newest report
+    /// Number of reports since the problem was last cured.
     int count = 1;
     /// The problem is over.
     bool cured = false;
@@ -76,6 +78,7 @@ signals:
     void pushed(const usar::widgets::Notification& notification);
     /// Emitted once per problem: curing a cured one emits nothing.
     void cured(const QString& key);
+    /// The user accepted the offer of this key.
     void offerTaken(const QString& key);
     /// Emitted only when the number changed.
     void unreadChanged(int unread);

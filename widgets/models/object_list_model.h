@@ -22,6 +22,7 @@ public:
 
     /// Replaces all objects. Views keep their selection if the names are the same.
     void setObjects(std::vector<MapObject> objects);
+    /// The reference is valid until the next setObjects.
     const MapObject& object(int row) const { return objects_[static_cast<std::size_t>(row)]; }
     /// Row of that object; -1 if there is none.
     int rowOf(const QString& name) const;

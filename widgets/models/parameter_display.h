@@ -14,6 +14,7 @@ struct DisplayUnit {
     double factor = 1.0;
     bool operator==(const DisplayUnit&) const = default;
 };
+/// Unit in which values with this SI unit are shown.
 DisplayUnit displayUnit(const std::string& unit);
 
 /// Decimals that an editor needs: fine enough for the range, and enough to show the default as its author wrote it; 0

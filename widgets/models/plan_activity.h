@@ -50,7 +50,7 @@ struct BoardValue {
 struct PlanSnapshot {
     std::shared_ptr<const std::vector<std::string>> paths;
     std::vector<PlanActivity> activities;
-    Seconds now{0.0};
+    Seconds now{0.0};                ///< time of the snapshot
     std::vector<BoardValue> board{}; ///< sorted by key
 };
 
@@ -67,6 +67,7 @@ public:
     Seconds now() const { return now_; }
     /// 1 while the node runs, then halved every `half_life`; 0 when that falls below 2 %.
     double recency(int node) const;
+    /// Time after which the glow of a card has faded to one half.
     static constexpr Seconds half_life{2.0};
     /// Number of paths without a node; they belong to a different plan than the drawn one.
     int strangers() const { return strangers_; }

@@ -11,6 +11,7 @@ namespace usar::widgets {
 /// Nodes without children cannot be folded.
 class PlanFolds {
 public:
+    /// True if the node's children are hidden.
     bool folded(const PlanTree& tree, int node) const { return keys_.contains(tree[node].key); }
     /// Folds or unfolds; folding a node without children unfolds it.
     void set(const PlanTree& tree, int node, bool folded);

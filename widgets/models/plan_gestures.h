@@ -27,6 +27,7 @@ enum class DropZone { Before, Onto, After };
 /// A possible edit, and its description: "Put wave before safe".
 struct PlanDeed {
     QString words;
+    /// Makes the edit when called; it works on the text of the moment when it was offered.
     std::function<Result<posh::PlanEdit>()> edit;
 };
 
@@ -59,7 +60,9 @@ private:
     struct Target;
     /// The sense, member or call that is dragged; nullopt if it cannot be.
     std::optional<Dragged> dragged(const std::variant<PlanPiece, int>& source) const;
+    /// The target with the part that it draws.
     Target targetAt(int node, DropZone zone) const;
+    /// The following return the edit for a sense, a member or a call; nullopt if the drop means nothing.
     std::optional<PlanDeed> dropSense(const Dragged& what, const Target& to) const;
     std::optional<PlanDeed> dropMember(const Dragged& what, const Target& to) const;
     std::optional<PlanDeed> dropCall(const Dragged& what, const Target& to) const;

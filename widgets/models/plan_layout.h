@@ -24,7 +24,7 @@ struct PlanMetrics {
 
 /// Dimensions of the parts of a card in pixels; shared by painting and layout.
 namespace plan_card {
-inline constexpr double padding_px = 8.0;
+inline constexpr double padding_px = 8.0;   ///< distance of the contents from the border of a card
 inline constexpr double glyph_px = 20.0;    ///< room for the mark before a title or sense
 inline constexpr double counters_px = 72.0; ///< room for the counters after a title
 inline constexpr double answer_px = 56.0;   ///< room for a sense's newest answer
@@ -66,14 +66,19 @@ public:
     /// cards that only have lines to children in it. The cost is proportional to the number of cards found.
     template <class Visit>
     void forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const;
+    /// The same as a list.
     std::vector<int> nodesIn(const PlanTree& tree, const QRectF& area) const;
 
 private:
+    /// Vertical gap above the sibling at index `before`.
     double gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const;
+    /// Height of each node's subtree.
     std::vector<double> bandHeights(const PlanTree& tree, const PlanFolds& folds,
                                     const std::vector<QSizeF>& sizes) const;
+    /// Sets the boxes of all visible cards.
     void place(const PlanTree& tree, const PlanFolds& folds, const std::vector<QSizeF>& sizes,
                const std::vector<double>& heights);
+    /// Computes the bands from the boxes.
     void uniteBands(const PlanTree& tree);
     /// Index of the first child whose band does not end above `top`.
     std::size_t firstBelow(std::span<const int> children, double top) const;

@@ -14,14 +14,14 @@ namespace usar::widgets {
 
 /// The marks on one part of a plan.
 struct PlanMark {
-    std::string path;         ///< path of the part, as the engine names it
-    int breakpoints = 0;      ///< number of enabled breakpoints
-    int breakpoints_off = 0;  ///< number of disabled breakpoints
-    bool conditional = false; ///< one of them has a condition or ignores its first hits
-    bool pinned = false;      ///< pinned to an answer that the user chose
-    bool switched_off = false;
-    bool halted = false; ///< the plan is halted here
-    QStringList words{}; ///< all of this in words for the user
+    std::string path;          ///< path of the part, as the engine names it
+    int breakpoints = 0;       ///< number of enabled breakpoints
+    int breakpoints_off = 0;   ///< number of disabled breakpoints
+    bool conditional = false;  ///< one of them has a condition or ignores its first hits
+    bool pinned = false;       ///< pinned to an answer that the user chose
+    bool switched_off = false; ///< a drive that the user has disabled
+    bool halted = false;       ///< the plan is halted here
+    QStringList words{};       ///< all of this in words for the user
     bool operator==(const PlanMark&) const = default;
 };
 

@@ -14,6 +14,7 @@
 
 namespace usar::widgets {
 
+/// Kinds of nodes. Plan is the common root if some forms are not reached by the collection.
 enum class PlanNodeKind { Plan, Collection, Drive, Competence, Element, Pattern, Adopt, Act, Sense };
 /// "competence": the word that the language uses, for the user.
 QString planKindWord(PlanNodeKind kind);

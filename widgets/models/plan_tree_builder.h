@@ -14,6 +14,7 @@ namespace usar::widgets {
 class PlanTreeBuilder {
 public:
     PlanTreeBuilder(PlanTree& tree, const posh::Plan& plan, PlanSharing sharing);
+    /// Fills the tree.
     void build();
 
 private:
@@ -23,10 +24,12 @@ private:
         const posh::Call* call;
         std::string segment; ///< "/A:2"
     };
+    /// A drive of a collection or an element of a competence.
     struct Member {
         std::variant<const posh::Drive*, const posh::Element*> part;
         int level;
         bool has_equals;
+        /// Number among all members of the form.
         int number;
     };
     struct SenseStep {
@@ -47,17 +50,24 @@ private:
     void indexForms();
     /// Forms that no collection leads to; each is drawn once as a root.
     std::vector<std::size_t> unreachedForms() const;
+    /// Marks this form and every form that it leads to.
     void markReachable(std::size_t form, std::vector<bool>& reached) const;
+    /// Performs one task.
     void run(const Task& task);
     void addReference(int parent, const Reference& reference);
     void addMember(int parent, const Member& member);
     void addSenseStep(int parent, const SenseStep& step);
+    /// Adds the node of a form, or a link to it; `before` is the part of its path before the form's own segment.
     void addForm(int parent, std::size_t form, const std::string& before);
+    /// Schedules the contents of a form.
     void openForm(int node, std::size_t form);
+    /// Adds the senses of a trigger or goal to the card of `parent`.
     void addSenses(int parent, const posh::Senses& senses, bool of_goal);
+    /// Appends a node and sets its depth, key and path; returns its number.
     int add(PlanNode node);
     /// Schedules a task; tasks run depth-first in the order in which they were scheduled.
     void later(int parent, decltype(Task::what) what) { coming_.push_back({parent, std::move(what)}); }
+    /// Moves the scheduled tasks to the stack, so that they run before older ones.
     void pushComing();
     /// Sets the end of each subtree and the children of each card.
     void finish();

@@ -23,6 +23,7 @@ inline constexpr double radio_cutoff_dbm = -93.0;
 /// Attenuation of one wall (same source); quality is the number of walls that a link could still pass.
 inline constexpr double radio_wall_db = 6.325;
 
+/// Unknown: the server does not know. Lost: below the threshold.
 enum class RadioQuality { Unknown, Lost, Weak, Fair, Good };
 /// Weak: one more wall ends the link. Fair: two more do.
 RadioQuality radioQuality(const std::optional<double>& strength_dbm);
@@ -33,6 +34,7 @@ QString radioWord(RadioQuality quality);
 /// Color in the current theme.
 QColor radioColor(RadioQuality quality);
 
+/// A link with its history.
 struct RadioRow {
     RadioLink link;
     std::vector<double> history_dbm; ///< oldest first, one value per report; NaN: unknown

@@ -50,7 +50,9 @@ private:
         /// Smoothed; nullopt before the second arrival.
         std::optional<Seconds> period;
         bool repeats = true; ///< false: an answer, sent once
+        /// `count` messages arrived since the last call.
         void arrived(Seconds now, int count);
+        /// True if a repeated value is too old, or there is no link.
         bool stale(Seconds now, bool linked) const;
     };
     /// A value with the newest field that carried it.
@@ -72,6 +74,7 @@ private:
     /// Returns the branch, added if it is new. The reference is valid until the next call.
     Source& sourceNamed(const std::string& name, bool repeats);
     void takeField(Source& source, const protocol::Field& field, Seconds now, int count, bool repeats);
+    /// The leaf at that index; nullptr for a branch.
     const Leaf* leafAt(const QModelIndex& index) const;
     const Timing& timingAt(const QModelIndex& index) const;
     QVariant text(const QModelIndex& index) const;

@@ -12,6 +12,7 @@
 
 namespace usar::widgets {
 
+/// One value of a field.
 struct Sample {
     double time_s = 0.0; ///< protocol clock
     double value = 0.0;  ///< SI units; NaN for a value that is not a number, which leaves a gap in the line

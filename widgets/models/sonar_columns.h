@@ -14,8 +14,8 @@ namespace usar::widgets {
 /// One sensor of the ring: range along its beam in meters, and the limits below which a reading is a risk.
 struct SonarColumn {
     QString name;
-    double range_m = 0.0; ///< NaN if the server sent no number
-    double maximum_m = 5.0;
+    double range_m = 0.0;          ///< NaN if the server sent no number
+    double maximum_m = 5.0;        ///< full height of the column
     double low_risk_below_m = 0.0; ///< 0: no zone known
     double high_risk_below_m = 0.0;
     agent::Risk risk = agent::Risk::None;

@@ -16,6 +16,7 @@ public:
     /// Ignores points that are not finite or closer to the last one than half the tolerance.
     void add(const Vec2& point_in_map_m);
     void clear();
+    /// The kept points in meters of the map frame, oldest first.
     const std::vector<Vec2>& points_m() const { return points_m_; }
 
 private:
