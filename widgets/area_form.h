@@ -1,4 +1,4 @@
-// The mission area typed in figures, beside drawing it.
+// Form for typing the corners of the mission area, as an alternative to drawing it on the map.
 #pragma once
 
 #include <optional>
@@ -11,33 +11,35 @@
 
 namespace usar::widgets {
 
-/// Two corners in metres of the map frame, and what they mean. Values that cross are put in order when told. What lies
-/// outside the world is shown as it is, in another color and in words; nothing is pulled in silently. GUI thread.
+/// Edits two corners in meters of the map frame and describes the resulting rectangle in words. Corners typed in the
+/// wrong order are sorted before they are reported. Values outside the world are kept, but shown in another color and
+/// named in a sentence; nothing is clamped silently. GUI thread.
 class AreaForm : public QWidget {
     Q_OBJECT
 public:
     explicit AreaForm(QWidget* parent = nullptr);
 
-    /// No signal.
+    /// Shows this area without emitting a signal; nullopt shows zeros.
     void setArea(const std::optional<Rectangle>& area_in_map);
-    /// Values outside are marked; an empty rectangle lifts the limit.
+    /// Sets the extent of the world: values outside it are marked. An empty rectangle removes the limit.
     void setLimits(const Rectangle& world_in_map);
     void clearLimits() { setLimits({}); }
-    /// Empty where the typed values enclose nothing.
+    /// The typed corners in order; empty() if they enclose nothing.
     Rectangle area() const;
 
 signals:
-    /// By typing or the arrows, corners in order; the empty Rectangle{} where they enclose nothing.
+    /// The user typed or stepped a value. Corners are in order; an empty Rectangle{} if they enclose nothing.
     void areaChanged(const usar::Rectangle& area_in_map);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Updates the description and emits areaChanged.
     void tell();
-    /// Marks the field where it is outside the span of the world.
+    /// Marks the field if its value is outside the extent of the world; returns true if it is.
     bool mark(QDoubleSpinBox* box, double minimum_m, double maximum_m);
-    /// Size and surface in words, or what to do when there is none.
+    /// Shows size and surface in words, or what to do while there is no area.
     void describe();
 
     QDoubleSpinBox* min_x_;
@@ -45,7 +47,7 @@ private:
     QDoubleSpinBox* min_y_;
     QDoubleSpinBox* max_y_;
     QLabel* size_;
-    std::optional<Rectangle> world_in_map_;
+    std::optional<Rectangle> world_in_map_; ///< nullopt: no limit
 };
 
 } // namespace usar::widgets

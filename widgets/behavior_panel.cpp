@@ -27,7 +27,7 @@ QLabel* mutedLabel(const QString& text = {}) {
     return label;
 }
 
-/// In all that the panel shows besides the name.
+/// Compares everything that the panel shows except the name.
 bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescription& other) {
     return one.id == other.id && one.help == other.help && one.needs_area == other.needs_area &&
            one.plan_name == other.plan_name;
@@ -124,7 +124,7 @@ QWidget* BehaviorPanel::makeButtons() {
     land_->setStatusTip(tr("Land here and now; what was scanned is kept"));
     stop_->setStatusTip(tr("End the behavior; the robot stops where it is"));
     for (QPushButton* button : buttons()) {
-        // A click leaves the focus on the map, where the arrow keys pan; Tab still comes here.
+        // A click leaves the focus on the map, where the arrow keys pan; Tab still reaches the button.
         button->setFocusPolicy(Qt::TabFocus);
         button->setToolTip(button->statusTip());
         button->setMinimumHeight(minimum_target);
@@ -154,7 +154,7 @@ void BehaviorPanel::press(QPushButton* button) {
         emit landRequested();
     else
         emit stopRequested();
-    pause_->setChecked(run_state_ == RunState::Paused); // the robot's word counts, not the click
+    pause_->setChecked(run_state_ == RunState::Paused); // The state of the robot counts, not the click.
 }
 
 void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
@@ -188,7 +188,8 @@ void BehaviorPanel::setRescanAction(QAction* action) {
 void BehaviorPanel::enable(QPushButton* button, bool on) {
     if (on || !button->hasFocus())
         return button->setEnabled(on);
-    // Qt would send the focus of a button that is switched off anywhere; its neighbor is switched on in this turn.
+    // Qt would move the focus of a disabled button to an arbitrary widget; by the next turn of the event loop its
+    // neighbor is enabled and can take the focus.
     QMetaObject::invokeMethod(
         button,
         [this, button] {
@@ -232,7 +233,7 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
         emit behaviorChosen(QString::fromStdString(behaviorId()));
 }
 
-/// What only the chosen behavior has: its help, its plan, its area.
+/// Shows what depends on the chosen behavior: its help, its plan, its area.
 void BehaviorPanel::showBehavior() {
     const int row = behavior_box_->currentIndex();
     area_box_->setVisible(needsArea());
@@ -250,7 +251,7 @@ void BehaviorPanel::showBehavior() {
 }
 
 void BehaviorPanel::fitHelp() {
-    constexpr int a_parameter_px = 40; // besides what their form needs at least
+    constexpr int a_parameter_px = 40; // In addition to the minimum height of the form.
     const int needed_px = layout()->totalMinimumHeightForWidth(width());
     const int help_px = help_label_->heightForWidth(width() - 2 * gap::small) + gap::small;
     const int without_px = help_label_->isHidden() ? needed_px : needed_px - help_px;

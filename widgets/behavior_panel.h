@@ -1,4 +1,4 @@
-// What the selected robot should do: behavior, mission area, parameters, and the buttons that make it so.
+// Panel that says what the selected robot should do: behavior, mission area, parameters, and the buttons that run it.
 #pragma once
 
 #include <array>
@@ -22,62 +22,71 @@ class QToolButton;
 
 namespace usar::widgets {
 
-/// What the buttons may do now.
+/// State of the selected robot's behavior; decides which buttons are enabled.
 enum class RunState { NoRobot, Ready, Running, Paused, Replay };
 
-/// Forwards intent as signals and shows what it is told; decides nothing. Lives in the GUI thread.
+/// Reports the user's wishes as signals and shows the state it is given; makes no decisions itself. GUI thread.
 class BehaviorPanel : public QWidget {
     Q_OBJECT
 public:
     /// `parameter_form` is shown below the area; the panel becomes its parent.
     explicit BehaviorPanel(QWidget* parameter_form, QWidget* parent = nullptr);
 
-    /// Keeps the chosen one if it is among them. Emits behaviorChosen only when another one is chosen by it.
+    /// Keeps the current choice if it is among them, else chooses the first. Emits behaviorChosen only if the choice
+    /// changed.
     void setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors);
-    /// Tells as if the person had chosen it; an unknown id changes nothing.
+    /// Chooses and emits behaviorChosen as if the user had done it; an unknown id changes nothing.
     void chooseBehavior(const std::string& id);
-    /// Empty when there is none.
+    /// Id of the chosen behavior; empty if the list is empty.
     std::string behaviorId() const;
 
-    /// Of the chosen behavior; hidden where no plan decides.
+    /// The plan of the chosen behavior; the widget is hidden for behaviors without a plan.
     PlanChoice& plan() { return *plan_; }
     const PlanChoice& plan() const { return *plan_; }
+    /// True if the chosen behavior needs a mission area, and if none is chosen.
     bool needsArea() const;
-    /// The chosen behavior is to run in a process of its own. Setting it is silent.
+    /// True if the chosen behavior should run in a process of its own. Setting it emits nothing.
     bool isolated() const;
     void setIsolated(bool isolated);
 
-    /// Nothing: not drawn yet. A behavior that needs no area hides it.
+    /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
+    /// need no area.
     void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
+    /// Values outside the world's extent are marked in the form.
     void setAreaLimits(const Rectangle& world_in_map) { area_form_->setLimits(world_in_map); }
-    /// The extent of a real server's world is not known.
+    /// For real servers, which do not tell the extent of their world.
     void clearAreaLimits() { area_form_->clearLimits(); }
+    /// The typed area, corners in order; empty() if they enclose nothing.
     Rectangle area() const { return area_form_->area(); }
-    /// "5 lanes · 312 m · 6 min 10 s", or why there are none.
+    /// "5 lanes · 312 m · 6 min 10 s", or why there are no lanes; empty hides the line.
     void setPlanSummary(const QString& summary);
-    /// True when this changed what the buttons may do.
+    /// Enables the buttons that fit the state. Returns true if the state changed.
     bool setRunState(RunState state, const QString& robot_name);
-    /// Shows that the map's area tool is in hand; no signal.
+    /// Shows whether the map's area tool is active; emits nothing.
     void setAreaToolActive(bool active);
-    /// From now on the buttons trigger these actions, follow their enabled state and name their shortcuts; the signals
-    /// of the same meaning fall silent. A null action leaves its button as it is. They outlive the panel or go with it.
+    /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
+    /// their shortcuts, and the corresponding signals are no longer emitted. A null action leaves its button unchanged.
+    /// The actions must live as long as the panel, or be destroyed with it.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
-    /// Shown as a button beside the list of behaviors.
+    /// Shows this action as a button beside the list of behaviors.
     void setRescanAction(QAction* action);
 
 signals:
-    /// By the person, or because the list or chooseBehavior changed it.
+    /// By the user, or because setBehaviors or chooseBehavior changed the choice.
     void behaviorChosen(const QString& id);
-    /// Empty where the typed values enclose nothing.
+    /// By the user; an empty rectangle if the typed values enclose nothing.
     void areaTyped(const usar::Rectangle& area_in_map);
-    /// The person wants to draw, or has had enough of it.
+    /// The user wants to start (true) or stop (false) drawing the area on the map.
     void areaToolToggled(bool active);
-    /// By the person.
+    /// By the user only.
     void isolationChosen(bool isolated);
+    /// Start the chosen behavior; plan(), area() and isolated() say how.
     void startRequested();
-    /// False: go on. The button shows the new state only when setRunState says so.
+    /// True: pause, false: resume. The button shows the new state only when setRunState reports it.
     void pauseRequested(bool paused);
+    /// Land here and now.
     void landRequested();
+    /// End the behavior; the robot stops where it is.
     void stopRequested();
 
 protected:
@@ -85,18 +94,19 @@ protected:
 
 private:
     void showBehavior();
-    /// Where there is no room for all, the help is in the list's tooltip alone.
+    /// Hides the help line if there is no room for it; the list's tooltip still has it.
     void fitHelp();
     void makeAreaBox();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const;
     void press(QPushButton* button);
+    /// True if the run state allows this button; used for buttons without an action.
     bool mayPress(const QPushButton* button) const;
-    /// Hands the focus to another button before it switches off the one that has it.
+    /// Moves the focus to another button before the one that has it is disabled.
     void enable(QPushButton* button, bool on);
     bool busy() const;
 
-    std::vector<agent::BehaviorDescription> behaviors_; ///< row by row
+    std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
     QLabel* robot_label_;
     QComboBox* behavior_box_;
     QToolButton* rescan_;
@@ -111,8 +121,8 @@ private:
     QPushButton* pause_;
     QPushButton* land_;
     QPushButton* stop_;
-    std::map<QPushButton*, QAction*> actions_; ///< of those buttons that an action drives
-    std::optional<RunState> run_state_;
+    std::map<QPushButton*, QAction*> actions_; ///< the buttons that an action drives
+    std::optional<RunState> run_state_;        ///< nullopt until the first setRunState
 };
 
 } // namespace usar::widgets

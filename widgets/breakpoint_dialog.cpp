@@ -20,7 +20,7 @@ using posh::BreakOn;
 
 using Choice = std::pair<BreakOn, ActResult>;
 
-/// All that can be asked for, each act's answer by itself.
+/// Every event that a breakpoint can stop on, with one entry for each answer of an act.
 constexpr std::array all_choices{
     Choice{BreakOn::Before, ActResult::Failed},        Choice{BreakOn::After, ActResult::Failed},
     Choice{BreakOn::Result, ActResult::Failed},        Choice{BreakOn::Result, ActResult::Running},
@@ -41,7 +41,7 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
     , enabled_(new QCheckBox(tr("On"), this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Breakpoint"));
-    if (breakpoint_.on == BreakOn::Written) // there is but one thing that happens to a key
+    if (breakpoint_.on == BreakOn::Written) // Being written is the only event of a key.
         on_->addItem(breakOnText(breakpoint_));
     for (const auto& [on, result] : breakpoint_.on == BreakOn::Written ? std::span<const Choice>() : choices) {
         posh::Breakpoint shown;

@@ -1,4 +1,4 @@
-// Asks when a breakpoint stops a run: on what, on which condition, from which hit on.
+// Dialog that edits a breakpoint: on which event it stops, on which condition, and from which hit.
 #pragma once
 
 #include <QCheckBox>
@@ -13,16 +13,19 @@
 
 namespace usar::widgets {
 
-/// Takes nothing that cannot be set: what is wrong with the condition is said while it is typed. GUI thread.
+/// Checks the condition while it is typed and shows what is wrong with it; OK is disabled until it is valid. GUI
+/// thread.
 class BreakpointDialog : public QDialog {
     Q_OBJECT
 public:
+    /// Edits a copy of `breakpoint`.
     BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent);
 
-    /// As it is typed now.
+    /// The breakpoint as edited so far; its condition may be invalid.
     posh::Breakpoint breakpoint() const;
 
 private:
+    /// Shows what is wrong with the condition and enables OK accordingly.
     void check();
 
     posh::Breakpoint breakpoint_;

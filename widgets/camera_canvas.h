@@ -1,4 +1,4 @@
-// The picture of a camera, as large as its shape allows, and the gestures that turn and zoom the camera.
+// Shows a camera picture as large as its aspect ratio allows, and takes the gestures that turn and zoom the camera.
 #pragma once
 
 #include <QImage>
@@ -6,25 +6,27 @@
 
 namespace usar::widgets {
 
-/// Dragging takes the scene along, as on a map; arrow keys turn, the wheel zooms. GUI thread.
+/// Dragging moves the scene with the mouse, as on a map; the arrow keys turn the camera, the wheel zooms. GUI thread.
 class CameraCanvas : public QWidget {
     Q_OBJECT
 public:
     explicit CameraCanvas(QWidget* parent = nullptr);
 
+    /// Shows this picture as fresh; a null image shows an empty ground.
     void setPicture(const QImage& picture);
+    /// The picture as last set; null if there is none.
     const QImage& picture() const { return picture_; }
-    /// Drawn grey: nobody vouches for it any more.
+    /// Draws the picture faded, because it may be out of date.
     void setStale(bool stale);
-    /// Where the picture is on this widget; keeps its shape.
+    /// Rectangle of the picture in pixels of this widget; keeps the aspect ratio.
     QRect pictureRect() const;
     QSize sizeHint() const override { return {320, 240}; }
     QSize minimumSizeHint() const override { return {120, 90}; }
 
 signals:
-    /// In widths of the picture: how far the camera is to look to the right and up.
+    /// How far the camera should turn to the right and up, as fractions of the picture's width.
     void turned(double right, double up);
-    /// Notches, positive is closer.
+    /// Notches of the wheel; positive is closer.
     void zoomed(double notches);
 
 protected:

@@ -106,7 +106,7 @@ void CameraView::setPicture(const QImage& picture, double frames_per_s) {
     empty_->hide();
     canvas_->setPicture(picture);
     if (!first)
-        return; // figures change at their own, slower pace: a label's new text lays the whole dock out anew
+        return; // The figures are updated by the slower timer: setting a label's text lays out the whole dock again.
     slider_->setEnabled(zoom_.largest_rad > zoom_.smallest_rad);
     showAge();
 }

@@ -1,4 +1,4 @@
-// What a robot's camera sees, how fresh it is, and the controls that zoom and turn the camera.
+// Dock view of a robot's camera: the picture, its age, and the controls that zoom and turn the camera.
 #pragma once
 
 #include <QComboBox>
@@ -17,7 +17,7 @@ namespace usar::widgets {
 class CameraCanvas;
 class EmptyState;
 
-/// Angles of view of the shown camera.
+/// Horizontal angles of view of the shown camera. The camera cannot zoom if `largest_rad` <= `smallest_rad`.
 struct CameraZoom {
     double now_rad = 1.396;
     double smallest_rad = 0.349;
@@ -25,35 +25,45 @@ struct CameraZoom {
     bool operator==(const CameraZoom&) const = default;
 };
 
-/// Pictures in, wishes out. While hidden it wants no pictures and says so. GUI thread.
+/// Pictures come in by setters, wishes go out by signals. While hidden or covered it wants no pictures and says so by
+/// wantsPicturesChanged. GUI thread.
 class CameraView : public QWidget {
     Q_OBJECT
 public:
     explicit CameraView(QWidget* parent = nullptr);
 
+    /// Shows a new picture, which counts as fresh for two seconds; `frames_per_s` is only displayed.
     void setPicture(const QImage& picture, double frames_per_s);
+    /// The newest picture; null while the view is empty.
     const QImage& picture() const;
-    /// Since the program began.
+    /// Number of pictures taken since construction.
     int pictureCount() const { return pictures_; }
-    /// "R1 · Camera", and the cameras that can be chosen instead of that one.
+    /// Shows the robot's name with the shown camera; with more than one camera they are offered in a list. Emits
+    /// nothing.
     void setSource(const QString& robot, const QStringList& cameras, const QString& shown);
+    /// Shows the current angle and the limits of the camera; emits nothing.
     void setZoom(const CameraZoom& zoom);
-    /// Instead of a picture: what is missing and what to do. Ends with the next picture.
+    /// Replaces the picture by a sheet that says what is missing and what to do, with a button for `action` if given.
+    /// The next picture removes it.
     void setEmpty(const QString& title, const QString& hint, QAction* action = nullptr);
+    /// True while there is no picture.
     bool isEmpty() const;
-    /// As tool buttons in the row of controls, in this order.
+    /// Adds these actions as tool buttons to the row of controls, in this order.
     void setActions(const QList<QAction*>& actions);
-    /// False while another tab covers it: Qt hides nothing then.
+    /// Set to false while another tab covers the dock: Qt sends no hide event then.
     void setUncovered(bool uncovered);
+    /// True while the view is shown and not covered.
     bool wantsPictures() const { return uncovered_ && isVisible(); }
     QSize sizeHint() const override { return {340, 330}; }
 
 signals:
+    /// The user wants this horizontal angle of view; it is within the limits of setZoom.
     void zoomRequested(double field_of_view_rad);
-    /// How far to look to the right and up.
+    /// How far the camera should turn to the right and up.
     void turnRequested(double right_rad, double up_rad);
+    /// The user chose another camera of this robot.
     void cameraChosen(const QString& name);
-    /// It was shown or hidden.
+    /// The view was shown, hidden, covered or uncovered.
     void wantsPicturesChanged(bool wants);
 
 protected:
@@ -62,8 +72,11 @@ protected:
 
 private:
     void makeControls();
+    /// Updates the age of the picture and fades it when it is old.
     void showAge();
+    /// Runs the age timer only while the view can be seen, and emits wantsPicturesChanged.
     void watchedOrNot();
+    /// Emits zoomRequested, clamped to the limits, if it differs from the current angle.
     void askZoom(double field_of_view_rad);
 
     CameraCanvas* canvas_;

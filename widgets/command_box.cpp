@@ -18,10 +18,10 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int idle_ms = 500;                ///< then what was typed is looked at
-constexpr int from_role = Qt::UserRole + 1; ///< byte from which a completion replaces
+constexpr int idle_ms = 500;                ///< time without typing after which the line is checked
+constexpr int from_role = Qt::UserRole + 1; ///< role of the first byte that a completion replaces
 
-/// The grammar's messages are no whole sentences.
+/// Makes a sentence of a diagnostic, because the grammar's messages have no final period.
 QString sentence(const Diagnostic& diagnostic) {
     const QString text = QString::fromStdString(diagnostic.message);
     return CommandBox::tr("Column %1: %2")
@@ -29,7 +29,7 @@ QString sentence(const Diagnostic& diagnostic) {
         .arg(text.endsWith(u'.') || text.endsWith(u'?') ? text : text + u'.');
 }
 
-/// A word is followed by a blank, a value by the brace that ends its segment.
+/// Returns the text to append to a completion: a blank after a word, the closing brace after a value.
 QString ending(const std::string& before, std::string_view completed) {
     const std::size_t brace = before.rfind('{');
     const bool inside = brace != std::string::npos && before.find('}', brace) == std::string::npos;
@@ -102,7 +102,7 @@ void CommandBox::setTarget(const QString& name, const QString& refusal) {
 
 void CommandBox::complain(Severity severity, const QString& sentence) {
     complaint_->setProperty("role", severity == Severity::Error ? "danger" : "caution");
-    complaint_->style()->unpolish(complaint_); // or the role's color would be the last one's
+    complaint_->style()->unpolish(complaint_); // Otherwise the color of the previous role would stay.
     complaint_->style()->polish(complaint_);
     complaint_->setText((severity == Severity::Error ? QStringLiteral("✕ ") : QStringLiteral("⚠ ")) + sentence);
     complaint_->show();
@@ -122,7 +122,7 @@ void CommandBox::openCompletions() {
     completions_->clear();
     for (const protocol::Completion& completion : protocol::completionsAt(text, cursor)) {
         if (text.substr(completion.from, cursor - completion.from) == completion.text)
-            continue; // it is there already
+            continue; // It is already there.
         auto* item = new QStandardItem(QString::fromStdString(completion.text));
         item->setData(QString::fromStdString(completion.help), CompletionDelegate::help_role);
         item->setData(static_cast<qulonglong>(completion.from), from_role);
@@ -149,7 +149,7 @@ bool CommandBox::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         if (chosenInPopup() && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)) {
-            event->ignore(); // the completer takes it then
+            event->ignore(); // The completer handles it then.
             return true;
         }
     }
@@ -205,7 +205,7 @@ void CommandBox::accept(const QModelIndex& index) {
     line_->setText(head + QString::fromStdString(std::string(trimmed(std::string_view(text).substr(cursor)))));
     line_->setCursorPosition(static_cast<int>(head.size()));
     completer_->popup()->hide();
-    QTimer::singleShot(0, this, &CommandBox::openCompletions); // behind the completer's own end
+    QTimer::singleShot(0, this, &CommandBox::openCompletions); // After the completer has finished.
 }
 
 Diagnostics CommandBox::check(bool all) {
@@ -240,7 +240,7 @@ void CommandBox::send() {
     history_.add(text);
     line_->clear();
     emit sendRequested(text);
-    // A warning stays to be read, though the line is gone.
+    // A warning stays visible although the line has been sent.
     if (!diagnostics.empty() && !wrong)
         complain(Severity::Warning, tr("Sent. %1").arg(sentence(diagnostics.front())));
 }

@@ -1,4 +1,4 @@
-// Where a person types a raw command: completion from the grammar, history, and what is wrong by column.
+// Input for raw commands: completion from the grammar, history, and error messages with their column.
 #pragma once
 
 #include <QCompleter>
@@ -13,30 +13,33 @@
 
 namespace usar::widgets {
 
-/// Enter sends. A line with an error is sent by a second Enter only; a warning (a word that no table knows) keeps
-/// nobody from sending. Tab takes a completion, the arrow keys walk through the history: through those lines that
-/// contain what was typed. GUI thread.
+/// Enter sends the line. A line with an error is sent only by a second Enter; a warning (such as an unknown word) does
+/// not prevent sending. Tab accepts a completion; Up and Down walk through the lines of the history that contain the
+/// typed text. GUI thread.
 class CommandBox : public QWidget {
     Q_OBJECT
 public:
     explicit CommandBox(QWidget* parent = nullptr);
 
-    /// Who gets the line ("R1"), and why not, empty where it can be sent.
+    /// Name of the robot that gets the line ("R1"; empty: no connection), and the reason why nothing can be sent; an
+    /// empty `refusal` means that sending is possible.
     void setTarget(const QString& name, const QString& refusal);
+    /// Sent lines, oldest first.
     QStringList history() const { return history_.lines(); }
     void setHistory(const QStringList& lines) { history_.setLines(lines); }
-    /// Under the line; stays until the text changes.
+    /// Shows a sentence under the line until the text changes.
     void complain(Severity severity, const QString& sentence);
+    /// The line edit; owned by the box.
     CommandLine* line() const { return line_; }
-    /// What is said under the line; empty where nothing is.
+    /// The sentence shown under the line; empty if there is none.
     QString complaint() const { return complaint_->isHidden() ? QString() : complaint_->text(); }
-    /// The completions there are to choose from now.
+    /// Offers the completions that fit at the cursor; owned by the box.
     const QCompleter* completer() const { return completer_; }
-    /// All that may stand at the cursor.
+    /// Opens the list of everything that may follow at the cursor.
     void openCompletions();
 
 signals:
-    /// One line without its end.
+    /// The line to send, trimmed and without a line end.
     void sendRequested(const QString& line);
 
 protected:
@@ -44,14 +47,19 @@ protected:
 
 private:
     void setUpCompleter();
+    /// The text was edited: ends the walk through the history and opens the completions.
     void takeEdit();
+    /// Handles Enter, Tab, the arrow keys and Ctrl+Space; returns true if the key was used.
     bool takeKey(int key, Qt::KeyboardModifiers modifiers);
     bool popupOpen() const;
+    /// True if an entry of the completion list is marked.
     bool chosenInPopup() const;
+    /// Shows a line of the history; nullopt changes nothing.
     void showHistory(const std::optional<QString>& line);
+    /// Accepts the marked completion, or the first one. Returns true.
     bool acceptFirst();
     void accept(const QModelIndex& index);
-    /// Says what is wrong; of a word that is still being typed only when `all`.
+    /// Marks and shows what is wrong; without `all` it skips the word that is still being typed.
     Diagnostics check(bool all);
     void send();
 
@@ -63,7 +71,7 @@ private:
     QStandardItemModel* completions_;
     QTimer idle_{this};
     QString refusal_;
-    QString sent_anyway_; ///< a second Enter sends this line, whatever is wrong with it
+    QString sent_anyway_; ///< a second Enter sends this line in spite of its errors
 };
 
 } // namespace usar::widgets

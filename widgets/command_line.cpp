@@ -10,7 +10,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// Two pixels high, as in every editor.
+/// Paints a wave two pixels high, as in other editors.
 void paintWave(QPainter& painter, double from_px, double to_px, double base_px) {
     constexpr double step_px = 2.0;
     QPainterPath wave(QPointF(from_px, base_px));

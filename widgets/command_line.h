@@ -1,4 +1,4 @@
-// One line of protocol being typed, with waves under what is wrong in it.
+// Line edit for one line of protocol text; errors are underlined with waves.
 #pragma once
 
 #include <QLineEdit>
@@ -7,18 +7,18 @@
 
 namespace usar::widgets {
 
-/// Fixed pitch. Tab is a key like any other while somebody wants it. GUI thread.
+/// Fixed-pitch font. The owner decides by an event filter whether Tab completes or moves the focus. GUI thread.
 class CommandLine : public QLineEdit {
     Q_OBJECT
 public:
     explicit CommandLine(QWidget* parent = nullptr);
 
-    /// Offsets in bytes of the text; a wave goes to the end of its word.
+    /// Underlines these places. Offsets are bytes of the UTF-8 text; each wave reaches to the end of its word.
     void setDiagnostics(const Diagnostics& diagnostics);
     const Diagnostics& diagnostics() const { return diagnostics_; }
-    /// The cursor's place in bytes of the UTF-8 text.
+    /// The cursor's position in bytes of the UTF-8 text.
     std::size_t cursorByte() const;
-    /// Byte behind the word that begins at `offset`.
+    /// Position, in bytes, after the last byte of the word that begins at `offset`.
     std::size_t wordEnd(std::size_t offset) const;
 
 protected:

@@ -11,7 +11,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// Text on the left, group and shortcut muted on the right.
+/// Paints the text on the left, group and shortcut muted on the right.
 class CommandDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

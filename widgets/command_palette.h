@@ -1,4 +1,4 @@
-// The command palette (Ctrl+K): type a few letters of any command, press Return.
+// The command palette (Ctrl+K): type a few letters of any command and press Return.
 #pragma once
 
 #include <QFrame>
@@ -9,25 +9,25 @@
 
 namespace usar::widgets {
 
-/// A sheet over its window, not a dialog: Escape or a click elsewhere closes it. Up and Down choose while the cursor
-/// stays in the line. GUI thread; owned by the window.
+/// A popup over its window, not a dialog: Escape or a click elsewhere closes it. Up and Down choose while the text
+/// cursor stays in the line. GUI thread; owned by the window.
 class CommandPalette : public QFrame {
     Q_OBJECT
 public:
-    /// The registry outlives the palette; the window is what it centers over.
+    /// The registry must outlive the palette. The palette is centered over the window, which owns it.
     CommandPalette(const CommandRegistry& registry, QWidget* window);
 
 public slots:
-    /// Empties the line, lists what is possible now, and takes the focus.
+    /// Clears the line, lists the commands that are enabled now, and takes the focus.
     void open();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// Moves the choice without leaving the ends.
+    /// Moves the marked row by `by`, stopping at the ends of the list.
     void choose(int by);
-    /// Closes first, so that a command may open something itself.
+    /// Closes the palette and then triggers the marked command, so that the command may open something itself.
     void run();
 
     CommandListModel* model_;

@@ -1,5 +1,5 @@
-// Every action of the program, registered once: menus, tool bars, shortcuts, palette, tooltips, help sheet and tests
-// are made from here.
+// Registry of all actions of the program: menus, tool bars, shortcuts, palette, tooltips, help sheet and tests are made
+// from it.
 #pragma once
 
 #include <functional>
@@ -14,36 +14,36 @@
 
 namespace usar::widgets {
 
-/// A command as its author describes it.
+/// Description of a command as its author writes it.
 struct CommandSpec {
-    QString id;    ///< "map.fit"
-    QString text;  ///< "Fit mission in view": what menus and the palette say
-    QString group; ///< "Map": the context it belongs to, a heading of the help sheet
-    QString help;  ///< one sentence; the tooltip adds the shortcut
-    QString icon;  ///< name for icons.h, may be empty
-    QList<QKeySequence> shortcuts;
-    bool checkable = false;
+    QString id;                    ///< "map.fit"
+    QString text;                  ///< "Fit mission in view": shown in menus and the palette
+    QString group;                 ///< "Map": group of related commands, a heading of the help sheet
+    QString help;                  ///< one sentence; the tooltip appends the shortcut
+    QString icon;                  ///< icon name for icons.h; may be empty
+    QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
+    bool checkable = false;        ///< the action has an on/off state
 };
 
-/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; lives as
-/// long as the window.
+/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not
+/// outlive the window.
 class CommandRegistry : public QObject {
     Q_OBJECT
 public:
     explicit CommandRegistry(QWidget* window);
     ~CommandRegistry() override;
 
-    /// Registers and makes the action. `run` is called with the checked state; `enabled` is asked by refresh(). An id
-    /// or a shortcut that is taken is a bug (assertion).
+    /// Registers a command and makes its action. `run` is called with the checked state; `enabled` is evaluated now and
+    /// by refresh(). An id or shortcut that is already used is a programming error (assertion).
     QAction* add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled = {});
-    /// Lists an action that somebody else made and runs (a dock's own toggle); its text and shortcut become the spec's.
-    /// It lives as long as the window.
+    /// Registers an action that somebody else made and runs (for example a dock's own toggle); its text and shortcuts
+    /// are set from the spec. The action must live as long as the window.
     void adopt(const CommandSpec& spec, QAction* action);
-    /// The action; asking for an unknown id is a bug (assertion).
+    /// Returns the action; an unknown id is a programming error (assertion).
     QAction* action(const QString& id) const;
     bool contains(const QString& id) const;
 
-    /// A command with what was made from it; `enabled` may be empty: always on.
+    /// A registered command with its action; an empty `enabled` means that the command is always enabled.
     struct Command {
         CommandSpec spec;
         QAction* action = nullptr;
@@ -51,10 +51,10 @@ public:
     };
     /// In the order of registration.
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
-    /// Asks every enabled rule again; call it when the state changed that rules look at.
+    /// Evaluates every `enabled` rule again; call it when state that the rules depend on has changed.
     void refresh();
 
-    /// An id "-" makes a separator.
+    /// Appends these commands in order; an id "-" makes a separator.
     void fill(QMenu* menu, const QStringList& ids) const;
     void fill(QToolBar* bar, const QStringList& ids) const;
 
@@ -66,7 +66,7 @@ private:
     std::vector<std::unique_ptr<Command>> commands_;
 };
 
-/// "Help sentence (Ctrl+K)": what a tooltip says.
+/// "Help sentence (Ctrl+K)": the help, or the text if there is no help, with the first shortcut.
 QString tooltipText(const CommandSpec& spec);
 
 } // namespace usar::widgets

@@ -1,14 +1,15 @@
-// A completion with its help beside it.
+// Paints an entry of a completion list with its help text beside it.
 #pragma once
 
 #include <QStyledItemDelegate>
 
 namespace usar::widgets {
 
-/// The word in fixed pitch, the help muted behind it. GUI thread.
+/// Paints the word in fixed pitch, and the help text muted after it. GUI thread.
 class CompletionDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
+    /// Item data role of the help text (QString).
     static constexpr int help_role = Qt::UserRole;
 
     using QStyledItemDelegate::QStyledItemDelegate;

@@ -96,7 +96,7 @@ void ConnectionBar::setUpAddress() {
     host_->setAccessibleName(tr("Host"));
     host_->setToolTip(tr("Name or address of the USARSim server"));
     host_->setMinimumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("000.000.000")));
-    host_->setTextMargins(2, 0, 2, 0); // as far from the frame as in the port's box
+    host_->setTextMargins(2, 0, 2, 0); // Same distance to the frame as in the port's box.
     host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
     port_->setRange(1, 65535);
     port_->setValue(3000);
@@ -104,7 +104,7 @@ void ConnectionBar::setUpAddress() {
     port_->setAccessibleName(tr("Port"));
     port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
     button_->setIcon(icon(QStringLiteral("plug")));
-    button_->setText(tr("Disconnect")); // its longest word: what stands beside it must not jump
+    button_->setText(tr("Disconnect")); // The longest text, so that the neighbors do not move.
     button_width_px_ = button_->sizeHint().width();
     for (QWidget* control : std::initializer_list<QWidget*>{server_, host_, port_, button_})
         control->setMinimumHeight(minimum_target);
@@ -193,7 +193,7 @@ void ConnectionBar::press() {
     if (status_.state != ConnectionState::Disconnected)
         emit disconnectRequested();
     else if (server() == ServerChoice::Embedded)
-        emit connectRequested(ServerChoice::Embedded, {}, 0); // what was typed is for a real server
+        emit connectRequested(ServerChoice::Embedded, {}, 0); // The typed address belongs to the real server.
     else if (!host().isEmpty())
         emit connectRequested(ServerChoice::Real, host(), port());
 }

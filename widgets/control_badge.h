@@ -1,4 +1,4 @@
-// Who drives a robot, in a word and a shape: nobody, its behavior, or the person.
+// Chip that says in a word and a shape who drives a robot: nobody, its behavior, or the user.
 #pragma once
 
 #include <QToolButton>
@@ -8,37 +8,40 @@
 
 namespace usar::widgets {
 
+/// The one in control of a robot; Person is the user, at keys, pad or gamepad.
 enum class Driver { Nobody, Behavior, Person };
 
-/// "R1", Person, "keys": what the chip says.
+/// Content of the chip, for example {"R1", Person, "keys"}.
 struct ControlWords {
     QString robot{}; ///< empty: no robot is selected
     Driver driver = Driver::Nobody;
-    QString by{}; ///< the behavior's name, or what the person holds; may be empty
+    QString by{}; ///< the behavior's name, or the device that the user holds; may be empty
     bool operator==(const ControlWords&) const = default;
 };
 
-/// "Nobody drives", "Terrain survey drives", "You drive · keys".
+/// "nobody drives", "Terrain survey drives", "you drive · keys".
 QString controlText(const ControlWords& words);
 
-/// A chip that is always in sight; a click is `clicked`. The text is elided where there is no room; the tooltip has it
-/// whole. GUI thread.
+/// A chip that is always visible and can be clicked. The text is elided if there is no room; the tooltip has all of it.
+/// GUI thread.
 class ControlBadge : public QWidget {
     Q_OBJECT
 public:
     explicit ControlBadge(QWidget* parent = nullptr);
 
+    /// Shows who drives; the same words again cost nothing.
     void setWords(const ControlWords& words);
-    /// "R1: you drive · keys".
+    /// The whole text, "R1: you drive · keys", even if it is elided on the screen.
     QString text() const;
-    /// Without the robot's name, and as wide as there is room.
+    /// Omits the robot's name and lets the chip take all the width there is.
     void setBare(bool bare);
-    /// Where there is room for a behavior's name, too.
+    /// Asks for a width that has room for a behavior's name.
     void setRoomy(bool roomy);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
+    /// By the mouse, Space or Return.
     void clicked();
 
 protected:

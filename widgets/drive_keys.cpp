@@ -41,7 +41,7 @@ void DriveKeys::setActive(bool active) {
     active_ = active;
     release();
     if (QWidget* const typed_in = QApplication::focusWidget(); active && takesText(typed_in))
-        typed_in->clearFocus(); // who wants to drive has typed enough
+        typed_in->clearFocus(); // The user wants to drive, not to type.
 }
 
 void DriveKeys::setAxes(const StickAxes& axes) {
@@ -89,8 +89,8 @@ bool DriveKeys::takes(const QKeyEvent& event) const {
            !QApplication::activePopupWidget() && !takesText(QApplication::focusWidget());
 }
 
-/// Windows see each key once, before it is handed on to widgets and their parents; whoever has the focus is asked first
-/// whether it wants the key more than a shortcut does.
+/// Filters events of the whole application. A window receives each key once, before its widgets do; before that, the
+/// focused widget is asked by a ShortcutOverride whether it wants the key more than a shortcut does.
 bool DriveKeys::eventFilter(QObject* watched, QEvent* event) {
     if (!active_)
         return false;
@@ -126,7 +126,7 @@ bool DriveKeys::takeKey(const QKeyEvent& event, bool down) {
         return false;
     }
     if (!down && down_.contains(event.key()) && !event.isAutoRepeat()) {
-        down_.erase(event.key()); // wherever the focus is by now
+        down_.erase(event.key()); // Independent of the focus.
         emit changed(stick());
         return true;
     }

@@ -1,4 +1,4 @@
-// Keys that drive while they are held down.
+// Translates keys that are held down into stick positions.
 #pragma once
 
 #include <set>
@@ -13,43 +13,56 @@ class QKeyEvent;
 
 namespace usar::widgets {
 
-/// W S forward and back, A D round, Q E sideways, R F up and down, Shift slower, Space stops. Only while it is active
-/// and its window is the active one, and never where text is typed; then these keys are taken from the shortcuts that
-/// have them. Only those of the robot's axes are taken. GUI thread; lives as long as its window.
+/// W and S drive forward and back, A and D turn, Q and E move sideways, R and F up and down, Shift is slower, Space
+/// stops. Works only while it is active and its window is the active one, and never while the focus is in a text field;
+/// otherwise it takes these keys from the shortcuts that use them. Keys of axes that the robot does not have are not
+/// taken. GUI thread; owned by its window.
 class DriveKeys : public QObject {
     Q_OBJECT
 public:
+    /// Watches the events of the whole application for this window.
     explicit DriveKeys(QWidget* window);
 
+    /// Releases all keys; activating also takes the focus out of a text field.
     void setActive(bool active);
     bool active() const { return active_; }
+    /// The axes that the robot can follow; keys of others are ignored.
     void setAxes(const StickAxes& axes);
-    /// By the keys that are down.
+    /// Position that results from the keys that are down; all zero if none is.
     Stick stick() const;
-    /// Forward, back, left, right …: what is written on them, for a pad that does the same; empty where there is no
-    /// such axis.
+    /// Key labels for a pad that does the same, in the order forward, back, left, right; empty if the robot lacks the
+    /// axis.
     static QStringList turnKeys(const StickAxes& axes);
+    /// Labels of the keys for sideways and vertical motion, in the order up, down, left, right of DrivePad::setKeys.
     static QStringList sideKeys() { return {{}, {}, QStringLiteral("Q"), QStringLiteral("E")}; }
     static QStringList liftKeys() { return {QStringLiteral("R"), QStringLiteral("F"), {}, {}}; }
 
 signals:
+    /// The keys that are down have changed; all zero when the last one is released.
     void changed(const usar::Stick& stick);
+    /// Space was pressed; all keys count as released.
     void stopPressed();
-    /// The window is no longer the active one, or text is typed: whatever is held has to be let go.
+    /// The window lost the activation or the focus went to a text field: whoever holds the robot must let it go.
     void focusLost();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// True for a key of an axis that the robot has, and for Space.
     bool isOurs(const QKeyEvent& event) const;
+    /// True if a press of this key should drive now.
     bool takes(const QKeyEvent& event) const;
+    /// Returns true if the key was used and goes nowhere else.
     bool takeKey(const QKeyEvent& event, bool down);
+    /// Forgets all keys that are down.
     void release();
 
     QWidget* window_;
     StickAxes axes_;
+    /// Keys that are down (Qt::Key).
     std::set<int> down_;
+    /// Shift is down.
     bool slow_ = false;
     bool active_ = false;
 };

@@ -59,7 +59,7 @@ void DrivePad::letGo() {
     put({}, false);
 }
 
-/// Where the knob's middle can be.
+/// Returns the rectangle in which the middle of the knob can be.
 QRectF DrivePad::travel() const {
     const double side = std::min(width(), height());
     const QPointF middle = QRectF(rect()).center();
@@ -81,7 +81,7 @@ void DrivePad::hold(const QPointF& at_px) {
         return whole_px > 0.0 ? std::clamp(px / (whole_px / 2.0), -1.0, 1.0) : 0.0;
     };
     QPointF value(share(from.x(), way.width()), -share(from.y(), way.height()));
-    if (shape_ == PadShape::Both) // nobody means the slight turn of a finger that goes straight up
+    if (shape_ == PadShape::Both) // Ignores the slight sideways motion of a finger that moves straight.
         for (double* const part : {&value.rx(), &value.ry()})
             *part = std::abs(*part) < 0.06 ? 0.0 : *part;
     put(value, true);
@@ -112,7 +112,7 @@ bool DrivePad::event(QEvent* event) {
         letGo();
         event->accept();
         return true;
-    case QEvent::ShortcutOverride: // arrow keys pan the map elsewhere
+    case QEvent::ShortcutOverride: // Arrow keys pan the map elsewhere.
         if (arrowBit(static_cast<QKeyEvent*>(event)->key()) != 0)
             event->accept();
         break;

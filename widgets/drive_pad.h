@@ -1,4 +1,4 @@
-// A stick on the screen: held by the mouse, a finger or the arrow keys, and back in the middle as soon as it is let go.
+// On-screen stick, held with the mouse, a finger or the arrow keys; it springs back to the middle when released.
 #pragma once
 
 #include <QPointF>
@@ -6,29 +6,33 @@
 
 namespace usar::widgets {
 
-/// Both: a round pad. Across and Upright: a slider that springs back.
+/// Both: a round pad with two axes. Across and Upright: a slider that springs back.
 enum class PadShape { Both, Across, Upright };
 
-/// Values are shares -1..1, right and up positive. A dot shows where the stick is, a ring what is on its way to the
-/// robot. Losing the focus, being hidden or disabled lets go. GUI thread.
+/// Values are shares -1..1, positive to the right and up. A dot shows where the stick is, a ring what is being sent to
+/// the robot. Losing the focus, being hidden or being disabled releases it. GUI thread.
 class DrivePad : public QWidget {
     Q_OBJECT
 public:
     explicit DrivePad(PadShape shape, QWidget* parent = nullptr);
 
+    /// The current position; zero when released.
     QPointF value() const { return value_; }
+    /// True while the user holds the stick.
     bool held() const { return held_; }
-    /// What another hand asks, and what is sent, while this one is not held.
+    /// Sets what is shown while this pad is not held: the position that another input asks for, and the one that is
+    /// sent to the robot.
     void setShown(const QPointF& asked, const QPointF& sent);
-    /// The keys that do the same, at its edges: up, down, left, right; an empty one is not drawn.
+    /// Labels of the keys that do the same, drawn at the edges in the order up, down, left, right; an empty one is not
+    /// drawn.
     void setKeys(const QStringList& keys);
-    /// As if the mouse had been let go.
+    /// Releases the stick as if the mouse button had been released.
     void letGo();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// With the middle when it is let go.
+    /// The position changed; zero when the stick is released.
     void moved(const QPointF& value);
 
 protected:
@@ -44,9 +48,12 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Rectangle, in pixels, in which the middle of the knob can move.
     QRectF travel() const;
     QPointF toScreen(const QPointF& value) const;
+    /// Holds the stick at a place of the widget.
     void hold(const QPointF& at_px);
+    /// Sets the position and emits moved if anything changed.
     void put(const QPointF& value, bool held);
     void takeArrow(int key, bool down);
     void paintGround(QPainter& painter) const;
@@ -58,7 +65,7 @@ private:
     QPointF asked_;
     QPointF sent_;
     QStringList keys_;
-    int arrows_ = 0; ///< bits of those that are down
+    int arrows_ = 0; ///< bit set of the arrow keys that are down
     bool held_ = false;
 };
 

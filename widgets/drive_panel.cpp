@@ -53,7 +53,7 @@ DrivePanel::DrivePanel(QWidget* parent)
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     outer->setSpacing(gap::small);
-    auto* scroll = new QScrollArea(this); // also: figures that change do not lay out the whole window anew
+    auto* scroll = new QScrollArea(this); // It also prevents changing figures from laying out the whole window again.
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -65,7 +65,7 @@ DrivePanel::DrivePanel(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap::small);
     badge_->setBare(true);
-    column->addWidget(badge_, 0, Qt::AlignTop); // alone above the empty state, too
+    column->addWidget(badge_, 0, Qt::AlignTop); // Also visible above the empty state.
     column->addWidget(take_);
     makePads();
     makeSpeed();
@@ -156,7 +156,8 @@ void DrivePanel::makeFigures() {
     note_->setWordWrap(true);
     note_->setFont(themeFont(FontRole::Small));
     note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    note_->setMinimumHeight(2 * QFontMetrics(themeFont(FontRole::Small)).height()); // what is below stays in its place
+    // There is always room for two lines, so that the rows below do not move.
+    note_->setMinimumHeight(2 * QFontMetrics(themeFont(FontRole::Small)).height());
     column->addWidget(echo_);
     column->addWidget(note_);
     column->addWidget(gamepad_);

@@ -1,21 +1,21 @@
-// One line of text that ends in "…" where there is no room, instead of being cut.
+// Label of one line that is elided with "…" instead of being cut off when there is no room.
 #pragma once
 
 #include <QLabel>
 
 namespace usar::widgets {
 
-/// `text` as wide as `width_px` allows: whole, or without its last parts (they stand between " · "), or elided.
+/// Shortens `text` to `width_px`: drops trailing parts (separated by " · ") first, then elides the rest.
 QString fittedText(const QString& text, const QFontMetrics& metrics, int width_px);
 
-/// text() stays whole for assistive tools; give it a tooltip with the whole text.
+/// The property `text` remains complete for assistive tools; give the label a tooltip with the complete text.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:
     using QLabel::QLabel;
     QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
     QSize sizeHint() const override;
-    /// It asks for the width of `text`, whatever it says, so that what stands beside it does not jump.
+    /// Makes the label ask for the width of `text` whatever it shows, so that its neighbors do not move.
     void setRoomFor(const QString& text);
 
 protected:

@@ -27,7 +27,7 @@ EmptyState::EmptyState(QWidget* covered)
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setProperty("role", "muted");
     hint_->setWordWrap(true);
-    // Labels let the mouse through, and so does the sheet itself: only the button takes clicks.
+    // Labels and the sheet itself are transparent for the mouse: only the button takes clicks.
     title_->setAttribute(Qt::WA_TransparentForMouseEvents);
     hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
     button_->setProperty("role", "primary");
@@ -44,7 +44,7 @@ void EmptyState::setText(const QString& title, const QString& hint) {
 }
 
 void EmptyState::setAction(QAction* action) {
-    disconnect(clicked_); // this one only: the style has connections of its own to every widget
+    disconnect(clicked_); // Only this connection: the style also connects to every widget.
     button_->setVisible(action != nullptr);
     if (!action)
         return;

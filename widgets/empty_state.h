@@ -1,4 +1,4 @@
-// What a view shows while it has nothing to show: what will appear here, and the button that makes it appear.
+// Sheet that a view shows while it is empty: what will appear here, and a button that makes it appear.
 #pragma once
 
 #include <QAction>
@@ -8,16 +8,17 @@
 
 namespace usar::widgets {
 
-/// A title, one sentence, and (with an action) a button. Covers its parent and follows its size; mouse goes through to
+/// Shows a title, one sentence and, with an action, a button. Covers its parent and follows its size; the mouse reaches
 /// the parent except on the button.
 class EmptyState : public QWidget {
     Q_OBJECT
 public:
+    /// `covered` becomes the parent.
     explicit EmptyState(QWidget* covered);
 
-    /// What is missing, and how to make it appear; both are the accessible name and description too.
+    /// Says what is missing and how to make it appear; both also become the accessible name and description.
     void setText(const QString& title, const QString& hint);
-    /// The button triggers `action` and takes its text; nullptr hides it. The action must outlive this.
+    /// Shows a button that triggers `action` and has its text; nullptr hides it. The action must outlive this sheet.
     void setAction(QAction* action);
 
 protected:

@@ -10,7 +10,7 @@ EscapeTwice::EscapeTwice(QObject* parent) : QObject(parent) {
 }
 
 bool EscapeTwice::eventFilter(QObject* watched, QEvent* event) {
-    // Windows see each key once, before it is handed on to widgets and their parents.
+    // A window receives each key once, before it is passed on to widgets and their parents.
     if (event->type() == QEvent::KeyPress && watched->isWindowType())
         take(*static_cast<QKeyEvent*>(event));
     return QObject::eventFilter(watched, event);

@@ -1,4 +1,4 @@
-// Escape twice stops everything: watches the keyboard of the whole application.
+// Recognizes a double press of Escape, which stops everything, anywhere in the application.
 #pragma once
 
 #include <QObject>
@@ -7,19 +7,20 @@ class QKeyEvent;
 
 namespace usar::widgets {
 
-/// Installed on the application. Counts presses of Escape without modifiers and without auto-repeat by the events' own
-/// time stamps; both still reach the widget that has the focus, so that closing a popup keeps working. GUI thread.
+/// Event filter on the application. Counts presses of Escape without modifiers and without auto-repeat by the time
+/// stamps of the events; both presses still reach the widget that has the focus, so that closing a popup keeps working.
+/// GUI thread.
 class EscapeTwice : public QObject {
     Q_OBJECT
 public:
-    /// Longest time between the two presses; long enough for a hand in gloves.
+    /// Longest time between the two presses; long enough for an operator wearing gloves.
     static constexpr quint64 interval_ms = 800;
 
-    /// Needs the application object; the filter ends with this object.
+    /// Requires that the application object exists; the filter is removed with this object.
     explicit EscapeTwice(QObject* parent = nullptr);
 
 signals:
-    /// Once for every pair: four presses are two orders.
+    /// Emitted once for each pair: four presses emit it twice.
     void pressedTwice();
 
 protected:
@@ -28,7 +29,9 @@ protected:
 private:
     void take(const QKeyEvent& event);
 
+    /// Time stamp of the last press, on the clock of Qt's input events.
     quint64 last_press_ms_ = 0;
+    /// The next press within the interval completes a pair.
     bool armed_ = false;
 };
 

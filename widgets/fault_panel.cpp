@@ -17,13 +17,13 @@ constexpr int id_role = Qt::UserRole;
 constexpr int state_role = Qt::UserRole + 1;
 constexpr double longest_s = 1e6;
 
-/// "sensor_bias" as a person reads it: "Sensor bias".
+/// Returns a keyword as the user reads it: "Sensor bias" for "sensor_bias".
 QString titleOf(QString word) {
     word.replace('_', ' ');
     return word.left(1).toUpper() + word.mid(1);
 }
 
-/// "toward_deg": "Toward".
+/// Returns the label of a quantity: "Toward" for "toward_deg".
 QString labelOf(QString key) {
     if (key.endsWith("_deg"))
         key.chop(4);
@@ -49,7 +49,7 @@ QColor inkOf(FaultState state) {
     return stateColor(shape);
 }
 
-/// All fields of the form are as wide as it is.
+/// Makes a field of the form as wide as the form.
 void fillRow(QWidget* field) {
     field->setMinimumHeight(minimum_target);
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -66,7 +66,7 @@ QuantityBox* timeBox(const QString& at_zero, const QString& name) {
     return box;
 }
 
-/// Keeps what is chosen, also where it is no longer among the names.
+/// Replaces the names and keeps the current text, even if an editable box no longer has it among its names.
 void setNames(QComboBox* box, const QString& all, const QStringList& names) {
     const QString shown = box->currentText();
     const QSignalBlocker quiet(box);
@@ -212,7 +212,7 @@ FaultPanel::Field FaultPanel::addNumber(const FaultQuantity& quantity) {
     box->setToolTip(quantity.help.left(1).toUpper() + quantity.help.mid(1));
     box->setAccessibleName(labelOf(quantity.key));
     fillRow(box);
-    form_->insertRow(2 + static_cast<int>(fields_.size()), labelOf(quantity.key), box); // below robot and sensor
+    form_->insertRow(2 + static_cast<int>(fields_.size()), labelOf(quantity.key), box); // Below robot and sensor.
     connect(box, &QuantityBox::valueChanged, this, &FaultPanel::showText);
     return {quantity.key, box, quantity.usual};
 }
@@ -224,7 +224,7 @@ void FaultPanel::setRobots(const QStringList& names) {
 
 void FaultPanel::setSensors(const QStringList& names) {
     if (sensor_->lineEdit()->hasFocus())
-        return; // not under the hands of who types
+        return; // Not while the user is typing there.
     setNames(sensor_, tr("every sensor"), names);
     showText();
 }

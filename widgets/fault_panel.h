@@ -1,4 +1,4 @@
-// What can be made to go wrong in the simulator, set up, let go and ended.
+// The dock for faults in the simulator: set one up, inject it, end it.
 #pragma once
 
 #include <vector>
@@ -17,65 +17,78 @@ namespace usar::widgets {
 class EmptyState;
 class QuantityBox;
 
-/// A number of a kind of fault, with its unit as people write it.
+/// A numeric parameter of a kind of fault, in the unit that the user sees.
 struct FaultQuantity {
+    /// Keyword of the text form, "speed".
     QString key;
+    /// "m/s", "deg"; empty: none.
     QString unit;
+    /// Limits of the editor.
     double smallest = 0.0;
     double largest = 0.0;
+    /// Default; the text form leaves it out.
     double usual = 0.0;
+    /// One sentence fragment, shown as a tooltip.
     QString help;
 };
 
+/// A kind of fault and the fields that its form shows.
 struct FaultKindInfo {
-    QString word; ///< as the text form has it: "sensor_bias"
+    QString word; ///< keyword of the text form: "sensor_bias"
     QString help;
-    bool of_robot = true;
-    bool of_sensor = false;
+    bool of_robot = true;   ///< the form asks for a robot
+    bool of_sensor = false; ///< the form asks for a sensor
     std::vector<FaultQuantity> quantities;
 };
 
+/// ToCome: injected, but its time has not come.
 enum class FaultState { ToCome, Active, Over };
 
+/// A fault of the running simulation, as the list shows it.
 struct FaultRow {
-    int id = 0;
-    QString text;
+    int id = 0;   ///< positive
+    QString text; ///< the fault in text form, without its times
     FaultState state = FaultState::ToCome;
-    QString when; ///< "from 60 s for 30 s"
+    QString when; ///< its times in words, shown as a tooltip; may be empty
     bool operator==(const FaultRow&) const = default;
 };
 
-/// A form that writes a fault as its line of text, which a mission file takes, too, and the list of the run's faults.
-/// Values in by setters, intent out by signals. For a narrow dock. GUI thread.
+/// Form that writes a fault as a line of text, which mission files also accept, and the list of the faults of this run.
+/// State comes in by setters, wishes go out by signals. Made for a narrow dock. GUI thread.
 class FaultPanel : public QWidget {
     Q_OBJECT
 public:
     explicit FaultPanel(QWidget* parent = nullptr);
 
+    /// The kinds to choose from.
     void setKinds(std::vector<FaultKindInfo> kinds);
+    /// Names to choose from; the current choice stays if it is among them.
     void setRobots(const QStringList& names);
-    /// What was chosen or typed stays.
+    /// Names to choose from; a chosen or typed name stays, even if it is not among them. Ignored while the user is
+    /// typing there.
     void setSensors(const QStringList& names);
-    /// The newest at the top; a selected one that is still there stays selected.
+    /// Shows these faults, the last one at the top; a selected fault that still exists and is not over stays selected.
     void setFaults(const std::vector<FaultRow>& faults);
-    /// False: nobody is there who could make faults; the empty state says who could.
+    /// Set to false if there is no simulator that could make faults; the empty state then says what to do.
     void setAvailable(bool on);
 
-    /// "wind speed=5 from=60"; its times count from now.
+    /// The text form, "wind speed=5 from=60"; its times are seconds from now. Empty if there are no kinds.
     QString text() const;
-    /// The selected one that is not over; 0 where there is none.
+    /// Id of the selected fault if it can still be ended; 0 if there is none.
     int endable() const;
+    /// True if any listed fault is not over.
     bool anyToEnd() const;
     EmptyState* emptyState() const { return empty_state_; }
-    /// The buttons trigger these and are enabled with them; they must outlive this.
+    /// The buttons trigger these actions and follow their enabled state; the actions must outlive the panel.
     void setActions(QAction* inject, QAction* end);
     QSize sizeHint() const override { return {300, 480}; }
 
 signals:
-    /// Of `endable`.
+    /// The result of endable() may have changed.
     void selectionChanged();
 
 private:
+    /// The editor of a quantity of the shown kind.
     struct Field {
         QString key;
         QuantityBox* box = nullptr;
@@ -84,6 +97,7 @@ private:
 
     void makeForm();
     void makeList();
+    /// Rebuilds the fields for the chosen kind.
     void showKind();
     Field addNumber(const FaultQuantity& quantity);
     void showText();
@@ -96,7 +110,7 @@ private:
     QComboBox* sensor_;
     QuantityBox* from_;
     QuantityBox* lasts_;
-    std::vector<Field> fields_; ///< of the shown kind
+    std::vector<Field> fields_; ///< fields of the shown kind
     QLabel* text_;
     QPushButton* inject_;
     QTreeWidget* list_;

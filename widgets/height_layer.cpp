@@ -117,7 +117,8 @@ void HeightLayer::renderNext() {
         finished.reserve(batch.size());
         for (const PageTiles& page : batch)
             finished.emplace_back(page.index, renderPage(page, style));
-        // The destructor waits for this worker, so `this` lives; an undelivered call dies with the object.
+        // The destructor waits for this worker, so `this` is valid here; if the object is destroyed, the queued call is
+        // discarded.
         QMetaObject::invokeMethod(this, HandedOver([this, finished = std::move(finished), generation]() mutable {
                                       swapIn(std::move(finished), generation);
                                   }),

@@ -55,7 +55,7 @@ bool HintStrip::allDone() const {
 
 void HintStrip::refresh() {
     const Tokens& t = tokens();
-    const QString nbsp = QStringLiteral("&nbsp;"); // a step is not torn over two lines
+    const QString nbsp = QStringLiteral("&nbsp;"); // Keeps each step on one line.
     const auto next = static_cast<qsizetype>(std::ranges::find(done_, false) - done_.begin());
     QStringList parts;
     for (qsizetype i = 0; i < steps_.size(); ++i) {

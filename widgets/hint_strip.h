@@ -1,4 +1,4 @@
-// The strip of first steps over the map: says what to do next and ticks off what is done.
+// The strip of first steps above the map: says what to do next and ticks off what is done.
 #pragma once
 
 #include <vector>
@@ -8,31 +8,32 @@
 
 namespace usar::widgets {
 
-/// Steps in words, each with its number until it is done and a tick then. When all are done it says so and may be
-/// dismissed like before; its owner remembers that. GUI thread.
+/// Shows each step with its number, or with a tick once it is done. It can be dismissed at any time; its owner
+/// remembers that. GUI thread.
 class HintStrip : public QFrame {
     Q_OBJECT
 public:
     explicit HintStrip(QWidget* parent = nullptr);
 
-    /// "Double-click a start pose", "Draw the area", "Press Start": the product's own three.
+    /// The three steps of the program: spawn a robot, draw the area, press Start.
     static QStringList firstSteps();
-    /// Forgets what was done.
+    /// Replaces the steps; all count as not done.
     void setSteps(const QStringList& steps);
-    /// Steps count from 0.
+    /// `step` counts from 0 and must exist.
     void setDone(int step, bool done);
     bool done(int step) const { return done_[static_cast<std::size_t>(step)]; }
-    /// True also where there are no steps.
+    /// Also true if there are no steps.
     bool allDone() const;
 
 signals:
-    /// Hidden by the person: the owner remembers it over restarts.
+    /// The user hid the strip; the owner should remember that across restarts.
     void dismissed();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Renders the text from steps and state.
     void refresh();
 
     QStringList steps_;

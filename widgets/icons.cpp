@@ -12,7 +12,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// Path words: M x y, L x y, Q cx cy x y, C c1 c2 end, Z, O cx cy r (circle), R x y w h (rectangle).
+/// Paths as text: M x y, L x y, Q cx cy x y, C c1 c2 end, Z, O cx cy r (circle), R x y w h (rectangle).
 struct Drawing {
     const char* fill;
     const char* stroke;
@@ -115,7 +115,7 @@ const std::map<QString, Drawing>& drawings() {
     return table;
 }
 
-/// Our own table is the only input, so a malformed drawing is a bug that the gallery shows.
+/// Parses one of the drawings above. They are the only input, so there is no error handling.
 QPainterPath pathOf(const char* text) {
     QPainterPath path;
     const QStringList words = QString::fromLatin1(text).split(u' ', Qt::SkipEmptyParts);

@@ -1,4 +1,4 @@
-// Icons drawn as vectors by name: crisp at any scale, in the palette's colors, no picture files.
+// Icons drawn as vectors and found by name: sharp at any scale, in the palette's colors, without picture files.
 #pragma once
 
 #include <QIcon>
@@ -7,11 +7,12 @@
 
 namespace usar::widgets {
 
-/// Drawn on a 24 x 24 grid with the application palette's text color (muted when disabled, accent when on). An unknown
-/// name gives a null icon; `iconNames` lists what there is.
+/// Drawn on a 24 x 24 grid in the application palette's text color (muted when disabled, accent color when on). An
+/// unknown name returns a null icon.
 QIcon icon(const QString& name);
-/// The same in one fixed color, for icons that mean a state.
+/// The same in one fixed color, for icons that stand for a state.
 QIcon icon(const QString& name, const QColor& color);
+/// The names of all icons.
 QStringList iconNames();
 
 } // namespace usar::widgets

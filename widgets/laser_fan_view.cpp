@@ -72,7 +72,7 @@ void LaserFanView::paintSurface(QPainter& painter, const QPointF& origin, double
         surface.push_back(ray.hit ? std::optional(onScreen(ray, origin, scale)) : std::nullopt);
     if (plane_ == ScanPlane::Below)
         return paintGround(painter, surface, height(), stale_);
-    painter.setPen(Qt::NoPen); // walls and posts are not one line
+    painter.setPen(Qt::NoPen); // Walls and posts do not form a line.
     painter.setBrush(stale_ ? tokens().stale : tokens().ok);
     for (const std::optional<QPointF>& hit : surface)
         if (hit)

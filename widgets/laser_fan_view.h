@@ -1,5 +1,5 @@
-// The scanner's rays: a belly scanner's in the robot's cross-section, with the terrain line under them (thesis 4.2), or
-// those of one that looks ahead, from above.
+// Instrument that draws the rays of a range scanner: of a belly scanner in the robot's cross-section, with the terrain
+// line below (thesis 4.2); of a scanner that looks ahead from above.
 #pragma once
 
 #include <QWidget>
@@ -8,22 +8,24 @@
 
 namespace usar::widgets {
 
-/// Where the beam at angle 0 looks. The scan does not say; robots in the air carry theirs on the belly.
+/// Direction of the beam at angle 0. The scan does not tell it; flying robots carry their scanner on the belly.
 enum class ScanPlane { Below, Ahead };
 
-/// Seen from behind, or from above with what is ahead on top: the robot's left is on the left. The scale is the same in
-/// both directions and changes in round steps only. GUI thread.
+/// Seen from behind (Below), or from above with the direction of travel at the top (Ahead); the robot's left is on the
+/// left in both cases. Both axes have the same scale, which changes only in round steps. GUI thread.
 class LaserFanView : public QWidget {
     Q_OBJECT
 public:
     explicit LaserFanView(QWidget* parent = nullptr);
 
-    /// Replaces the picture and makes it fresh again. The scan carries no maximum, so the caller says it (metres).
+    /// Replaces the picture, which then counts as fresh. `maximum_m` is the scanner's maximum range in meters, which
+    /// the scan itself does not carry.
     void setScan(const protocol::RangeScan& scan, double maximum_m = 20.0, ScanPlane plane = ScanPlane::Below);
-    /// Back to the sentence that says what will appear here.
+    /// Shows the sentence that says what will appear here.
     void clear();
-    /// Drawn grey, with the word: nobody vouches for it any more.
+    /// Draws the scan gray, with the word "stale", because it may be out of date.
     void setStale(bool stale);
+    /// The rays as drawn; no rays before the first scan.
     const LaserSection& section() const { return section_; }
     QSize sizeHint() const override { return {280, 160}; }
     QSize minimumSizeHint() const override { return {160, 72}; }
@@ -32,12 +34,13 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// `scale` is pixels per metre, `origin` the scanner in pixels.
+    /// `scale` is in pixels per meter; `origin` is the scanner's place in pixels.
     void paintRays(QPainter& painter, const QPointF& origin, double scale) const;
+    /// Draws the terrain line (Below), or a dot for each hit (Ahead).
     void paintSurface(QPainter& painter, const QPointF& origin, double scale) const;
     void paintRobot(QPainter& painter, const QPointF& origin) const;
     void paintWords(QPainter& painter, double scale) const;
-    /// "6.02 m to ground", "3.10 m ahead", and the like where nothing is in range.
+    /// "6.02 m to ground" or "3.10 m ahead", with a dash if nothing is in range. `digits` is the width of the number.
     QString clearanceText(int digits) const;
     QPointF onScreen(const LaserRay& ray, const QPointF& origin, double scale) const;
 

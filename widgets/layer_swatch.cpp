@@ -10,7 +10,7 @@ namespace usar::widgets {
 
 namespace {
 
-const QRectF frame(-13.0, -7.0, 26.0, 14.0); // around the middle
+const QRectF frame(-13.0, -7.0, 26.0, 14.0); // Around the middle.
 
 void paintGridSwatch(QPainter& painter) {
     painter.setPen(QPen(tokens().text_muted, 1.0));

@@ -1,4 +1,4 @@
-// The map's layers as a list, which is its legend too: a swatch, an eye and an opacity each.
+// List of the map's layers, which is also its legend: each has a swatch, a visibility button and an opacity slider.
 #pragma once
 
 #include <array>
@@ -13,33 +13,34 @@ class QGridLayout;
 
 namespace usar::widgets {
 
-/// Top layer first; under the marks each kind with its color and shape. Begins with what a new map shows. For a dock or
-/// a popup under the layers button. GUI thread.
+/// The top layer comes first; below the marks, each kind of mark is listed with its color and shape. Starts with the
+/// layers of a new map. For a dock or a popup below the layers button. GUI thread.
 class LayersPanel : public QWidget {
     Q_OBJECT
 public:
     explicit LayersPanel(QWidget* parent = nullptr);
 
-    /// Shows the state without telling it back.
+    /// Shows the state without emitting layerChanged. Opacity below 10 % is shown as 10 %.
     void setLayer(MapLayer layer, const LayerState& state);
-    /// As it is set now; opacity in whole per cent.
+    /// The state as shown; opacity is rounded to whole percent.
     LayerState layer(MapLayer layer) const;
 
-    /// Eyes and opacities as JSON by the layers' names, for the settings.
+    /// Visibility and opacity of all layers as JSON, keyed by the layers' names; for the settings.
     QByteArray saveState() const;
-    /// Emits layerChanged for each layer that becomes another; layers it does not name stay. False, and nothing
-    /// changes, where `state` was not made by saveState.
+    /// Emits layerChanged for each layer that changes; layers that `state` does not name keep theirs. Returns false and
+    /// changes nothing if `state` is not a JSON object.
     bool restoreState(const QByteArray& state);
 
 signals:
-    /// By the person only, at every step of a slider.
+    /// By the user only; while a slider is dragged, at each of its steps.
     void layerChanged(usar::widgets::MapLayer layer, const usar::widgets::LayerState& state);
 
 private:
-    /// Returns the line of the grid after the layer's own.
+    /// Appends the layer's row at `line` of the grid; returns the next free line.
     int addLayer(MapLayer layer, int line);
+    /// Appends the kinds of marks from `line` on; returns the next free line.
     int addMarkLegend(int line);
-    /// One line of the list; both are children of the panel.
+    /// Widgets of one layer; both are children of the panel.
     struct Row {
         QToolButton* eye = nullptr;
         QSlider* opacity = nullptr;

@@ -1,4 +1,4 @@
-// What went over the link, counted: lines, bytes, and what went wrong.
+// Popup with the traffic counters of a link: lines, bytes and errors.
 #pragma once
 
 #include <vector>
@@ -10,28 +10,29 @@
 
 namespace usar::widgets {
 
-/// Of one connection, since it was made. `not_shown` lines were read, but not put into views.
+/// Counters of one connection since it was made. `not_shown` lines were read, but not passed to the views.
 struct LinkFigures {
     protocol::TrafficCounts counts;
     protocol::TrafficRates rates;
     std::uint64_t not_shown = 0;
 };
 
-/// "1,234 in · 56 out · 2 unknown · 1 malformed · 0 dropped": for a line below a list.
+/// "1,234 in · 56 out · 2 unknown · 1 malformed · 0 dropped": a line below a list.
 QString trafficSummary(const protocol::TrafficCounts& counts);
-/// "1.5 MB", "240 B": decimal, four characters of number at most.
+/// "1.5 MB", "240 B": decimal units, at most four characters for the number.
 QString bytesText(double bytes);
 
-/// A table in a popup; each name says by tooltip what it counts. GUI thread.
+/// Table with totals and rates per second; the tooltip of each name explains what is counted. GUI thread.
 class LinkPanel : public QFrame {
     Q_OBJECT
 public:
     explicit LinkPanel(QWidget* parent = nullptr);
 
-    /// Whose connection it is: "R1".
+    /// Name of the robot whose connection this is: "R1"; empty: none.
     void setName(const QString& name);
+    /// Rates are per second of wall time.
     void setFigures(const LinkFigures& figures);
-    /// Below that widget, until the person clicks elsewhere.
+    /// Opens the popup below that widget; a click elsewhere closes it.
     void openBelow(const QWidget* widget);
 
 private:

@@ -11,7 +11,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// What the names are laid out from; wishes and boxes in one order: robots first, then start poses.
+/// Input of the layout. Wishes are in the order of the results: robots first, then start poses.
 struct Layout {
     std::vector<LabelWish> wishes;
     std::vector<QRectF> taken_px;
@@ -22,7 +22,7 @@ struct Layout {
     }
 };
 
-/// Names stay whole at the edge of the view; four wide strips stand for all that is beyond it.
+/// Keeps names from crossing the edge of the view: four wide strips stand for everything outside of it.
 void takeOutside(Layout& layout, const QSizeF& viewport) {
     constexpr double far_px = 400.0;
     const QRectF view(QPointF(), viewport);

@@ -42,7 +42,7 @@ QString layerName(MapLayer layer) {
 LayerStates firstLayers() {
     LayerStates layers;
     layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
-    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // who looks for them turns them on
+    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // Users who need them turn them on.
     return layers;
 }
 
@@ -129,7 +129,7 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
     painter.drawPolygon(QPolygonF({{0.0, -0.6 * r}, {0.6 * r, r}, {-0.6 * r, r}}));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(stale ? tokens().stale : color, 2.0));
-    for (const double reach : {0.55 * r, 0.95 * r}) { // waves to the left and to the right of the mast's tip
+    for (const double reach : {0.55 * r, 0.95 * r}) { // Waves to the left and right of the mast's tip.
         const QRectF around(-reach, -0.6 * r - reach, 2.0 * reach, 2.0 * reach);
         painter.drawArc(around, -45 * 16, 90 * 16);
         painter.drawArc(around, 135 * 16, 90 * 16);

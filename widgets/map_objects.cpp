@@ -1,4 +1,4 @@
-// Objects of the world on the map: how they are drawn, and what mouse and keys do with them.
+// Objects of the world on the map: painting, and the mouse and key handling for them.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr double least_px = 5.0; ///< half a thing's size on the screen, however small it is
+constexpr double least_px = 5.0; ///< smallest half size of an object on the screen
 
 QPolygonF outlineOnScreen(const MapObject& object, const MapTransform& transform) {
     QPolygonF outline;
@@ -57,7 +57,7 @@ void MapPainter::paintObjects() {
             selected = &object;
         else
             paintObject(object, false);
-    if (selected) { // over its neighbors
+    if (selected) { // Above its neighbors.
         paintWaypoints(*selected);
         paintObject(*selected, true);
     }
@@ -76,7 +76,7 @@ void MapPainter::paintObject(const MapObject& object, bool selected) {
         return;
     paintObjectSymbol(painter_, outline, selected);
     const QPointF center = bounds.center();
-    if (object.carries) { // which way it runs
+    if (object.carries) { // Arrow in the direction of the belt.
         const Vec3 along = object.body_in_map * Vec3(0.35 * object.size_m.x(), 0.0, 0.0);
         const QPointF tip = transform_.toScreen(Vec2(along.head<2>()));
         painter_.drawLine(2.0 * center - tip, tip);
@@ -151,7 +151,7 @@ void MapView::clearTraceMarks() {
     update();
 }
 
-/// The one on top; within a few pixels of a small one, too.
+/// Returns the topmost object at that place, with a tolerance of a few pixels for small ones.
 QString MapView::objectAt(const QPointF& point_px) const {
     if (!content_.layer(MapLayer::Objects).visible)
         return {};
@@ -187,12 +187,13 @@ void MapView::finishObjectDrag() {
     const QString name = std::exchange(content_.objects.held, {});
     const auto object = std::ranges::find(content_.objects.objects, name, &MapObject::name);
     if (object == content_.objects.objects.end())
-        return;                                                            // it left the world meanwhile
-    object->body_in_map.position_m.head<2>() = content_.objects.held_to_m; // until the server says where it is
+        return; // It has left the world in the meantime.
+    // The object is drawn here until the server reports its place.
+    object->body_in_map.position_m.head<2>() = content_.objects.held_to_m;
     emit objectMoved(name, content_.objects.held_to_m);
 }
 
-/// True where the click was for a thing that shall come, or for a way point.
+/// Returns true if the click was meant for a new object or a way point.
 bool MapView::clickWithTool(const QPointF& point_px, Qt::KeyboardModifiers modifiers) {
     if (tool_ == MapTool::Place)
         emit placeRequested(transform_.toMap(point_px), modifiers & Qt::ShiftModifier);
@@ -220,7 +221,7 @@ QString MapView::objectToolTip(const QPointF& point_px) const {
 
 void MapView::dragEnterEvent(QDragEnterEvent* event) {
     if (!event->mimeData()->hasFormat(object_mime))
-        return event->ignore(); // the window's: a mission or a recording
+        return event->ignore(); // The window handles missions and recordings.
     dragged_in_ = true;
     event->acceptProposedAction();
     showGhost(event->position());

@@ -42,7 +42,7 @@ QPointF axesOrigin(const MapTransform& transform) {
     return {transform.viewport.width() - edge - 24.0, edge + 56.0};
 }
 
-/// x and y of the map frame; says which way is "up" instead of pretending to know north.
+/// Paints the x and y axes of the map frame, so that "up" is defined without pretending to know north.
 void paintAxes(QPainter& painter, const MapTransform& transform) {
     const Tokens& t = tokens();
     const QPointF origin = axesOrigin(transform);
@@ -58,7 +58,7 @@ void paintAxes(QPainter& painter, const MapTransform& transform) {
                t.text_muted);
 }
 
-/// Heights with units, low to high; returns the top of what it drew.
+/// Paints the color scale with the lowest and highest height; returns the top edge of the legend.
 double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QPointF& bottom_right) {
     const Tokens& t = tokens();
     const mapping::HeightRange& range = heights.style().range;
@@ -87,7 +87,7 @@ double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QP
     return box.top();
 }
 
-/// The kinds of marks that are on the map, with their words; returns the top of what it drew.
+/// Paints the kinds of marks that are on the map with their names; returns the top edge of the legend.
 double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks, const QPointF& bottom_right) {
     const Tokens& t = tokens();
     std::set<agent::MarkKind> present;

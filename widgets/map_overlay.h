@@ -1,4 +1,4 @@
-// What lies on the glass of the map and does not move with it: scale bar, axes, legends, probe, focus ring.
+// Fixed overlay of the map that does not move with it: scale bar, axes, legends, probe, focus ring.
 #pragma once
 
 #include <QPainter>
@@ -8,18 +8,18 @@
 
 namespace usar::widgets {
 
-/// What the view knows and neither content nor transform can say.
+/// State that only the view has; neither content nor transform contain it.
 struct MapOverlay {
-    QString probe;     ///< "x 31.2  y −8.0  z 4.31 m  hits 7"; empty while the cursor is elsewhere
-    QString following; ///< name of the robot that the view follows
-    bool focused = false;
-    bool legend = true;
+    QString probe;        ///< "x 31.2  y −8.0  z 4.31 m  hits 7"; empty while the cursor is not on the map
+    QString following;    ///< name of the robot that the view follows; empty: none
+    bool focused = false; ///< the map has the keyboard focus
+    bool legend = true;   ///< legends of heights and marks are drawn
 };
 
-/// What the axes dim in their corner; names keep out of it.
+/// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);
 
-/// Over all layers, once a frame; antialiasing is on afterwards. GUI thread.
+/// Paints over all layers, once per frame; leaves antialiasing on. GUI thread.
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform);
 

@@ -10,7 +10,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr double scale_bar_px = 56.0; ///< its height over the lower edge, with its words
+constexpr double scale_bar_px = 56.0; ///< height of the scale bar with its text above the lower edge
 
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
@@ -82,7 +82,7 @@ void MapPainter::paintWorld() {
         const QRectF world = transform_.toScreen(*content_.world_in_map);
         painter_.fillRect(world, tokens_.ground);
         paintBackgroundImage();
-        painter_.setOpacity(1.0); // however thin the picture is, its frame and name can be read
+        painter_.setOpacity(1.0); // Frame and name stay readable, however faint the picture is.
         painter_.setPen(QPen(tokens_.text_muted, 1.0));
         painter_.setBrush(Qt::NoBrush);
         painter_.drawRect(world);
@@ -133,7 +133,7 @@ void MapPainter::paintHeights() {
         const QRectF on_screen = transform_.toScreen(pageRectangle(index, cell_m));
         if (!on_screen.intersects(viewport))
             continue;
-        // Edges on whole pixels: neighbors share them, and no seam shows.
+        // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
         const QRect target(QPoint(qRound(on_screen.left()), qRound(on_screen.top())),
                            QPoint(qRound(on_screen.right()) - 1, qRound(on_screen.bottom()) - 1));
         painter_.drawImage(target, picture.levelFor(transform_.pixels_per_m * cell_m));
@@ -283,7 +283,7 @@ void MapPainter::paintGoals() {
 }
 
 void MapPainter::paintRadio() {
-    constexpr double room_px = 96.0; // shorter ones say no figure
+    constexpr double room_px = 96.0; // Shorter links have no figure.
     painter_.setRenderHint(QPainter::Antialiasing);
     for (const RadioLink& link : content_.radio_links) {
         const auto a = content_.robots.find(link.a);

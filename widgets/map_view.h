@@ -1,4 +1,4 @@
-// The one map in the center: world, start poses, robots, area, lanes and the scan preview as layers.
+// The map in the center of the window: world, start poses, robots, area, lanes and the scan preview as layers.
 #pragma once
 
 #include <QWidget>
@@ -13,17 +13,17 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// What the left mouse button does on open ground. The middle button always pans. Place: a click brings a thing into
-/// the world; Waypoint: it adds a way point of the selected thing.
+/// Action of the left mouse button on open ground. Place: a click places an object in the world. Waypoint: a click adds
+/// a way point to the selected object. The middle and right buttons always pan.
 enum class MapTool { Pan, Area, Place, Waypoint };
 
-/// What a thing that is dragged out of the palette carries.
+/// MIME type of an object that is dragged out of the palette.
 inline constexpr const char* object_mime = "application/x-usar-thing";
 
-/// Values in by setters, gestures out by signals; it knows no session. Repaints are coalesced by Qt's update(). Keys
-/// when focused: arrows pan, + and - zoom, N and Shift+N walk over the start poses, Return spawns there, Space asks
-/// about it, Escape gives a drag or a tool up, Delete asks to remove the selected thing. Units are metres in the map
-/// frame. GUI thread.
+/// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
+/// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
+/// spawns there, Space asks first, Escape cancels a drag or leaves the tools Place and Waypoint, Delete asks to remove
+/// the selected object. Lengths are in meters of the map frame. GUI thread.
 class MapView : public QWidget {
     Q_OBJECT
 public:
@@ -31,55 +31,65 @@ public:
     ~MapView() override;
 
     // The world.
+    /// Sets the extent and name of the world and shows all of it.
     void setWorld(const Rectangle& extent_in_map, const QString& name);
-    /// A picture of the world (row 0 = highest y), drawn under everything but the ground.
+    /// Sets a picture of the world (row 0 = highest y), drawn directly above the ground.
     void setBackground(const QImage& image, const Rectangle& image_in_map);
+    /// Replaces the start poses; signals refer to them by index.
     void setStartPoses(const std::vector<protocol::StartPose>& poses);
-    /// Forgets world, start poses, robots, heights, marks and area: another server, another truth.
+    /// Removes world, start poses, robots, heights, marks and area, because the server has changed. Layers and tool
+    /// stay.
     void clear();
-    /// The sheet that is shown while there is neither world nor start pose nor robot.
+    /// The sheet that is shown while there is no world, start pose or robot.
     EmptyState* emptyState() const { return empty_state_; }
 
     // The height map.
+    /// Removes all heights; later tiles have cells of this size, in meters.
     void clearHeights(double cell_size_m);
-    /// What a session hands out; tiles replace tiles, and a new range recolors everything at once.
+    /// Tiles and range as the session delivers them; a tile replaces the one with the same index, and a changed range
+    /// recolors everything at once. nullopt leaves the range unchanged.
     void takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
                    const std::optional<mapping::HeightRange>& range);
     void setColorMap(mapping::ColorMap color_map);
     HeightLayer& heights() { return *heights_; }
 
     // The mission.
-    /// Shown at once; no signal. An empty rectangle is no area.
+    /// Shown at once, without a signal. nullopt or an empty rectangle: no area.
     void setArea(const std::optional<Rectangle>& area_in_map);
+    /// The mission area; nullopt: none. Never an empty rectangle.
     const std::optional<Rectangle>& area() const { return content_.area.area_in_map; }
-    /// "9 lanes · 6 min 12 s": behind the size on the area's label.
+    /// "9 lanes · 6 min 12 s": shown after the size on the area's label.
     void setAreaSummary(const QString& summary);
+    /// The path that is drawn as lanes, in order.
     void setLanes(const std::vector<Vec2>& points_in_map_m);
     void setLanes(const mapping::CoveragePlan& plan);
 
-    // Robots. A pose also extends the trail.
+    // Robots. A pose also extends the trail, unless it is stale.
+    /// Adds the robot, or updates the one with the same name.
     void setRobot(const MapRobot& robot);
-    /// With trail, goal and hits; ends the selection and following if it was the one.
+    /// Removes a robot with its trail, goal and hits; if it was selected, selection and following end.
     void removeRobot(const QString& name);
+    /// The goal of the behavior; nullopt: none. An unknown robot changes nothing.
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
-    /// Of its newest scan, map frame; NaN where a beam hit nothing.
+    /// End points of the newest scan; NaN for beams that hit nothing. An unknown robot changes nothing.
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
     void addMark(const agent::MapMark& mark);
     void clearMarks();
-    /// All there are.
+    /// Replaces all links.
     void setRadioLinks(const std::vector<RadioLink>& links);
-    /// Trails, marks, laser hits and goals of the last mission.
+    /// Removes the trails, marks, laser hits and goals of the last mission.
     void clearTraces();
-    /// Draws the ring; an empty name selects nobody and ends following.
+    /// Draws the ring around that robot; an empty name selects nobody and ends following.
     void selectRobot(const QString& name);
 
-    // Things of the world.
-    /// All there are, the last one on top.
+    // Objects of the world.
+    /// Replaces all objects; the last one is on top. Selection and drag end if their object is missing.
     void setObjects(const std::vector<MapObject>& objects);
-    /// Silent; an empty name selects none.
+    /// Emits nothing; an empty name: none.
     void selectObject(const QString& name);
-    /// What the Place tool and drags out of the palette show under the cursor.
+    /// Sets the object that the Place tool and drags out of the palette show under the cursor; nullopt: none.
     void setGhost(const std::optional<MapObject>& ghost);
+    /// Adds a mark that a robot left while TRACE was on.
     void addTraceMark(const Vec2& point_in_map_m, const QColor& color);
     void clearTraceMarks();
     const TraceLayer& traces() const { return traces_; }
@@ -87,13 +97,13 @@ public:
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
-    /// Gives up a drag that is under way, and tells when the tool is another.
+    /// Cancels a drag in progress; emits toolChanged if the tool changed.
     void setTool(MapTool tool);
     MapTool tool() const { return tool_; }
-    /// Turns the picture a quarter and fits it anew.
+    /// Rotates the picture by a quarter turn and fits it again.
     void setOrientation(MapOrientation orientation);
     const MapTransform& transform() const { return transform_; }
-    /// Center and scale only: viewport and orientation are the view's own.
+    /// Takes center and scale only; viewport and orientation are the view's own.
     void setTransform(const MapTransform& transform);
     const MapContent& content() const { return content_; }
     bool following() const { return following_; }
@@ -101,36 +111,39 @@ public:
     QSize minimumSizeHint() const override { return {240, 180}; }
 
 public slots:
-    /// Shows the mission (area and heights) where there is one, else the world.
+    /// Shows the mission (area and heights) if there is one, else the world.
     void fit();
-    /// All of the world, or 20 m around the start poses where its extent is not known.
+    /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
     void zoomIn();
     void zoomOut();
-    /// Keeps the selected robot in the middle until the person pans.
+    /// Keeps the selected robot in the middle until the user pans. Has no effect without a selected robot on the map.
     void setFollowing(bool following);
 
 signals:
-    /// Double-click or Return on a start pose.
+    /// Double-click or Return on a start pose; its index.
     void spawnRequested(int start_pose);
-    /// One click or Space; `at` is in global coordinates, beside the diamond.
+    /// Single click or Space; `at` is in global coordinates, beside the diamond.
     void startPoseClicked(int start_pose, const QPoint& at);
-    /// The view has selected it already.
+    /// The view has already selected it.
     void robotClicked(const QString& name);
-    /// While the area is dragged, many times; and once when it is let go.
+    /// Emitted many times while the area is dragged, then areaChanged once when it is released. An empty rectangle
+    /// means that a canceled drag left no area.
     void areaEdited(const usar::Rectangle& area_in_map);
     void areaChanged(const usar::Rectangle& area_in_map);
-    /// A drawn area of no size, or wholly outside the world: a sentence with the mend. The area stays what it was.
+    /// The drawn area has no size or lies outside the world; `reason` is a sentence with the remedy. The area stays as
+    /// it was.
     void areaRefused(const QString& reason);
-    /// A thing shall come here; `again`: and another one after it.
+    /// The user wants an object here; `again`: the tool should stay active for another one (Shift).
     void placeRequested(const usar::Vec2& point_in_map_m, bool again);
     void waypointAdded(const usar::Vec2& point_in_map_m);
-    /// The view has selected it already; empty for none.
+    /// The view has already selected it; empty: none.
     void objectClicked(const QString& name);
-    /// Dragged there with its center; it is where it was until `setObjects` says otherwise.
+    /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
     void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
+    /// The user wants to remove the selected object.
     void objectRemovalRequested(const QString& name);
-    /// The ground under the cursor.
+    /// The ground under the cursor; nullopt if its height is unknown.
     void probed(const usar::Vec2& point_in_map_m, std::optional<usar::widgets::HeightProbe> height);
     void followingChanged(bool following);
     void toolChanged(usar::widgets::MapTool tool);
@@ -154,25 +167,31 @@ protected:
 
 private:
     enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip, DraggingObject };
+    /// Index of the nearest start pose within reach of the cursor.
     std::optional<std::size_t> startPoseAt(const QPointF& point_px) const;
     QString robotAt(const QPointF& point_px) const;
     QString objectAt(const QPointF& point_px) const;
+    /// Updates what is highlighted under the cursor.
     void hover(const QPointF& point_px);
     void click(const QPointF& point_px, Qt::KeyboardModifiers modifiers);
+    /// Handles a click of the tools Place and Waypoint; returns true if one of them is active.
     bool clickWithTool(const QPointF& point_px, Qt::KeyboardModifiers modifiers);
     void clickObject(const QPointF& point_px);
+    /// Starts to drag the object at that place; returns false if there is none.
     bool beginObjectDrag(const QPointF& point_px);
     void dragObject(const QPointF& point_px);
     void finishObjectDrag();
+    /// Shows the preview at the cursor if a click or drop would place an object there; nullopt: cursor outside.
     void showGhost(const std::optional<QPointF>& at_px);
     QString objectToolTip(const QPointF& point_px) const;
     void panBy(const QPointF& by_px);
     void beginAreaGesture(const QPointF& point_px);
     void dragArea(const QPointF& point_px);
     void finishAreaGesture(Gesture gesture, const QPointF& point_px);
-    void restoreArea(); ///< as if the gesture had not begun
+    void restoreArea(); ///< undoes the gesture
     void cancelGesture();
     void walkStartPoses(int by);
+    /// Emits startPoseClicked.
     void askAbout(std::size_t start_pose);
     void updateEmptyState();
     void updateCursor();
@@ -185,15 +204,17 @@ private:
     EmptyState* empty_state_;
     MapTool tool_ = MapTool::Pan;
     bool following_ = false;
-    bool view_touched_ = false; ///< by the person; until then resizing fits again
+    bool view_touched_ = false; ///< by the user; until then resizing fits again
     Gesture gesture_ = Gesture::None;
     QPointF pressed_px_;
     QPointF last_px_;
     Vec2 pressed_m_ = Vec2::Zero();
     AreaGrip held_grip_;
+    /// Area before the gesture.
     std::optional<Rectangle> area_before_;
-    std::optional<MapObject> ghost_; ///< wherever it is
-    bool dragged_in_ = false;        ///< out of the palette, over the map
+    std::optional<MapObject> ghost_; ///< the object to preview, wherever it is
+    bool dragged_in_ = false;        ///< a drag out of the palette is over the map
+    /// Center of the dragged object before the drag.
     Vec2 held_from_m_ = Vec2::Zero();
     std::optional<QPointF> cursor_px_;
 };

@@ -19,7 +19,7 @@ double distance_px(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-/// Why no area can be drawn between these two corners; empty where it can.
+/// Returns why no area can be drawn between these two corners; empty if it can.
 QString refusal(const Vec2& from_m, const Vec2& to_m, const std::optional<Rectangle>& world) {
     if (spanned(from_m, to_m, std::nullopt).empty())
         return MapView::tr("The drawn area has no size. Drag from one corner to the opposite one.");
@@ -106,7 +106,7 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
-    // No gesture begins, so that the second release is no click.
+    // No gesture begins, so that the second release does not count as a click.
     if (event->button() != Qt::LeftButton)
         return;
     if (clickWithTool(event->position(), event->modifiers()))

@@ -14,8 +14,8 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr std::size_t longest_text = 4000; ///< shown of one line
-constexpr std::size_t most_rows = 200;     ///< of one table
+constexpr std::size_t longest_text = 4000; ///< limit for the text of a line, in bytes
+constexpr std::size_t most_rows = 200;     ///< limit for the rows of a table
 constexpr int pointer_width = 48;
 
 QString html(std::string_view text) {

@@ -1,4 +1,4 @@
-// One line of traffic taken apart: values with units, what is wrong under a caret, and why it was sent.
+// Details of one line of traffic: values with units, errors with a caret below the column, and why it was sent.
 #pragma once
 
 #include <QTextBrowser>
@@ -7,20 +7,22 @@
 
 namespace usar::widgets {
 
-/// Shows a copy of the row, so it stays when the row falls out of the ring. Links jump to the line that caused a
+/// Keeps a copy of the row, so the details stay when the row leaves the ring. Links jump to the line that caused a
 /// command, and to the commands that a line caused. GUI thread.
 class MessageDetail : public QTextBrowser {
     Q_OBJECT
 public:
     explicit MessageDetail(QWidget* parent = nullptr);
 
+    /// Shows the row with this serial number; a row that has left the ring changes nothing.
     void show(const MessageModel& model, std::uint64_t serial);
+    /// Shows the sentence that says what will appear here.
     void clearRow();
     QSize sizeHint() const override { return {320, 160}; }
     QSize minimumSizeHint() const override { return {200, 60}; }
 
 signals:
-    /// A serial number of the model's.
+    /// `serial` is a serial number of the model.
     void jumpRequested(std::uint64_t serial);
 
 protected:
@@ -33,7 +35,7 @@ private:
     QString bodyOf(const MessageRow& row) const;
     void render();
 
-    QString head_; ///< HTML; without colors, so that it outlives a change of the theme
+    QString head_; ///< HTML without colors, so that it survives a change of theme
     std::optional<MessageRow> row_;
 };
 

@@ -1,4 +1,4 @@
-// The tools above the list of traffic: what is searched, and which lines are shown.
+// Tool bar above the list of traffic: search text and filters.
 #pragma once
 
 #include <QAction>
@@ -13,28 +13,33 @@
 
 namespace usar::widgets {
 
-/// Text, name, types and direction; `only_trouble` belongs to the action given. An expression that is not valid is
-/// said at its field and is no filter yet. GUI thread.
+/// Filters by text, name, types and direction; the filter for lines with errors is the action passed in. An invalid
+/// regular expression is reported at its field and does not filter. GUI thread.
 class MessageFilterBar : public QWidget {
     Q_OBJECT
 public:
+    /// `only_trouble` gets a button here and must outlive the bar.
     explicit MessageFilterBar(QAction* only_trouble, QWidget* parent = nullptr);
 
-    /// Without a connection, which is not chosen here.
+    /// The filter as set here; its connection is always empty, because it is chosen elsewhere.
     MessageFilter filter() const;
+    /// Sets all fields and emits filterChanged once.
     void setFilter(const MessageFilter& filter);
     TypeChoiceButton* types() const { return types_; }
-    /// What follows the filters in the row.
+    /// Appends a button for `action` to the row.
     void addButton(QAction* action);
+    /// Moves the focus to the search field and selects its text.
     void focusSearch();
-    /// Escape in a field empties it.
+    /// Small, because the fields can shrink.
     QSize minimumSizeHint() const override { return {200, QWidget::minimumSizeHint().height()}; }
 
 signals:
     void filterChanged();
 
 private:
+    /// The search text; empty while it is an invalid regular expression.
     QString validWords() const;
+    /// Marks an invalid regular expression and explains it in the tooltip.
     void showExpression();
 
     QLineEdit* search_;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int refresh_ms = 33;
 constexpr int row_height_px = 22;
-constexpr std::size_t most_rows_looked_at = 100;  ///< of a selection, to say what can be done with it
-constexpr std::size_t most_rows_a_frame = 20'000; ///< after a pause; more hold the window up
+constexpr std::size_t most_rows_looked_at = 100;  ///< number of selected rows that are checked to enable actions
+constexpr std::size_t most_rows_a_frame = 20'000; ///< limit after a pause; more would block the window
 
 } // namespace
 
@@ -58,7 +58,7 @@ MessageList::MessageList(QWidget* parent)
 }
 
 MessageList::~MessageList() {
-    delete splitter_; // while there is somebody whom the view can tell that its rows go
+    delete splitter_; // While the model still exists and can tell the view about removed rows.
 }
 
 void MessageList::setUpView() {
@@ -97,7 +97,7 @@ void MessageList::wireView() {
         keepPlace();
         updateState();
     });
-    // A slice of the filter came in above: what is seen stays where it is.
+    // A slice of the filter was inserted at the top: the visible rows keep their place.
     connect(model_, &MessageModel::rowsInserted, this, [this](const QModelIndex&, int first, int last) {
         if (!model_->filtering() || first > 0)
             return;
@@ -176,7 +176,7 @@ std::vector<MessageRow> MessageList::takeBatch() {
         waiting_bytes_ -= std::min(waiting_bytes_, row.text.size());
     if (const std::uint64_t lost = std::exchange(overflown_, 0); lost > 0) {
         const int connection = batch.front().connection;
-        batch.front() = gapOf(lost + 1); // in the place of the oldest, for the model is full
+        batch.front() = gapOf(lost + 1); // Replaces the oldest row, because the model is full.
         batch.front().connection = connection;
     }
     return batch;
@@ -217,7 +217,7 @@ void MessageList::applyFilter() {
     updateState();
 }
 
-/// After a filter: the end where the list follows it, else the selected row, if it is shown.
+/// After a filter: scrolls to the end if the list follows it, else to the selected row if it is shown.
 void MessageList::keepPlace() {
     const QScopedValueRollback moving(moving_, true);
     const int row = selected_ ? model_->shownRow(*selected_) : -1;
@@ -232,7 +232,7 @@ void MessageList::keepPlace() {
 void MessageList::noteSelection() {
     const QModelIndex current = view_->currentIndex();
     if (!current.isValid())
-        return; // filtered away, or fallen out: the details stay
+        return; // Filtered out or removed: the details stay.
     selected_ = model_->serial(current.row());
     if (!detail_->isHidden())
         detail_->show(*model_, *selected_);
@@ -249,7 +249,7 @@ void MessageList::jumpTo(std::uint64_t serial) {
         if (connection != connection_)
             actions_.all_robots->setChecked(true);
         setFilter({});
-        model_->finishFilter(); // quick, for it lets all through
+        model_->finishFilter(); // Fast, because every row passes.
     }
     keepPlace();
     view_->setFocus();
@@ -307,7 +307,8 @@ void MessageList::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     constexpr int wide_px = 760;
     constexpr int high_px = 300;
-    const bool below = width() < wide_px && height() > high_px; // else no text would be seen beside the details
+    // In a narrow list there would be no room for the text beside the details.
+    const bool below = width() < wide_px && height() > high_px;
     splitter_->setOrientation(below ? Qt::Vertical : Qt::Horizontal);
 }
 

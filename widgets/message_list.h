@@ -1,4 +1,4 @@
-// Every line in and out, newest at the bottom: searched, filtered, held still, taken apart, copied, saved, sent again.
+// List of every line received and sent, newest at the bottom: search, filter, pause, details, copy, save, send again.
 #pragma once
 
 #include <deque>
@@ -20,19 +20,19 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// What can be done with the list; a command registry may adopt them. Children of the list.
+/// Actions of the list, which are its children; a command registry may adopt them.
 struct MessageActions {
-    QAction* copy = nullptr; ///< the columns of the selected rows, with tabs
+    QAction* copy = nullptr; ///< the columns of the selected rows, separated by tabs
     QAction* copy_text = nullptr;
     QAction* copy_json = nullptr;
     QAction* copy_shown = nullptr;
     QAction* save = nullptr;
-    QAction* resend = nullptr; ///< on where a command is selected
+    QAction* resend = nullptr; ///< enabled if a command is selected
     QAction* only_type = nullptr;
     QAction* hide_type = nullptr;
     QAction* no_filter = nullptr;
-    QAction* cause = nullptr;   ///< to the line that made us send the selected command
-    QAction* details = nullptr; ///< checkable, as all below
+    QAction* cause = nullptr;   ///< goes to the line that made us send the selected command
+    QAction* details = nullptr; ///< checkable, like all below except clear
     QAction* only_trouble = nullptr;
     QAction* pause = nullptr;
     QAction* follow = nullptr;
@@ -40,34 +40,34 @@ struct MessageActions {
     QAction* clear = nullptr; ///< not checkable
 };
 
-/// Takes lines at any rate and shows them with one insertion a frame; hidden or paused it only keeps them. Stays at
-/// the end until the person scrolls up or clicks a line; then the content stands still, also while old lines fall out.
-/// Lines with
-/// diagnostics have a sign and a color, and say the reason as tooltip; commands say who sent them and on which line.
-/// Lines of many connections are kept together; those of the selected one are shown, or all. GUI thread.
+/// Accepts lines at any rate and inserts them at most once per frame; while hidden or paused it only stores them. Stays
+/// at the end until the user scrolls up or clicks a line; then the content stays in place, even while old lines are
+/// removed. Lines with diagnostics have an icon and a color, and their tooltip says why; commands say who sent them and
+/// in reply to which line. Stores the lines of all connections; shows those of the selected one, or all. GUI thread.
 class MessageList : public QWidget {
     Q_OBJECT
 public:
     explicit MessageList(QWidget* parent = nullptr);
     ~MessageList() override;
 
-    /// `time` is the protocol's clock when it came or went; `connection` any number, the same for all of its lines.
+    /// `time` is the protocol clock at arrival; `connection` is any number that identifies the connection.
     void takeLine(const protocol::InfoLine& line, Seconds time, int connection = 0);
-    /// `text` as it went over the wire.
+    /// `text` is the command as it went over the wire.
     void takeCommand(std::string text, const Cause& cause, Seconds time, int connection = 0);
-    /// So many lines were left out here; one row says so, and adds up while nothing comes between.
+    /// Reports that `count` lines were left out here; consecutive reports are added up in one row.
     void takeNotShown(std::uint64_t count, int connection = 0);
-    /// The robot that speaks there.
+    /// Name of the robot on that connection.
     void nameConnection(int connection, const QString& name);
-    /// The one whose lines are shown, unless all are.
+    /// Shows the lines of this connection, unless those of all connections are shown.
     void selectConnection(int connection);
-    /// Sets the tools above the list as well; its connection is not looked at.
+    /// Also sets the tool bar above the list; `filter.connection` is ignored.
     void setFilter(const MessageFilter& filter);
     bool paused() const { return actions_.pause->isChecked(); }
-    /// The shown rows as text, or as JSON where the name ends in ".jsonl". The list stands still meanwhile.
+    /// Starts saving the shown rows as text, or as JSON lines if the name ends in ".jsonl". The list stands still until
+    /// `saved` or `failed` is emitted.
     void saveShown(const QString& path);
     void focusSearch() { bar_->focusSearch(); }
-    /// Selects that row of the model's and shows its details; filters that hide it are taken off.
+    /// Selects the row with that serial number of the model and shows its details; filters that hide it are removed.
     void jumpTo(std::uint64_t serial);
 
     const MessageModel& model() const { return *model_; }
@@ -75,19 +75,19 @@ public:
     MessageDetail* detail() const { return detail_; }
     MessageFilterBar* bar() const { return bar_; }
     const MessageActions& actions() const { return actions_; }
-    /// Says whether there are no lines at all or none that fits.
+    /// The sheet that says whether there are no lines at all or none that passes the filter.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 120}; }
 
 public slots:
-    /// The list stands still; lines are kept, the newest 100 000 of them, and their number is shown.
+    /// While paused, the list stands still; the newest 100,000 lines are stored, and their number is shown.
     void setPaused(bool paused);
-    /// Takes all lines away, kept ones too; filter and pause stay.
+    /// Removes all lines, also those not inserted yet; filter and pause stay.
     void clear();
 
 signals:
-    /// Selected commands, oldest first; `connection` is the one over which the first of them went.
+    /// The selected commands, oldest first; `connection` is that of the first one, and commands of others are left out.
     void resendRequested(int connection, const QStringList& lines);
     void saveRequested();
     void saved(const QString& path, int lines);
@@ -107,20 +107,23 @@ private:
     void wireActions();
     void setUpView();
     void wireView();
+    /// Stores a row; beyond the capacity the oldest ones are dropped and counted.
     void keep(MessageRow row);
-    /// Starts the frame timer, if there is somebody to see it.
+    /// Starts the frame timer if the list is visible.
     void flushSoon();
     void flush();
     std::vector<MessageRow> takeBatch();
     void applyFilter();
+    /// Keeps the list at its end or at the selected row after the filter has changed.
     void keepPlace();
     void noteSelection();
-    /// Oldest first, so many at most.
+    /// The selected rows, oldest first, at most `limit`; pointers are valid until the model changes.
     std::vector<const MessageRow*> selectedRows(std::size_t limit = SIZE_MAX) const;
     using RowText = QString (*)(const MessageRow& row, const QString& robot);
     void copyRows(const std::vector<const MessageRow*>& rows, RowText text);
     void copyShown();
     void resend();
+    /// Shows only, or hides, the type of the first selected row.
     void filterByCurrent(bool only);
     void updateState();
     void enableActions();
@@ -133,13 +136,13 @@ private:
     MessageDetail* detail_;
     MessageSaver* saver_;
     EmptyState* empty_state_ = nullptr;
-    std::deque<MessageRow> waiting_;        ///< at most the model's capacity
-    std::size_t waiting_bytes_ = 0;         ///< of text
-    std::uint64_t overflown_ = 0;           ///< lines that fell out of `waiting_`
-    std::map<int, std::uint64_t> commands_; ///< taken so far, by connection: their numbers
+    std::deque<MessageRow> waiting_;        ///< rows not inserted yet; at most the model's capacity
+    std::size_t waiting_bytes_ = 0;         ///< size of their text
+    std::uint64_t overflown_ = 0;           ///< lines dropped from `waiting_`
+    std::map<int, std::uint64_t> commands_; ///< number of commands taken so far, by connection
     int connection_ = 0;
-    std::optional<std::uint64_t> selected_; ///< serial number of the current row, also while it is not shown
-    bool moving_ = false;                   ///< the list scrolls by itself
+    std::optional<std::uint64_t> selected_; ///< serial number of the current row, even while it is not shown
+    bool moving_ = false;                   ///< the list scrolls by itself, not the user
     QTimer frame_{this};
 };
 

@@ -1,4 +1,4 @@
-// What can be done with the lines of a MessageList.
+// The actions on the lines of a MessageList.
 #include <algorithm>
 
 #include <QClipboard>
@@ -14,7 +14,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr std::size_t most_sent_again = 100;
-constexpr qsizetype longest_clip = 16 << 20; ///< characters: more than any editor likes to be given
+constexpr qsizetype longest_clip = 16 << 20; ///< in characters; more than most editors accept
 
 QString textOf(const MessageRow& row, const QString&) {
     return QString::fromStdString(row.text);

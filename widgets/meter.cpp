@@ -12,7 +12,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// Bars of meters that stand one below the other begin on one line.
+/// All captions get this width, so that the bars of meters below each other are aligned.
 const QString widest_caption = QStringLiteral("Battery used");
 
 } // namespace
@@ -61,7 +61,7 @@ void Meter::paintEvent(QPaintEvent*) {
     figures.setStrikeOut(stale_);
     painter.setFont(figures);
     painter.setPen(stale_ || value >= caution_pct_ ? ink : t.text);
-    // The strike runs through spaces too, so a stale figure has none in front of it.
+    // The strike-out also covers spaces, so a stale figure is not padded.
     const QString mark = value >= caution_pct_ && !stale_ ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      mark + figure(value, 0, stale_ ? 0 : 3) + QStringLiteral(" %"));

@@ -1,4 +1,4 @@
-// A horizontal bar with its caption and its figure: battery, progress.
+// Horizontal bar with a caption and a figure: battery, progress.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,20 @@
 
 namespace usar::widgets {
 
-/// Caption on the left, figure on the right, the bar between them. Unknown draws an empty, hatched bar and a dash. The
-/// color turns to caution beyond `caution` and to danger beyond `danger`, and the figure then says so by a "!".
+/// Caption on the left, figure on the right, the bar between them. An unknown value is drawn as an empty, hatched bar
+/// with a dash. The color changes to the caution and danger colors from those limits on, and a "!" precedes the figure.
+/// GUI thread.
 class Meter : public QWidget {
     Q_OBJECT
 public:
     explicit Meter(const QString& caption, QWidget* parent = nullptr);
 
-    /// Per cent, 0..100.
+    /// In percent, 0..100; nullopt: unknown.
     void setValue(std::optional<double> value_pct);
     std::optional<double> value() const { return value_pct_; }
-    /// Rising values are bad from here on; above 100 means never.
+    /// High values are bad from these limits on; above 100 means never.
     void setLimits(double caution_pct, double danger_pct);
-    /// Grey and struck: nobody vouches for the figure any more.
+    /// Gray and struck through, because the figure may be out of date.
     void setStale(bool stale);
     bool stale() const { return stale_; }
     QSize sizeHint() const override;

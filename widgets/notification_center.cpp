@@ -51,7 +51,7 @@ NotificationCenter::NotificationCenter(QWidget* parent)
     updateState();
 }
 
-/// For its menu, and its key where the list has the focus.
+/// Makes an action for the context menu; its shortcut works while the list has the focus.
 QAction* NotificationCenter::addRowAction(const QString& text, const QKeySequence& keys) {
     auto* action = new QAction(text, view_);
     action->setShortcut(keys);
@@ -63,7 +63,7 @@ QAction* NotificationCenter::addRowAction(const QString& text, const QKeySequenc
 void NotificationCenter::showOffer() {
     const QModelIndex current = view_->currentIndex();
     const bool offers = current.isValid() && model_->row(current.row()).offers();
-    take_offer_->setEnabled(offers); // or Return would be lost to rows without one
+    take_offer_->setEnabled(offers); // Otherwise Return would have no effect in rows without an offer.
     take_offer_->setVisible(offers);
     take_offer_->setText(offers ? model_->row(current.row()).offer.text : QString());
 }

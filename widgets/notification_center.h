@@ -1,4 +1,4 @@
-// The tab where every error and event can be read again: grouped, counted, greyed when cured.
+// The tab in which every error and event can be read again: grouped, counted, and grayed out when over.
 #pragma once
 
 #include <QAction>
@@ -13,39 +13,40 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Owns the model; toasts are made from it (toast_stack.h). What is pushed while it is seen counts as read, and opening
-/// it reads all. Nothing here is modal and nothing takes the focus. Texts are whole sentences: what happened, to what,
-/// what to do. GUI thread.
+/// Owns the model; toasts are made from it (toast_stack.h). Notifications that arrive while the tab is visible count as
+/// read, and showing it marks all as read. Nothing here is modal or takes the focus. Texts are complete sentences: what
+/// happened, to what, what to do. GUI thread.
 class NotificationCenter : public QWidget {
     Q_OBJECT
 public:
     explicit NotificationCenter(QWidget* parent = nullptr);
 
     NotificationModel* model() const { return model_; }
-    /// Groups, not reports: 137 lost links are one.
+    /// Number of unread groups, not reports: 137 lost links are one.
     int unread() const { return model_->unread(); }
-    /// Says that nothing happened yet; shown while there are no rows.
+    /// The sheet that says that nothing has happened yet; shown while there are no rows.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:
-    /// `key` says what it is about: the same key again is counted, not listed again. `when` is wall time. Warnings and
-    /// errors are toasts too, unless `toast` says otherwise.
+    /// `key` identifies the problem: further reports with the same key are counted, not listed separately. `when` is
+    /// wall time. Warnings and errors are also shown as toasts, unless `toast` says otherwise.
     void push(const QString& key, usar::Severity severity, const QString& text,
               const QDateTime& when = QDateTime::currentDateTime(), std::optional<bool> toast = std::nullopt);
-    /// The same, now: a note that a person waits for ("Saved 5 files") is worth a toast.
+    /// The same with the current time; a note that the user waits for ("Saved 5 files") deserves a toast.
     void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
-    /// The same, now, with a button beside the sentence; `NotificationModel::offerTaken` follows a click on it.
+    /// The same with the current time and a button beside the sentence; NotificationModel::offerTaken is emitted when
+    /// it is clicked.
     void push(const QString& key, usar::Severity severity, const QString& text, const usar::widgets::Offer& offer);
-    /// The trouble with that key is over; its row stays, greyed.
+    /// The problem with this key is over; its row stays, grayed out.
     void cured(const QString& key);
-    /// Takes open ones away too: the person has read them.
+    /// Removes all rows, also open ones.
     void clearAll();
 
 signals:
     /// For the tab's title.
     void unreadChanged(int unread);
-    /// Double-click or Return: show the place that it is about.
+    /// Double-click or Return: show the place that the notification refers to.
     void activated(const QString& key);
 
 protected:
@@ -54,8 +55,9 @@ protected:
 private:
     QWidget* makeTools();
     void copySelected();
+    /// Makes an action of the list's context menu; its shortcut works while the list has the focus.
     QAction* addRowAction(const QString& text, const QKeySequence& keys);
-    /// Of the current row.
+    /// Updates the action for the offer of the current row.
     void showOffer();
     void updateState();
 

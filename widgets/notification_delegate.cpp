@@ -32,7 +32,7 @@ QString metaText(const Notification& n) {
     return parts.join(QStringLiteral("  ·  "));
 }
 
-/// At words, and within one only where it is wider than the row.
+/// Breaks lines at words, and within a word only if it is wider than the row.
 QTextOption wrapping() {
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -52,7 +52,7 @@ int textHeight(const QString& text, int width) {
     return static_cast<int>(std::ceil(height));
 }
 
-/// Of the line below the sentence.
+/// Returns the height of the line below the sentence.
 int footHeight(const Notification& n) {
     return n.offers() ? minimum_target : QFontMetrics(themeFont(FontRole::Small)).height();
 }

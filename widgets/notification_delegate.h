@@ -1,5 +1,5 @@
-// Paints a notification's row: severity icon, the sentence wrapped, a muted line with word, time, count, cure, and a
-// button where something is offered.
+// Paints a row of the notification list: severity icon, the sentence with line breaks, a muted line with severity, time
+// and count, and a button if something is offered.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -13,7 +13,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-    /// A click on the button takes the offer.
+    /// A click on the button accepts the offer.
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -25,7 +25,7 @@ QColor checkBoxInk(QStyle::State state) {
     return state & QStyle::State_HasFocus ? tokens().accent : tokens().text_muted;
 }
 
-/// On a light ground Fusion's own hairline is dark enough; what has the focus has a ring.
+/// In the light theme Fusion's own hairline is dark enough, and the focused widget has a ring.
 bool needsHairline(const QStyleOption& option) {
     return currentTheme() == Theme::Dark && !(option.state & QStyle::State_HasFocus);
 }

@@ -1,13 +1,13 @@
-// Fusion with outlines that can be seen: on a dark ground its own are darker than the ground.
+// Variant of the Fusion style with visible outlines: on dark themes Fusion's own are darker than the background.
 #pragma once
 
 #include <QProxyStyle>
 
 namespace usar::widgets {
 
-/// Check boxes get an outline of 3:1 and more against the ground, fields and spin boxes on dark a hairline; what has
-/// the focus keeps Fusion's ring. Made from the tokens of the moment, so that it needs no news of another theme. GUI
-/// thread.
+/// Gives check boxes an outline with a contrast of at least 3:1, and fields and spin boxes of the dark theme a
+/// hairline; the focused widget keeps Fusion's focus ring. Reads the current theme's tokens while painting, so it need
+/// not be told about a new theme. GUI thread.
 class OutlineStyle : public QProxyStyle {
 public:
     OutlineStyle();

@@ -21,7 +21,7 @@ bool OwnKeys::eventFilter(QObject* watched, QEvent* event) {
                           qobject_cast<QComboBox*>(watched);
     if (!to_an_end || !has_ends || (key.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
         return false;
-    event->accept(); // it is no shortcut then
+    event->accept(); // It is not a shortcut then.
     return true;
 }
 

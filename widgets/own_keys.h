@@ -1,12 +1,12 @@
-// Home and End for the widget that has the focus and means something by them, though the window has a command there.
+// Gives Home and End to the focused widget if it uses them, although the window has a command on these keys.
 #pragma once
 
 #include <QObject>
 
 namespace usar::widgets {
 
-/// Sliders, lists and choices go to their ends by these keys, as everywhere; elsewhere the key is the window's. Watches
-/// the application as long as it lives. GUI thread.
+/// Sliders, lists and combo boxes go to their ends with these keys; in other widgets the key triggers the window's
+/// command. Event filter on the application for as long as this object exists. GUI thread.
 class OwnKeys : public QObject {
 public:
     explicit OwnKeys(QObject* parent);

@@ -100,7 +100,7 @@ void ParameterForm::buildRows() {
             column->addWidget(row);
     }
     column->addStretch();
-    // Later, because what reacts to an edit may set other specs.
+    // Deleted later, because code that reacts to an edit of one of its rows may set other specs.
     if (QWidget* old = scroll_->takeWidget())
         old->deleteLater();
     scroll_->setWidget(page);
@@ -173,7 +173,8 @@ void ParameterForm::applyFilter() {
     reset_all_->setVisible(!modified().empty());
 }
 
-// A row that an edit makes unmodified stays in view until the filter is touched: it must not vanish under the hand.
+// A row that an edit makes unmodified stays visible until the filter changes, so that it does not vanish while being
+// edited.
 void ParameterForm::rowEdited() {
     reset_all_->setVisible(!modified().empty());
     emit changed(values());

@@ -1,4 +1,4 @@
-// A form for the parameters of a behavior, made from their specs: grouped, searchable, fine at 280 px.
+// Form for the parameters of a behavior, generated from their specs: grouped, searchable, usable at a width of 280 px.
 #pragma once
 
 #include <map>
@@ -17,62 +17,69 @@ namespace usar::widgets {
 class EmptyState;
 class ParameterRow;
 
-/// Values in by setters, edits out by `changed`. Values are SI and radians; angles are shown and edited in degrees.
-/// What was set for one list of specs is kept while another is shown and comes back with it.
-/// A modified row has a bar at its left, a bold label and a button back to the default. Search and "modified only"
-/// hide rows and never change values. GUI thread; rows belong to the form.
+/// Values are set by setters, edits are reported by `changed`. Values are in SI units and radians; angles are shown and
+/// edited in degrees. Values set for one list of specs are kept while another list is shown. A modified row has a bar
+/// at its left, a bold label and a button that restores the default. Search and "modified only" hide rows and never
+/// change values. GUI thread; rows belong to the form.
 class ParameterForm : public QWidget {
     Q_OBJECT
 public:
     explicit ParameterForm(QWidget* parent = nullptr);
 
-    /// Groups in the order in which they first appear. The same specs again change nothing; others are built with the
-    /// values that they had when they were last shown, else at their defaults.
+    /// Shows rows for these specs, in groups in the order of first appearance. The same specs again change nothing;
+    /// others start with the values that they had when they were last shown, else with their defaults.
     void setSpecs(const std::vector<agent::ParameterSpec>& specs);
-    /// Ids without a row are ignored; values that do not fit their spec show its default. Does not emit `changed`.
+    /// Ids without a row are ignored, and rows that are not in `values` keep their value; a value that does not fit its
+    /// spec is replaced by the default. Does not emit `changed`.
     void setValues(const std::map<std::string, agent::ParameterValue>& values);
+    /// All values by id, also those of hidden rows.
     std::map<std::string, agent::ParameterValue> values() const;
-    /// Those that differ from their defaults: what a mission file needs to keep.
+    /// The values that differ from their defaults, which is what a mission file stores.
     std::map<std::string, agent::ParameterValue> modified() const;
 
-    /// Shows rows with `words` in label, id, group or help.
+    /// Shows only rows with `words` in label, id, group or help, ignoring case.
     void setFilter(const QString& words);
+    /// Shows only rows that differ from their default.
     void setModifiedOnly(bool on);
-    /// Shown while there are no specs.
+    /// The sheet that is shown while there are no specs.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {320, 400}; }
 
 public slots:
-    /// Tells once, and not at all where nothing was modified.
+    /// Restores all defaults; emits `changed` once, or not at all if nothing was modified.
     void resetAll();
 
 signals:
-    /// After every edit by the person, with all values.
+    /// Emitted after every edit by the user, with all values.
     void changed(const std::map<std::string, usar::agent::ParameterValue>& values);
 
 private:
+    /// Parameters under a common header.
     struct Group {
         QLabel* header = nullptr;
         std::vector<ParameterRow*> rows;
     };
 
-    /// Search, "modified only", reset all.
+    /// Makes the row with search line, "modified only" and "reset all".
     QWidget* makeTools();
     Group& groupOf(const std::string& name);
     void buildRows();
+    /// Remembers the modified values of the current specs in kept_.
     void keepModified();
     void applyFilter();
+    /// Emits `changed`; the edited row stays visible even if the filter would now hide it.
     void rowEdited();
 
     QLineEdit* search_;
     QToolButton* modified_only_;
-    QToolButton* reset_all_; ///< seen only while something is modified
+    QToolButton* reset_all_; ///< visible only while something is modified
     QScrollArea* scroll_;
-    QLabel* nothing_; ///< says why the filter leaves no row
+    QLabel* nothing_; ///< says why the filter hides all rows
     EmptyState* empty_state_;
     std::vector<agent::ParameterSpec> specs_;
     std::vector<std::pair<std::string, Group>> groups_; ///< in the order of the specs
-    /// What differed from its default when specs were last shown; few behaviors, so a list will do.
+    /// Modified values of each list of specs when it was last shown; there are few behaviors, so a linear search is
+    /// enough.
     std::vector<std::pair<std::vector<agent::ParameterSpec>, std::map<std::string, agent::ParameterValue>>> kept_;
 };
 

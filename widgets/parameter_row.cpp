@@ -31,7 +31,7 @@ protected:
     void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(rect(), tokens().accent); }
 };
 
-/// Scrolls the form, not its own choices, until it has the focus.
+/// A combo box whose wheel scrolls the form, not its choices, until it has the focus.
 class QuietComboBox : public QComboBox {
 public:
     using QComboBox::QComboBox;

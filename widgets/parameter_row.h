@@ -9,38 +9,40 @@
 
 namespace usar::widgets {
 
-/// The editor follows the type of the default: switch, number with unit, list of choices or text. Keeps the exact
-/// value, so an angle that nobody touched does not change by being shown in degrees. GUI thread.
+/// The editor depends on the type of the default: switch, number with unit, list of choices, or text. Keeps the exact
+/// value, so showing an angle in degrees does not change it unless the user edits it. GUI thread.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
     explicit ParameterRow(agent::ParameterSpec spec, QWidget* parent = nullptr);
 
     const agent::ParameterSpec& spec() const { return spec_; }
+    /// The value in SI units and radians.
     const agent::ParameterValue& value() const { return value_; }
-    /// Shows `value` without telling; one that does not fit the spec shows the default.
+    /// Shows `value` without emitting; a value that does not fit the spec is replaced by the default.
     void setValue(const agent::ParameterValue& value);
-    /// Differs from the default by more than a trip through degrees can do.
+    /// True if the value differs from the default by more than the rounding error of a conversion to degrees.
     bool modified() const;
-    /// Label, id, group or help contains `words`, whatever the case.
+    /// True if label, id, group or help contains `words`, ignoring case.
     bool matches(const QString& words) const;
 
 signals:
-    /// By the person only.
+    /// By the user only.
     void edited();
 
 private:
     void build();
-    // One editor for each type of value; all have the spec's id as object name.
+    // Make the editor for each type of value; every editor has the spec's id as its object name.
     QWidget* makeEditor();
     QWidget* makeSwitch();
     QWidget* makeNumber();
     QWidget* makeChoice();
     QWidget* makeText();
-    /// From the editor: keeps and tells.
+    /// Stores the value of the editor and emits `edited`.
     void take(const agent::ParameterValue& value);
-    /// To the editor, in silence.
+    /// Shows the value in the editor without emitting.
     void showValue();
+    /// Shows whether the row is modified.
     void showMark();
 
     agent::ParameterSpec spec_;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* node_mime_type = "application/x-usar-plan-node";
 constexpr int broad_px = 900;
-constexpr double edge_share = 0.3; ///< of a card's height, above and below, that means before and behind
+constexpr double edge_share = 0.3; ///< upper and lower share of a card's height on which a drop means before or after
 
 } // namespace
 
@@ -50,7 +50,7 @@ int PlanCanvas::nodeUnder(const QPointF& on_screen) {
     return tree()[node].parent;
 }
 
-/// Not by the mark that folds it.
+/// False for the root, for the collection, and on a fold mark.
 bool PlanCanvas::canBeTaken(int node, const QPointF& on_screen) {
     if (node < 0 || tree()[node].kind == PlanNodeKind::Plan || tree()[node].kind == PlanNodeKind::Collection)
         return false;
@@ -79,7 +79,7 @@ void PlanCanvas::mouseMoveEvent(QMouseEvent* event) {
     const int node = std::exchange(taken_, -1);
     QMouseEvent release(QEvent::MouseButtonRelease, taken_at_, mapToGlobal(taken_at_), Qt::LeftButton, Qt::NoButton,
                         Qt::NoModifier);
-    PlanView::mouseReleaseEvent(&release); // the view has a click of it: the node is selected
+    PlanView::mouseReleaseEvent(&release); // The view sees a click, which selects the node.
     startDrag(node);
 }
 
@@ -88,13 +88,13 @@ void PlanCanvas::mouseReleaseEvent(QMouseEvent* event) {
     PlanView::mouseReleaseEvent(event);
 }
 
-/// Beside a text there is more room below than at the side.
+/// In a narrow canvas there is more room below than at the side.
 void PlanCanvas::resizeEvent(QResizeEvent* event) {
     setFlow(width() < broad_px ? PlanFlow::Down : PlanFlow::Across);
     PlanView::resizeEvent(event);
 }
 
-/// The open line would stay behind.
+/// An open line editor would not move with its card.
 void PlanCanvas::wheelEvent(QWheelEvent* event) {
     closeLine(true);
     PlanView::wheelEvent(event);
@@ -188,7 +188,7 @@ int PlanCanvas::cardOf(int node) const {
     return node >= 0 && tree()[node].in_card ? tree()[node].parent : node;
 }
 
-/// Neighbors stand in one list: the steps of a pattern, the members of a form.
+/// A range consists of siblings: the steps of a pattern, or the members of a form.
 void PlanCanvas::extendTo(int node) {
     const int from = cardOf(selected());
     const int to = cardOf(node);
@@ -225,7 +225,7 @@ void PlanCanvas::keyPressEvent(QKeyEvent* event) {
         extendTo(cards[static_cast<std::size_t>(here)]);
 }
 
-/// What is taken along; where something would go, and what would happen.
+/// Paints the range over the drawing and, during a drag, the place of the drop and a note about its effect.
 void PlanCanvas::paintEvent(QPaintEvent* event) {
     PlanView::paintEvent(event);
     QPainter painter(this);
@@ -283,7 +283,7 @@ void PlanCanvas::editInPlace(int node, const QString& words, int what) {
     line_->setFocus(Qt::OtherFocusReason);
 }
 
-/// Once only: hiding the line takes its focus away, which closes it again.
+/// Does nothing when called again: hiding the line moves the focus, which closes the line once more.
 void PlanCanvas::closeLine(bool keep) {
     if (line_node_ < 0)
         return;
@@ -311,7 +311,7 @@ bool PlanCanvas::eventFilter(QObject* watched, QEvent* event) {
                                    key.modifiers() == Qt::AltModifier;
     if (!is_return && !is_escape && !means_the_drawing)
         return false;
-    event->accept(); // it must not come to the drawing below
+    event->accept(); // It must not reach the drawing below.
     if (event->type() == QEvent::KeyPress && !means_the_drawing)
         closeLine(is_return);
     return true;

@@ -1,4 +1,4 @@
-// Which plan decides: the one that comes with the robot, or one of a person's own.
+// Choice of the plan that a behavior runs: the one that comes with the robot, or a file of the user's.
 #pragma once
 
 #include <map>
@@ -12,33 +12,36 @@ class QToolButton;
 
 namespace usar::widgets {
 
-/// A list of plans with two buttons. Remembers for each behavior which files were chosen for it. GUI thread.
+/// A list of plans with two buttons. Remembers the chosen files of each behavior. GUI thread.
 class PlanChoice : public QWidget {
     Q_OBJECT
 public:
     explicit PlanChoice(QWidget* parent = nullptr);
 
-    /// Shows the plan that comes with it; hidden where no plan decides, which has an empty name. Silent.
+    /// Shows the choices of this behavior and selects the built-in plan, called `plan_name`. An empty `plan_name` means
+    /// that the behavior has no plan: the widget is hidden. Emits nothing.
     void setBehavior(const std::string& behavior_id, const QString& plan_name);
-    /// Joins the list if it is new there; an empty path is the robot's own. Silent.
+    /// Selects this file, added to the list if it is new; an empty path selects the built-in plan. Emits nothing.
     void choose(const QString& path);
-    /// Empty: the one that comes with the robot.
+    /// The chosen file; empty for the built-in plan.
     QString path() const;
+    /// True for a behavior without a plan.
     bool empty() const { return behavior_id_.empty(); }
 
 signals:
-    /// By the person; empty for the robot's own.
+    /// By the user; empty for the built-in plan.
     void chosen(const QString& path);
-    /// The person wants a file that is not in the list.
+    /// The user wants a file that is not in the list.
     void openRequested();
-    /// The person wants to change the plan that is chosen.
+    /// The user wants to edit the chosen plan.
     void editRequested();
 
 private:
     QToolButton* addButton(const QString& icon_name, const QString& text, const QString& help);
 
     QComboBox* box_;
-    std::string behavior_id_; ///< empty: no plan decides
+    std::string behavior_id_; ///< empty: the behavior has no plan
+    /// Chosen files by behavior.
     std::map<std::string, QStringList> paths_;
 };
 

@@ -53,7 +53,7 @@ PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     completer_->setMaxVisibleItems(10);
     connect(completer_, qOverload<const QString&>(&QCompleter::activated), this, &PlanCodeEdit::insertCompletion);
     lamp_->hide();
-    lamp_->setFocusPolicy(Qt::NoFocus); // Alt+Return does the same
+    lamp_->setFocusPolicy(Qt::NoFocus); // Alt+Return does the same.
     connect(lamp_, &QToolButton::clicked, this, &PlanCodeEdit::mendsRequested);
     seen_revision_ = document()->revision();
     connect(document(), &QTextDocument::contentsChanged, this, &PlanCodeEdit::noticeChange);
@@ -63,7 +63,7 @@ PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     });
 }
 
-/// Coloring changes the contents as well, but not the text.
+/// Emits textEdited for changes of the text only; coloring changes the contents as well.
 void PlanCodeEdit::noticeChange() {
     if (document()->revision() == seen_revision_)
         return;
@@ -75,7 +75,7 @@ void PlanCodeEdit::noticeChange() {
 const std::string& PlanCodeEdit::planText() const {
     if (text_revision_ == document()->revision())
         return text_;
-    QString raw = document()->toRawText(); // toPlainText would take odd blanks for ordinary ones
+    QString raw = document()->toRawText(); // Unlike toPlainText, this keeps non-breaking spaces.
     raw.replace(QChar::ParagraphSeparator, u'\n');
     text_ = raw.toStdString();
     text_revision_ = document()->revision();
@@ -94,7 +94,8 @@ int PlanCodeEdit::positionOf(std::size_t offset) const {
 
 std::size_t PlanCodeEdit::cursorOffset() const {
     return static_cast<std::size_t>(document()->toRawText().left(textCursor().position()).toUtf8().size()) -
-           2U * static_cast<std::size_t>(textCursor().blockNumber()); // a paragraph separator has three bytes
+           // Each paragraph separator has three bytes of UTF-8, but counts as the one byte of LF.
+           2U * static_cast<std::size_t>(textCursor().blockNumber());
 }
 
 void PlanCodeEdit::setCursorOffset(std::size_t offset) {
@@ -146,10 +147,10 @@ QString PlanCodeEdit::wordBeforeCursor() const {
     return line.mid(begin, end - begin);
 }
 
-/// Within a trigger or a goal.
+/// True if the offset is inside a trigger or a goal.
 bool PlanCodeEdit::asksSenses(std::size_t offset) const {
     const posh::TokenList list = posh::tokenize(planText());
-    std::vector<bool> open; // whether this list, or one around it, is of senses
+    std::vector<bool> open; // True for each open list that is, or is inside, a list of senses.
     for (std::size_t i = 0; i + 1 < list.tokens.size() && list.tokens[i].at.offset < offset; ++i) {
         if (list.tokens[i].kind == posh::TokenKind::Close && !open.empty())
             open.pop_back();
@@ -168,7 +169,7 @@ void PlanCodeEdit::complete(bool asked) {
     QStandardItemModel* const model = asksSenses(cursorOffset()) ? senses_ : acts_;
     if (completer_->model() != model) {
         completer_->setModel(model);
-        completer_->popup()->setItemDelegate(help_beside_); // a new model brings another one
+        completer_->popup()->setItemDelegate(help_beside_); // A new model resets the popup's delegate.
     }
     completer_->setCompletionPrefix(word);
     const bool is_whole = completer_->completionCount() == 1 && completer_->currentCompletion() == word;
@@ -189,7 +190,7 @@ void PlanCodeEdit::insertCompletion(const QString& word) {
     setTextCursor(cursor);
 }
 
-/// As far in as the line before, and farther by what it left open.
+/// Indents the new line like the current one, and further if that leaves parentheses open.
 void PlanCodeEdit::newLine() {
     const QString line = textCursor().block().text().left(textCursor().positionInBlock());
     const posh::TokenList list = posh::tokenize(line.toStdString());
@@ -231,7 +232,7 @@ void PlanCodeEdit::keyPressEvent(QKeyEvent* event) {
     const bool choosing = completer_->popup()->isVisible();
     const bool is_return = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (choosing && (is_return || event->key() == Qt::Key_Tab || event->key() == Qt::Key_Escape))
-        return event->ignore(); // the list takes it
+        return event->ignore(); // The completion list handles it.
     if (is_return && event->modifiers() == Qt::AltModifier)
         return emit mendsRequested();
     if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier)
@@ -249,7 +250,7 @@ void PlanCodeEdit::keyPressEvent(QKeyEvent* event) {
         complete(event->key() == Qt::Key_Backspace && !wordBeforeCursor().isEmpty());
 }
 
-/// The parenthesis beside the cursor and the one it belongs to; a lone one is marked as such.
+/// Finds the parenthesis beside the cursor and its counterpart; a parenthesis without counterpart is marked as such.
 void PlanCodeEdit::matchParentheses() {
     matched_.clear();
     unmatched_.clear();

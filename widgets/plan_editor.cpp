@@ -21,7 +21,7 @@ namespace {
 
 constexpr int draw_after_ms = 60;
 constexpr int lamp_after_ms = 300;
-constexpr std::size_t long_text = 200'000; ///< longer ones are drawn when the person pauses
+constexpr std::size_t long_text = 200'000; ///< longer texts are drawn when the user pauses
 constexpr int long_draw_after_ms = 400;
 
 } // namespace
@@ -55,7 +55,8 @@ PlanEditor::PlanEditor(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     column->setSpacing(gap::tiny);
-    column->setSizeConstraint(QLayout::SetNoConstraint); // the broad rows would forbid the narrow editor
+    // By default the minimum width of the wide rows would keep the editor from becoming narrow.
+    column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addWidget(makeHead());
     column->addWidget(makeOffer());
     column->addWidget(column_, 1);
@@ -235,7 +236,7 @@ posh::Findings PlanEditor::check(std::string_view text, posh::Plan* plan) const 
     return std::move(reading.findings);
 }
 
-/// The plan of the text as it is, and what is wrong with it.
+/// Reads and checks the current text and shows the findings.
 void PlanEditor::check() {
     check_timer_.stop();
     if (!is_checked_) {
@@ -247,7 +248,7 @@ void PlanEditor::check() {
     showState();
 }
 
-/// What cannot be read would take half of the drawing away for every parenthesis on its way.
+/// Draws the plan, unless the text cannot be parsed: a missing parenthesis would remove half of the drawing.
 void PlanEditor::draw() {
     draw_timer_.stop();
     if (!is_checked_)
@@ -320,7 +321,7 @@ void PlanEditor::showMends() {
     menu->popup(text_->viewport()->mapToGlobal(text_->cursorRect().bottomLeft()));
 }
 
-/// Title, and whether the plan can be put into the robot.
+/// Shows the title and whether the plan can be put into the robot.
 void PlanEditor::showState() {
     const QString title = name() + (isModified() ? tr(" – not saved") : QString());
     if (title != title_->text()) {
@@ -347,7 +348,7 @@ void PlanEditor::say(const QString& words, bool refused) {
 }
 
 void PlanEditor::followCursor(int line, int column) {
-    text_->showPlace({}); // the mark of what was chosen in the drawing
+    text_->showPlace({}); // Removes the mark of the part that was selected in the drawing.
     showFindingAtCursor();
     if (!isDrawn())
         return;
@@ -384,7 +385,7 @@ std::optional<PlanPart> PlanEditor::selectedCall() {
     return callOfNode(drawn_plan_, canvas_->tree(), canvas_->selected());
 }
 
-/// One step of the history; the drawing follows and shows what became of the part.
+/// Makes an edit as one undo step, draws the result and selects the edited part.
 void PlanEditor::perform(const Result<PlanEdit>& edit) {
     if (!edit)
         return say(QString::fromStdString(edit.error().text()), true);
@@ -401,7 +402,7 @@ void PlanEditor::perform(const std::function<Result<PlanEdit>(const std::string&
         return say(tr("Mend the text first; then the drawing can be edited."), true);
     auto part = selectedPart();
     if (const auto call = selectedCall(); call && posh::isStep(drawn_plan_, *call))
-        part = call; // where a form is called in a pattern, the step is meant
+        part = call; // If the part is a form called in a pattern, the step is meant.
     if (!part)
         return say(tr("Select a part in the drawing first."), true);
     perform(edit(drawn_text_, *part));

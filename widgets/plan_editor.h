@@ -1,4 +1,4 @@
-// Text and drawing of a plan side by side, to be written, checked, mended, compared and saved.
+// Editor that shows the text and the drawing of a plan side by side, and writes, checks, fixes, compares and saves it.
 #pragma once
 
 #include <functional>
@@ -10,51 +10,56 @@
 
 namespace usar::widgets {
 
-/// The text is the only truth: gestures in the drawing become edits of it, and one history without limit, which saving
-/// does not touch, undoes both. While the text cannot be read the drawing shows what it was before. Values in by
-/// setters, wishes out by signals; file dialogs belong to the window. GUI thread.
+/// The text is the only source: gestures in the drawing become edits of it, and one unlimited history, which saving
+/// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. State comes
+/// in by setters, wishes go out by signals; file dialogs belong to the window. GUI thread.
 class PlanEditor : public QWidget, private PlanEditorParts {
     Q_OBJECT
 public:
     explicit PlanEditor(QWidget* parent = nullptr);
     ~PlanEditor() override;
 
-    /// Of the robot that the plan is for: they fill palette and completion, and plans are checked against them. None:
-    /// a plan is checked by itself.
+    /// The senses and acts of the robot that the plan is for: they fill palette and completion, and plans are checked
+    /// against them. Empty: plans are checked by themselves.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
-    /// What the robot flies by now, for comparing; an empty text: nothing.
+    /// The plan that the robot is running now, for comparing; an empty text means none.
     void setRunningPlan(const QString& name, const std::string& text);
-    /// "Put into the robot" can be asked for; else it is shown why not.
+    /// Enables "Put into the robot", or says in its tooltip why not; hidden if `why_not` is empty, too.
     void setApplicable(bool applicable, const QString& why_not = {});
-    /// A plan that has no file yet; the history begins anew.
+    /// Shows a new plan without a file; the undo history starts again.
     void setText(const std::string& text, const QString& name);
-    /// Where unsaved texts are kept over a crash; none are without. A new plan that was kept is offered at once.
+    /// Folder for copies of unsaved texts, which survive a crash; empty: no copies. Offers an existing copy at once.
     void setKeepingFolder(const QString& folder);
-    /// The changes are given up for good: nothing is offered again.
+    /// Deletes the copy of the unsaved text, because the user discards the changes.
     void forgetKept() { file_.forgetKept(); }
 
+    /// Opens a file; on error the editor stays as it was.
     Result<void> open(const QString& path);
+    /// Saves the text, and continues with this file; on error the editor keeps its file.
     Result<void> save(const QString& path);
-    /// What the other readers of POSH lack of this plan, a line each.
+    /// Writes the plan in another dialect. Returns what that dialect cannot express, one sentence per loss.
     Result<QStringList> exportTo(const QString& path, posh::Dialect dialect);
-    /// .svg, .pdf or .png.
+    /// Saves the drawing; the extension .svg, .pdf or .png selects the format.
     Result<void> savePicture(const QString& path);
 
     const std::string& text() const { return text_->planText(); }
+    /// Empty for a new plan.
     QString path() const { return file_.path(); }
+    /// File name without its folder, or the name of a new plan.
     QString name() const { return file_.name(); }
     bool isModified() const { return text_->document()->isModified(); }
-    /// Of the text as it is now, those of binding too.
+    /// The findings of the current text, including those of binding it to the robot.
     const posh::Findings& findings();
-    /// What can be done about the finding at the text's cursor.
+    /// The fixes known for the finding at the text's cursor.
     std::vector<posh::QuickFix> mends();
 
     PlanCanvas& canvas() { return *canvas_; }
     PlanCodeEdit& textEdit() { return *text_; }
     PlanPalette& palette() { return *palette_; }
-    /// Every command by its name: "undo", "move_up", "wrap_pattern", …; a bug (assertion) for others.
+    /// The action of a command by its name: "undo", "move_up", "wrap_pattern", …; an unknown name is a programming
+    /// error (assertion).
     QAction* action(const QString& name) const;
-    /// Text and drawing are brought in step at once, not in a moment.
+    /// Checks and draws the current text now instead of after a short delay.
     void catchUp();
 
     QSize sizeHint() const override { return {1280, 720}; }
@@ -62,16 +67,16 @@ public:
 
 signals:
     void openRequested();
-    /// Also where "Save" has no file yet.
+    /// Also emitted by "Save" while there is no file.
     void saveAsRequested();
     void exportRequested(usar::posh::Dialect dialect);
     void pictureRequested();
-    /// Put this plan into the robot.
+    /// The user wants this plan in the robot.
     void applyRequested(const std::string& text, const QString& name);
     void saved(const QString& path);
-    /// By "Save": where it could not be written.
+    /// "Save" could not write the file.
     void saveFailed(const usar::Error& error);
-    /// Name or modified mark are others.
+    /// Name or modified state changed.
     void titleChanged();
 
 protected:
@@ -83,7 +88,7 @@ private:
     enum class InPlace { Words, Rename, Trigger, Limit, Comment };
     struct Command;
 
-    // in plan_editor_parts.cpp
+    // In plan_editor_parts.cpp.
     QWidget* makeHead();
     QWidget* makeTextPane();
     QWidget* makeDrawingPane();
@@ -94,7 +99,7 @@ private:
     QToolButton* addMenuButton(QBoxLayout* row, const QString& help, const QString& icon_name, QMenu* menu);
     void arrange();
 
-    // in plan_editor_commands.cpp
+    // In plan_editor_commands.cpp.
     QAction* add(const Command& command, std::function<void()> run);
     QAction* actionOf(const QKeyEvent& event, bool in_drawing) const;
     void makeFileCommands();
@@ -109,7 +114,7 @@ private:
     void connectAll();
     void edited();
     void check();
-    /// Of any text; `plan` may be nullptr.
+    /// Checks any text; stores the plan that was read unless `plan` is nullptr.
     posh::Findings check(std::string_view text, posh::Plan* plan) const;
     void draw();
     void showFindings();

@@ -1,4 +1,4 @@
-// The commands of the plan editor: made once, for buttons, menus and keys.
+// The commands of the plan editor: each one is made once and used by buttons, menus and keys.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* in_drawing_property = "in_drawing";
 
-/// Keys that the drawing itself knows, though a window may use them for its own.
+/// True for keys that the drawing handles itself, although the window may have shortcuts on them.
 bool isKeyOfDrawing(const QKeyEvent& event) {
     if (event.modifiers() & Qt::ControlModifier)
         return event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down;
@@ -37,7 +37,7 @@ struct PlanEditor::Command {
     QString help;
     const char* icon = "";
     QKeySequence keys = {};
-    bool in_drawing = false; ///< its keys count there only
+    bool in_drawing = false; ///< its keys work in the drawing only
 };
 
 QAction* PlanEditor::add(const Command& command, std::function<void()> run) {
@@ -47,14 +47,14 @@ QAction* PlanEditor::add(const Command& command, std::function<void()> run) {
     if (command.icon[0] != '\0')
         made->setIcon(icon(QString::fromLatin1(command.icon)));
     made->setShortcut(command.keys);
-    made->setShortcutContext(Qt::WidgetShortcut); // for menus to show; see keyPressed
+    made->setShortcutContext(Qt::WidgetShortcut); // Shown in menus; eventFilter handles the keys.
     made->setProperty(in_drawing_property, command.in_drawing);
     connect(made, &QAction::triggered, this, std::move(run));
     actions_.emplace(QString::fromLatin1(command.name), made);
     return made;
 }
 
-/// Nothing where the keys mean nothing to the editor.
+/// Returns the action for these keys, or nullptr.
 QAction* PlanEditor::actionOf(const QKeyEvent& event, bool in_drawing) const {
     const QKeySequence keys(QKeyCombination(event.modifiers() & ~Qt::KeypadModifier, Qt::Key(event.key())));
     for (const auto& [name, candidate] : actions_)
@@ -63,7 +63,7 @@ QAction* PlanEditor::actionOf(const QKeyEvent& event, bool in_drawing) const {
     return nullptr;
 }
 
-/// A window around the editor has keys of its own, and some are the same: here those of the editor count.
+/// The window around the editor may have the same shortcuts; inside the editor, those of the editor take precedence.
 bool PlanEditor::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
         return QWidget::eventFilter(watched, event);
@@ -251,7 +251,7 @@ void PlanEditor::makeMenus() {
     fill(part_menu_, {"usages", "show_text"});
 }
 
-/// What means nothing for the selected part is off.
+/// Disables the commands that make no sense for the selected part.
 void PlanEditor::enableCommands() {
     const PlanGestures* const can = gestures();
     const auto part = can ? selectedPart() : std::nullopt;
@@ -293,7 +293,7 @@ void PlanEditor::showMenu(int, const QPoint& global) {
     part_menu_->popup(global);
 }
 
-/// What any text offers, and what a plan's does.
+/// Shows the standard menu of text editors, extended by commands for plans.
 void PlanEditor::showTextMenu(const QPoint& at) {
     enableCommands();
     QMenu* const menu = text_->createStandardContextMenu(at);
@@ -304,7 +304,7 @@ void PlanEditor::showTextMenu(const QPoint& at) {
     menu->popup(text_->viewport()->mapToGlobal(at));
 }
 
-/// A name, a call or a sense as the plan writes it; the whole trigger; a limit.
+/// Opens the line editor with a name, a call or a sense as the plan writes it, the whole trigger, a limit or a comment.
 void PlanEditor::editInPlace(InPlace what) {
     const int node = canvas_->selected();
     const auto part = gestures() ? selectedPart() : std::nullopt;
@@ -358,7 +358,7 @@ void PlanEditor::enterWords(int node, const QString& entered, int what) {
     perform(posh::renamePart(drawn_text_, *part, words));
 }
 
-/// A member beside a member, a step beside a step, something more in a form; then its act can be written at once.
+/// Adds a member beside a member, a step beside a step, or a part inside a form; then the user can write its act.
 void PlanEditor::addMemberAtSelection(bool before) {
     const PlanGestures* const can = gestures();
     const int node = canvas_->selected();
@@ -378,7 +378,7 @@ void PlanEditor::addMemberAtSelection(bool before) {
     editInPlace(InPlace::Words);
 }
 
-/// The first one is remembered by its place in the text, and forgotten when the text changes.
+/// Remembers the first part by its place in the text until the text changes; the second part is swapped with it.
 void PlanEditor::swapSelected() {
     const int node = canvas_->selected();
     const auto call = selectedCall();

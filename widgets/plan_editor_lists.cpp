@@ -1,4 +1,4 @@
-// The lists below the plan: findings, differences, usages, and what an export lost.
+// The lists below the plan: findings, differences, usages, and losses of an export.
 #include <algorithm>
 
 #include <QSaveFile>
@@ -54,7 +54,7 @@ void PlanEditor::showFindings() {
     showFindingAtCursor();
 }
 
-/// That of the cursor's line, else how many there are.
+/// Shows the finding in the cursor's line, else the number of findings.
 void PlanEditor::showFindingAtCursor() {
     const auto errors = std::ranges::count_if(
         findings_, [](const posh::Finding& finding) { return severityOf(finding.code) == Severity::Error; });
@@ -138,7 +138,7 @@ void PlanEditor::showUsages() {
     lists_shown_->setChecked(true);
 }
 
-/// All that was taken along in the drawing.
+/// Wraps all parts of the range that is selected in the drawing.
 void PlanEditor::wrapRange(posh::FormKind kind) {
     const auto partOf = [this](int node) {
         const auto call = callOfNode(drawn_plan_, canvas_->tree(), node);
@@ -151,7 +151,7 @@ void PlanEditor::wrapRange(posh::FormKind kind) {
         perform(posh::wrapParts(drawn_text_, *first, *last, kind));
 }
 
-/// As the robot describes it; of a form of the plan its parameters; else what there is.
+/// Returns the robot's description of a sense or act, or the parameters of a form of the plan, or only the name.
 agent::PrimitiveDescription PlanEditor::describe(const posh::Call& call, agent::PrimitiveKind kind) const {
     const auto known = std::ranges::find(primitives_, call.name.text, &agent::PrimitiveDescription::name);
     if (known != primitives_.end())

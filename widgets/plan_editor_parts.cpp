@@ -1,4 +1,4 @@
-// What the plan editor is put together from.
+// Construction of the plan editor's widgets.
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QShortcut>
@@ -36,7 +36,8 @@ QToolButton* PlanEditor::addMenuButton(QBoxLayout* row, const QString& help, con
     return button;
 }
 
-/// File, history and comparing at the left; what is shown, and putting the plan into the robot, at the right.
+/// Makes the row of buttons: file, history and comparison at the left, visibility of the panes and "apply" at the
+/// right.
 QWidget* PlanEditor::makeHead() {
     auto* pane = new QWidget(this);
     head_ = new QBoxLayout(QBoxLayout::LeftToRight, pane);
@@ -141,7 +142,7 @@ QListWidget* PlanEditor::makeList(const QString& name, const QString& help) {
 
 namespace {
 
-/// What will be in the list, while nothing is.
+/// Shows what the list will contain while it is empty.
 void explainEmpty(QListWidget* list, const QString& title, const QString& hint) {
     auto* const sheet = new EmptyState(list);
     sheet->setText(title, hint);
@@ -171,7 +172,7 @@ QWidget* PlanEditor::makeLists() {
     return lists_;
 }
 
-/// A question that can wait: it stands above the plan until it is answered.
+/// Makes the bar for questions that need no immediate answer; it stays above the plan until it is answered.
 QWidget* PlanEditor::makeOffer() {
     offer_ = new QFrame(this);
     offer_->setProperty("role", "card");
@@ -203,7 +204,7 @@ void PlanEditor::offer(const QString& words, const QString& accept, std::functio
     offer_->show();
 }
 
-/// A narrow editor stacks what a broad one has side by side, and begins without the pieces.
+/// A narrow editor stacks what a wide one shows side by side, and starts without the palette.
 void PlanEditor::arrange() {
     const int narrow = width() < narrow_editor_px ? 1 : 0;
     if (narrow == narrow_)

@@ -1,4 +1,4 @@
-// What the plan editor is made of: its widgets, and what it knows of the plan that is written.
+// Members of the plan editor: its widgets, and the state of the plan that is edited.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,8 @@
 
 namespace usar::widgets {
 
-/// Members of the editor, set apart so that its header shows what it does. The widgets are its children. GUI thread.
+/// Base of the editor, separate so that the editor's header shows what it does. The widgets are its children. GUI
+/// thread.
 struct PlanEditorParts {
     PlanFile file_;
     std::map<QString, QAction*> actions_;
@@ -71,19 +72,23 @@ struct PlanEditorParts {
     QString why_not_applicable_;
 
     posh::Findings findings_;
-    posh::Plan checked_plan_; ///< of the text as it is
+    posh::Plan checked_plan_; ///< result of reading the current text
+    /// False after an edit, until the text is checked again.
     bool is_checked_ = false;
+    /// Plan and text that the drawing shows.
     posh::Plan drawn_plan_;
     std::string drawn_text_;
+    /// Edits of the drawn plan; nullopt while it cannot be edited.
     std::optional<PlanGestures> gestures_;
-    std::optional<posh::PlanPart> swap_first_; ///< remembered while the text is swap_text_
+    std::optional<posh::PlanPart> swap_first_; ///< first part to swap; valid while the text is swap_text_
     std::string swap_text_;
     QTimer check_timer_;
     QTimer draw_timer_;
     QTimer lamp_timer_;
+    /// The text is changing the drawing, or the drawing the text; keeps each from following itself.
     bool from_text_ = false;
     bool from_drawing_ = false;
-    int narrow_ = -1; ///< not yet arranged
+    int narrow_ = -1; ///< 1: narrow layout, 0: wide; -1: not arranged yet
 };
 
 } // namespace usar::widgets

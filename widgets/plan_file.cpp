@@ -75,7 +75,7 @@ Result<void> PlanFile::save(const QString& path, std::string_view text) {
         bytes.prepend(byte_order_mark);
     forgetKept();
     if (const auto written = writeAll(path, bytes); !written) {
-        keep(text); // all the more now
+        keep(text); // Now the copy is even more important.
         return written;
     }
     saved_ = std::string(text);
@@ -106,7 +106,7 @@ void PlanFile::watch() {
         watcher_.addPath(path_);
 }
 
-/// A file that was replaced is another one to the watcher.
+/// Watches the file again, because a file that was replaced is a different one to the watcher.
 void PlanFile::look() {
     if (path_.isEmpty())
         return;
@@ -131,7 +131,7 @@ void PlanFile::keep(std::string_view text) {
         keep_timer_.start();
 }
 
-/// What cannot be kept is not complained of: it is the second net.
+/// Errors are ignored, because the copy is only a second safeguard.
 void PlanFile::writeKept() {
     if (to_keep_ == saved_ || !QDir().mkpath(folder_))
         return;

@@ -1,4 +1,4 @@
-// The file of a plan that is edited: read and written without harm, watched, and kept aside while it is not saved.
+// The file of a plan that is edited: safe reading and writing, watching for changes, and copies of unsaved text.
 #pragma once
 
 #include <optional>
@@ -13,44 +13,48 @@
 
 namespace usar::widgets {
 
-/// Texts are UTF-8 with LF; a file with CR LF or a byte-order mark gets them back when it is saved. GUI thread.
+/// Texts are UTF-8 with LF; a file with CR LF or a byte-order mark keeps them when it is saved. GUI thread.
 class PlanFile : public QObject {
     Q_OBJECT
 public:
     explicit PlanFile(QObject* parent = nullptr);
 
-    /// Its text; this is the file from now on.
+    /// Reads a file, which becomes the current one, and returns its text; on error the current file stays.
     Result<std::string> open(const QString& path);
-    /// Replaced at once or not at all; this is the file from now on.
+    /// Replaces the file atomically; it becomes the current one. On error the current file stays.
     Result<void> save(const QString& path, std::string_view text);
-    /// No file yet; a name for people all the same. The text counts as saved.
+    /// Starts a plan without a file; `name` is shown to the user. The text counts as saved.
     void startNew(const QString& name, std::string_view text);
     const QString& path() const { return path_; }
-    /// Without its folder.
+    /// File name without its folder, or the name of a new plan.
     QString name() const;
-    /// As it was read or written last.
+    /// The text as it was last read or written.
     const std::string& savedText() const { return saved_; }
 
-    /// Where texts that were not saved are kept. Without a folder they are not.
+    /// Folder for copies of unsaved texts; empty: no copies are made.
     void setKeepingFolder(const QString& folder) { folder_ = folder; }
-    /// Soon, and once for many calls.
+    /// Writes a copy of the unsaved text after about a second, once for many calls.
     void keep(std::string_view text);
-    /// What was kept of this file when the program ended without saving, if it is another text.
+    /// The copy of this file from a program run that ended without saving; nullopt if there is none or it equals the
+    /// saved text.
     std::optional<std::string> kept() const;
+    /// Deletes the copy.
     void forgetKept();
 
 signals:
-    /// By somebody else; not when it holds what it held.
+    /// Another program changed the content of the file.
     void changedOnDisk(const std::string& text);
 
 private:
     QString keptPath() const;
     void writeKept();
+    /// Compares the file with the saved text after a change on disk.
     void look();
     void watch();
 
     QString path_;
     QString new_name_;
+    /// Line ends and byte-order mark of the file.
     std::string saved_;
     bool has_crlf_ = false;
     bool has_mark_ = false;

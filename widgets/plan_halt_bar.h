@@ -1,4 +1,4 @@
-// Says that a plan stands still, where and why, and how it goes on.
+// Bar that says that a plan is halted, where and why, with buttons to continue.
 #pragma once
 
 #include <QBoxLayout>
@@ -8,14 +8,15 @@
 
 namespace usar::widgets {
 
-/// Hidden while there is nothing to say. Buttons are those of commands. GUI thread.
+/// Hidden while there is nothing to say. The buttons belong to commands. GUI thread.
 class PlanHaltBar : public QFrame {
     Q_OBJECT
 public:
     explicit PlanHaltBar(QWidget* parent = nullptr);
 
+    /// Makes a button for each action; the actions must outlive the bar.
     void setActions(const QList<QAction*>& actions);
-    /// A sentence; empty hides the bar.
+    /// Shows a sentence; empty hides the bar.
     void setText(const QString& text);
     QString text() const { return text_->text(); }
 

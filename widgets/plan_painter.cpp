@@ -17,8 +17,8 @@ namespace {
 constexpr double corner_px = 5.0;
 constexpr double full_scale = 0.55;
 constexpr double names_scale = 0.14;
-constexpr double readable_px = 5.5; ///< letters smaller than this are left out
-const Seconds fresh(1.5);           ///< an answer older than this is of another situation
+constexpr double readable_px = 5.5; ///< letters smaller than this are not drawn
+const Seconds fresh(1.5);           ///< older answers belong to another situation and get the stale color
 
 QColor mixed(const QColor& from, const QColor& to, double share) {
     const auto part = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
@@ -79,7 +79,7 @@ void PlanPainter::paint(const QRectF& area) {
     }
 }
 
-/// The trunk of each parent once, whatever it has below; then what runs above all others.
+/// Draws one trunk per parent, however many children it has; lines to running nodes are drawn on top.
 void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) {
     const bool across = scene_.layout.flow() == PlanFlow::Across;
     std::vector<QLineF> lines;
@@ -94,7 +94,7 @@ void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) 
             lines.emplace_back(x, std::max(from.y(), area.top()), x, bottom);
             if (across)
                 lines.emplace_back(from, QPointF(x, from.y()));
-            if (scene_.states[node].running) // a running child may stand outside the area, its line still crosses it
+            if (scene_.states[node].running) // The line to a running child outside the area may cross it.
                 std::copy_if(children.begin(), children.end(), std::back_inserter(running),
                              [this](int child) { return scene_.states[child].running; });
         }
@@ -119,7 +119,7 @@ void PlanPainter::paintLine(int parent, int child, const QColor& color, double w
     painter_.drawPolyline(way, 4);
 }
 
-/// A bar beside members of one level: neither goes before the other.
+/// Paints a bar beside the members of one level, which have equal priority.
 void PlanPainter::paintEquals(int node) {
     if (!scene_.tree[node].has_equals)
         return;
@@ -153,7 +153,7 @@ void PlanPainter::paintCard(int node) {
         painter_.fillRect(box, mixed(colors_.line, colors_.accent, glow));
         painter_.fillRect(box.adjusted(thin(), thin(), -thin(), -thin()), fillOf(node));
     }
-    if (running) // a shape, too: a bar at the left that nothing else has
+    if (running) // Not only a color: a bar at the left that only running cards have.
         painter_.fillRect(QRectF(box.left(), box.top() + 2.0, std::max(4.0, 2.0 * thin()), box.height() - 4.0),
                           colors_.accent);
     if (detail_ == PlanDetail::Names)
@@ -166,7 +166,7 @@ void PlanPainter::paintCard(int node) {
         paintSenseRow(sense);
 }
 
-/// As large as the block allows, but all blocks of a height alike where the name fits.
+/// Uses a font as large as the block allows; blocks of the same height have the same size if their names fit.
 void PlanPainter::paintBlockName(int node, const QRectF& box) {
     const QString& name = scene_.tree[node].name;
     const double height = std::min(box.height() * 0.7, 30.0);
@@ -200,7 +200,7 @@ void PlanPainter::paintTitle(int node, const QRectF& row) {
         text(place, what.detail, colors_.text_muted);
 }
 
-/// Numbers of priority in circles for drives (full) and elements (hollow); letters of the language for the rest.
+/// Paints the priority in a circle for drives (filled) and elements (hollow), and a letter for other kinds.
 void PlanPainter::paintKindMark(int node, const QRectF& place) {
     const PlanNode& what = scene_.tree[node];
     const QPointF middle(place.left() + 7.0, place.center().y());
@@ -240,7 +240,7 @@ void PlanPainter::paintKindMark(int node, const QRectF& place) {
     text(round.adjusted(-4.0, 0.0, 4.0, 0.0), letters, ink, Qt::AlignHCenter);
 }
 
-/// Returns where the room for the name ends.
+/// Paints the counters; returns the right edge of the room for the name.
 double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
     const PlanActivity& state = scene_.states[node];
     if (scene_.tree[node].kind == PlanNodeKind::Plan)
@@ -266,7 +266,7 @@ double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
     return left;
 }
 
-/// A chevron, or the number of what is folded away, or the arrow of a link. Returns where the room before it ends.
+/// Paints a chevron, the number of folded parts, or the arrow of a link; returns the right edge of the room before it.
 double PlanPainter::paintFoldMark(int node, const QRectF& row, double right) {
     const PlanNode& what = scene_.tree[node];
     const bool folds = !scene_.tree.children(node).empty();
@@ -315,7 +315,7 @@ void PlanPainter::paintSenseRow(int sense) {
         text(place, what.detail, colors_.text_muted);
 }
 
-/// Right-aligned, bold where it satisfies. Returns where the room before it ends.
+/// Paints the answer right-aligned, bold if it holds; returns the right edge of the room before it.
 double PlanPainter::paintAnswer(int sense, const QRectF& row) {
     const PlanActivity& state = scene_.states[sense];
     const double right = row.right() - plan_card::padding_px;
@@ -332,7 +332,8 @@ double PlanPainter::paintAnswer(int sense, const QRectF& row) {
     return left - 4.0;
 }
 
-/// Full with a check: holds. Hollow with a bar: does not. A small dot: nobody has asked.
+/// Paints a filled circle with a check (holds), a hollow one with a bar (does not hold), or a small dot (not asked
+/// yet).
 void PlanPainter::paintVerdict(int sense, const QRectF& place) {
     const auto& answer = scene_.states[sense].answer;
     const QPointF middle(place.left() + 7.0, place.center().y());
@@ -358,7 +359,7 @@ void PlanPainter::paintVerdict(int sense, const QRectF& place) {
     }
 }
 
-/// Above all cards: what a search found, and what is selected.
+/// Paints the frames of search matches and of the selection, above all cards.
 void PlanPainter::paintFrames(int node) {
     const auto box = [&](int what) { return scene_.layout.box(scene_.tree, what); };
     const auto framesOf = [&](int what) {
@@ -371,7 +372,7 @@ void PlanPainter::paintFrames(int node) {
         framesOf(what);
 }
 
-/// On the edges of a card, where nothing else is drawn.
+/// Paints marks on the edges of a card, where nothing else is drawn.
 void PlanPainter::paintMarks(int node) {
     if (!scene_.marks || scene_.marks->empty())
         return;
@@ -396,7 +397,7 @@ void PlanPainter::paintMarks(int node) {
     painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
 }
 
-/// The octagon of a stop sign; hollow while it is off; with a bar where it does not stop always.
+/// Paints a stop sign; hollow if disabled, with a bar if it does not always stop.
 void PlanPainter::paintBreakpoint(const PlanMark& mark, const QPointF& middle) {
     const double radius = 7.5 * markSize();
     QPolygonF octagon;
@@ -414,7 +415,7 @@ void PlanPainter::paintBreakpoint(const PlanMark& mark, const QPointF& middle) {
     painter_.drawLine(middle - QPointF(radius / 2.0, 0.0), middle + QPointF(radius / 2.0, 0.0));
 }
 
-/// The arrow of what comes next.
+/// Paints an arrow at the part that the plan is halted before.
 void PlanPainter::paintStand(const QPointF& middle) {
     const double size = markSize();
     const QPointF arrow[] = {middle + size * QPointF(-7, -3), middle + size * QPointF(0, -3),
@@ -426,7 +427,7 @@ void PlanPainter::paintStand(const QPointF& middle) {
     painter_.drawPolygon(arrow, 7);
 }
 
-/// A needle with its head.
+/// Paints a pin with its head.
 void PlanPainter::paintPin(const QPointF& middle) {
     const double size = markSize();
     painter_.setPen(QPen(colors_.text, 2.0 * size));
@@ -436,7 +437,7 @@ void PlanPainter::paintPin(const QPointF& middle) {
     painter_.drawEllipse(middle, 5.0 * size, 5.0 * size);
 }
 
-/// Veiled and struck out.
+/// Paints a veil and a strike-out.
 void PlanPainter::paintOff(const QRectF& box) {
     QColor veil = colors_.background;
     veil.setAlphaF(0.6F);
@@ -451,7 +452,8 @@ void PlanPainter::frame(const QRectF& box, const QColor& color, double width, Qt
     painter_.drawRoundedRect(box.adjusted(-1.0, -1.0, 1.0, 1.0), corner_px, corner_px);
 }
 
-/// Cut with an ellipsis where it does not fit. Placed by hand: QPainter's own alignment costs as much as the text.
+/// Paints one line of text, elided if it does not fit. Aligned by hand, because QPainter's alignment takes as long as
+/// the text itself.
 void PlanPainter::text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align) {
     const QFontMetricsF metrics(painter_.font());
     QString shown = words;

@@ -1,4 +1,4 @@
-// Draws a plan: cards, the lines between them, what runs and what the senses said. The same code for screen and paper.
+// Draws a plan: cards, the lines between them, what is running, and the answers of senses. Used for screen and paper.
 #pragma once
 
 #include <algorithm>
@@ -14,36 +14,39 @@
 
 namespace usar::widgets {
 
-/// All that a drawing is made of; it must outlive the painter.
+/// Everything that a drawing is made of; the references must outlive the painter.
 struct PlanScene {
     const PlanTree& tree;
     const PlanLayout& layout;
     const PlanFolds& folds;
     const PlanStates& states;
     const Tokens& colors;
-    std::vector<bool> found{}; ///< by node: what a search found; empty: there is no search
+    /// By node: true if it matches the search; empty: no search.
+    std::vector<bool> found{};
+    /// -1: none.
     int selected = -1;
-    int hot = -1; ///< under the mouse
-    bool focused = false;
-    const PlanMarks* marks = nullptr; ///< none: nobody put any there
+    int hot = -1;                     ///< under the mouse; -1: none
+    bool focused = false;             ///< the view has the keyboard focus
+    const PlanMarks* marks = nullptr; ///< nullptr: no marks
 };
 
-/// What a scale leaves room for: everything; blocks with names; blocks alone.
+/// Level of detail that a scale has room for: everything; blocks with names; blocks only.
 enum class PlanDetail { Full, Names, Blocks };
+/// Level of detail for a number of screen pixels per layout pixel.
 PlanDetail planDetailAt(double scale);
 
-/// Of pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
+/// Font in pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
 QFont planFont(bool bold = false);
-/// Measures with planFont. GUI thread.
+/// Text widths in planFont. GUI thread.
 PlanMetrics planMetrics();
-/// "1234", "12k", "3M": four characters at most.
+/// "1234", "12k", "3M": at most four characters.
 QString shortCount(std::uint64_t count);
 
-/// The painter's transform maps the layout's pixels to the device, `scale` of its pixels to one of the layout's.
+/// The painter's transform maps layout pixels to the device; `scale` is the number of device pixels per layout pixel.
 class PlanPainter {
 public:
     PlanPainter(QPainter& painter, const PlanScene& scene, double scale);
-    /// What lies in `area`, in the layout's pixels.
+    /// Paints everything in `area`, given in layout pixels.
     void paint(const QRectF& area);
 
 private:
@@ -54,6 +57,7 @@ private:
     void paintBlockName(int node, const QRectF& box);
     void paintTitle(int node, const QRectF& row);
     void paintKindMark(int node, const QRectF& place);
+    /// The two return the right edge of the room that is left for the title.
     double paintCounters(int node, const QRectF& row, double right);
     double paintFoldMark(int node, const QRectF& row, double right);
     void paintSenseRow(int sense);
@@ -68,9 +72,9 @@ private:
     void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
     QColor fillOf(int node) const;
-    /// At least a pixel of the device.
+    /// Line width of at least one device pixel.
     double thin() const { return 1.0 / std::min(scale_, 1.0); }
-    /// Marks shrink less than cards do.
+    /// Scale of marks, which shrink less than cards do.
     double markSize() const { return 1.0 / std::min(1.0, scale_ + 0.3); }
 
     QPainter& painter_;

@@ -66,7 +66,7 @@ QMimeData* mimeOf(const PlanPiece& piece) {
     auto* data = new QMimeData;
     data->setData(QString::fromLatin1(plan_piece_mime_type),
                   (piece.is_sense ? QStringLiteral("sense ") : QStringLiteral("act ")).toUtf8() + piece.words.toUtf8());
-    data->setText(piece.is_sense ? u'(' + piece.words + u')' : piece.words); // into any text
+    data->setText(piece.is_sense ? u'(' + piece.words + u')' : piece.words); // For a drop into any text.
     return data;
 }
 

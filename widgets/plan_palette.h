@@ -1,5 +1,5 @@
-// What plans of a robot can be made of: its senses and acts, and the competences, patterns and adopts of the plan
-// itself.
+// List of what plans of a robot can be made of: its senses and acts, and the competences, patterns and adopts of the
+// plan itself.
 #pragma once
 
 #include <optional>
@@ -18,36 +18,42 @@ class QMimeData;
 
 namespace usar::widgets {
 
-/// The drag format between palette and drawing: a piece as `mimeOf` writes it.
+/// Drag format between palette and drawing: a piece as `mimeOf` writes it.
 inline constexpr const char* plan_piece_mime_type = "application/x-usar-plan-piece";
+/// The caller owns the data.
 QMimeData* mimeOf(const PlanPiece& piece);
-/// Nothing for what is none.
+/// The piece in the data; nullopt if there is none.
 std::optional<PlanPiece> pieceOf(const QMimeData& data);
 
-/// "Distance($beam=0): a number in m. How far the next thing is": what is known of a sense or act, in sentences.
+/// Describes a sense or act in sentences, one per line: help, type and unit of the answer, parameters, requirements.
 QString helpText(const agent::PrimitiveDescription& primitive);
-/// As a plan asks it first: a truth value as it is, a number compared with 0, of several symbols the first.
+/// Initial test of a sense in a plan: numbers are compared with 0, everything else is tested without a comparison.
 QString firstTest(const agent::PrimitiveDescription& sense);
 
-/// A search line over a list in groups, and what is chosen explained below it. Pieces are dragged from it, or added by
-/// double-click and Return. GUI thread.
+/// A search line above a grouped list, and an explanation of the selected piece below it. Pieces are dragged from the
+/// list, or added by double-click or Return. GUI thread.
 class PlanPalette : public QWidget {
     Q_OBJECT
 public:
     explicit PlanPalette(QWidget* parent = nullptr);
 
+    /// The robot's senses and acts; those that every robot has are always listed.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
+    /// Lists the forms of this plan.
     void setPlan(const posh::Plan& plan);
-    /// All that can be written, for completion: the palette's pieces.
+    /// The names of all pieces, sorted, for completion.
     std::vector<PlanWord> words() const;
+    /// Shows only pieces whose name or help contains all these words.
     void setFilter(const QString& words);
+    /// The selected piece; nullopt: none.
     std::optional<PlanPiece> chosen() const;
 
     QSize sizeHint() const override { return {220, 400}; }
 
 signals:
+    /// The user wants to add this piece at the selected part.
     void pieceRequested(const usar::widgets::PlanPiece& piece);
-    /// The plan's own parts or the robot's are others now.
+    /// The plan's own parts, or those of the robot, have changed.
     void wordsChanged();
 
 private:

@@ -26,16 +26,16 @@ namespace {
 
 constexpr int narrow_panel_px = 640;
 constexpr int node_role = Qt::UserRole;
-constexpr int breakpoint_role = Qt::UserRole + 2; // of a breakpoint
+constexpr int breakpoint_role = Qt::UserRole + 2; // On items of the breakpoint list: its id.
 
 struct Row {
     QString text;
     int node = -1;
     QIcon icon{};
-    int mark = 0; ///< rows with another one are others, though the text be the same
+    int mark = 0; ///< rows with different marks differ even if their text is the same
 };
 
-/// Only what is other is touched, so that neither selection nor scroll place jump at every tick.
+/// Changes only the rows that differ, so that neither selection nor scroll position jumps at every tick.
 void fill(QListWidget& list, const std::vector<Row>& rows) {
     const int count = static_cast<int>(rows.size());
     while (list.count() > count)
@@ -96,7 +96,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     column->setSpacing(gap::tiny);
-    column->setSizeConstraint(QLayout::SetNoConstraint); // the broad row would forbid the narrow panel
+    // By default the minimum width of the wide row would keep the panel from becoming narrow.
+    column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addLayout(head_);
     column->addWidget(halt_bar_);
     column->addWidget(body_, 1);
@@ -105,7 +106,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showReasons);
     connect(view_, &PlanView::selectionChanged, this, [this] {
         showReasons();
-        if (view_->selected() >= 0 && !side_->isAncestorOf(QApplication::focusWidget())) // a list goes on being read
+        // With the focus in one of the lists, the user is still reading there.
+        if (view_->selected() >= 0 && !side_->isAncestorOf(QApplication::focusWidget()))
             side_->show(reasons_);
     });
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
@@ -250,12 +252,12 @@ void PlanPanel::fillSide() {
     reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
     reasons_->setWordWrap(true);
     side_->add(verdict_, reasons_, tr("Why?"), 3);
-    side_->setTitleKept(reasons_, true); // it is the answer
+    side_->setTitleKept(reasons_, true); // It is the answer.
     addBoard();
     addBreakpointList();
 }
 
-/// What the plan's acts have written down; hidden while they have not.
+/// Adds the list of values that the plan's acts have written; hidden while there are none.
 void PlanPanel::addBoard() {
     board_ = makeList(tr("Blackboard"), {});
     side_->add(makeTitle(tr("Blackboard"), side_), board_, tr("Board"), 2);
@@ -320,7 +322,7 @@ void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
     const int count = static_cast<int>(rows.size());
     while (breakpoints_->count() > count)
         delete breakpoints_->takeItem(breakpoints_->count() - 1);
-    while (breakpoints_->count() < count) // those that stay are not made anew: one of them may be telling
+    while (breakpoints_->count() < count) // Items are reused, because one of them may be emitting a signal.
         new QListWidgetItem(breakpoints_);
     for (int i = 0; i < count; ++i) {
         const BreakpointRow& row = rows[static_cast<std::size_t>(i)];
@@ -388,7 +390,7 @@ void PlanPanel::showRunningLines() {
     text_->setRunningLines(lines);
 }
 
-/// That of the cursor's line, else how many there are.
+/// Shows the finding in the cursor's line, else the number of findings.
 void PlanPanel::showFinding() {
     const posh::Findings& all = text_->findings();
     const auto errors = std::count_if(all.begin(), all.end(), [](const posh::Finding& finding) {
@@ -469,7 +471,7 @@ void PlanPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
 }
 
-/// The window may have the same key for something else: here it is the panel's.
+/// The window may use the same key for something else; inside the panel it starts the panel's search.
 bool PlanPanel::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Find)) {
         event->accept();
@@ -486,7 +488,7 @@ void PlanPanel::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlanPanel::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) { // icons have the colors of the theme
+    if (event->type() == QEvent::PaletteChange) { // Icons have the colors of the theme.
         reasons_->clear();
         showReasons();
     }

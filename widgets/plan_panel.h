@@ -1,4 +1,4 @@
-// The plan of a robot with what one needs around it: search, what runs now, and why a part runs or does not.
+// The plan of a robot with its tools: search, list of what is running, and why a part runs or does not.
 #pragma once
 
 #include <QBoxLayout>
@@ -22,52 +22,61 @@ struct BreakpointRow {
     int id = 0;
     QString text;
     QString help;
-    std::string path; ///< in the plan; empty: it has no such place
+    std::string path; ///< path in the plan; empty: the plan has no such place
     bool enabled = true;
     bool operator==(const BreakpointRow&) const = default;
 };
 
-/// Values in by setters, wishes out by signals. A narrow panel stacks what a broad one has side by side; the lists of a
-/// low one stand behind tabs. GUI thread.
+/// State comes in by setters, wishes go out by signals. A narrow panel stacks what a wide one shows side by side; in a
+/// low one the lists are in tabs. GUI thread.
 class PlanPanel : public QWidget {
     Q_OBJECT
 public:
     explicit PlanPanel(QWidget* parent = nullptr);
 
     PlanView& view() { return *view_; }
+    /// Shows a plan in the drawing; see PlanView::setPlan.
     void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
+    /// Also shows the plan's blackboard.
     void setSnapshot(PlanSnapshot snapshot);
-    /// Of the plan's blackboard, the selected one; empty: none is.
+    /// The selected key of the plan's blackboard; empty: none.
     QString selectedKey() const;
-    /// Keys of the blackboard that a breakpoint watches.
+    /// Marks the keys of the blackboard that a breakpoint watches.
     void setWatchedKeys(const QStringList& keys);
-    /// The text that the plan was read from, beside the drawing and in step with it, and what is wrong with it: the
-    /// findings of its reader. To be called after setPlan; without it the button that shows the text is off.
+    /// Sets the text that the plan was read from, shown beside the drawing and in step with it, and the findings of its
+    /// reader. Call it after setPlan; without it the button that shows the text is disabled.
     void setPlanText(std::string_view text, const posh::Findings& findings);
+    /// Removes plan, text and blackboard.
     void clear();
-    /// Of the plan; without any the list is hidden.
+    /// Lists the breakpoints of this plan; the list is hidden while there are none.
     void setBreakpoints(const std::vector<BreakpointRow>& rows);
     PlanHaltBar& haltBar() { return *halt_bar_; }
     PlanTimeBar& timeBar() { return *time_bar_; }
     PlanTextEdit& textEdit() { return *text_; }
-    /// Silent. Fewer than two leave nothing to choose: the box is hidden.
+    /// Sets the robots to choose from; with fewer than two the choice is hidden. Emits nothing.
     void setRobots(const QStringList& names, const QString& shown);
+    /// Name of the chosen robot; empty if there is none.
     QString shownRobot() const { return robots_->currentText(); }
 
     QSize sizeHint() const override { return {1100, 420}; }
     QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
+    /// The user chose another robot.
     void robotChosen(const QString& name);
-    /// The person wants to see where a part stands in the plan's text; the panel shows it if it has the text.
+    /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
     void textRequested(const usar::posh::Spot& at);
-    /// As a picture in a file.
+    /// The user wants to save the drawing as a picture.
     void exportRequested();
+    /// The user enabled or disabled a breakpoint in the list.
     void breakpointSwitched(int id, bool on);
+    /// The user wants to edit this breakpoint.
     void breakpointEditRequested(int id);
+    /// The user wants to remove this breakpoint.
     void breakpointRemoved(int id);
+    /// The selection in the blackboard's list changed; see selectedKey.
     void keySelected();
-    /// By a double-click or Return: it is to stop the plan when it is written, or no more.
+    /// Double-click or Return: toggles whether the plan stops when the selected key is written.
     void keyActivated();
 
 protected:
@@ -80,12 +89,14 @@ private:
     QBoxLayout* makeSearchRow();
     QBoxLayout* makeButtonRow();
     QWidget* makeText();
+    /// Fills the side with the lists: running, reasons, blackboard, breakpoints.
     void fillSide();
     void addBreakpointList();
     void addBoard();
     void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
+    /// Switches between the narrow and the wide layout.
     void arrange();
     void showTree();
     void giveFocusBack();
@@ -93,9 +104,12 @@ private:
     void showFound();
     void showRunning();
     void showReasons();
+    /// Marks the selected part in the text.
     void showTextPlace();
+    /// Tints the lines of running parts.
     void showRunningLines();
     void showFinding();
+    /// Selects the part that a list item refers to.
     void jumpTo(const QListWidgetItem* item);
 
     PlanView* view_;
@@ -122,8 +136,8 @@ private:
     PlanHaltBar* halt_bar_;
     PlanTimeBar* time_bar_;
     bool slider_waits_ = false; ///< it had the focus before its tree was emptied, and gets it back
-    bool from_text_ = false;    ///< the selection follows the text's cursor
-    int narrow_ = -1;           ///< not yet arranged
+    bool from_text_ = false;    ///< the selection follows the cursor in the text
+    int narrow_ = -1;           ///< 1: narrow layout, 0: wide; -1: not arranged yet
 };
 
 } // namespace usar::widgets

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double most_pixels = 64e6;
 constexpr double longest_side_px = 30'000.0;
-constexpr double longest_page_pt = 14'400.0; ///< readers of PDF refuse more
+constexpr double longest_page_pt = 14'400.0; ///< PDF viewers refuse larger pages
 constexpr int pdf_dots_per_inch = 600;
 
 QByteArray svg(PlanView& view) {
@@ -32,7 +32,7 @@ QByteArray svg(PlanView& view) {
 }
 
 QByteArray pdf(PlanView& view) {
-    const QSizeF size_pt = view.drawingSize() * 0.75; // 96 pixels are 72 points
+    const QSizeF size_pt = view.drawingSize() * 0.75; // 96 pixels are 72 points.
     const double shrunk = std::min(1.0, longest_page_pt / std::max(size_pt.width(), size_pt.height()));
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);

@@ -1,4 +1,4 @@
-// The drawing of a plan as a picture in a file.
+// Saves the drawing of a plan as a picture file.
 #pragma once
 
 #include <QString>
@@ -8,9 +8,9 @@
 
 namespace usar::widgets {
 
-/// All that is unfolded, in the light theme, with what runs and the newest answers. The ending of the name says what it
-/// is: .svg, .pdf (one page as large as the drawing) or .png (twice the size on screen, less where that is too large).
-/// The file is replaced at once or not at all. GUI thread.
+/// Draws everything that is not folded, in the light theme, with the running parts and newest answers. The extension of
+/// `file` selects the format: .svg, .pdf (one page as large as the drawing) or .png (twice the size on the screen, less
+/// if that is too large). The file is replaced atomically. GUI thread.
 Result<void> savePlanPicture(PlanView& view, const QString& file);
 
 } // namespace usar::widgets

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double mark_px = 14.0;
 
-/// Comments, strings, words of the language and numbers. Strings may span lines.
+/// Colors comments, strings, keywords and numbers. Strings may span several lines.
 class PlanHighlighter : public QSyntaxHighlighter {
 public:
     using QSyntaxHighlighter::QSyntaxHighlighter;
@@ -54,7 +54,7 @@ protected:
 private:
     static bool isWordPart(QChar c) { return c.isLetterOrNumber() || QStringLiteral("_-.$+").contains(c); }
 
-    /// To behind its end; false where the line ends first.
+    /// Moves `at` after the end of the string; returns false if the line ends first.
     static bool skipString(const QString& text, int& at) {
         for (; at < text.size(); ++at) {
             if (text[at] == u'\\')
@@ -83,7 +83,7 @@ private:
     }
 };
 
-/// The strip with the line numbers; its editor paints it.
+/// The strip with the line numbers, painted by its editor.
 class Gutter : public QWidget {
 public:
     explicit Gutter(PlanTextEdit* edit) : QWidget(edit), edit_(edit) {}
@@ -170,7 +170,7 @@ void PlanTextEdit::showPlace(const posh::Spot& spot) {
     mark();
 }
 
-/// Lines are seen from their beginning where that is possible.
+/// Lines are shown from their beginning if possible.
 void PlanTextEdit::scrollToShown() {
     horizontalScrollBar()->setValue(0);
     ensureCursorVisible();
@@ -312,9 +312,9 @@ void PlanTextEdit::resizeEvent(QResizeEvent* event) {
     QPlainTextEdit::resizeEvent(event);
     const QRect inside = contentsRect();
     gutter_->setGeometry(inside.left(), inside.top(), gutterWidth(), inside.height());
-    if (shown_.line > 0) // it may have been chosen while there was no room
+    if (shown_.line > 0) // It may have been set while there was no room.
         scrollToShown();
-    else if (was_seen) // a sentence below that grows must not hide what is written
+    else if (was_seen) // A growing label below must not hide the text at the cursor.
         ensureCursorVisible();
 }
 

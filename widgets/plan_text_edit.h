@@ -1,4 +1,4 @@
-// The text of a plan: line numbers, colors, what is wrong with it marked where it stands.
+// Read-only view of the text of a plan: line numbers, colors, and marks for what is wrong with it.
 #pragma once
 
 #include <set>
@@ -11,35 +11,38 @@
 
 namespace usar::widgets {
 
-/// For reading; see PlanCodeEdit for writing. An error is underlined with a wave and has a cross beside its line, a
-/// warning a dotted line and a triangle, a note a circle; tooltips say them. Lines of what runs are tinted and have a
-/// bar. F8 and Shift+F8 go over all of these. GUI thread.
+/// See PlanCodeEdit for editing. An error has a wavy underline and a cross beside its line, a warning a dotted
+/// underline and a triangle, a note a circle; tooltips say what they mean. Lines that are running are tinted and have a
+/// bar. F8 and Shift+F8 step through findings and notes. GUI thread.
 class PlanTextEdit : public QPlainTextEdit {
     Q_OBJECT
 public:
     explicit PlanTextEdit(QWidget* parent = nullptr);
 
-    /// The findings and notes are those of this text.
+    /// Replaces the text; findings and notes refer to this text.
     void setPlanText(std::string_view text, const posh::Findings& findings, std::vector<PlanNote> notes = {});
     const posh::Findings& findings() const { return findings_; }
-    /// Of the text as it is now.
+    /// Sets the findings and notes of the current text.
     void setFindings(const posh::Findings& findings, std::vector<PlanNote> notes = {});
     const std::vector<PlanNote>& notes() const { return notes_; }
-    /// Counted from 1.
+    /// Tints these lines, counted from 1.
     void setRunningLines(const std::set<int>& lines);
-    /// Brings it into view and marks it; no signal. Line 0 marks nothing.
+    /// Scrolls to a spot and marks it, without a signal. Line 0 removes the mark.
     void showPlace(const posh::Spot& spot);
+    /// Moves the cursor to the next or previous finding or note; wraps around.
     void nextFinding(bool backward = false);
-    /// The finding at the cursor's line, errors first; nullptr for none.
+    /// The finding in the cursor's line, errors first; nullptr if there is none.
     const posh::Finding* findingAtCursor() const;
-    /// The note at the cursor's line; nullptr for none.
+    /// The note in the cursor's line; nullptr if there is none.
     const PlanNote* noteAtCursor() const;
+    /// The findings and notes of a line, counted from 1; empty if there are none.
     QString toolTipAt(int line) const;
+    /// Width of the strip with line numbers, in pixels.
     int gutterWidth() const;
     void paintGutter(QPaintEvent* event);
 
 signals:
-    /// By the person; line and column count from 1, columns code points.
+    /// The user moved the cursor; line and column count from 1, columns in code points.
     void placeEntered(int line, int column);
 
 protected:
@@ -48,13 +51,13 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
-    /// Paints all marks anew.
+    /// Sets all marks again.
     void mark();
-    /// More marks, over those of findings.
+    /// Adds marks of a subclass, painted over those of findings.
     virtual void addMarks(QList<QTextEdit::ExtraSelection>&) const {}
-    /// Selects the spot; what stands behind the end of the text is at its last line.
+    /// Selects the spot; a spot after the end of the text is mapped to the last line.
     QTextCursor cursorAt(const posh::Spot& spot) const;
-    /// The cursor is moved by the program: no signal.
+    /// True while the program moves the cursor, so that placeEntered is not emitted.
     bool& quiet() { return quiet_; }
 
 private:
@@ -67,9 +70,10 @@ private:
     std::set<int> warning_lines_;
     std::set<int> note_lines_;
     std::set<int> running_lines_;
+    /// The spot set by showPlace.
     posh::Spot shown_;
     QWidget* gutter_;
-    bool quiet_ = false; ///< the cursor is moved by us
+    bool quiet_ = false; ///< the program moves the cursor
 };
 
 } // namespace usar::widgets

@@ -72,7 +72,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     row->addWidget(look_back_);
     row->addWidget(live_);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
-    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // keys and wheel
+    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // Keys and wheel.
         if (action == QAbstractSlider::SliderMove || time_.cycle == 0)
             return;
         const bool is_step =
@@ -80,7 +80,8 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
         const QToolButton* const button = action == QAbstractSlider::SliderSingleStepAdd ? forward_ : back_;
         if (!is_step)
             emit timeWanted(timeOf(slider_->sliderPosition()));
-        else if (button->defaultAction()) // in a short run a step of the slider is less than a cycle, and leads nowhere
+        // In a short run a step of the slider is less than a cycle, so it triggers the button instead.
+        else if (button->defaultAction())
             button->defaultAction()->trigger();
     });
     setTime({});
@@ -97,7 +98,7 @@ void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAc
     arrange();
 }
 
-/// What is offered in the past, and in a replay that can be left for it, is said in words where there is room for them.
+/// The buttons that apply now (in the past, or in a replay that can be left) are labeled if there is room for text.
 void PlanTimeBar::arrange() {
     const bool is_past = !time_.live && !time_.replay && time_.cycle != 0;
     const bool is_broad = width() >= broad_bar_px;
@@ -119,12 +120,13 @@ Seconds PlanTimeBar::timeOf(int value) const {
 
 void PlanTimeBar::setTime(const PlanTime& time) {
     time_ = time;
-    slider_->setEnabled(time.cycle != 0 || slider_->hasFocus()); // or its keys would go to a neighbor meanwhile
+    // A focused slider stays enabled; otherwise its keys would go to a neighbor in the meantime.
+    slider_->setEnabled(time.cycle != 0 || slider_->hasFocus());
     arrange();
     const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
     if (words_->property("role") != role) {
         words_->setProperty("role", role);
-        words_->style()->unpolish(words_); // or the role's color would be the last one's
+        words_->style()->unpolish(words_); // Otherwise the color of the previous role would stay.
         words_->style()->polish(words_);
     }
     words_->setText(planTimeText(time));

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array compared_by{Predicate::Equal,       Predicate::NotEqual, Predicate::Less,
                                  Predicate::LessOrEqual, Predicate::Greater,  Predicate::GreaterOrEqual};
 
-/// What a comparison begins with where there was none.
+/// Returns the initial operand of a new comparison.
 posh::Value firstOperand(const ValueShape& shape) {
     switch (shape.type) {
     case AnswerType::Boolean:
@@ -75,7 +75,7 @@ void PlanValuesDialog::addHead() {
     form_->addRow(help);
 }
 
-/// The declared ones in their order, then what else the call has.
+/// Adds the declared parameters in their order, then the other arguments of the call.
 void PlanValuesDialog::addArguments() {
     const std::vector<posh::Argument>& given = first_.call.arguments;
     std::vector<bool> is_shown(given.size(), false);

@@ -18,7 +18,7 @@ constexpr double margin_px = 16.0;
 constexpr double smallest_scale = 0.01;
 constexpr double largest_scale = 4.0;
 constexpr double readable_scale = 0.8;
-constexpr int broad_node_px = 560; ///< a view narrower than this shows an outline
+constexpr int broad_node_px = 560; ///< narrower views show an outline
 constexpr int tick_ms = 16;
 } // namespace
 
@@ -63,7 +63,7 @@ void PlanView::setSharing(PlanSharing sharing) {
     rebuild();
 }
 
-/// What is selected is found again by its names; a part that is now drawn elsewhere, by its path.
+/// Selects the same part again, found by its names; if that part is now drawn elsewhere, by its path.
 void PlanView::rebuild() {
     const bool had = selected_ >= 0;
     const std::uint64_t key = had ? tree_[selected_].key : 0;
@@ -272,7 +272,7 @@ void PlanView::panBy(const QPointF& by_px) {
     update();
 }
 
-/// Some of the drawing stays in view, so that nobody gets lost.
+/// Keeps part of the drawing in view, so that the user does not get lost.
 void PlanView::keepInReach() {
     const QRectF all = layout().bounds();
     const QPointF room = QPointF(width(), height()) / scale_;
@@ -281,7 +281,7 @@ void PlanView::keepInReach() {
     corner_.ry() = std::clamp(corner_.y(), all.top() - room.y() + rest.y(), all.bottom() - rest.y());
 }
 
-/// Moves no further than it must; what is larger than the view shows its beginning.
+/// Scrolls no further than necessary; shows the beginning of a part that is larger than the view.
 void PlanView::bringIntoView(int node) {
     const QRectF box = layout().box(tree_, node).adjusted(-margin_px, -margin_px, margin_px, margin_px);
     const QPointF room = QPointF(width(), height()) / scale_;
@@ -332,7 +332,7 @@ QString PlanView::reservation() const {
     return {};
 }
 
-/// For screen readers: what is selected, else the keys.
+/// Describes the selected part for screen readers, or the keys if nothing is selected.
 void PlanView::describe() {
     setAccessibleDescription(
         selected_ >= 0 ? nodeText(selected_)
@@ -357,7 +357,7 @@ void PlanView::paintEvent(QPaintEvent* event) {
     if (tree_.empty())
         return;
     const QRectF area(toLayout(event->rect().topLeft()), QSizeF(event->rect().size()) / scale_);
-    layout(); // up to date
+    layout(); // Updates layout_ if necessary.
     painter.scale(scale_, scale_);
     painter.translate(-corner_);
     const PlanScene scene{tree_,        layout_,   folds_, states_,    tokens(),

@@ -1,4 +1,4 @@
-// The drawing of a plan, live: what runs now, what the senses said, how often each part started.
+// Live drawing of a plan: what is running, the answers of senses, and how often each part started.
 #pragma once
 
 #include <optional>
@@ -16,64 +16,70 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Values in by setters, gestures out by signals; it knows no engine. News is taken at most every 16 ms, and none while
-/// hidden. Keys when focused: arrows pan (with Shift by a page), + and - zoom, F fits, Ctrl with arrows walks to the
-/// part above, below, left or right, Home and End to the first and last, N and Shift+N over what runs, Space folds,
-/// Return follows a link or asks for the text, Escape selects nothing. GUI thread.
+/// State comes in by setters, gestures go out by signals; it knows no engine. Snapshots are taken at most every 16 ms,
+/// and not while hidden. Keys when focused: arrows pan (with Shift by a page), + and - zoom, F fits, Ctrl with arrows
+/// moves to the part above, below, left or right, Home and End to the first and last, N and Shift+N step through what
+/// is running, Space folds, Return follows a link or emits activated, Escape clears the selection. GUI thread.
 class PlanView : public QWidget {
     Q_OBJECT
 public:
     explicit PlanView(QWidget* parent = nullptr);
     ~PlanView() override;
 
-    /// Folds and selection stay with the parts of the same names; counters begin anew.
+    /// Shows a plan; parts with the same names stay folded and selected, counters start again.
     void setPlan(const posh::Plan& plan);
-    /// Another robot, or none: as new.
+    /// Removes the plan and all folds, for another robot or none.
     void clear();
     /// The sheet that is shown while there is no plan.
     EmptyState* emptyState() const { return empty_state_; }
+    /// Shows this state of the run, from the next frame on.
     void setSnapshot(PlanSnapshot snapshot);
-    /// All that there are; they stay with their paths in another plan.
+    /// Replaces all marks; they are kept by path when the plan changes.
     void setMarks(std::vector<PlanMark> marks);
     const PlanMarks& marks() const { return marks_; }
 
     void setSharing(PlanSharing sharing);
     PlanSharing sharing() const { return sharing_; }
-    /// Nothing: across where there is room for it, else as an outline.
+    /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
     void setFlow(std::optional<PlanFlow> flow);
 
-    /// What of them is at hand; node numbers hold until the next plan or sharing.
+    /// The present state of the drawing; node numbers are valid until the next plan or sharing.
     const PlanTree& tree() const { return tree_; }
     const PlanStates& states() const { return states_; }
     const PlanFolds& folds() const { return folds_; }
     const PlanLayout& layout();
     int selected() const { return selected_; }
-    /// Opens the way to it and brings it into view; -1 selects nothing. Tells by selectionChanged.
+    /// Selects a node, unfolds the path to it and scrolls to it; -1 clears the selection. Emits selectionChanged if
+    /// the selection changed.
     void select(int node);
+    /// Selects the node of an engine's path; returns false if there is none.
     bool selectPath(const std::string& path);
     void setFolded(int node, bool folded);
 
-    /// Marks what fits and goes to the first of it after the selection. The number found; 0 also for no words.
+    /// Marks the nodes that match and selects the next one after the selection, unless the selection matches. Returns
+    /// the number of matches; 0 without words.
     int find(const QString& words);
-    /// To the next or previous of what was found; over the end to the beginning.
+    /// Selects the next or previous match; wraps around.
     void findNext(bool backward = false);
     const std::vector<int>& found() const { return found_; }
 
+    /// Screen pixels per layout pixel.
     double scale() const { return scale_; }
     QPointF toScreen(const QPointF& in_layout) const { return (in_layout - corner_) * scale_; }
     QPointF toLayout(const QPointF& on_screen) const { return on_screen / scale_ + corner_; }
-    /// At a size that can be read, from the beginning; smaller only as far as that helps.
+    /// Shows the beginning of the drawing at a readable size; the whole drawing if it is readable then.
     void showBeginning();
-    /// Scale and place stay as they are when another plan comes, until they are asked for again.
+    /// Keeps scale and position when the plan changes, until fit() or showBeginning() is called.
     void holdStill() { framing_ = Framing::Own; }
-    /// What it would say of a node under the mouse, and to a screen reader.
+    /// Description of a node, as in its tooltip and for screen readers.
     QString nodeText(int node) const;
-    /// What keeps the drawing from being the whole truth; empty where nothing does.
+    /// Says in which respect the drawing is incomplete; empty if it is complete.
     QString reservation() const;
-    /// How often news was taken: hidden views take none.
+    /// Number of snapshots taken; stands still while the view is hidden.
     int newsTaken() const { return news_taken_; }
 
-    /// The whole drawing with all that is open, in the light theme, at a scale of 1, its corner at the origin.
+    /// Size of the whole drawing in pixels at a scale of 1. paintDrawing() draws it in the light theme with its corner
+    /// at the origin; folded parts stay folded.
     QSizeF drawingSize();
     void paintDrawing(QPainter& painter);
 
@@ -86,19 +92,19 @@ public slots:
     void zoomOut();
     void foldAll();
     void unfoldAll();
-    /// Opens what runs and folds the rest.
+    /// Unfolds what is running and folds the rest.
     void showRunning();
 
 signals:
-    /// -1: nothing is.
+    /// -1: nothing is selected.
     void selectionChanged(int node);
-    /// Double-click or Return on a part that is no link.
+    /// Double-click or Return on a part that is not a link.
     void activated(int node);
-    /// The person asks what can be done with a part (it is selected by then), or with none (-1).
+    /// The user wants the context menu of a part, which is selected already, or of none (-1).
     void menuRequested(int node, const QPoint& at_global);
-    /// News was taken: states() are others.
+    /// A snapshot was taken: states() changed.
     void refreshed();
-    /// Another plan or another sharing: node numbers are others.
+    /// The plan or the sharing changed: node numbers changed.
     void treeChanged();
 
 protected:
@@ -121,9 +127,10 @@ private:
     void takeNews();
     void relayout();
     PlanFlow wantedFlow() const;
-    /// As relayout, but the node stays where it is on the screen.
+    /// Lays out again and keeps the node in its place on the screen.
     void relayoutAround(int node);
     int nodeAt(const QPointF& on_screen);
+    /// True if that place is on the node's fold mark or link arrow.
     bool onFoldMark(int node, const QPointF& on_screen);
     void bringIntoView(int node);
     void keepInReach();
@@ -134,8 +141,11 @@ private:
     bool actByKey(const QKeyEvent& event);
     int neighbor(int key) const;
     int sibling(int node, int by) const;
+    /// Selects the next or previous running node.
     void walkRunning(int by);
+    /// Follows a link, else folds or unfolds.
     void open(int node);
+    /// Updates the description for screen readers.
     void describe();
 
     posh::Plan plan_;
@@ -147,7 +157,7 @@ private:
     PlanSnapshot snapshot_;
     std::vector<PlanMark> marks_by_path_;
     PlanMarks marks_;
-    bool news_ = false; ///< the snapshot was not taken yet
+    bool news_ = false; ///< the snapshot has not been taken yet
     int news_taken_ = 0;
     QTimer tick_;
     std::vector<QSizeF> sizes_;
@@ -155,8 +165,8 @@ private:
     PlanLayout layout_;
     bool layout_valid_ = false;
     double scale_ = 1.0;
-    QPointF corner_;                                                            ///< of the layout at the view's corner
-    enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< what resizing keeps
+    QPointF corner_; ///< place of the layout that is in the view's top left corner
+    enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< kept when the view is resized
     std::vector<int> found_;
     std::vector<bool> found_marks_;
     int selected_ = -1;

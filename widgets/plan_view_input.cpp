@@ -34,7 +34,7 @@ int PlanView::nodeAt(const QPointF& on_screen) {
     const int node = layout().nodeAt(tree_, toLayout(on_screen));
     if (node < 0 || !tree_[node].in_card || planDetailAt(scale_) == PlanDetail::Full)
         return node;
-    return tree_[node].parent; // its row is not drawn
+    return tree_[node].parent; // Its row is not drawn at this scale.
 }
 
 bool PlanView::onFoldMark(int node, const QPointF& on_screen) {
@@ -84,7 +84,7 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
-    // No gesture begins, so that the second release is no click.
+    // No gesture begins, so that the second release does not count as a click.
     const int node = nodeAt(event->position());
     if (event->button() != Qt::LeftButton || node < 0)
         return;
@@ -96,7 +96,7 @@ void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
         emit activated(node);
 }
 
-/// Follows a link, folds or unfolds.
+/// Follows a link, or folds or unfolds the node.
 void PlanView::open(int node) {
     if (tree_[node].link >= 0)
         select(tree_[node].link);
@@ -145,7 +145,7 @@ bool PlanView::walkByKey(const QKeyEvent& event) {
     return true;
 }
 
-/// Where a step from the selection leads; the root from nowhere, -1 at an end.
+/// Returns the node that a step from the selection leads to; the root if nothing is selected, -1 at an end.
 int PlanView::neighbor(int key) const {
     if (selected_ < 0)
         return 0;
@@ -158,7 +158,7 @@ int PlanView::neighbor(int key) const {
     return sibling(selected_, key == Qt::Key_Up ? -1 : 1);
 }
 
-/// Down from a card come its senses, from the last of them the next card; and back.
+/// Steps down from a card to its senses, and from the last of them to the next card; and in reverse.
 int PlanView::sibling(int node, int by) const {
     const PlanNode& what = tree_[node];
     if (by > 0 && what.senses > 0)

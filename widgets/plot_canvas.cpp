@@ -19,7 +19,7 @@ QSharedPointer<QCPAxisTickerTime> timeTicker() {
     return ticker;
 }
 
-/// A little air around `range`, and a height where it has none.
+/// Adds some margin around `range`, and a height if it has none.
 QCPRange roomy(const QCPRange& range) {
     const double air = range.size() > 0.0 ? 0.08 * range.size() : std::max(0.5, 0.05 * std::abs(range.lower));
     return {range.lower - air, range.upper + air};
@@ -48,7 +48,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->yAxis->setNumberFormat(QStringLiteral("gb"));
     plot_->yAxis2->setNumberFormat(QStringLiteral("gb"));
     plot_->legend->setVisible(false);
-    // Decimal points in every locale, as everywhere in the window.
+    // Decimal points in every locale, like everywhere in the window.
     plot_->setLocale(QLocale::c());
     connectGestures();
     applyTheme();
@@ -79,7 +79,7 @@ void PlotCanvas::leaveFollowing() {
     emit followingChanged(false);
 }
 
-// Called before QCustomPlot itself looks at the wheel.
+// Called before QCustomPlot handles the wheel itself.
 void PlotCanvas::aimWheel(const QPointF& at_px) {
     QCPAxisRect* rect = plot_->axisRect();
     QCPAxis* axis = at_px.x() < rect->left() ? plot_->yAxis : at_px.x() > rect->right() ? plot_->yAxis2 : nullptr;
@@ -183,7 +183,7 @@ void PlotCanvas::setFollowing(bool following) {
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// Until there is a window full of samples the line grows from the left edge.
+// Until the window is full of samples, the line grows from the left edge.
 void PlotCanvas::fitTime() {
     if (!newest_s_ || !oldest_s_)
         return;
@@ -301,7 +301,7 @@ void PlotCanvas::styleAxis(QCPAxis* axis) {
     axis->grid()->setZeroLinePen(QPen(t.line));
 }
 
-// After nine lines colors repeat, so those are dashed.
+// Colors repeat after nine lines; the next nine lines are dashed.
 void PlotCanvas::styleLines() {
     int index = 0;
     for (const std::string& path : order_) {

@@ -1,4 +1,4 @@
-// The drawing surface of a plot: axes over protocol time, one line a series. The only class that knows QCustomPlot.
+// Drawing surface of a plot: axes over protocol time, one line per series. The only class that uses QCustomPlot.
 #pragma once
 
 #include <map>
@@ -16,42 +16,42 @@ class QCustomPlot;
 
 namespace usar::widgets {
 
-/// Draws when told (`show`), and by itself after a gesture: wheel zooms time (over a value axis: that axis), drag pans,
-/// double-click goes back to following. Angles are drawn in degrees. The first unit has the left axis, the second
-/// the right one, others share the left. Colors follow the theme. GUI thread.
+/// Draws on request (`show`), and by itself after a gesture: the wheel zooms time (over a value axis: that axis), drag
+/// pans, double-click resumes following. Angles are drawn in degrees. The first unit uses the left axis, the second the
+/// right one, all others share the left. Colors follow the theme. GUI thread.
 class PlotCanvas : public QWidget {
     Q_OBJECT
 public:
     explicit PlotCanvas(QWidget* parent = nullptr);
 
-    /// Brings lines and axes up to date with the store; only new samples are copied.
+    /// Updates lines and axes from the store; copies only new samples.
     void show(const SeriesStore& store);
-    /// Only takes lines off that are no longer watched; what is drawn stands still.
+    /// Removes only the lines that are no longer watched; the rest of the picture stays as it is.
     void dropLines(const SeriesStore& store);
-    /// How much time is seen while following; infinite for all there is.
+    /// Sets the time span that is visible while following, and starts to follow; infinite: everything.
     void setWindow(Seconds window);
-    /// Keeps the newest sample at the right edge and the values fitted.
+    /// While following, the newest sample is at the right edge and the value axes fit. Emits nothing.
     void setFollowing(bool following);
     bool following() const { return following_; }
-    /// Draws these thicker.
+    /// Draws the lines of these paths thicker.
     void emphasize(const std::set<std::string>& paths);
-    /// About the middle of what is seen; above 1 shows less time in more detail. Ends following.
+    /// Zooms around the middle of the visible span; a factor above 1 shows less time in more detail. Ends following.
     void zoomTime(double factor);
-    /// By a fraction of what is seen; positive is later.
+    /// Moves by a fraction of the visible span; positive is later. Ends following.
     void panTime(double fraction);
 
-    /// The edges of what is seen, on the protocol's clock; there may be no sample there.
+    /// Edges of the visible span on the protocol clock; samples need not reach that far.
     Seconds visibleFrom() const;
     Seconds visibleTo() const;
-    /// Of the line as it is drawn; 0 for a path that is not watched.
+    /// Number of samples in the line as drawn; 0 for a path that is not watched.
     int sampleCount(const std::string& path) const;
-    /// As on the screen, with a legend, for files.
+    /// The plot as on the screen, with a legend and at twice the resolution, for files.
     QPixmap picture() const;
-    /// Of the `index`-th line; readable on the current theme's surface.
+    /// Color of the `index`-th line; readable in the current theme.
     static QColor lineColor(int index);
 
 signals:
-    /// By a gesture.
+    /// By a gesture or by zoomTime() and panTime().
     void followingChanged(bool following);
 
 protected:
@@ -60,17 +60,24 @@ protected:
 private:
     struct Line {
         QCPGraph* graph = nullptr;
-        std::uint64_t history = 0; ///< of the series that was copied
-        std::uint64_t taken = 0;   ///< samples copied or skipped so far
+        std::uint64_t history = 0; ///< history of the series that was copied
+        std::uint64_t taken = 0;   ///< number of samples copied or skipped so far
     };
 
     void connectGestures();
+    /// Stops following and emits followingChanged if that is a change.
     void leaveFollowing();
+    /// Directs the wheel to the axis under the mouse.
     void aimWheel(const QPointF& at_px);
+    /// Adds and removes lines so that they match the store.
     void matchLines(const SeriesStore& store);
+    /// Copies the new samples of a series into its line.
     void feed(const Series& series);
+    /// Assigns each line to the axis of its unit.
     void assignAxes(const SeriesStore& store);
+    /// Shows the window that ends at the newest sample.
     void fitTime();
+    /// Fits the value axes to the visible samples, unless the user has zoomed one.
     void fitValues();
     void fitAxis(QCPAxis* axis);
     void applyTheme();
@@ -80,13 +87,13 @@ private:
 
     QCustomPlot* plot_;
     std::map<std::string, Line> lines_;
-    std::vector<std::string> order_; ///< of the store: color and legend
+    std::vector<std::string> order_; ///< order of the store: determines color and legend
     std::set<std::string> emphasized_;
     Seconds window_{60.0};
     std::optional<double> oldest_s_;
     std::optional<double> newest_s_;
     bool following_ = true;
-    bool values_fitted_ = true; ///< until the person zooms a value axis
+    bool values_fitted_ = true; ///< until the user zooms a value axis
 };
 
 } // namespace usar::widgets

@@ -37,7 +37,7 @@ QIcon swatch(const QColor& color) {
     return pixmap;
 }
 
-/// "Sonar F1 range": what a path means, in words. "INS/INS/yaw" is one INS's.
+/// Returns a path in words: "Sonar F1 range"; the repeated name in "INS/INS/yaw" is shown once.
 QString spoken(QString path) {
     if (path.startsWith(QStringLiteral("SEN ")))
         path.remove(0, 4);
@@ -264,7 +264,7 @@ void PlotView::dropEvent(QDropEvent* event) {
 }
 
 bool PlotView::event(QEvent* event) {
-    // The window has shortcuts on some of these keys; with the focus in here they mean the plot.
+    // The window has shortcuts on some of these keys; with the focus in the view they control the plot.
     if (event->type() == QEvent::ShortcutOverride && isOwnKey(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;
@@ -273,7 +273,7 @@ bool PlotView::event(QEvent* event) {
 }
 
 bool PlotView::eventFilter(QObject* watched, QEvent* event) {
-    // A tree takes letters for a search.
+    // A tree view would use letters for its own search.
     if (watched == legend_ && event->type() == QEvent::KeyPress && runKey(*static_cast<QKeyEvent*>(event)))
         return true;
     return QWidget::eventFilter(watched, event);

@@ -1,4 +1,4 @@
-// Plots of any numeric field over protocol time: tool bar, drawing surface, legend with the newest values.
+// Plots of any numeric fields over protocol time: tool bar, drawing surface, legend with the newest values.
 #pragma once
 
 #include <QComboBox>
@@ -16,53 +16,53 @@ namespace usar::widgets {
 class EmptyState;
 class PlotCanvas;
 
-/// Records whatever is watched, also while hidden or paused; draws at most 30 times a second and only while visible.
-/// Wheel zooms time at the cursor, over a value axis that axis; drag pans; double-click follows the newest again.
-/// Keys, also where the window has shortcuts on them: Space pauses, F follows, + - zoom, left and right pan, Delete in
-/// the legend takes series off. GUI thread.
+/// Records the watched fields even while hidden or paused; draws at most 30 times per second and only while visible.
+/// The wheel zooms time at the cursor, or a value axis if it is over one; drag pans; double-click follows the newest
+/// values again. Keys, even if the window has shortcuts on them: Space pauses, F follows, + and - zoom, left and right
+/// pan, Delete in the legend removes series. GUI thread.
 class PlotView : public QWidget {
     Q_OBJECT
 public:
     explicit PlotView(QWidget* parent = nullptr);
 
-    /// `path` as protocol::Field::path() gives it. Known paths are left as they are.
+    /// Starts to watch a field; `path` as protocol::Field::path() returns it. An empty or known path changes nothing.
     void addSeries(const QString& path, const QString& unit = {});
-    /// Forgets its samples too; an unknown path is no news.
+    /// Stops watching a field and discards its samples; an unknown path changes nothing.
     void removeSeries(const QString& path);
-    /// In the order in which they were added, which gives the colors.
+    /// In the order in which they were added, which determines the colors.
     QStringList seriesPaths() const;
-    /// Takes all series off and forgets their samples.
+    /// Removes all series and their samples.
     void clear();
-    /// Keeps what is watched and forgets the samples: another robot, another history.
+    /// Keeps the watched fields and discards the samples, for another robot.
     void restart();
-    /// Whose values these are; the legend's heading. Empty for none.
+    /// Name of the robot that the values belong to, shown as the legend's heading; empty: no heading.
     void setSource(const QString& robot_name);
-    /// Every line of the connection; `now` is the protocol's time for messages that carry none.
+    /// Call it for every line of the connection; `now` is the protocol time for messages without a time of their own.
     void take(const protocol::InfoLine& line, Seconds now);
 
     bool paused() const { return pause_->isChecked(); }
-    /// SI values of all that is recorded, see csvOf(). Whole or not at all.
+    /// Writes all recorded values in SI units, see csvOf(). The file is replaced atomically.
     Result<void> exportCsv(const QString& file) const;
-    /// What is seen now with a legend, PNG at twice the size.
+    /// Writes the visible picture with a legend, as PNG at twice the size.
     Result<void> exportPicture(const QString& file) const;
     PlotCanvas* canvas() const { return canvas_; }
-    /// All that is recorded, in SI units and radians.
+    /// All recorded samples, in SI units and radians.
     const SeriesStore& store() const { return store_; }
-    /// Covers the drawing surface while nothing is watched.
+    /// The sheet that covers the drawing surface while nothing is watched.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 140}; }
 
 public slots:
-    /// The picture stands still; recording goes on.
+    /// Freezes the picture; recording continues.
     void setPaused(bool paused);
     /// Keeps the newest sample at the right edge.
     void setFollowing(bool following);
 
 signals:
-    /// Something was added, removed or cleared: what a layout remembers.
+    /// A series was added, removed or cleared; saved as part of the layout.
     void seriesChanged(const QStringList& paths);
-    /// An export did not work; a sentence for a notification.
+    /// An export failed; `text` is a sentence for a notification.
     void failed(const QString& text);
 
 protected:
@@ -78,16 +78,16 @@ private:
     QWidget* makeTools();
     QWidget* makeLegend();
     void fillWindowChoice();
-    /// False where the key means nothing here.
+    /// Returns false if the plot does not use the key.
     bool runKey(const QKeyEvent& event);
-    /// Not modal: a robot may be moving.
+    /// Opens a save dialog, which is not modal because a robot may be moving, and calls `write` with the chosen file.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
     void legendMenu(const QPoint& at);
     void removeSelected();
     void listChanged();
     void rebuildLegend();
     void updateLegendValues();
-    /// Starts the frame timer, if there is somebody to see it.
+    /// Starts the frame timer if the view is visible.
     void refreshSoon();
     void refresh();
 

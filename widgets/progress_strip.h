@@ -1,4 +1,4 @@
-// The strip over the map that says what takes long, how far it is, and takes a Cancel.
+// Strip above the map that names a long operation, shows its progress, and offers Cancel.
 #pragma once
 
 #include <QFrame>
@@ -11,19 +11,21 @@
 
 namespace usar::widgets {
 
-/// Hidden but while something runs for longer than a moment. GUI thread.
+/// Visible only while an operation takes longer than a moment. GUI thread.
 class ProgressStrip : public QFrame {
     Q_OBJECT
 public:
     explicit ProgressStrip(QWidget* parent = nullptr);
 
-    /// "Opening run.usarsnap"; how far it is follows, or never.
+    /// Starts with a name such as "Opening run.usarsnap"; the progress is unknown until setProgress is called.
     void begin(const QString& what);
-    /// Of simulated time.
+    /// Progress in simulated time.
     void setProgress(Seconds done, Seconds whole);
+    /// Hides the strip.
     void end();
 
 signals:
+    /// The user wants to cancel; the strip stays until end().
     void cancelRequested();
 
 private:
@@ -31,7 +33,7 @@ private:
     QLabel* text_;
     QProgressBar* bar_;
     QPushButton* cancel_;
-    QTimer soon_; ///< what is done before it ends needs no strip
+    QTimer soon_; ///< delays the strip, so that short operations do not show it
 };
 
 } // namespace usar::widgets

@@ -40,8 +40,8 @@ double QuantityBox::valueFromText(const QString& text) const {
     return std::clamp(readNumber(numberIn(text).toStdString()).value_or(value()), minimum(), maximum());
 }
 
-// Qt's own refuses keys that would leave the range and corrects what is left to zero: people could not type a number
-// and see it pulled in.
+// Qt's own box refuses keys that would leave the range and replaces invalid text by zero; users could not type a number
+// and see it being clamped.
 QValidator::State QuantityBox::validate(QString& text, int& position) const {
     Q_UNUSED(position)
     const QString number = numberIn(text);

@@ -16,7 +16,7 @@ namespace {
 constexpr int bars_px = 26;
 constexpr int names_px = 132;
 constexpr int least_history_px = 48;
-// What robots within a world hear of each other lies between.
+// Range of strengths that occur between robots within a world.
 constexpr double lowest_dbm = -104.0;
 constexpr double highest_dbm = -38.0;
 
@@ -51,7 +51,7 @@ double level(const QRectF& area, double dbm) {
     return area.bottom() - part * area.height();
 }
 
-/// The newest sample at the right edge; gaps where nothing was known.
+/// Draws the history with the newest sample at the right edge, and gaps for unknown samples.
 void paintHistory(QPainter& painter, const QRectF& area, const RadioRow& row, const QColor& color) {
     const Tokens& t = tokens();
     painter.fillRect(area, t.background);

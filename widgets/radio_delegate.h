@@ -1,11 +1,11 @@
-// Paints a radio link's row: names, the word for its quality, bars, dBm, and the last minutes over the cut-off.
+// Paints a radio link's row: names, quality in a word, bars, dBm, and the history with the threshold.
 #pragma once
 
 #include <QStyledItemDelegate>
 
 namespace usar::widgets {
 
-/// For a view on a RadioLinkModel. Quality is word, bars and color; what nobody vouches for is grey.
+/// For a view on a RadioLinkModel. Quality is shown by word, bars and color; links of unknown strength are gray.
 class RadioDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// How well robots and base stations hear each other: one row a pair, weakest to be seen at a glance.
+// List of how well robots and base stations hear each other: one row per pair.
 #pragma once
 
 #include <QLabel>
@@ -11,18 +11,19 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Values in by setters; it asks nobody. Under the list a line says what bars and dashes mean and who measured. GUI
-/// thread.
+/// State comes in by setters; the view requests nothing. A line below the list explains bars and dashes and names the
+/// source of the measurements. GUI thread.
 class RadioView : public QWidget {
     Q_OBJECT
 public:
     explicit RadioView(QWidget* parent = nullptr);
 
+    /// Replaces all links; each call adds one sample to the histories.
     void take(const std::vector<RadioLink>& links);
-    /// "Wireless server at 127.0.0.1:50000": who measured.
+    /// Name of the measuring server: "Wireless server at 127.0.0.1:50000".
     void setSource(const QString& source);
     const RadioLinkModel& model() const { return *model_; }
-    /// Shown while there is no pair: whoever knows why fills it.
+    /// The sheet that is shown while there are no pairs; its text is set by the owner, who knows the reason.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 200}; }
     QSize minimumSizeHint() const override { return {240, 100}; }

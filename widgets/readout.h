@@ -1,24 +1,23 @@
-// One figure of the instruments: a big number that keeps its place, its unit muted, its caption below.
+// Instrument for one figure: a big number in a fixed place, its unit muted, its caption below.
 #pragma once
 
 #include <QWidget>
 
 namespace usar::widgets {
 
-/// The figure is right-aligned before its unit. `sample` is the widest text that will ever be shown; the width is
-/// reserved for it.
+/// The figure is right-aligned before its unit. `sample` is the widest text that will be shown; its width is reserved.
 class Readout : public QWidget {
     Q_OBJECT
 public:
     Readout(const QString& caption, const QString& unit, const QString& sample, QWidget* parent = nullptr);
 
-    /// Already formatted, without its unit; the same text again costs nothing.
+    /// Sets the formatted figure without its unit; the same text again costs nothing.
     void setText(const QString& text);
     const QString& text() const { return text_; }
-    /// Grey and struck: nobody vouches for the figure any more.
+    /// Gray and struck through, because the figure may be out of date.
     void setStale(bool stale);
     bool stale() const { return stale_; }
-    /// Of the figure alone: readouts above each other line up where theirs are equal.
+    /// Width of the figure alone, in pixels; readouts in a column line up if their widths are equal.
     int fieldWidth_px() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -1,4 +1,4 @@
-// Whether this is being recorded, how long already and how much: always in sight.
+// Badge that always shows whether a recording is being written, for how long, and how large it is.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@
 
 namespace usar::widgets {
 
-/// Of a recording that is being written.
+/// State of the recording that is being written.
 struct RecordState {
-    Seconds elapsed{0.0};
-    std::uint64_t bytes = 0;
+    Seconds elapsed{0.0};    ///< since the beginning of the recording
+    std::uint64_t bytes = 0; ///< size of the file so far
     QString path;
 };
 
-/// The button is the command's; its dot is red while bytes are being written. GUI thread.
+/// The button belongs to a command; its dot is red while a recording is being written. GUI thread.
 class RecordBadge : public QWidget {
     Q_OBJECT
 public:
     explicit RecordBadge(QWidget* parent = nullptr);
 
+    /// The action of the button; it must outlive the badge.
     void setAction(QAction* action);
-    /// Nothing: nothing is being written now.
+    /// `nullopt`: no recording is being written.
     void setState(const std::optional<RecordState>& state);
-    /// Where there is no room for them the tooltip has them.
+    /// Set to false if there is no room for the figures; the tooltip still has them.
     void setFiguresShown(bool shown) { figures_->setVisible(shown); }
     QString text() const { return figures_->text(); }
 

@@ -67,7 +67,7 @@ ReplayBar::ReplayBar(QWidget* parent)
         showTime(positionOf(value));
         emit seekRequested(positionOf(value));
     });
-    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // keys and wheel
+    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // Keys and wheel.
         if (action != QAbstractSlider::SliderMove)
             emit seekRequested(positionOf(slider_->sliderPosition()));
     });

@@ -1,4 +1,4 @@
-// Where a replay stands, and how to get elsewhere in it.
+// Bar that shows the position of a replay, with controls to move through the recording.
 #pragma once
 
 #include <QComboBox>
@@ -11,36 +11,39 @@
 
 namespace usar::widgets {
 
-/// Times count from the recording's beginning.
+/// State of a replay. Times count from the beginning of the recording.
 struct ReplayState {
     Seconds position{0.0};
-    Seconds span{0.0};
-    double speed = 1.0; ///< infinity: as fast as it can
+    Seconds span{0.0};  ///< length of the recording
+    double speed = 1.0; ///< times the pace of the recording; infinity: as fast as possible
     bool playing = false;
+    /// Going to another position.
     bool seeking = false;
     bool operator==(const ReplayState&) const = default;
 };
 
-/// Wishes out, state in: it plays nothing itself. While the person drags the slider it follows the hand and not the
-/// state. Buttons are those of commands. GUI thread.
+/// Shows the state it is given and reports wishes by signals; it plays nothing itself. While the user drags the slider
+/// it follows the mouse, not the state. The buttons belong to commands. GUI thread.
 class ReplayBar : public QFrame {
     Q_OBJECT
 public:
     explicit ReplayBar(QWidget* parent = nullptr);
 
-    /// The commands behind the buttons; `play` gets the icon of what it would do.
+    /// Sets the actions of the buttons, which must outlive the bar; the icon of `play` shows what it would do.
     void setActions(QAction* play, QAction* back, QAction* forward, QAction* step, QAction* close);
+    /// Shows this state; emits nothing.
     void setState(const ReplayState& state);
     const ReplayState& state() const { return state_; }
-    /// Which recording, for the tooltip at the left.
+    /// Path of the recording, for the tooltip at the left.
     void setFile(const QString& path) { name_->setToolTip(path); }
-    /// So many entries up or down the list of speeds, as the person would.
+    /// Moves so many entries up or down the list of speeds and emits speedRequested, as if the user had done it.
     void changeSpeed(int entries);
     QSlider* slider() const { return slider_; }
 
 signals:
+    /// The user wants to go to this position, measured from the beginning of the recording.
     void seekRequested(usar::Seconds position);
-    /// 0.1 to 100, or infinity.
+    /// 0.1 to 100 times the pace of the recording, or infinity.
     void speedRequested(double speed);
 
 private:

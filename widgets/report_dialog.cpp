@@ -16,7 +16,7 @@ ReportDialog::ReportDialog(const QString& title, const QString& text, QWidget* p
     , text_(new QPlainTextEdit(text, this)) {
     setWindowTitle(title);
     text_->setReadOnly(true);
-    text_->setLineWrapMode(QPlainTextEdit::NoWrap); // figures stand below each other
+    text_->setLineWrapMode(QPlainTextEdit::NoWrap); // Keeps columns of figures aligned.
     text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     text_->setAccessibleName(title);
     auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

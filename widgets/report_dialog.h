@@ -1,4 +1,4 @@
-// A text of many lines that is read, copied and saved.
+// Dialog that shows a long text to be read, copied and saved.
 #pragma once
 
 #include <QDialog>
@@ -6,7 +6,7 @@
 
 namespace usar::widgets {
 
-/// Wishes out: where to save is asked by the window. GUI thread.
+/// Only asks for saving; the window chooses the file. GUI thread.
 class ReportDialog : public QDialog {
     Q_OBJECT
 public:
@@ -16,6 +16,7 @@ public:
     QSize sizeHint() const override { return {900, 520}; }
 
 signals:
+    /// The user wants to save text().
     void saveRequested();
 
 private:

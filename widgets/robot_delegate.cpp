@@ -48,7 +48,7 @@ void paintElided(QPainter* painter, const QRect& rect, const QString& text) {
                       painter->fontMetrics().elidedText(text, Qt::ElideRight, rect.width()));
 }
 
-/// On the right of the title: who drives. What is left of the line is returned.
+/// Paints who drives at the right of the title; returns the rest of the line.
 QRect paintDriver(QPainter* painter, QRect line, const RobotRow& robot) {
     if (robot.driver.robot.isEmpty() || robot.stale)
         return line;

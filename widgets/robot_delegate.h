@@ -1,4 +1,4 @@
-// Paints a robot's row: color chip with the number, name, class, state in words, battery bar.
+// Paints a robot's row: color chip with its number, name, class, state in words, battery bar.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -7,7 +7,7 @@ namespace usar::widgets {
 
 struct RobotRow;
 
-/// For a view on a RobotListModel. Stale rows are grey with the state struck through and the words "no news".
+/// For a view on a RobotListModel. Stale rows are gray with the state struck through and the words "no news".
 class RobotDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:

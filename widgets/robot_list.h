@@ -1,4 +1,4 @@
-// The list of robots: who is there, what they do, how much battery they have.
+// List of the robots: names, what they are doing, battery.
 #pragma once
 
 #include <QListView>
@@ -10,33 +10,33 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Values in by setters, choices out by signals; keys 1-9 are the window's. GUI thread.
+/// State comes in by setters, choices go out by signals; the keys 1-9 belong to the window. GUI thread.
 class RobotList : public QWidget {
     Q_OBJECT
 public:
     explicit RobotList(QWidget* parent = nullptr);
 
-    /// All there are; the selection stays with its robot.
+    /// Replaces all robots; the selection stays with its robot.
     void setRobots(const std::vector<RobotRow>& robots);
-    /// Adds a robot that is not there yet.
+    /// Updates the robot with this id, or adds it.
     void updateRobot(const RobotRow& robot);
-    /// If it was selected, its neighbor is, and that is told.
+    /// If the robot was selected, its neighbor is selected and robotSelected emitted.
     void removeRobot(int id);
-    /// Silent; an unknown id selects nobody.
+    /// Emits nothing; an unknown id clears the selection.
     void selectRobot(int id);
-    /// Its id; nothing while nobody is selected.
+    /// Id of the selected robot; nullopt if none is.
     std::optional<int> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
-    /// Shown while there is no robot; give it the action that spawns one.
+    /// The sheet that is shown while there is no robot; set the action that spawns one on it.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {260, 220}; }
     QSize minimumSizeHint() const override { return {180, 100}; }
 
 signals:
-    /// By mouse or keys, or because the selected robot went away.
+    /// By mouse or keys, or because the selected robot was removed.
     void robotSelected(int id);
-    /// From the context menu or by Delete; nothing is removed until `removeRobot`.
+    /// From the context menu or by Delete; the list itself removes nothing before `removeRobot` is called.
     void removeRequested(int id);
 
 private:
@@ -47,7 +47,7 @@ private:
     RobotListModel* model_;
     QListView* view_;
     EmptyState* empty_state_;
-    bool quiet_ = false; ///< a change of the selection is ours, not the person's
+    bool quiet_ = false; ///< the program changes the selection, not the user
 };
 
 } // namespace usar::widgets

@@ -14,7 +14,8 @@ SectionStack::SectionStack(const QString& name, QWidget* parent)
     , tabs_(new QTabBar(this)) {
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(gap::tiny);
-    column_->setSizeConstraint(QLayout::SetNoConstraint); // stacked sections ask for more than there may be
+    // By default the layout would demand enough height for all sections stacked.
+    column_->setSizeConstraint(QLayout::SetNoConstraint);
     tabs_->setAccessibleName(name);
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);
@@ -58,7 +59,7 @@ void SectionStack::show(const QWidget* body) {
             tabs_->setCurrentIndex(i);
 }
 
-/// One for each shown section; that in front stays there if it can.
+/// Makes one tab for each shown section; the current section stays in front if possible.
 void SectionStack::showTabs() {
     const QSignalBlocker quiet(tabs_);
     const int front = tabs_->currentIndex();

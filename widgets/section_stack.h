@@ -1,4 +1,4 @@
-// Sections with titles, one above the other where there is room for all of them, else one at a time with tabs.
+// Sections with titles, stacked if there is room for all of them, else shown one at a time with tabs.
 #pragma once
 
 #include <vector>
@@ -10,24 +10,27 @@
 
 namespace usar::widgets {
 
-/// A section of which half a row would be seen says nothing: each gets `least_px` or stands behind a tab. A hidden
-/// section has neither room nor tab. GUI thread.
+/// Each section gets at least `least_px` or is moved to a tab, because a section with half a visible row is useless.
+/// Hidden sections have neither room nor tab. GUI thread.
 class SectionStack : public QWidget {
     Q_OBJECT
 public:
-    static constexpr int least_px = 88; ///< title and three rows
+    static constexpr int least_px = 88; ///< height of a title and three rows
 
-    /// `name` is that of the tabs together, for those who hear it.
+    /// `name` is the accessible name of the tab bar.
     explicit SectionStack(const QString& name, QWidget* parent = nullptr);
 
-    /// Takes both. Among stacked sections the room is shared out by `stretch`.
+    /// Appends a section and takes ownership of both widgets. Stacked sections share the room in proportion to
+    /// `stretch`.
     void add(QLabel* title, QWidget* body, const QString& tab, int stretch);
+    /// An unknown `body` changes nothing, here and below.
     void setSectionShown(const QWidget* body, bool shown);
-    /// Behind tabs, too, the title is seen: it says more than the tab does.
+    /// Keeps the section's title visible even with tabs, because it says more than the tab.
     void setTitleKept(const QWidget* body, bool kept);
-    /// That one is seen, where only one is.
+    /// Brings this section to the front; has a visible effect only with tabs.
     void show(const QWidget* body);
     using QWidget::show;
+    /// True while sections are shown one at a time.
     bool tabbed() const { return tabbed_; }
 
     QSize minimumSizeHint() const override { return {120, least_px + 24}; }
@@ -44,12 +47,13 @@ private:
         bool keeps_title = false;
     };
     Section* sectionOf(const QWidget* body);
+    /// Switches between stacked sections and tabs, depending on the height.
     void arrange();
     void showTabs();
 
     std::vector<Section> sections_;
     QVBoxLayout* column_;
-    QTabBar* tabs_; ///< of the shown sections, by their numbers as data
+    QTabBar* tabs_; ///< one per shown section; the tab's data is the index in `sections_`
     bool tabbed_ = false;
 };
 

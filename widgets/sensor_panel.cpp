@@ -93,7 +93,7 @@ void SensorPanel::setLinked(bool linked) {
 
 void SensorPanel::setPaused(bool paused) {
     if (paused_ && !paused)
-        heard_at_ = wall_clock_(); // the pause itself was no silence
+        heard_at_ = wall_clock_(); // The pause itself does not count as silence.
     paused_ = paused;
 }
 

@@ -1,4 +1,4 @@
-// The sensor panel: every value that the robot sends, how old it is, and the way into a plot.
+// The sensor panel: every value that the robot sends, its age, and a way to plot it.
 #pragma once
 
 #include <functional>
@@ -16,34 +16,35 @@ namespace usar::widgets {
 
 class EmptyState;
 
-/// Lines in, plot wishes out. Repaints ten times a second, which is as fast as figures can be read; while hidden it
-/// only keeps the newest line of each stream. Ages count on the protocol's clock; where that stands still for longer
-/// than 2 s of wall time though nobody paused the simulation, all values are stale and ages go on by wall time. Return
-/// or a double-click on a number plots it, and so does a drag. GUI thread.
+/// Takes lines and reports plot requests. Repaints ten times per second, which is as fast as numbers can be read; while
+/// hidden it only keeps the newest line of each stream. Ages are measured on the protocol clock. If that clock stands
+/// still for more than 2 s of wall time (up to 10 s in slow simulations) although nobody paused the simulation, all
+/// repeated values are stale and their ages continue by wall time. Return, a double-click or a drag plots a number. GUI
+/// thread.
 class SensorPanel : public QWidget {
     Q_OBJECT
 public:
     explicit SensorPanel(QWidget* parent = nullptr);
 
-    /// `now` is the clock that ages are counted on: the protocol's, as of this line.
+    /// `now` is the protocol clock at this line; ages are measured on it.
     void take(const protocol::InfoLine& line, Seconds now);
-    /// The same clock between lines, so that silence ages too.
+    /// Sets the protocol clock between lines, so that values also age while nothing arrives.
     void setNow(Seconds now);
-    /// Without a link everything that repeats is stale at once.
+    /// Without a link every repeated value is stale at once.
     void setLinked(bool linked);
-    /// While the simulation is paused its clock may stand still without anything being wrong.
+    /// While the simulation is paused, a clock that stands still does not make values stale.
     void setPaused(bool paused);
-    /// Stands in for the wall clock in tests.
+    /// Replaces the wall clock in tests.
     void setWallClock(std::function<Seconds()> wall_clock);
-    /// Another robot, another set of sensors.
+    /// Removes all values, for another robot.
     void clear();
-    /// Shows what came since the last time; the panel's own timer calls it while visible.
+    /// Shows what arrived since the last call; the panel's own timer calls it while visible.
     void refresh();
     const SensorModel& model() const { return *model_; }
     QSize sizeHint() const override { return {300, 240}; }
 
 signals:
-    /// `path` as protocol::Field::path() gives it.
+    /// The user wants to plot this field; `path` as protocol::Field::path() returns it, `unit` its SI unit.
     void plotRequested(const QString& path, const QString& unit);
 
 protected:
@@ -53,10 +54,11 @@ protected:
 
 private:
     void makeTree();
-    /// The protocol's clock moved or a line came.
+    /// Notes that the protocol clock advanced or a line arrived.
     void heard(Seconds now);
-    /// By wall time since the clock last moved.
+    /// Wall time since the clock last advanced or a line arrived.
     Seconds silence() const { return wall_clock_() - heard_at_; }
+    /// True if there is no link or the silence is longer than expected.
     bool silent() const;
     void plot(const QModelIndex& index);
 
@@ -70,7 +72,7 @@ private:
     std::function<Seconds()> wall_clock_;
     Seconds now_{0.0};
     Seconds heard_at_{0.0}; ///< wall time
-    Seconds pace_{0.0};     ///< wall time between the last two steps of the clock: long in slow simulations
+    Seconds pace_{0.0};     ///< wall time between the last two steps of the clock; long in slow simulations
     bool linked_ = true;
     bool paused_ = false;
 };

@@ -1,4 +1,4 @@
-// The framed sheet that every painted instrument is drawn on.
+// Painting functions of the framed sheet that all painted instruments share.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,19 @@
 
 namespace usar::widgets {
 
-/// Frame and ground over the whole widget; antialiasing is on afterwards.
+/// Paints frame and background over the whole widget; leaves antialiasing on.
 void paintSheet(QPainter& painter, const QWidget& widget);
-/// The same with the sentence that says what will appear here.
+/// The same with a sentence that says what will appear here.
 void paintEmptySheet(QPainter& painter, const QWidget& widget, const QString& sentence);
-/// Name on the left, the newest figure on the right. Stale figures are grey, and the name says the word.
+/// Paints the name on the left and the newest figure on the right. If stale, the figure is gray and the name says so.
 void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& name, const QString& value, bool stale);
-/// The ground in a cross-section: neighbors are joined and filled down to `bottom_px`; a point that is absent breaks
-/// the line, because nothing is known there.
+/// Paints the ground in a cross-section: connects neighboring points and fills down to `bottom_px`. An absent point
+/// interrupts the line, because nothing is known there. All coordinates are pixels.
 void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& line, double bottom_px, bool stale);
-/// A small note within the drawing, on a backing of its own: lines may pass under it. Ink and font stay set.
+/// Paints a small note in the drawing on a background of its own, because lines may pass under it. Leaves its pen and
+/// font set on the painter.
 void paintSheetNote(QPainter& painter, const QPointF& baseline, const QString& text);
-/// Where the drawing begins: under the head, in pixels from the top.
+/// Top edge of the drawing area below the head, in pixels.
 double sheetHead_px(const QWidget& widget);
 
 } // namespace usar::widgets

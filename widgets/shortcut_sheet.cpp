@@ -89,7 +89,8 @@ ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::p
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(scroll);
     constexpr int scroll_bar_px = 24;
-    resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520); // never to be scrolled sideways
+    // Wide enough to never need horizontal scrolling.
+    resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);
 }
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// The cheat sheet (F1): every command that has a shortcut, by group, made from the registry.
+// The shortcut overview (F1): every command that has a shortcut, by group, generated from the registry.
 #pragma once
 
 #include <QDialog>
@@ -7,8 +7,8 @@
 
 namespace usar::widgets {
 
-/// Not modal; Escape closes it. `gestures` are lines for what the mouse does ("Double-click a start pose", "spawn a
-/// robot there"), shown under their own heading.
+/// Not modal; Escape closes it. `gestures` are pairs of a mouse action and its effect ("Double-click a start pose",
+/// "spawn a robot there"), listed under a heading of their own.
 class ShortcutSheet : public QDialog {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// Nine columns for the state of the single sonars, with the risk zones drawn into each (thesis 4.2).
+// Instrument that shows each sonar as a column, with the risk zones drawn into it (thesis 4.2).
 #pragma once
 
 #include <QWidget>
@@ -7,18 +7,18 @@
 
 namespace usar::widgets {
 
-/// A column is as high as its reading; the zones are bands at its foot with a line at their thresholds. Risk is color,
-/// word and shape. GUI thread.
+/// The height of a column is its reading; the zones are bands at its foot with a line at each threshold. Risk is shown
+/// by color, word and shape. GUI thread.
 class SonarColumnsView : public QWidget {
     Q_OBJECT
 public:
     explicit SonarColumnsView(QWidget* parent = nullptr);
 
-    /// Replaces all columns and makes them fresh again.
+    /// Replaces all columns, which then count as fresh.
     void setColumns(const std::vector<SonarColumn>& columns);
     void setZones(const agent::SonarZones& zones) { setColumns(sonarColumns(zones)); }
     void clear() { setColumns({}); }
-    /// Grey and struck out, until the next columns.
+    /// Gray and struck through until the next setColumns.
     void setStale(bool stale);
     const std::vector<SonarColumn>& columns() const { return columns_; }
     QSize sizeHint() const override { return {280, 150}; }
@@ -28,9 +28,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// Reading on top, shaft, name, and the word of the risk; `cell` is what the column may use.
+    /// Paints the reading on top, the column, its name and the word for its risk, all within `cell`.
     void paintColumn(QPainter& painter, const SonarColumn& column, const QRectF& cell) const;
-    /// From the foot of the shaft up to each threshold, in the scale of the column.
+    /// Paints the bands from the foot of the column up to each threshold, in the column's scale.
     void paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const;
 
     std::vector<SonarColumn> columns_;

@@ -14,7 +14,7 @@
 namespace usar::widgets {
 
 namespace {
-constexpr int pose_gap_px = gap::large; ///< from the pose to the corner where the map asks for the card
+constexpr int pose_gap_px = gap::large; ///< distance from the pose to the corner that the map passes to openFor
 }
 
 SpawnCard::SpawnCard(QWidget* over)
@@ -33,7 +33,7 @@ SpawnCard::SpawnCard(QWidget* over)
     name_->setAccessibleName(tr("Robot name"));
     name_->setToolTip(tr("Letters, digits, - and _; every robot needs its own"));
     name_->setTextMargins(2, 0, 2, 0);
-    // The wire has no quotes: a space or a brace in a name would end it.
+    // The protocol has no quotes: a space or a brace would end the name.
     name_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));
     behavior_->setAccessibleName(tr("Behavior"));
@@ -110,7 +110,7 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     adjustSize();
     QPoint corner = parentWidget()->mapFromGlobal(at);
     const QSize room = parentWidget()->size() - size();
-    // Rather on the other side than over the pose, where the second click of a double-click must arrive.
+    // Opens on the other side instead of covering the pose, where the second click of a double-click must arrive.
     if (corner.x() > room.width())
         corner.rx() -= width() + 2 * pose_gap_px;
     move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
@@ -154,7 +154,7 @@ void SpawnCard::hideEvent(QHideEvent* event) {
 }
 
 bool SpawnCard::eventFilter(QObject* watched, QEvent* event) {
-    // Qt sends a double-click instead of the second press.
+    // Qt sends a double-click event instead of the second press.
     const bool spawns_elsewhere =
         event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Return;
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||

@@ -1,4 +1,4 @@
-// The small card beside a start pose: which robot, under which name, with which behavior.
+// The card beside a start pose on which the user chooses a robot, its name and its behavior.
 #pragma once
 
 #include <vector>
@@ -13,39 +13,41 @@
 
 namespace usar::widgets {
 
-/// What the person wants to have where.
+/// The robot that the user wants at a start pose.
 struct SpawnChoice {
-    int start_pose = 0;
-    QString class_name; ///< on the wire: "USARBot.AirRobot"
+    int start_pose = 0; ///< index of the pose
+    QString class_name; ///< as in the protocol: "USARBot.AirRobot"
     QString robot_name;
-    QString behavior_id; ///< may be empty: no behavior
+    QString behavior_id; ///< empty: no behavior
     bool operator==(const SpawnChoice&) const = default;
 };
 
-/// A child sheet, not a popup window, so that the second click of a double-click still reaches the map. Escape, a click
-/// elsewhere or a robot spawned elsewhere closes it, and the focus goes back to the map; Return spawns. The choice is
-/// remembered for the next pose. GUI thread.
+/// A child widget, not a popup window, so that the second click of a double-click still reaches the map. Escape, a
+/// click elsewhere or a robot spawned elsewhere closes it and returns the focus to the map; Return spawns. The choice
+/// is kept for the next pose. GUI thread.
 class SpawnCard : public QFrame {
     Q_OBJECT
 public:
+    /// `over` becomes the parent.
     explicit SpawnCard(QWidget* over);
 
-    /// What can be spawned, with the behaviors that plugins have for it; the class that is chosen stays so if it is
-    /// among them. Keeps no pointer into the list.
+    /// Sets the classes that can be spawned, with the behaviors that plugins offer for each; the chosen class stays if
+    /// it is among them. Stores a copy.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
-    /// As if the person had chosen it; an unknown one changes nothing.
+    /// Chooses the class as if the user had done it; an unknown class changes nothing.
     void chooseClass(const QString& class_name);
-    /// The behavior that is set up: chosen where the class has it.
+    /// Chooses this behavior now and for other classes that have it; it is the one that is set up in the behavior
+    /// panel.
     void preferBehavior(const QString& id);
-    /// Beside `at` (global), within the widget that it lies over.
+    /// Opens the card beside `at` (global coordinates), within its parent.
     void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);
-    /// As the card stands now, valid or not.
+    /// The choice as shown, even if the name is invalid.
     SpawnChoice choice() const;
-    /// What a double-click spawns: the choice last made, with this pose and name.
+    /// The choice for a double-click: the class and behavior chosen last, with this pose and name.
     SpawnChoice lastChoice(int start_pose, const QString& robot_name) const;
 
 signals:
-    /// The name is one that the wire can carry.
+    /// The name is valid in the protocol.
     void spawnRequested(const usar::widgets::SpawnChoice& choice);
 
 protected:
@@ -57,7 +59,7 @@ private:
     void listBehaviors();
     void spawn();
 
-    /// What the class box lists, row by row.
+    /// Entries of the class box, in its order.
     std::vector<agent::RobotDescription> robots_;
     QString preferred_behavior_;
     int start_pose_ = 0;

@@ -1,11 +1,11 @@
-// A state as a shape and a color, always beside its word.
+// Symbol that shows a state by shape and color, always beside a word.
 #pragma once
 
 #include <QWidget>
 
 namespace usar::widgets {
 
-/// Each has a shape of its own, so that color is never alone.
+/// Each state has a shape of its own, so that color is never the only distinction.
 enum class StateShape {
     Off,     ///< hollow circle, muted
     Busy,    ///< half circle, accent
@@ -14,12 +14,12 @@ enum class StateShape {
     Bad      ///< cross in a circle, danger
 };
 
-/// 16 x 16; takes no focus, because the word beside it is what assistive tools read.
+/// 16 x 16 pixels; takes no focus, because assistive tools read the word beside it.
 class StateDot : public QWidget {
     Q_OBJECT
 public:
     explicit StateDot(QWidget* parent = nullptr);
-    /// The word beside it is the caller's to change.
+    /// The caller must change the word beside it as well.
     void setState(StateShape state);
     StateShape state() const { return state_; }
     QSize sizeHint() const override { return {16, 16}; }
@@ -31,7 +31,7 @@ private:
     StateShape state_ = StateShape::Off;
 };
 
-/// The ink of that state's word.
+/// Text color for the word of that state.
 QColor stateColor(StateShape state);
 
 } // namespace usar::widgets

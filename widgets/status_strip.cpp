@@ -10,7 +10,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// One for each column, so that its figures end on one line.
+/// One sample per column, so that the figures of a column end at the same place.
 const QString time_sample = QStringLiteral("00:00:00");
 const QString length_sample = QStringLiteral("0000.0");
 const QString count_sample = QStringLiteral("00000");

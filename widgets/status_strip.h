@@ -1,4 +1,4 @@
-// The figures of the running behavior, as in the left stripe of the thesis's preview (4.2).
+// Figures of the running behavior, like the left stripe of the thesis's preview (4.2).
 #pragma once
 
 #include <QLabel>
@@ -11,32 +11,33 @@
 
 namespace usar::widgets {
 
-/// Figures that the behavior does not know are a dash, never a zero. GUI thread.
+/// Unknown figures are shown as a dash, never as zero. GUI thread.
 class StatusStrip : public QWidget {
     Q_OBJECT
 public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
-    /// A behavior runs; called on every tick, repaints only what changed.
+    /// Shows the status of a running behavior; call it on every tick, only changes are repainted.
     void setStatus(const agent::BehaviorStatus& status);
-    /// Nothing runs: `words` says why or what to do ("Idle. Press Start."); the last figures stay, so that a finished
-    /// mission can be read.
+    /// Nothing is running: `words` says why or what to do ("Idle. Press Start."). Time left and distance to the goal
+    /// become unknown; the other figures stay, so that a finished mission can be read.
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
-    /// Of the mission area, 0..100; nothing without an area.
+    /// Covered part of the mission area in percent, 0..100; nullopt without an area.
     void setCoverage(std::optional<double> coverage_pct);
-    /// The link is silent: figures grey and struck, and the word "stale"; new figures do not lift it.
+    /// The link is silent: figures are gray and struck through, and the word "stale" is shown, until this is reset; new
+    /// figures do not reset it.
     void setStale(bool stale);
     bool stale() const { return !stale_->isHidden(); }
-    /// All figures unknown.
+    /// Makes all figures unknown and shows `words`.
     void clear(const QString& words);
-    /// The words at the top, as they were set.
+    /// The words at the top, as last set.
     QString stateText() const { return state_->text(); }
 
 private:
-    /// Word and shape together, so that neither can lag behind.
+    /// Sets word and shape together, so that they always match.
     void setState(const QString& words, StateShape shape);
 
-    StateShape shape_ = StateShape::Off; ///< hollow on the screen while stale
+    StateShape shape_ = StateShape::Off; ///< the screen shows a hollow circle while stale
     StateDot* dot_;
     QLabel* state_;
     QLabel* stale_;

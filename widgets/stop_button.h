@@ -1,11 +1,11 @@
-// The one red button: stops all robots at once.
+// The red button that stops all robots at once.
 #pragma once
 
 #include <QPushButton>
 
 namespace usar::widgets {
 
-/// Always enabled, never asks back. `clicked` is the order; Escape twice is the other way to it.
+/// Always enabled, and never asks for confirmation. `clicked` means stop; pressing Escape twice does the same.
 class StopButton : public QPushButton {
     Q_OBJECT
 public:

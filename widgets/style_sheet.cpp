@@ -36,7 +36,7 @@ QPushButton[role="primary"]:disabled, QPushButton[role="stop"]:disabled { backgr
 QString styleSheet(const Tokens& t) {
     QString sheet = QString::fromLatin1(rules);
     const QColor primary = contrast(t.on_fill, t.accent) >= 4.5 ? t.accent : QColor(0x1f6fc0);
-    // Longer names first: %text would eat the start of %text_muted.
+    // Longer names come first, because %text would match the start of %text_muted.
     const std::pair<const char*, QColor> words[] = {
         {"%text_muted", t.text_muted},
         {"%primary_hover", primary.darker(115)},

@@ -1,4 +1,4 @@
-// The small application style sheet: what Fusion and a palette cannot say.
+// The small style sheet of the application: what the Fusion style and a palette cannot express.
 #pragma once
 
 #include <QString>
@@ -7,9 +7,8 @@
 
 namespace usar::widgets {
 
-/// Rules for tool tips, dock titles, headers, tabs, and the roles that labels, buttons and frames take by the dynamic
-/// property `role`: labels "muted", "title", "danger", "caution", "ok"; buttons "primary", "stop"; frames "card",
-/// "strip".
+/// Rules for tooltips, dock titles, headers, tabs, and for the roles that widgets have by the dynamic property `role`:
+/// labels "muted", "title", "danger", "caution", "ok"; buttons "primary", "stop"; frames "card", "strip".
 QString styleSheet(const Tokens& tokens);
 
 } // namespace usar::widgets

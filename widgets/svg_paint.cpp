@@ -23,7 +23,7 @@ QString pair(double x, double y) {
     return number(x) + u' ' + number(y);
 }
 
-/// ` fill="#rrggbb"`, with the opacity where it is not whole.
+/// Returns an attribute such as ` fill="#rrggbb"`, with the opacity unless it is 1.
 QString colorOf(const char* what, const QColor& color) {
     QString text = QStringLiteral(" %1=\"%2\"").arg(QLatin1String(what), color.name());
     if (color.alpha() < 255)
@@ -42,7 +42,7 @@ QString pathData(const QPainterPath& path) {
         else if (at.type == QPainterPath::CurveToElement)
             data += u'C';
         else
-            data += u' '; // the rest of a curve
+            data += u' '; // Continues a curve.
         data += pair(at.x, at.y);
     }
     return data;

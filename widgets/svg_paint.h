@@ -1,4 +1,4 @@
-// A paint device that writes SVG: what is painted on it becomes paths and text in a file that any viewer shows.
+// Paint device that writes SVG: whatever is painted becomes paths and text in a file that any viewer can show.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@ namespace usar::widgets {
 
 class SvgPaintEngine;
 
-/// Understands paths, lines, rectangles, ellipses and text in one color each; no pictures, gradients or clips, which
-/// our drawings do not have. Text stays text. One painter at a time; read `document` when it has ended.
+/// Supports paths, lines, rectangles, ellipses and text in solid colors; no pictures, gradients or clipping, which our
+/// drawings do not use. Text stays text. One painter at a time; call `document` after it has ended.
 class SvgPaint : public QPaintDevice {
 public:
-    /// In pixels of 1/96 inch. The title is for people who hear it.
+    /// `size` is in pixels of 1/96 inch. The title is read by screen readers.
     SvgPaint(const QSizeF& size, const QString& title);
     ~SvgPaint() override;
 
     QPaintEngine* paintEngine() const override;
-    /// The whole file.
+    /// The complete file.
     QByteArray document() const;
 
 protected:

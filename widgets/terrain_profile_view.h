@@ -1,4 +1,4 @@
-// The mapped ground along the robot's course, from the side, with the robot above it.
+// Instrument that shows the mapped ground along the robot's course from the side, with the robot above it.
 #pragma once
 
 #include <QWidget>
@@ -7,21 +7,21 @@
 
 namespace usar::widgets {
 
-/// Behind the robot is on the left, ahead on the right; metres. Where the map knows nothing the line is broken. Heights
-/// are stretched to fill the sheet, in round steps, and two of them are written at the side. GUI thread.
+/// Behind the robot is on the left, ahead on the right; in meters. The line is interrupted where the map has no data.
+/// Heights are stretched in round steps to fill the sheet, and the lowest and highest are labeled. GUI thread.
 class TerrainProfileView : public QWidget {
     Q_OBJECT
 public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
 
-    /// Replaces the picture and makes it fresh again.
+    /// Replaces the picture, which then counts as fresh.
     void setProfile(const mapping::CourseProfile& profile);
-    /// Back to the sentence that says what will appear here.
+    /// Shows the sentence that says what will appear here.
     void clear();
-    /// Drawn grey, with the word: the robot may be elsewhere by now.
+    /// Draws the profile gray, with the word "stale", because the robot may have moved.
     void setStale(bool stale);
     const mapping::CourseProfile& profile() const { return profile_; }
-    /// "6.1 m above the map", or what is missing.
+    /// "6.1 m above the map", or "unmapped here".
     QString clearanceText() const;
     QSize sizeHint() const override { return {280, 110}; }
     QSize minimumSizeHint() const override { return {160, 56}; }
@@ -36,10 +36,13 @@ private:
         double high_m = 1.0;
     };
     Span span() const;
-    /// Room for the two written heights, beside the drawing and never under it.
+    /// Width of the column with the two height labels, beside the drawing and never under it.
     static double scaleWidth_px(const Span& span);
+    /// Screen position of a point at this distance along the course.
     QPointF place(double distance_m, double height_m, const QRectF& plot, const Span& span) const;
+    /// Paints the robot, with a dotted line to the ground below it.
     void paintRobot(QPainter& painter, const QRectF& plot, const Span& span) const;
+    /// Paints the height labels and the reach of the profile.
     void paintScale(QPainter& painter, const QRectF& plot, const Span& span) const;
 
     mapping::CourseProfile profile_;

@@ -78,7 +78,7 @@ QPalette paletteOf(const Tokens& t) {
     return p;
 }
 
-/// The first installed family whose figures are all equally wide; DejaVu ships with every desktop that we support.
+/// Returns the first installed family with digits of equal width; DejaVu is part of every desktop that we support.
 QString family() {
     static const QString found = [] {
         const QStringList installed = QFontDatabase::families();
@@ -114,7 +114,8 @@ Theme currentTheme() {
 
 void applyTheme(Theme theme) {
     current_theme = theme;
-    // A style sheet wraps the style, so the name of the outer one says nothing: the style is set once, by property.
+    // A style sheet wraps the style, so the style's name is no indication: a property says whether the style has been
+    // set.
     if (!qApp->property("usar_style_set").toBool()) {
         QApplication::setStyle(new OutlineStyle);
         qApp->setProperty("usar_style_set", true);

@@ -1,4 +1,4 @@
-// Colors, spacing and fonts of the whole window: the only file that knows them.
+// Colors, spacing and fonts of the whole program; no other file defines any.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace usar::widgets {
 
 enum class Theme { Dark, Light };
 
-/// What every view paints with. Text tokens (text, text_muted, accent, ok, caution, danger, stale) have a contrast of
-/// at least 4.5:1 on background, surface and raised; `on_fill` has it on accent and on `stop`.
+/// Colors that every view paints with. Text tokens (text, text_muted, accent, ok, caution, danger, stale) have a
+/// contrast of at least 4.5:1 on background, surface and raised; `on_fill` has it on accent and on `stop`.
 struct Tokens {
-    QColor background; ///< behind everything; the map's outer space
+    QColor background; ///< below everything else, and outside the map's world
     QColor surface;    ///< panels, lists
-    QColor ground;     ///< unknown ground of the world: bluish, so that no shade of gray is taken for it
+    QColor ground;     ///< unknown ground of the world; bluish, so that it cannot be confused with a shade of gray
     QColor raised;     ///< buttons, chips, headers, popovers
     QColor line;       ///< hairlines, grid, frames
     QColor text;
@@ -27,44 +27,45 @@ struct Tokens {
     QColor ok;
     QColor caution;
     QColor danger;
-    QColor stale;   ///< values that nobody vouches for any more
+    QColor stale;   ///< values that may be out of date
     QColor stop;    ///< fill of the stop button
     QColor on_fill; ///< text on accent and stop fills
     QColor laser;   ///< hits and rays of the scanner
 };
 
 const Tokens& tokens(Theme theme);
-/// Of the theme applied last; dark before the first call. GUI thread only.
+/// Tokens of the current theme; dark before the first applyTheme. GUI thread only.
 const Tokens& tokens();
-/// The one applied last.
+/// The theme applied last; dark before the first.
 Theme currentTheme();
 
-/// Fusion, palette, fonts and the style sheet of the application; every widget gets a PaletteChange. GUI thread.
+/// Sets Fusion, palette, fonts and style sheet of the application; every widget gets a PaletteChange. GUI thread.
 void applyTheme(Theme theme);
 
-/// Colors of robots 1 to 9 (Okabe and Ito, distinguishable under the common color deficiencies); other numbers wrap.
+/// Colors of robots 1 to 9 (Okabe and Ito, distinguishable with the common color vision deficiencies); other numbers
+/// wrap around.
 QColor robotColor(int number);
-/// Black or white, whichever reads better on `fill`.
+/// Black or white, whichever has more contrast on `fill`.
 QColor inkOn(const QColor& fill);
 
-/// Colors of the thesis's marks (figure 4.4), the same in both themes and in exported pictures.
+/// Colors of the thesis's marks (figure 4.4); the same in both themes and in exported pictures.
 QColor markColor(agent::MarkKind kind);
-/// The protocol's colors of TRACE, the same in both themes; on the map each mark has a dark rim.
+/// Colors of the protocol's TRACE; the same in both themes. On the map each mark has a dark rim.
 QColor traceColor(protocol::TraceColor color);
-/// "Red": the protocol's word.
+/// "Red": the protocol's name of the color.
 QString traceColorName(protocol::TraceColor color);
 inline constexpr std::array all_trace_colors = {
     protocol::TraceColor::Red,   protocol::TraceColor::Yellow, protocol::TraceColor::Green, protocol::TraceColor::Cyan,
     protocol::TraceColor::White, protocol::TraceColor::Blue,   protocol::TraceColor::Purple};
-/// What a line of traffic is about. `Other`: a type that is none of these.
+/// Topic of a line of traffic. `Other`: none of these.
 enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
 inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,
                                                  LineFamily::Sensor,  LineFamily::Answer, LineFamily::Drive,
                                                  LineFamily::Command, LineFamily::Other};
-/// Ink of its type's word; reads like the text tokens. One's own words are blue.
+/// Text color for the type of a line; as readable as the text tokens. Our own commands are blue.
 QColor lineColor(LineFamily family, Theme theme);
 
-/// "Low risk": the word beside the color, for legends and tooltips.
+/// "Low risk": the name beside the color, for legends and tooltips.
 QString markName(agent::MarkKind kind);
 inline constexpr std::array all_mark_kinds = {
     agent::MarkKind::Path,     agent::MarkKind::Diversion, agent::MarkKind::LowRisk,    agent::MarkKind::HighRisk,
@@ -73,19 +74,20 @@ inline constexpr std::array all_mark_kinds = {
 /// WCAG 2 contrast ratio of two opaque colors, 1..21.
 double contrast(const QColor& a, const QColor& b);
 
-/// The 8 px grid: the only gaps there are, in device-independent pixels.
+/// The 8 px grid: the only gaps in use, in device-independent pixels.
 namespace gap {
 inline constexpr int tiny = 4;
 inline constexpr int small = 8;
 inline constexpr int medium = 16;
 inline constexpr int large = 24;
 } // namespace gap
-inline constexpr int minimum_target = 24; ///< smallest thing that can be clicked
+inline constexpr int minimum_target = 24; ///< smallest size of anything that can be clicked
 
-/// One family with figures of equal width, three sizes. `Number` is for figures that change, `Big` for the instruments.
+/// One font family with digits of equal width, in three sizes. `Big` is for the figures of instruments.
 enum class FontRole { Small, Body, Big };
+/// The font of a role in the theme's family.
 QFont themeFont(FontRole role = FontRole::Body, QFont::Weight weight = QFont::Normal);
-/// Fixed pitch, for protocol lines.
+/// Fixed-pitch font, for protocol lines.
 QFont codeFont();
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// Truth about time: the protocol clock, and for a simulator pause, step, speed and how real it is.
+// Bar for time: the protocol clock and, for a simulator, pause, step, speed and real-time factor.
 #pragma once
 
 #include <optional>
@@ -12,34 +12,35 @@
 
 namespace usar::widgets {
 
-/// Requests out, figures in; it counts no time itself. "As fast as it can" is a speed of infinity. GUI thread.
+/// Shows figures and reports requests; it does not measure time. A speed of infinity means "as fast as possible". GUI
+/// thread.
 class TimeBar : public QWidget {
     Q_OBJECT
 public:
     explicit TimeBar(QWidget* parent = nullptr);
 
-    /// A real server's time cannot be steered: only the clock is shown.
+    /// Set to false for a real server, whose time cannot be controlled: only the clock is shown.
     void setSteerable(bool steerable);
-    /// Shows the state; no signal. A step is possible only while paused.
+    /// Shows the state without a signal. Stepping is possible only while paused.
     void setPaused(bool paused);
     bool paused() const;
-    /// The nearest speed on the list is shown; no signal.
+    /// Shows the nearest speed of the list without a signal; infinity is "max".
     void setSpeed(double speed);
-    /// Times real time; infinity for "max".
+    /// Multiple of real time; infinity for "max".
     double speed() const;
-    /// So many entries up or down the list, as the person would: the wish is emitted.
+    /// Moves so many entries up or down the list and emits speedRequested, as if the user had done it.
     void changeSpeed(int entries);
-    /// Protocol clock; nothing while unknown.
+    /// Protocol clock; nullopt while unknown.
     void setClock(std::optional<Seconds> now);
-    /// Protocol seconds per second of wall time.
+    /// Protocol seconds per second of wall time; nullopt while unknown.
     void setRealTimeFactor(std::optional<double> factor);
 
 signals:
-    /// By the person; the bar already shows it, setPaused corrects it.
+    /// By the user; the bar already shows the new state, and setPaused corrects it.
     void pauseRequested(bool paused);
-    /// One tick, only while paused.
+    /// One simulator tick; only while paused.
     void stepRequested();
-    /// Times real time; infinity for "as fast as it can".
+    /// Multiple of real time; infinity for "as fast as possible".
     void speedRequested(double speed);
 
 private:

@@ -18,10 +18,10 @@ void TimeSlider::mousePressEvent(QMouseEvent* event) {
         setSliderPosition(here);
         emit sliderMoved(here);
     }
-    QSlider::mousePressEvent(event); // the handle is under the cursor now, and dragging goes on from there
+    QSlider::mousePressEvent(event); // The handle is under the cursor now, and dragging continues from there.
 }
 
-/// The slider's own way would move the handle and tell nobody what for.
+/// QSlider itself would report SliderMove, as for dragging, instead of a step.
 void TimeSlider::wheelEvent(QWheelEvent* event) {
     constexpr int notch = QWheelEvent::DefaultDeltasPerStep;
     turned_ += event->angleDelta().y();

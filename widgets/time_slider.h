@@ -1,11 +1,11 @@
-// A slider that goes where it is clicked, as time lines do, and not a page nearer.
+// Slider that jumps to the place of a click, as time lines do, instead of moving by a page.
 #pragma once
 
 #include <QSlider>
 
 namespace usar::widgets {
 
-/// A click tells by sliderMoved, as dragging does; a notch of the wheel is a key's step. GUI thread.
+/// A click emits sliderMoved, like dragging; a notch of the wheel has the effect of an arrow key. GUI thread.
 class TimeSlider : public QSlider {
 public:
     explicit TimeSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
@@ -15,7 +15,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    int turned_ = 0; ///< of the wheel, less than a notch
+    int turned_ = 0; ///< rotation of the wheel that is less than a notch so far
 };
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// One passing message over the window: severity, sentence, count, what is offered, and a button that takes it away.
+// Temporary message over the window: severity, sentence, count, an optional offer, and a button that closes it.
 #pragma once
 
 #include <QFrame>
@@ -10,25 +10,27 @@
 
 namespace usar::widgets {
 
-/// A child widget, never a window, and without focus: keys stay where they are. Goes after its lifetime, which does
-/// not run while the mouse is over it; one that offers something stays until that is taken or withdrawn. GUI thread.
+/// A child widget, never a window, and without focus: keys stay where they are. Finishes after its lifetime, which does
+/// not run while the mouse is over it; a toast with an offer stays until the offer is accepted or withdrawn. GUI
+/// thread.
 class Toast : public QFrame {
     Q_OBJECT
 public:
     Toast(const Notification& notification, int lifetime_ms, QWidget* parent);
 
-    /// Of the notification that it shows.
+    /// Key of the notification that it shows.
     const QString& key() const { return key_; }
-    /// The same trouble again: new text and count, and a whole lifetime.
+    /// Shows a new report of the same problem: new text and count, and a new lifetime.
     void show(const Notification& notification);
-    /// The sentence, without word and count.
+    /// The sentence without severity and count.
     QString text() const { return text_->text(); }
 
 signals:
-    /// Anywhere but on a button.
+    /// The toast was clicked outside of its buttons.
     void clicked();
+    /// The user accepted the offer.
     void offerTaken();
-    /// By its button or because its time is over.
+    /// The toast was closed by its button, or its lifetime is over; the owner should remove it.
     void finished();
 
 protected:
@@ -38,8 +40,9 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    /// Icon and word in the severity's color of the current theme.
+    /// Sets icon and severity in the color of the current theme.
     void paintSign();
+    /// Restarts the lifetime, unless there is an offer.
     void startLife();
 
     QString key_;

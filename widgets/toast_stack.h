@@ -1,4 +1,4 @@
-// Passing messages at the bottom right of a window: warnings and errors as they come, at most three.
+// Stack of temporary messages at the bottom right of a window, at most three.
 #pragma once
 
 #include <vector>
@@ -11,29 +11,29 @@ namespace usar::widgets {
 
 class Toast;
 
-/// Shows what is pushed into the model as a toast (by its rule: warnings and errors), newest at the bottom; the same
-/// key again updates its toast, and a cure takes it away. `covered` owns this and must outlive the model's signals. GUI
-/// thread.
+/// Shows a toast for each notification that asks for one (by default warnings and errors), newest at the bottom. A new
+/// report with the same key updates its toast, and a cure removes it. `covered` owns the stack and must outlive the
+/// model's signals. GUI thread.
 class ToastStack : public QObject {
     Q_OBJECT
 public:
     static constexpr int most = 3;
     static constexpr int default_lifetime_ms = 8000;
-    static constexpr int note_lifetime_ms = 6000; ///< good news is read faster
+    static constexpr int note_lifetime_ms = 6000; ///< shorter, because good news is read faster
 
     ToastStack(QWidget* covered, NotificationModel* model);
 
-    /// Of toasts that come from now on; notes never stay longer than theirs.
+    /// Lifetime of future toasts; notes never stay longer than `note_lifetime_ms`.
     void setLifetime(int milliseconds) { lifetime_ms_ = milliseconds; }
-    /// Room kept free below the toasts, for a status bar.
+    /// Room that stays free below the toasts, for a status bar.
     void setBottomMargin(int margin_px);
-    /// Toasts on the screen now, `most` at the most.
+    /// Number of toasts on the screen, 0..`most`.
     int count() const { return static_cast<int>(toasts_.size()); }
 
 signals:
-    /// A toast was clicked: open the notifications.
+    /// A toast was clicked; show the notifications. The toast is removed.
     void openRequested(const QString& key);
-    /// By the button of a toast; the model tells everybody.
+    /// The button of a toast was clicked; the model is informed and informs everybody else.
     void offerTaken(const QString& key);
 
 protected:
@@ -41,10 +41,10 @@ protected:
 
 private:
     void push(const Notification& notification);
-    /// Hides at once and deletes later, for the toast itself may be asking.
+    /// Hides the toast at once and deletes it later, because the toast itself may be the caller.
     void take(const QString& key);
     Toast* toastOf(const QString& key) const;
-    /// From the bottom right corner upward.
+    /// Places the toasts from the bottom right corner upward.
     void arrange();
 
     QWidget* covered_;

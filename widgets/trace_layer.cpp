@@ -10,15 +10,15 @@ namespace {
 
 constexpr int tile_px = 256;
 constexpr double radius_px = 3.5;
-constexpr double brush_px = radius_px + 1.5; ///< with its rim
-constexpr int cell_px = 2;                   ///< two marks within a cell look like one
-constexpr std::size_t most_tiles = 192;      ///< 48 MiB; more only while a person roams, and then all are made anew
+constexpr double brush_px = radius_px + 1.5; ///< radius including the rim
+constexpr int cell_px = 2;                   ///< size of a cell; only the newest mark in a cell is drawn
+constexpr std::size_t most_tiles = 192;      ///< 48 MiB; if panning exceeds it, all tiles are made again
 
 double side_m(int level) {
     return tile_px / std::exp2(level);
 }
 
-/// The rim goes under what is there, so that dots in a row are one line with one rim.
+/// Paints the rim below existing dots, so that dots in a row look like one line with one rim.
 void paintDot(QPainter& painter, const QPointF& at_px, QRgb color) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 170));
@@ -64,7 +64,7 @@ QImage TraceLayer::bake(const Key& key) const {
     const QRectF sight = QRectF(tile.rect()).adjusted(-brush_px, -brush_px, brush_px, brush_px);
     constexpr std::size_t cells = tile_px / cell_px + 8;
     std::bitset<cells * cells> drawn;
-    // The newest are on top, and of those that cover each other only they are drawn: from the end.
+    // Goes through the marks from the newest to the oldest; of marks that cover each other only the newest is drawn.
     std::vector<std::pair<QPointF, QRgb>> dots;
     for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark) {
         const QPointF at_px =
@@ -102,7 +102,7 @@ void TraceLayer::paint(QPainter& painter, const MapTransform& transform) const {
             auto tile = tiles_.find(key);
             if (tile == tiles_.end())
                 tile = tiles_.emplace(key, bake(key)).first;
-            // Edges on whole pixels: neighbors share them, and no seam shows.
+            // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
             const QPoint low(qRound(origin_px.x() + column * side_px), qRound(origin_px.y() + row * side_px));
             const QPoint high(qRound(origin_px.x() + (column + 1) * side_px),
                               qRound(origin_px.y() + (row + 1) * side_px));

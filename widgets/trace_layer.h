@@ -1,4 +1,4 @@
-// What robots under TRACE left behind, baked into pictures: any number of marks costs nothing while the map is moved.
+// Map layer of the marks that robots leave while TRACE is on, cached as images, so that panning costs little.
 #pragma once
 
 #include <compare>
@@ -13,14 +13,17 @@
 
 namespace usar::widgets {
 
-/// Sparse tiles of 256 pixels at scales of powers of two, made when they are first seen. Marks that would cover each
-/// other are drawn once. GUI thread.
+/// Sparse tiles of 256 pixels at scales of powers of two, made when they first become visible. Of marks that cover each
+/// other only the newest is drawn. GUI thread.
 class TraceLayer {
 public:
+    /// Adds a mark in meters of the map frame; ignored if it is not finite.
     void add(const Vec2& point_in_map_m, const QColor& color);
     void clear();
+    /// Number of marks, whether visible or not.
     bool empty() const { return marks_.empty(); }
     std::size_t count() const { return marks_.size(); }
+    /// Paints the visible tiles; missing ones are made first.
     void paint(QPainter& painter, const MapTransform& transform) const;
 
 private:
@@ -28,19 +31,20 @@ private:
         Vec2 point_m;
         QRgb color;
     };
-    /// The tile's place counts in tiles along the screen's axes from the map's origin.
+    /// Index of a tile; columns and rows count along the screen's axes from the map's origin.
     struct Key {
-        int level = 0; ///< pixels a meter: 2^level
+        int level = 0; ///< 2^level pixels per meter
         int column = 0;
         int row = 0;
         auto operator<=>(const Key&) const = default;
     };
-    /// Along the screen's axes, in meters.
+    /// Map point in meters along the screen's axes.
     QPointF onScreenAxes(const Vec2& point_m) const;
+    /// Paints all marks of a tile.
     QImage bake(const Key& key) const;
 
     std::vector<Mark> marks_;
-    mutable MapOrientation orientation_ = MapOrientation::YUp; ///< of the tiles
+    mutable MapOrientation orientation_ = MapOrientation::YUp; ///< orientation of the cached tiles
     mutable std::map<Key, QImage> tiles_;
 };
 

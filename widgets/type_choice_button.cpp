@@ -11,7 +11,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int most_types = 300; ///< in the list; a server that babbles has no end of them
+constexpr int most_types = 300; ///< limit of the list, because a faulty server may send any number of types
 constexpr int type_role = Qt::UserRole;
 
 } // namespace

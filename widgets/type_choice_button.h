@@ -1,4 +1,4 @@
-// Which types of lines are shown: a button that says the choice, and a list of the types seen, with boxes to tick.
+// Button that shows which types of lines are listed, and opens a list with check boxes for the types seen so far.
 #pragma once
 
 #include <functional>
@@ -10,25 +10,27 @@
 
 namespace usar::widgets {
 
-/// The list opens below the button and stays open while boxes are ticked. GUI thread.
+/// The list opens below the button and stays open while boxes are checked. GUI thread.
 class TypeChoiceButton : public QToolButton {
     Q_OBJECT
 public:
-    /// How many lines of each type there are, asked when the list opens.
+    /// Number of lines of each type; queried whenever the list opens.
     using Counts = std::map<std::string, int, std::less<>>;
 
     explicit TypeChoiceButton(QWidget* parent = nullptr);
 
     void setCounts(std::function<Counts()> counts) { counts_ = std::move(counts); }
     const TypeChoice& choice() const { return choice_; }
-    /// Emits nothing.
+    /// Sets the choice without emitting choiceChanged.
     void setChoice(const TypeChoice& choice);
-    /// Types seen, and those chosen before, with their boxes.
+    /// Lists the types seen so far and those already chosen, with check boxes.
     void openList();
+    /// The list of the popup; owned by the button.
     QListWidget* list() const { return list_; }
     QSize sizeHint() const override;
 
 signals:
+    /// By the user.
     void choiceChanged();
 
 private:

@@ -32,7 +32,7 @@ double planNumberIn(const posh::Value& value) {
     return real ? *real : whole ? static_cast<double>(*whole) : 0.0;
 }
 
-/// Whether the editor of that shape can show the value.
+/// True if the editor for that shape can show the value.
 bool fitsShape(const ValueShape& shape, const posh::Value& value) {
     const AnswerType type = planTypeOf(value);
     const bool is_number = type == AnswerType::Integer || type == AnswerType::Real;

@@ -1,4 +1,4 @@
-// One value of a plan, edited as its type wants it: a switch, a number with its unit and range, a choice, or words.
+// Editor for one value of a plan that depends on its type: a switch, a number with unit and range, a choice, or text.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace usar::widgets {
 
-/// What a value should be. Numbers are in the plan's units: SI, radians.
+/// Type and limits of a value. Numbers are in the plan's units: SI, radians.
 struct ValueShape {
     agent::AnswerType type = agent::AnswerType::Any;
     QString unit{};
@@ -24,24 +24,27 @@ struct ValueShape {
     double maximum = 0.0;
     std::vector<std::string> choices{};
 };
+/// The shape of a parameter of a sense or act, from its default, range and choices.
 ValueShape shapeOf(const agent::PoshParameter& parameter);
-/// Of a sense's answer.
+/// The shape of a sense's answer.
 ValueShape shapeOf(const agent::PrimitiveDescription& sense);
 
-/// A value as a call has it: a literal, or a parameter of the form around it.
+/// A value in a call: a literal, or a parameter of the enclosing form.
 using PlanValue = std::variant<posh::Literal, posh::Variable>;
 
-/// What is not touched keeps its spelling. A parameter (`$speed`), or a value that is none of the shape, is edited as
-/// words. GUI thread.
+/// An unchanged value keeps its spelling. A parameter (`$speed`), or a value that does not fit the shape, is edited as
+/// text. GUI thread.
 class ValueField : public QWidget {
     Q_OBJECT
 public:
+    /// `name` is the accessible name of the editor.
     ValueField(const ValueShape& shape, const PlanValue& value, const QString& name, QWidget* parent);
 
-    /// Nothing while what is typed is no value.
+    /// The edited value; nullopt while the text is not a value.
     std::optional<PlanValue> value() const;
 
 signals:
+    /// The user edited the value; value() may be nullopt.
     void changed();
 
 private:
@@ -53,7 +56,8 @@ private:
 
     PlanValue first_;
     agent::AnswerType type_;
-    QComboBox* choice_ = nullptr; ///< one of these four is there
+    /// Exactly one of these four is not null.
+    QComboBox* choice_ = nullptr;
     QSpinBox* whole_ = nullptr;
     QuantityBox* number_ = nullptr;
     QLineEdit* words_ = nullptr;

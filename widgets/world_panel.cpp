@@ -74,7 +74,7 @@ WorldPanel::WorldPanel(QWidget* parent)
     , list_(new QTreeView(this))
     , object_row_(new QHBoxLayout) {
     setAccessibleName(tr("World"));
-    buttons_->setExclusive(false); // a second click lets go
+    buttons_->setExclusive(false); // A second click releases the button.
     palette_->setSpacing(gap::tiny);
     other_class_->setPlaceholderText(tr("Other class, e.g. USARModels.Pallet"));
     other_class_->setAccessibleName(tr("Other class"));
@@ -238,7 +238,7 @@ void WorldPanel::setTrouble(const QString& title, const QString& hint) {
             child->setVisible(title.isEmpty());
 }
 
-/// -1: none.
+/// Selects a kind by its index; -1: none.
 void WorldPanel::choose(int kind) {
     for (QAbstractButton* button : buttons_->buttons())
         button->setChecked(buttons_->id(button) == kind);
@@ -335,7 +335,7 @@ void WorldPanel::drag(QToolButton* button) {
     drag->setMimeData(mime);
     drag->setPixmap(button->icon().pixmap(object_icon_px, object_icon_px));
     drag->exec(Qt::CopyAction);
-    disarm(); // dropped, or let go elsewhere
+    disarm(); // Dropped on the map or elsewhere.
 }
 
 } // namespace usar::widgets

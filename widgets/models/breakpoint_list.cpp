@@ -53,7 +53,7 @@ QJsonObject jsonOf(const Breakpoint& breakpoint) {
     return json;
 }
 
-/// Nothing for what is none.
+/// Returns nullopt if the object is not a valid breakpoint.
 std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
     Breakpoint breakpoint;
     breakpoint.path = json["path"].toString().toStdString();

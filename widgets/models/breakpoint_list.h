@@ -1,4 +1,4 @@
-// The breakpoints of all plans as a person has set them, and how they are told and kept.
+// The user's breakpoints of all plans, as text for the user and as JSON.
 #pragma once
 
 #include <string_view>
@@ -11,25 +11,29 @@
 
 namespace usar::widgets {
 
-/// In the order in which they were set. Each has a number of its own while the program runs.
+/// Breakpoints in the order in which they were set. Each has an id that stays unique while the program runs.
 class BreakpointList {
 public:
+    /// All breakpoints with their ids; the reference is valid until the list changes.
     const std::vector<agent::PlanBreakpoint>& all() const { return all_; }
-    /// Null where there is none of that number.
+    /// Returns nullptr if no breakpoint has this id. The pointer is valid until the list changes.
     const posh::Breakpoint* find(int id) const;
-    /// Its number.
+    /// Returns the id of the new breakpoint.
     int add(posh::Breakpoint breakpoint);
+    /// Changing or removing an unknown id has no effect.
     void change(int id, posh::Breakpoint breakpoint);
     void remove(int id);
-    /// The numbers of those of a plan, by its name, or of those at one place of it.
+    /// Ids of the breakpoints of a plan, by the plan's name.
     std::vector<int> ofPlan(std::string_view name) const;
-    /// Of a key of the plan's blackboard; those are at no place.
+    /// Ids of the breakpoints on a key of the plan's blackboard; those have no path.
     std::vector<int> ofKey(std::string_view plan_name, std::string_view key) const;
+    /// Ids of the breakpoints at one path of a plan.
     std::vector<int> atPath(std::string_view plan_name, std::string_view path) const;
-    /// Places of this program are found again by their names.
+    /// Finds the places of this program's breakpoints again by their names and updates their paths; the path becomes
+    /// empty if the program has no such place.
     void repairPaths(const posh::Program& program);
 
-    /// As JSON, and back; what is no breakpoint is left out.
+    /// Writes the list as JSON, and reads it back with new ids; entries that are not valid breakpoints are left out.
     QByteArray toJson() const;
     static BreakpointList fromJson(const QByteArray& json);
 
@@ -38,11 +42,11 @@ private:
     int next_id_ = 1;
 };
 
-/// "before", "when it answers failed": when it stops.
+/// When the breakpoint stops: "before", "when it answers: failed".
 QString breakOnText(const posh::Breakpoint& breakpoint);
 /// "work, before, if (distance 0.3 <), from hit 4 on, once": for lists and tooltips.
 QString breakpointText(const posh::Breakpoint& breakpoint);
-/// "finished", "runs on": an act's answer for people.
+/// "finished", "goes on": an act's answer as the user reads it.
 QString resultText(posh::ActResult result);
 
 } // namespace usar::widgets

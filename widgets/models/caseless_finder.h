@@ -1,4 +1,4 @@
-// Finds a text in many others whatever the case of ASCII letters: the filter of long logs.
+// Substring search that ignores the case of ASCII letters; used to filter long logs.
 #pragma once
 
 #include <array>
@@ -8,19 +8,21 @@
 
 namespace usar::widgets {
 
-/// Horspool's search; bytes beyond ASCII must match exactly. An empty needle is in every text.
+/// Searches for one needle with Horspool's algorithm; bytes beyond ASCII must match exactly. An empty needle is found
+/// in every text.
 class CaselessFinder {
 public:
     explicit CaselessFinder(std::string_view needle);
 
+    /// True if the needle occurs in `text`.
     bool isIn(std::string_view text) const { return placeIn(text) != std::string_view::npos; }
-    /// Where the first one begins; npos where there is none.
+    /// Returns the offset, in bytes, of the first occurrence, or npos.
     std::size_t placeIn(std::string_view text) const;
     bool empty() const { return needle_.empty(); }
 
 private:
-    std::string needle_;                   ///< lower case
-    std::array<std::size_t, 256> shift_{}; ///< by the byte under the needle's end, either case
+    std::string needle_;                   ///< in lower case
+    std::array<std::size_t, 256> shift_{}; ///< by the byte at the end of the window, in either case
 };
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// The palette's list: commands that match what was typed, best first.
+// List model of the command palette: the commands that match the typed text, best match first.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,22 @@
 
 namespace usar::widgets {
 
-/// How well `typed` describes `text`: every word must occur, word starts count more; nothing for no match. Case is
-/// ignored; an empty text matches all equally.
+/// Scores how well `typed` matches `text`; higher is better. Every word must occur; matches at the start of a word
+/// count more. nullopt: no match. Case is ignored; an empty `typed` matches everything equally.
 std::optional<int> matchScore(const QString& typed, const QString& text);
 
-/// Rows are enabled commands only, in order of score, then of registration. GUI thread; the registry outlives it.
+/// Rows are the enabled commands only, by score, then by registration. GUI thread; the registry must outlive the model.
 class CommandListModel : public QAbstractListModel {
     Q_OBJECT
 public:
+    /// ShortcutRole is the shortcut as text, GroupRole the command's group.
     enum Role { ShortcutRole = Qt::UserRole, GroupRole };
 
     CommandListModel(const CommandRegistry& registry, QObject* parent = nullptr);
 
-    /// Asks again which commands are enabled, so call it when the palette opens.
+    /// Lists the commands that are enabled now and match; call it whenever the palette opens.
     void setFilter(const QString& typed);
-    /// Nothing for an invalid index. The registry owns the action.
+    /// Returns nullptr for an invalid index. The registry owns the action.
     QAction* actionAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -1,9 +1,9 @@
-// The drag format between sensor panel and plots.
+// Drag format between the sensor panel and the plots.
 #pragma once
 
 namespace usar::widgets {
 
-/// The UTF-8 paths of fields as protocol::Field::path() gives them, one a line.
+/// UTF-8 paths of fields as protocol::Field::path() returns them, one per line.
 inline constexpr const char* field_mime_type = "application/x-usar-field";
 
 } // namespace usar::widgets

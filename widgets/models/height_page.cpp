@@ -16,7 +16,8 @@ const std::uint32_t* scanLine(const QImage& image, int y) {
     return reinterpret_cast<const std::uint32_t*>(image.constScanLine(y));
 }
 
-/// `pixels` come with x to the right and y up; with x up and y left the picture is turned a quarter to the left.
+/// Copies a tile into the picture. `pixels` have x to the right and y up; with x up and y left the picture is rotated
+/// by a quarter turn counter-clockwise.
 void place(QImage& image, const TilePixels& pixels, int tile_column, int tile_row, MapOrientation orientation) {
     const int last = PageTiles::tiles_per_side - 1;
     const bool x_up = orientation == MapOrientation::XUp;
@@ -74,7 +75,7 @@ PagePicture renderPage(const PageTiles& page, const HeightStyle& style) {
         if (!page.tiles[i])
             continue;
         mapping::shadeTile(*page.tiles[i], style.range, style.color_map, *pixels);
-        // Shades are opaque or nothing; premultiplied, nothing is zero in every channel.
+        // Shades are opaque or fully transparent; a transparent premultiplied pixel is zero in every channel.
         std::ranges::replace_if(
             *pixels, [](std::uint32_t pixel) { return pixel >> 24 == 0; }, 0u);
         place(full, *pixels, static_cast<int>(i) % PageTiles::tiles_per_side,

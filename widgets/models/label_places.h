@@ -1,4 +1,4 @@
-// Where names stand beside their symbols, so that none covers another. Arithmetic only.
+// Arithmetic that places names beside their symbols so that none covers another.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,17 @@
 
 namespace usar::widgets {
 
-/// A name that wants a place. All lengths are pixels of the screen.
+/// A label that needs a place. All lengths are in pixels of the screen.
 struct LabelWish {
     QPointF anchor_px;      ///< middle of its symbol
-    double clear_px = 0.0;  ///< from there to the nearest edge of the name
-    QSizeF size_px;         ///< of the name's box
-    bool must_show = false; ///< where there is no room it goes below, over what is there
+    double clear_px = 0.0;  ///< distance from there to the nearest edge of the label
+    QSizeF size_px;         ///< size of the label's box
+    bool must_show = false; ///< without free room it is placed below, over whatever is there
 };
 
-/// A box for each wish, or nothing where there is no room. Earlier wishes win. Tries below, right, left and above, near
-/// and then a little farther, for a symbol may lie under a larger one. `taken_px` are boxes that no name may cover.
+/// Returns a box for each wish, or nullopt if there is no room. Earlier wishes take precedence. Tries below, right,
+/// left and above, first near and then a little farther away, because a symbol may lie under a larger one. `taken_px`
+/// are boxes that no label may cover.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelWish>& wishes, std::vector<QRectF> taken_px);
 
 } // namespace usar::widgets

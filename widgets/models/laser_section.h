@@ -1,4 +1,4 @@
-// A scan as a cross-section under the robot: where every ray ends, and the terrain line through the hits.
+// A range scan as a cross-section: where each ray ends.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,28 @@
 
 namespace usar::widgets {
 
-/// In metres in the scanner's plane: x to the robot's left is negative (drawn on the left, as seen from behind), y is
-/// down. The belly scanner's beam at angle 0 looks straight down.
+/// End of a ray in meters in the scanner's plane: negative x is to the robot's left, y is along the beam at angle 0
+/// (down for a belly scanner).
 struct LaserRay {
     QPointF end_m;
     bool hit = false; ///< false: the reading is the maximum range or no number
 };
 
-/// A value to paint from; without beams there is no scan yet.
+/// A scan prepared for painting; without rays there is no scan yet.
 struct LaserSection {
-    std::vector<LaserRay> rays; ///< one per beam, in the scan's order
+    std::vector<LaserRay> rays; ///< one per beam, in the order of the scan
     double maximum_m = 20.0;
-    std::optional<double> clearance_m; ///< straight down, mean of the beams within 2 degrees
+    /// Distance in the direction of the beam at angle 0: mean of the hits within 2 degrees of it; nullopt: no hits.
+    std::optional<double> clearance_m;
+    /// Shortest range of all hits; nullopt: no hits.
     std::optional<double> nearest_m;
 
-    /// Depth that the picture should show: round, so that it does not breathe with every scan.
+    /// Depth, in meters, that the picture should show; a round value, so that the scale does not change with every
+    /// scan.
     double depthShown_m() const;
 };
 
-/// A range at or beyond `maximum_m` is a miss.
+/// Computes the rays; a range of `maximum_m` or more is a miss.
 LaserSection laserSection(const protocol::RangeScan& scan, double maximum_m);
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// Lines that were sent before, oldest first, and a walk through those that contain what was typed.
+// History of sent lines, oldest first, with a walk through the lines that contain the typed text.
 #pragma once
 
 #include <optional>
@@ -7,21 +7,23 @@
 
 namespace usar::widgets {
 
-/// A value. A line that is sent again moves to the end; the oldest of more than `limit` falls out.
+/// A value. A line that is sent again moves to the end; beyond `limit` lines the oldest is removed.
 class LineHistory {
 public:
     static constexpr qsizetype limit = 200;
 
     const QStringList& lines() const { return lines_; }
+    /// Keeps the newest `limit` lines and ends the walk.
     void setLines(const QStringList& lines);
+    /// Appends a sent line and ends the walk.
     void add(const QString& line);
 
-    /// The next older line that contains `typed`, whatever the case; the walk begins at the first call. Nothing at its
-    /// end.
+    /// Returns the next older line that contains `typed`, ignoring case; nullopt at the oldest. The first call begins a
+    /// walk and remembers `typed`.
     std::optional<QString> older(const QString& typed);
-    /// Back toward what was typed, which comes last; nothing where no walk is on.
+    /// Steps back toward the typed text, which is returned last; nullopt if no walk is in progress.
     std::optional<QString> newer();
-    /// The next `older` begins anew.
+    /// The next older() begins a new walk.
     void endWalk() { at_.reset(); }
 
 private:
@@ -29,6 +31,7 @@ private:
 
     QStringList lines_;
     QString typed_;
+    /// Index of the line that the walk is at.
     std::optional<qsizetype> at_;
 };
 

@@ -13,7 +13,7 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Andrew's monotone chain.
+/// Computes the convex hull with Andrew's monotone chain.
 std::vector<Vec2> hullOf(std::vector<Vec2> points) {
     std::ranges::sort(points,
                       [](const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
@@ -25,7 +25,7 @@ std::vector<Vec2> hullOf(std::vector<Vec2> points) {
                 hull.pop_back();
             hull.push_back(*first);
         }
-        hull.pop_back(); // the other chain begins with it
+        hull.pop_back(); // The other chain begins with this point.
     };
     addAll(points.begin(), points.end());
     addAll(points.rbegin(), points.rend());
@@ -54,7 +54,7 @@ std::vector<Vec3> pointsOf(const MapObject& object) {
 
 std::vector<Vec2> outlineOf(const MapObject& object) {
     MapObject seen = object;
-    if (object.form == ObjectForm::Sphere) { // however it has rolled
+    if (object.form == ObjectForm::Sphere) { // Its rotation does not matter.
         seen.size_m.z() = 0.0;
         seen.body_in_map = Pose{object.body_in_map.position_m};
     }

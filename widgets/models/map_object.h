@@ -1,4 +1,4 @@
-// A thing of the world as map and list show it, and what it covers as seen from above.
+// An object of the world as map and list show it, and its outline as seen from above.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,26 @@
 
 namespace usar::widgets {
 
+/// Basic shape. Spheres and cylinders have the diameter size_m.x(); a cylinder's axis is its z axis.
 enum class ObjectForm { Box, Sphere, Cylinder };
 
+/// An object of the world as the server or the simulator reports it.
 struct MapObject {
     QString name;
-    QString kind; ///< "Crate"; empty where nobody knows
+    QString kind; ///< "Crate"; empty: unknown
     ObjectForm form = ObjectForm::Box;
-    Vec3 size_m = Vec3::Ones(); ///< along its own axes
+    Vec3 size_m = Vec3::Ones(); ///< in meters along its own axes
+    /// Pose of the object's center.
     Pose body_in_map;
-    std::optional<double> speed_m_s;
-    std::vector<Vec2> waypoints_in_map_m; ///< that it was given and has not lost
-    bool carries = false;                 ///< a conveyor: its belt runs along its x axis
+    std::optional<double> speed_m_s;      ///< nullopt: unknown
+    std::vector<Vec2> waypoints_in_map_m; ///< the way that it was given, if any
+    bool carries = false;                 ///< a conveyor; its belt runs along its own x axis
     bool operator==(const MapObject&) const = default;
 };
 
-/// The convex hull of its shadow under a high sun, counter-clockwise, in the map frame.
+/// Convex hull of the object as seen from above, counter-clockwise, in meters of the map frame.
 std::vector<Vec2> outlineOf(const MapObject& object);
-/// Whether the point lies in or on a hull as outlineOf gives it.
+/// True if the point is inside or on a hull as outlineOf returns it.
 bool covers(const std::vector<Vec2>& hull, const Vec2& point_m);
 
 } // namespace usar::widgets

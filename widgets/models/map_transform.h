@@ -1,4 +1,4 @@
-// Where a point of the map is on the screen, and back: all view arithmetic of the map, no painting.
+// Transforms points between map and screen; all arithmetic of the map view, without painting.
 #pragma once
 
 #include <QPointF>
@@ -9,12 +9,12 @@
 
 namespace usar::widgets {
 
-/// Which map axis points up on the screen. XUp: x up, y left (as seen by a robot at yaw 0). YUp: x right, y up (as
-/// exported pictures and GIS have it). Both are right-handed views from above.
+/// Which map axis points up on the screen. XUp: x up, y to the left (as a robot at yaw 0 sees it). YUp: x to the right,
+/// y up (as in exported pictures and GIS). Both are right-handed views from above.
 enum class MapOrientation { XUp, YUp };
 
-/// A value: center, scale, viewport. Screen points are device-independent pixels, y down. The scale is kept within
-/// `minimum_scale`..`maximum_scale` pixels per metre.
+/// Center, scale and viewport, as a value. Screen points are device-independent pixels, y down. The scale is kept
+/// between `minimum_scale` and `maximum_scale` pixels per meter.
 struct MapTransform {
     static constexpr double minimum_scale = 0.02;
     static constexpr double maximum_scale = 400.0;
@@ -24,15 +24,17 @@ struct MapTransform {
     double pixels_per_m = 5.0;
     QSizeF viewport{640.0, 480.0};
 
+    /// Converts map points in meters to screen points in pixels and back.
     QPointF toScreen(const Vec2& point_in_map_m) const;
     Vec2 toMap(const QPointF& point_px) const;
+    /// Bounding rectangle on the screen.
     QRectF toScreen(const Rectangle& rectangle_in_map) const;
-    /// What the viewport shows, in the map frame.
+    /// The visible part of the map, in meters of the map frame.
     Rectangle visible() const;
-    /// Screen direction of a yaw: clockwise from "up", in radians, as a painter's rotation takes it.
+    /// Screen direction of a yaw: clockwise from "up", in radians; a painter's rotation in degrees has the same sense.
     double screenRotation_rad(double yaw_rad) const;
 
-    /// The ground under the cursor stays under the cursor.
+    /// Multiplies the scale by `factor`; the ground under the cursor stays there.
     void zoomAt(const QPointF& cursor_px, double factor);
     /// Moves the ground by this many pixels.
     void pan(const QPointF& by_px);
@@ -42,7 +44,7 @@ struct MapTransform {
     bool operator==(const MapTransform&) const = default;
 };
 
-/// 1, 2 or 5 times a power of ten, at most `maximum`; for grids and scale bars.
+/// Largest value of the form 1, 2 or 5 times a power of ten that is at most `maximum`; for grids and scale bars.
 double roundStep(double maximum);
 
 } // namespace usar::widgets

@@ -34,7 +34,7 @@ bool MessageSieve::hasWords(const MessageRow& row) const {
     return expression_->isValid() && (fits(row.text) || fits(row.type));
 }
 
-/// The word after each "{Name ".
+/// Searches the word after each "{Name ".
 bool MessageSieve::hasName(std::string_view line) const {
     static const CaselessFinder key("{Name ");
     constexpr std::size_t key_size = 6;

@@ -1,4 +1,4 @@
-// Which lines of traffic are shown, and the sieve that decides it for a hundred thousand of them.
+// Filter for lines of traffic, and the test that applies it to a hundred thousand of them.
 #pragma once
 
 #include <optional>
@@ -13,35 +13,37 @@
 
 namespace usar::widgets {
 
-/// Types by name, as in MessageRow::type. Either the listed ones are hidden (then a type never seen before is shown),
-/// or only the listed ones are shown. The default shows all.
+/// Choice of types by name, as in MessageRow::type: either the listed ones are hidden (types never seen before are
+/// shown), or only the listed ones are shown. The default shows all.
 struct TypeChoice {
     std::set<std::string, std::less<>> types{};
     bool only_these = false;
+    /// True if lines of this type are shown.
     bool shows(std::string_view type) const { return types.contains(type) == only_these; }
     bool showsAll() const { return types.empty() && !only_these; }
     bool operator==(const TypeChoice&) const = default;
 };
 
-/// All must fit; a default filter lets everything through.
+/// All conditions must hold; a default filter lets every row pass.
 struct MessageFilter {
-    QString words{}; ///< in type, text or note, whatever the case; "/…/" is a regular expression; empty for all
-    std::optional<Direction> direction{};
+    /// Contained in type, text or note, ignoring case; "/…/" is a regular expression on type and text; empty: all.
+    QString words{};
+    std::optional<Direction> direction{}; ///< nullopt: both
     TypeChoice types{};
-    QString name{}; ///< part of the name of a sensor, effecter, package or robot on the line; empty for all
-    bool only_trouble = false;
-    std::optional<int> connection{}; ///< MessageRow::connection
+    QString name{};            ///< part of the name of a sensor, effecter, package or robot on the line; empty: all
+    bool only_trouble = false; ///< only rows with diagnostics
+    std::optional<int> connection{}; ///< as MessageRow::connection; nullopt: all
     bool operator==(const MessageFilter&) const = default;
 };
 
-/// The expression between the slashes; nothing where `words` are plain.
+/// Returns the regular expression between the slashes, which may be invalid; nullopt if `words` is plain text.
 std::optional<QRegularExpression> expressionOf(const QString& words);
 
-/// Built once for a pass over many rows. An expression that is not valid lets nothing through.
+/// Tests rows against a filter; made once for many rows. An invalid regular expression lets no row pass.
 class MessageSieve {
 public:
     explicit MessageSieve(const MessageFilter& filter);
-    /// Always true for a row that stands for lines left out: that is said, whatever is searched.
+    /// A row that stands for omitted lines passes every filter except the one for its connection.
     bool passes(const MessageRow& row) const;
 
 private:

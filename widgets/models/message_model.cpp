@@ -13,7 +13,8 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr qint64 slice_ms = 6; // of a frame of 33, for the view is told of what was found, too
+// Part of a frame of 33 ms, because informing the view about the rows takes time as well.
+constexpr qint64 slice_ms = 6;
 
 std::size_t bytesOf(const MessageRow& row) {
     return sizeof(MessageRow) + row.type.capacity() + row.text.capacity() + row.note.capacity();
@@ -61,7 +62,7 @@ int MessageModel::append(std::vector<MessageRow> batch) {
     return fallen;
 }
 
-// What of the batch would fall out again at once is never taken in.
+// Rows of the batch that would be removed at once are never stored.
 void MessageModel::trim(std::vector<MessageRow>& batch, std::size_t& drop) const {
     std::size_t fresh_bytes = 0;
     std::size_t keep = 0;
@@ -157,7 +158,7 @@ void MessageModel::filterOn(qint64 budget_ms) {
 }
 
 std::deque<std::uint64_t> MessageModel::sieveSlice(qint64 budget_ms) {
-    constexpr std::uint64_t rows_a_look = 256; // at the clock
+    constexpr std::uint64_t rows_a_look = 256; // Between two readings of the clock.
     std::deque<std::uint64_t> passing;
     QElapsedTimer timer;
     timer.start();
@@ -202,7 +203,7 @@ std::optional<std::uint64_t> MessageModel::serialOf(int connection, Direction di
 
 std::vector<std::uint64_t> MessageModel::causedBy(std::uint64_t serial) const {
     constexpr std::size_t few = 5;
-    constexpr std::size_t reach = 2000; // an answer follows soon
+    constexpr std::size_t reach = 2000; // An answer follows soon.
     std::vector<std::uint64_t> caused;
     const MessageRow* cause = find(serial);
     if (!cause || cause->direction != Direction::In || cause->not_shown > 0)
@@ -251,7 +252,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant MessageModel::shownText(const MessageRow& row, int column) const {
-    constexpr std::size_t longest = 400; // no window shows more of one line
+    constexpr std::size_t longest = 400; // No window shows more of a line.
     if (row.not_shown > 0 && column < Type && column != Robot)
         return {};
     switch (column) {

@@ -76,7 +76,7 @@ MessageParts partsOf(const MessageRow& row) {
     } else {
         parts.diagnostics = protocol::checkCommand(row.text);
     }
-    Diagnostics again; // said above
+    Diagnostics again; // Ignored: parts.diagnostics has them already.
     protocol::Segments segments;
     segments.read(row.text, again);
     for (const protocol::Segment& segment : segments.all().first(std::min(segments.all().size(), most_segments)))

@@ -1,4 +1,4 @@
-// One line of traffic taken apart: its values with units, its segments, and what is wrong where.
+// A line of traffic taken apart: values with units, segments, and diagnostics.
 #pragma once
 
 #include <string>
@@ -13,33 +13,35 @@
 
 namespace usar::widgets {
 
-/// One "{...}" as it was on the wire. `help` is the grammar's word on a command's key.
+/// One "{...}" segment as it was on the wire. `help` is the grammar's text for the key of a command; empty for info
+/// lines.
 struct MessagePart {
     std::string key;
     std::string value;
     std::string help;
 };
 
+/// Everything that the details of a row show.
 struct MessageParts {
-    std::vector<protocol::Field> fields; ///< of info lines; SI units and our frame where the type is known
-    std::vector<MessagePart> segments;   ///< a few thousand at most
+    std::vector<protocol::Field> fields; ///< info lines only; SI units and map axes if the type is known
+    std::vector<MessagePart> segments;   ///< at most two thousand
     Diagnostics diagnostics;             ///< offsets in bytes of the row's text
-    bool known = true;                   ///< a table knows the type
+    bool known = true;                   ///< false: no table has the type
 };
 
-/// Reads the text again: for one row that somebody looks at, not for all.
+/// Parses the row's text again; meant for a single row that the user looks at.
 MessageParts partsOf(const MessageRow& row);
 
-/// "0.524 rad (30.0°)": a field's value for people.
+/// "0.524 rad (30.0°)": a field's value for the user.
 QString valueText(const protocol::Field& field);
 
-/// Number, time, robot, way, type and text with tabs between: one line of a saved list.
+/// Number, time, robot, direction, type and text, separated by tabs: one line of a saved list.
 QString tabbedText(const MessageRow& row, const QString& robot);
-/// The same with cause, fields and diagnostics. What is not there is left out.
+/// The same as JSON, with cause, fields and diagnostics; unknown values are omitted.
 QJsonObject jsonOf(const MessageRow& row, const QString& robot);
 
 /// Part of `text` around a byte offset and, below it, a caret under that byte; at most `width` characters wide. Bytes
-/// that are not printable become blanks, so that the caret stands right.
+/// that are not printable ASCII become blanks, so that the caret is in the right column.
 struct Pointer {
     QString excerpt;
     QString caret;

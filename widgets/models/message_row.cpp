@@ -73,7 +73,7 @@ MessageRow gapOf(std::uint64_t not_shown) {
 
 std::string typeOf(std::string_view line) {
     constexpr std::string_view key = "{Type ";
-    constexpr std::size_t longest = 48; // garbage may be one endless word
+    constexpr std::size_t longest = 48; // Invalid input may be one endless word.
     const std::size_t at = line.find(key);
     std::string_view rest = line;
     std::string type(takeWord(rest).substr(0, longest));

@@ -1,4 +1,4 @@
-// Writes the shown lines of traffic to a file, a few milliseconds at a time.
+// Saves the shown lines of traffic to a file, a few milliseconds at a time.
 #pragma once
 
 #include <vector>
@@ -11,19 +11,22 @@
 
 namespace usar::widgets {
 
-/// `.jsonl` gets one JSON object a line, any other name the columns with tabs between. The file appears whole or not at
-/// all. What falls out of the ring meanwhile is left out and counted, so hold the list while it runs. GUI thread.
+/// A name ending in ".jsonl" gets one JSON object per line, any other name the columns separated by tabs. The file
+/// appears completely or not at all. Rows that leave the ring while saving are missing in the file, so the list should
+/// stand still until then. GUI thread; the model must outlive it.
 class MessageSaver : public QObject {
     Q_OBJECT
 public:
     explicit MessageSaver(const MessageModel& model, QObject* parent = nullptr);
 
-    /// Takes down which rows are shown now; one file at a time, a second call while busy is refused with `failed`.
+    /// Starts saving the rows that are shown now. Only one file at a time: a second call while busy emits `failed`.
     void save(const QString& path);
     bool busy() const { return file_ != nullptr; }
 
 signals:
+    /// The file is complete; `lines` is the number of lines written.
     void saved(const QString& path, int lines);
+    /// `reason` is a sentence with the remedy.
     void failed(const QString& reason);
 
 private:

@@ -12,7 +12,7 @@ struct NameOf {
     }
     std::string operator()(const protocol::PackageState& m) const { return m.name; }
     std::string operator()(const protocol::EffecterState& m) const { return m.type + ' ' + m.name; }
-    /// Type and first name: of a group, all sensors come together each time.
+    /// Type and first name, because all sensors of a group always arrive together.
     template <protocol::SensorMessage Sensor>
     std::string operator()(const Sensor& m) const {
         std::string stream(protocol::wireTypeOf(m));

@@ -1,4 +1,4 @@
-// Keeps the newest line of every stream until somebody has time to look.
+// Buffer that keeps the newest line of every stream until it is fetched.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +11,24 @@
 
 namespace usar::widgets {
 
-/// What tells streams of one connection apart: "SEN Sonar F1", "STA", "GEO RangeScanner".
+/// Key that distinguishes the streams of one connection: "SEN Sonar F1", "STA", "GEO RangeScanner".
 std::string streamOf(const protocol::InfoMessage& message);
 
-/// A line and how many of its stream came since the last look, this one included.
+/// The newest line of a stream, and how many lines of the stream came since the last fetch, this one included.
 struct CountedLine {
     protocol::InfoLine line;
+    /// Clock at arrival, as passed to take().
     Seconds now{0.0};
     int count = 0;
 };
 
-/// Bounds the work of a slow or hidden view: a thousand lines of one stream cost as much as one. Nothing that was sent
-/// only once is lost. A value; one owner.
+/// Bounds the work of a slow or hidden view: a thousand lines of one stream cost as much as one. A line that is the
+/// only one of its stream is never lost. A value with one owner.
 class NewestLines {
 public:
+    /// Stores a line; it replaces the previous line of the same stream.
     void take(const protocol::InfoLine& line, Seconds now);
-    /// In the order in which the streams first spoke since the last call.
+    /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
     std::vector<CountedLine> takeAll();
 
 private:

@@ -1,5 +1,5 @@
-// What the person should know, newest first; the same trouble again is one row with a count, and it is marked when
-// cured.
+// List model of notifications, newest first; repeated reports of the same problem share a row with a count, and the row
+// is marked when the problem is over.
 #pragma once
 
 #include <deque>
@@ -12,70 +12,75 @@
 
 namespace usar::widgets {
 
-/// What a person may want next, as a button beside the sentence; who hears `offerTaken` does it.
+/// An action that a notification offers as a button beside its sentence; whoever connects to `offerTaken` performs it.
 struct Offer {
-    QString text; ///< "Start R2 again"; empty: nothing is offered
-    QString help; ///< what will happen, with the shortcut
+    QString text; ///< "Start R2 again"; empty: no offer
+    QString help; ///< says what the button will do, with its shortcut
 };
 
+/// One row: all reports of one problem.
 struct Notification {
-    QString key; ///< what it is about: the same key is the same trouble ("link", "export")
+    QString key; ///< identifies the problem: reports with the same key share a row ("link", "export")
     Severity severity = Severity::Note;
-    QString text;   ///< what happened, to what, what to do
+    QString text;   ///< says what happened, to what, and what to do
     QDateTime last; ///< wall time of the newest report
+    /// Number of reports since the problem was last cured.
     int count = 1;
+    /// The problem is over.
     bool cured = false;
     bool unread = true;
-    bool toast = true; ///< shown in passing, too
-    Offer offer = {};  ///< of the newest report
+    bool toast = true; ///< also shown as a toast
+    Offer offer = {};  ///< from the newest report
 
     bool offers() const { return !offer.text.isEmpty() && !cured; }
 };
 
 /// "Note", "Warning", "Error".
 QString severityWord(Severity severity);
-/// Name for `icon()`, and its color in the current theme.
+/// Name of the severity's icon for `icon()`, and its color in the current theme.
 QString severityIcon(Severity severity);
 QColor severityColor(Severity severity);
 
-/// Keeps the newest `capacity` groups. DisplayRole is the whole sentence; views paint from `row`. GUI thread.
+/// Keeps the newest `capacity` rows. DisplayRole is the whole sentence; views paint from `row`. GUI thread.
 class NotificationModel : public QAbstractListModel {
     Q_OBJECT
 public:
     static constexpr int capacity = 500;
     using QAbstractListModel::QAbstractListModel;
 
-    /// Moves the group of `key` to the top, with the newest text and severity, or makes one; a cured one is open again
-    /// and counts from 1. Warnings and errors are toasts unless `toast` says otherwise.
+    /// Moves the row of `key` to the top with the newest text and severity, or adds one; a cured row is open again and
+    /// its count restarts at 1. `when` is wall time. Warnings and errors are shown as toasts unless `toast` says
+    /// otherwise.
     void push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
               std::optional<bool> toast = std::nullopt, const Offer& offer = {});
-    /// The trouble is over, and nothing is offered any more. An unknown key is no news.
+    /// The problem is over; its offer is withdrawn. An unknown or already cured key changes nothing.
     void cure(const QString& key);
-    /// The person wants what was offered; nothing where nothing is.
+    /// The user accepts the offer; has no effect if there is none.
     void takeOffer(const QString& key);
-    /// Takes away open ones too, without a word that they were cured.
+    /// Removes all rows, also open ones, without emitting `cured`.
     void clear();
-    /// Takes away what is cured.
+    /// Removes the cured rows.
     void clearCured();
-    /// Somebody looks at the list now.
+    /// Marks all rows as read, because the user is looking at the list.
     void markRead();
 
-    /// Groups that came, or came again, since the last markRead and are not cured.
+    /// Number of rows that were reported since the last markRead and are not cured.
     int unread() const;
-    /// Groups whose trouble is not over.
+    /// Number of rows that are not cured.
     int openCount() const;
-    /// 0 is the newest; the reference holds until the next change.
+    /// `index` 0 is the newest; the reference is valid until the next change.
     const Notification& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 
 signals:
-    /// After the row is in its place, new or moved to the top.
+    /// Emitted after the row is in its place, whether added or moved to the top.
     void pushed(const usar::widgets::Notification& notification);
-    /// Once: a cure of what is cured says nothing.
+    /// Emitted once per problem: curing a cured one emits nothing.
     void cured(const QString& key);
+    /// The user accepted the offer of this key.
     void offerTaken(const QString& key);
-    /// Only when the number is another one.
+    /// Emitted only when the number changed.
     void unreadChanged(int unread);
 
 private:

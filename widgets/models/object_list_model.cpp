@@ -31,7 +31,7 @@ QString kindIcon(const QString& kind) {
 }
 
 void ObjectListModel::setObjects(std::vector<MapObject> objects) {
-    QCollator collator(QLocale::English); // that of "C" knows no numbers
+    QCollator collator(QLocale::English); // The collation of the "C" locale has no numeric mode.
     collator.setNumericMode(true);
     std::ranges::sort(objects, [&](const MapObject& a, const MapObject& b) { return collator(a.name, b.name); });
     const bool same_names = std::ranges::equal(objects, objects_, {}, &MapObject::name, &MapObject::name);

@@ -1,4 +1,4 @@
-// The objects of the world as a table: what, where, how fast.
+// Table model of the objects of the world: name, place, speed.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,22 @@
 
 namespace usar::widgets {
 
-/// The icon of a class; a question mark for those that are not ours.
+/// Icon name for a class of objects; a question mark for unknown classes.
 QString kindIcon(const QString& kind);
 
-/// The kind is an icon beside the name, and a word for assistive tools. By name, numbers in names in order (Crate2
-/// before Crate10). GUI thread.
+/// The kind is an icon beside the name, and a word for assistive tools. Sorted by name with numbers in numeric order
+/// (Crate2 before Crate10). GUI thread.
 class ObjectListModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { Name, Place, Speed, column_count };
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// All there are. Views keep their selection where the names are the same.
+    /// Replaces all objects. Views keep their selection if the names are the same.
     void setObjects(std::vector<MapObject> objects);
+    /// The reference is valid until the next setObjects.
     const MapObject& object(int row) const { return objects_[static_cast<std::size_t>(row)]; }
-    /// -1 where it is not there.
+    /// Row of that object; -1 if there is none.
     int rowOf(const QString& name) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -17,7 +17,7 @@ QString tr(const char* text) {
     return QCoreApplication::translate("ParameterForm", text);
 }
 
-/// Fewest decimals that show `value` to nine figures, at most six.
+/// Returns the fewest decimals that show `value` to nine significant digits, at most six.
 int decimalsOf(double value) {
     double scale = 1.0;
     for (int decimals = 0; decimals < 6; ++decimals, scale *= 10.0)

@@ -1,4 +1,4 @@
-// What a running plan does, element by element, and what of it stands at each node of a drawn plan.
+// The state of a running plan, element by element, and its assignment to the nodes of a drawn plan.
 #pragma once
 
 #include <cstdint>
@@ -14,62 +14,64 @@
 
 namespace usar::widgets {
 
-/// Times are those of the protocol (or of the recording), as is `PlanSnapshot::now`.
+/// The newest answer of a sense. All times are on the protocol clock, or on that of the recording, like
+/// PlanSnapshot::now.
 struct SenseAnswer {
     QString value;      ///< as the plan would write it: "0.31", "true", "'high"
-    bool holds = false; ///< after the comparison
-    Seconds since{0.0}; ///< the verdict has been this one
-    Seconds asked{0.0}; ///< last
+    bool holds = false; ///< the comparison with this answer is true
+    Seconds since{0.0}; ///< time at which the present verdict began
+    Seconds asked{0.0}; ///< time of the newest answer
     bool operator==(const SenseAnswer&) const = default;
 };
 
-/// Of one element of the plan since its start.
+/// Activity of one element of the plan since the start of the run.
 struct PlanActivity {
-    bool running = false;               ///< on the way from the root to what was done in the newest cycle
-    std::optional<Seconds> last_active; ///< nothing: never
+    bool running = false;               ///< on the path from the root to what was done in the newest cycle
+    std::optional<Seconds> last_active; ///< nullopt: never
     std::uint64_t started = 0;
     std::uint64_t succeeded = 0;
-    std::uint64_t failed = 0;  ///< and interrupted
-    std::uint64_t skipped = 0; ///< held back by its frequency or its retries
-    QString hold_back;         ///< why it is held back now: "its frequency: 1.2 s left"; empty while nothing does
-    std::optional<SenseAnswer> answer; ///< of senses
+    std::uint64_t failed = 0;          ///< failures and interruptions
+    std::uint64_t skipped = 0;         ///< how often it was held back by its frequency or its retries
+    QString hold_back;                 ///< why it is held back now, "its frequency: 1.2 s left"; empty if it is not
+    std::optional<SenseAnswer> answer; ///< senses only; nullopt: not asked yet
     bool operator==(const PlanActivity&) const = default;
 };
 
-/// A key of the plan's blackboard.
+/// The value of a key on the plan's blackboard.
 struct BoardValue {
     QString key;
     QString value;   ///< as traces print it
-    QString history; ///< of its values, a line each, the newest first: for a tooltip
+    QString history; ///< its values, one per line, newest first; for a tooltip
     bool operator==(const BoardValue&) const = default;
 };
 
-/// The paths are those of the engine (see PlanTree::find) and the same for a whole run: they are shared. One activity
-/// for each path.
+/// State of a run at one moment. The paths are those of the engine (see PlanTree::find) and stay the same during a run,
+/// so they are shared. `activities` has one entry per path.
 struct PlanSnapshot {
     std::shared_ptr<const std::vector<std::string>> paths;
     std::vector<PlanActivity> activities;
-    Seconds now{0.0};
-    std::vector<BoardValue> board{}; ///< by key
+    Seconds now{0.0};                ///< time of the snapshot
+    std::vector<BoardValue> board{}; ///< sorted by key
 };
 
-/// The activity of each node of a tree. What is drawn once for several places has that of all of them: sums, and the
-/// newest times and answers.
+/// The activity of each node of a tree. A node that is drawn once for several places has the sum of their counters and
+/// the newest of their times and answers.
 class PlanStates {
 public:
-    /// Nothing has happened yet.
+    /// Sizes the states for this tree; all are empty.
     void reset(const PlanTree& tree);
-    /// Finds the nodes of the paths when they are others than last time.
+    /// Takes over a snapshot; the nodes of its paths are looked up only when the paths have changed.
     void take(const PlanTree& tree, const PlanSnapshot& snapshot);
 
     const PlanActivity& operator[](int node) const { return states_[static_cast<std::size_t>(node)]; }
     Seconds now() const { return now_; }
-    /// From 1 while it runs down to 0 where it has not for long; halves every `half_life`.
+    /// 1 while the node runs, then halved every `half_life`; 0 when that falls below 2 %.
     double recency(int node) const;
+    /// Time after which the glow of a card has faded to one half.
     static constexpr Seconds half_life{2.0};
-    /// Paths that no node has: those of another plan than the drawn one.
+    /// Number of paths without a node; they belong to a different plan than the drawn one.
     int strangers() const { return strangers_; }
-    /// Cards that run, in the order of the tree.
+    /// The cards that run, in the order of the tree.
     std::vector<int> running(const PlanTree& tree) const;
 
 private:

@@ -22,7 +22,7 @@ void PlanFolds::showOnly(const PlanTree& tree, const std::vector<int>& nodes) {
 }
 
 bool PlanFolds::reveal(const PlanTree& tree, int node) {
-    const int card = tree[node].in_card ? tree[node].parent : node; // senses are in sight when theirs is
+    const int card = tree[node].in_card ? tree[node].parent : node; // A sense is visible if its card is.
     bool changed = false;
     for (int at = tree[card].parent; at >= 0; at = tree[at].parent)
         changed = keys_.erase(tree[at].key) > 0 || changed;

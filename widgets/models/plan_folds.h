@@ -1,4 +1,4 @@
-// Which parts of a drawn plan are folded: kept by the names that lead to them, so that they survive an edit.
+// Which parts of a drawn plan are folded; stored by the names on the path to them, so that folds survive an edit.
 #pragma once
 
 #include <unordered_set>
@@ -8,17 +8,19 @@
 
 namespace usar::widgets {
 
+/// Nodes without children cannot be folded.
 class PlanFolds {
 public:
+    /// True if the node's children are hidden.
     bool folded(const PlanTree& tree, int node) const { return keys_.contains(tree[node].key); }
-    /// Folding what has nothing below it says nothing.
+    /// Folds or unfolds; folding a node without children unfolds it.
     void set(const PlanTree& tree, int node, bool folded);
     void unfoldAll() { keys_.clear(); }
-    /// All but the roots.
+    /// Folds everything except the roots.
     void foldAll(const PlanTree& tree);
-    /// Opens the way to these nodes and folds everything else.
+    /// Folds everything except the paths to these nodes.
     void showOnly(const PlanTree& tree, const std::vector<int>& nodes);
-    /// Opens all that a node stands in. True if something was folded.
+    /// Unfolds everything that contains the node. Returns true if something was folded.
     bool reveal(const PlanTree& tree, int node);
     bool operator==(const PlanFolds&) const = default;
 

@@ -15,7 +15,7 @@ QString nameText(const Plan& plan, const PlanPart& part) {
     return name ? QString::fromStdString(name->text) : QString();
 }
 
-/// The number behind "/A:" at the start of a segment.
+/// Returns the number after "/A:" at the start of a segment.
 std::optional<std::size_t> stepNumber(const std::string& segment) {
     if (!segment.starts_with("/A:"))
         return std::nullopt;
@@ -82,7 +82,7 @@ int nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& part) {
     return link;
 }
 
-/// What is in the hand: a sense, a member, or a call; `from` is where it stands, if it stands anywhere.
+/// The dragged sense, member or call; `from` is its place in the plan, if it has one.
 struct PlanGestures::Dragged {
     PartKind kind = PartKind::Action;
     SenseTest sense;
@@ -91,9 +91,10 @@ struct PlanGestures::Dragged {
     QString name;
 };
 
+/// The part that something is dropped on.
 struct PlanGestures::Target {
     std::optional<PlanPart> part;
-    std::optional<PlanPart> call; ///< that leads to it
+    std::optional<PlanPart> call; ///< call that leads to the part
     DropZone zone = DropZone::Onto;
     bool is_step = false;
     QString name;
@@ -151,7 +152,7 @@ PlanDeed PlanGestures::swap(const Dragged& what, const PlanPart& with) const {
             [text = text_, a = *what.from, b = with] { return swapParts(text, a, b); }};
 }
 
-/// A lone target: a level of its own before or behind it; among equals: one more of them.
+/// For a target that is alone in its level: a new level before or after it. Among equals: another member of that level.
 MemberPlace PlanGestures::placeAt(const Target& to) const {
     const PlanPart& part = *to.part;
     const std::size_t behind = to.zone == DropZone::After ? 1 : 0;
@@ -167,7 +168,7 @@ MemberPlace PlanGestures::placeAt(const Target& to) const {
     return {part.form, part.level + behind};
 }
 
-/// Before what is always ready, for nothing behind that is ever reached.
+/// Before a last member that is always ready, because nothing after it would ever be reached.
 MemberPlace PlanGestures::endOf(std::size_t form) const {
     std::size_t level = levelsOf(plan_.forms[form]);
     std::visit(
@@ -192,7 +193,8 @@ std::optional<PlanDeed> PlanGestures::drop(const std::variant<PlanPiece, int>& s
     const auto what = node && *node == target ? std::nullopt : dragged(source);
     if (!what)
         return std::nullopt;
-    if (target >= 0 && tree_[target].in_card && what->kind != PartKind::Sense) { // the card it is in is meant
+    // Only senses can be dropped on a sense row; others mean its card.
+    if (target >= 0 && tree_[target].in_card && what->kind != PartKind::Sense) {
         target = tree_[target].parent;
         zone = DropZone::Onto;
     }
@@ -318,7 +320,7 @@ std::optional<PlanDeed> PlanGestures::dropCall(const Dragged& what, const Target
                     [text = text_, place, call = what.call] { return replaceCall(text, place, call); }};
 }
 
-/// As the last thing that the form does.
+/// Appends to the form.
 std::optional<PlanDeed> PlanGestures::putInto(const Dragged& what, std::size_t form) const {
     const QString words = QObject::tr("Put %1 into %2").arg(what.name, nameText(plan_, formPart(form)));
     if (const auto* const pattern = std::get_if<Pattern>(&plan_.forms[form])) {

@@ -61,7 +61,7 @@ PlanLayout::PlanLayout(const PlanTree& tree, const PlanFolds& folds, const std::
         bounds_ = bounds_.united(bands_[at(root)]);
 }
 
-/// Between two siblings.
+/// Returns the gap above the sibling at index `before`.
 double PlanLayout::gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const {
     if (before == 0)
         return flow_ == PlanFlow::Across ? 0.0 : equals_gap_px;
@@ -122,7 +122,7 @@ QRectF PlanLayout::box(const PlanTree& tree, int node) const {
     const QRectF& card = boxes_[at(what.parent)];
     if (card.isNull())
         return {};
-    const int row = node - what.parent; // the senses stand right behind the card, the first below its title
+    const int row = node - what.parent; // Senses directly follow their card, the first one is below its title.
     return {card.left(), card.top() + plan_card::padding_px / 2.0 + row_px_ * row, card.width(), row_px_};
 }
 

@@ -1,4 +1,4 @@
-// Where each card of a drawn plan stands, what is at a point, and what is in a rectangle.
+// Layout of a drawn plan: where each card is, and which nodes are at a point or in a rectangle.
 #pragma once
 
 #include <functional>
@@ -15,33 +15,34 @@
 
 namespace usar::widgets {
 
-/// How wide texts are, in pixels at a scale of 1.
+/// Measures the width of texts in pixels at a scale of 1.
 struct PlanMetrics {
-    std::function<double(const QString&)> name_px; ///< of a card's title
-    std::function<double(const QString&)> text_px; ///< of everything else
-    double row_px = 20.0;                          ///< height of the title, and of each sense
+    std::function<double(const QString&)> name_px; ///< for the title of a card
+    std::function<double(const QString&)> text_px; ///< for all other text
+    double row_px = 20.0;                          ///< height of the title row and of each sense row
 };
 
-/// The parts of a card, in pixels from its corner. Painting and layout agree on them.
+/// Dimensions of the parts of a card in pixels; shared by painting and layout.
 namespace plan_card {
-inline constexpr double padding_px = 8.0;
-inline constexpr double glyph_px = 20.0;    ///< room of the mark in front of a title or sense
-inline constexpr double counters_px = 72.0; ///< room of the counters behind a title
-inline constexpr double answer_px = 56.0;   ///< room of a sense's newest answer
-inline constexpr double goal_px = 34.0;     ///< room of the word "goal" in front of a goal's sense
-inline constexpr double fold_px = 36.0;     ///< room of the fold mark of what has something below it
-inline constexpr double widest_px = 420.0;  ///< longer texts are cut; the tooltip has them
+inline constexpr double padding_px = 8.0;   ///< distance of the contents from the border of a card
+inline constexpr double glyph_px = 20.0;    ///< room for the mark before a title or sense
+inline constexpr double counters_px = 72.0; ///< room for the counters after a title
+inline constexpr double answer_px = 56.0;   ///< room for a sense's newest answer
+inline constexpr double goal_px = 34.0;     ///< room for the word "goal" before a sense of a goal
+inline constexpr double fold_px = 36.0;     ///< room for the fold mark of a card with children
+inline constexpr double widest_px = 420.0;  ///< longer texts are elided; the tooltip shows them
 } // namespace plan_card
 
-/// Natural width and height of each card (zero for senses inside one).
+/// Natural size of each card in pixels at a scale of 1; empty for senses inside a card.
 std::vector<QSizeF> measurePlan(const PlanTree& tree, const PlanMetrics& metrics);
 
-/// What grows to the right: cards of children (broad views), or only an indent, as in an outline (narrow docks).
+/// Direction in which children are placed: to the right of their parent (wide views), or below it with an indent, like
+/// an outline (narrow docks).
 enum class PlanFlow { Across, Down };
 
-/// Deterministic and linear in the number of nodes: every subtree has a band of its own, its card at the top left of
-/// it, so that branches never interleave and children read from top to bottom in order of priority. Siblings are
-/// equally wide. In pixels at a scale of 1; the first card is at the origin.
+/// Deterministic and linear in the number of nodes. Every subtree has a band of its own with its card at the top left,
+/// so branches never interleave, and children are in order of priority from top to bottom. Siblings are equally wide.
+/// In pixels at a scale of 1; the first card is at the origin.
 class PlanLayout {
 public:
     PlanLayout() = default;
@@ -49,37 +50,43 @@ public:
                PlanFlow flow);
 
     PlanFlow flow() const { return flow_; }
-    /// All cards.
+    /// Bounding box of all cards.
     const QRectF& bounds() const { return bounds_; }
-    /// Of a card, or of a sense's row in it. Null for what is folded away.
+    /// Box of a card, or of a sense's row in its card; null if it is folded away.
     QRectF box(const PlanTree& tree, int node) const;
+    /// False for folded nodes and for senses inside a card.
     bool shown(int node) const { return !boxes_[static_cast<std::size_t>(node)].isNull(); }
-    /// Where the line from a card leaves it, and where that to it arrives.
+    /// Points where the line from a card to its children starts, and where the line from its parent ends.
     QPointF exit(int node) const;
     QPointF entry(int node) const;
 
-    /// The sense row or card there; -1 for none. Logarithmic in the number of siblings.
+    /// The sense row or card at that point; -1 if there is none. Logarithmic in the number of siblings.
     int nodeAt(const PlanTree& tree, const QPointF& point) const;
-    /// Cards that a rectangle touches, and cards with lines to children in it, in the order of the tree. `visit(node)`;
-    /// costs as much as it finds.
+    /// Calls `visit(node)` for the cards whose subtree touches the rectangle, in the order of the tree; this includes
+    /// cards that only have lines to children in it. The cost is proportional to the number of cards found.
     template <class Visit>
     void forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const;
+    /// The same as a list.
     std::vector<int> nodesIn(const PlanTree& tree, const QRectF& area) const;
 
 private:
+    /// Vertical gap above the sibling at index `before`.
     double gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const;
+    /// Height of each node's subtree.
     std::vector<double> bandHeights(const PlanTree& tree, const PlanFolds& folds,
                                     const std::vector<QSizeF>& sizes) const;
+    /// Sets the boxes of all visible cards.
     void place(const PlanTree& tree, const PlanFolds& folds, const std::vector<QSizeF>& sizes,
                const std::vector<double>& heights);
+    /// Computes the bands from the boxes.
     void uniteBands(const PlanTree& tree);
-    /// The first child whose band ends below `top`.
+    /// Index of the first child whose band does not end above `top`.
     std::size_t firstBelow(std::span<const int> children, double top) const;
 
     PlanFlow flow_ = PlanFlow::Across;
     double row_px_ = 20.0;
     std::vector<QRectF> boxes_; ///< null: folded away, or inside a card
-    std::vector<QRectF> bands_; ///< of the card and all below it
+    std::vector<QRectF> bands_; ///< bounding box of the card and everything below it
     std::vector<int> roots_;
     QRectF bounds_;
 };

@@ -1,4 +1,4 @@
-// What a person put on the parts of a plan, and where it stands still: breakpoints, pins, drives that are off.
+// Marks on the parts of a drawn plan: breakpoints, pins and disabled drives that the user has set, and the halt.
 #pragma once
 
 #include <map>
@@ -12,26 +12,26 @@
 
 namespace usar::widgets {
 
-/// On one part.
+/// The marks on one part of a plan.
 struct PlanMark {
-    std::string path;         ///< of the engine
-    int breakpoints = 0;      ///< that are on
-    int breakpoints_off = 0;  ///< that are not
-    bool conditional = false; ///< one of them does not stop always
-    bool pinned = false;      ///< it answers what a person wants
-    bool switched_off = false;
-    bool halted = false; ///< the plan stands still here
-    QStringList words{}; ///< all of that, for people
+    std::string path;          ///< path of the part, as the engine names it
+    int breakpoints = 0;       ///< number of enabled breakpoints
+    int breakpoints_off = 0;   ///< number of disabled breakpoints
+    bool conditional = false;  ///< one of them has a condition or ignores its first hits
+    bool pinned = false;       ///< pinned to an answer that the user chose
+    bool switched_off = false; ///< a drive that the user has disabled
+    bool halted = false;       ///< the plan is halted here
+    QStringList words{};       ///< all of this in words for the user
     bool operator==(const PlanMark&) const = default;
 };
 
-/// By node of a drawn plan. What is drawn once for several places has the marks of all of them.
+/// The marks by node of a drawn plan. A node that is drawn once for several places has the marks of all of them.
 class PlanMarks {
 public:
     PlanMarks() = default;
     PlanMarks(const PlanTree& tree, const std::vector<PlanMark>& marks);
 
-    /// Null for a node without any.
+    /// Returns nullptr for a node without marks.
     const PlanMark* at(int node) const;
     bool empty() const { return by_node_.empty(); }
 

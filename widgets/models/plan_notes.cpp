@@ -12,7 +12,7 @@ std::vector<PlanNote> notesOf(const posh::Plan& plan) {
         return {};
     const posh::Collection& collection = *posh::collectionOf(plan);
     posh::Spot at = collection.at;
-    at.length = static_cast<std::uint32_t>(1 + collection.keyword.size()); // "(RDC", not the whole of it
+    at.length = static_cast<std::uint32_t>(1 + collection.keyword.size()); // Only "(RDC", not the whole collection.
     return {
         {at, QStringLiteral("%1:%2: note N501: %3").arg(at.line).arg(at.column).arg(QString::fromStdString(remark))}};
 }

@@ -1,4 +1,4 @@
-// What there is to say of a plan's text that is no fault.
+// Remarks about a plan's text that are not errors.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace usar::widgets {
 
-/// Marked as findings are, below warnings in weight: nothing need be mended.
+/// Shown like a finding, but ranked below warnings; nothing needs to be fixed.
 struct PlanNote {
     posh::Spot at;
-    QString words; ///< as findings read: "4:3: note N501: …"
+    QString words; ///< worded like a finding: "4:3: note N501: …"
 };
 
-/// N501, at the collection's keyword: it asks for real time, and the plan runs by the robot's clock all the same.
+/// N501, at the keyword of the drive collection: the plan asks for real time, but runs on the robot's clock.
 std::vector<PlanNote> notesOf(const posh::Plan& plan);
 
 } // namespace usar::widgets

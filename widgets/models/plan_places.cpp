@@ -7,7 +7,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// Bytes of one UTF-8 code point, and units of UTF-16.
+/// Returns the size of the code point at `position` in bytes of UTF-8 and in units of UTF-16.
 std::pair<int, int> sizesAt(const QString& line, int position) {
     const bool two =
         line[position].isHighSurrogate() && position + 1 < line.size() && line[position + 1].isLowSurrogate();
@@ -37,7 +37,7 @@ TextRange rangeOf(const posh::Spot& spot, const QString& line) {
         bytes += in_utf8;
         length += units;
     }
-    if (start >= end) // behind the last character: mark that
+    if (start >= end) // After the last character: mark that one.
         return {std::max(0, end - 1), std::min(1, end)};
     return {start, std::max(1, length)};
 }

@@ -1,4 +1,4 @@
-// Places in a plan's text: where they are in a string of Qt, and which part of the drawn plan stands there.
+// Converts places in a plan's text to positions in a QString, and finds the part of the drawn plan at a place.
 #pragma once
 
 #include <string_view>
@@ -10,25 +10,25 @@
 
 namespace usar::widgets {
 
-/// A plan's text as an editor shows it, with the same lines as its reader counts: CR LF is one end of a line, a lone CR
-/// and what else Qt would take for one are blanks.
+/// Returns a plan's text as an editor shows it, with the same lines as its reader counts: CR LF ends one line; a lone
+/// CR and other characters that Qt would take for line ends become blanks.
 QString editorText(std::string_view plan_text);
 
-/// UTF-16 units in one line of that text.
+/// A range of UTF-16 units within one line of that text.
 struct TextRange {
     int start = 0;
     int length = 0;
     bool operator==(const TextRange&) const = default;
 };
 
-/// A spot counts code points and bytes; the range stays in its line and is at least one unit long where the line has
-/// one. `line` is the text of the spot's line.
+/// Converts a spot, which counts code points and bytes, to a range that stays within its line; at least one unit long
+/// unless the line is empty. `line` is the text of the spot's line.
 TextRange rangeOf(const posh::Spot& spot, const QString& line);
-/// The column (of code points, from 1) of a place in a line.
+/// Column of a position in a line, in code points from 1.
 int columnOf(const QString& line, int position);
 
-/// What begins last at or before this place, as the text reads; -1 where nothing does, or the plan was not read from a
-/// text.
+/// The node whose text begins last at or before this place (line and column count from 1); -1 if there is none or the
+/// plan was not read from text.
 int nodeAtPlace(const PlanTree& tree, int line, int column);
 
 } // namespace usar::widgets

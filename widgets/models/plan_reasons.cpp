@@ -37,11 +37,12 @@ private:
         for (int sense = node + 1; sense <= node + tree_[node].senses; ++sense)
             explainSense(node, sense);
         const int parent = tree_[node].parent;
-        if (tree_[node].kind == PlanNodeKind::Sense && node > parent + tree_[parent].senses) // else it was said above
+        // A sense that is a step of a pattern; those in the card of the parent were explained with it.
+        if (tree_[node].kind == PlanNodeKind::Sense && node > parent + tree_[parent].senses)
             explainSense(parent, node);
     }
 
-    /// Only one of several siblings runs: another one may have come first.
+    /// Only one of several siblings runs, so another one may have taken precedence.
     void explainRival(int node) {
         const int parent = tree_[node].parent;
         if (parent < 0)
@@ -65,7 +66,8 @@ private:
     void explainSense(int owner, int sense) {
         const PlanNode& what = tree_[sense];
         const PlanActivity& state = states_[sense];
-        // A goal ends what has it, so one that holds is a no and one that does not is no news.
+        // A goal ends its owner, so a goal that holds is a reason against running, and one that does not hold is no
+        // reason.
         if (what.of_goal && state.answer && !state.answer->holds)
             return;
         const PlanVerdict verdict = !state.answer                         ? PlanVerdict::Open

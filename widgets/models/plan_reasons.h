@@ -1,4 +1,4 @@
-// Why an element of a running plan runs, or why it does not: which sense said no, with what value, since when.
+// Explains why an element of a running plan runs or does not: which sense refused it, with which value, since when.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,10 @@
 
 namespace usar::widgets {
 
+/// Effect of a cause: it favors running, prevents it, or is not known yet.
 enum class PlanVerdict { Yes, No, Open };
 
-/// One cause, as a sentence; `node` is where it stands.
+/// One cause as a sentence; `node` is the part that it refers to, which may be another one than asked about.
 struct PlanReason {
     PlanVerdict verdict = PlanVerdict::Open;
     QString text;
@@ -19,14 +20,14 @@ struct PlanReason {
     bool operator==(const PlanReason&) const = default;
 };
 
-/// The answer in one sentence: "avoid does not run: a sense above it says no."
+/// The verdict in one sentence: "avoid does not run, for one reason:".
 QString planVerdict(const PlanTree& tree, const PlanStates& states, int node);
-/// The causes from the root to the node itself.
+/// The causes, in order from the root to the node.
 std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, int node);
 
-/// "no, it is 0.12, for 8.0 s": what a sense answered last, and since when that has been the verdict.
+/// "no, it is 0.12, for 8.0 s": the sense's newest answer, and how long this has been the verdict.
 QString answerText(const PlanActivity& state, Seconds now);
-/// "12 starts, 9 succeeded, 2 failed, 4 times held back"; empty before the first.
+/// "12 starts, 9 successes, 2 failures, held back 4 times"; empty if all are 0.
 QString countersText(const PlanActivity& state);
 /// "runs now", "ran 3.2 s ago", "has not run yet".
 QString lastRunText(const PlanActivity& state, Seconds now);

@@ -1,4 +1,4 @@
-// Where the shown state of a plan stands in its run.
+// The moment of a run that a plan view shows.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 
 namespace usar::widgets {
 
-/// Times are those of the protocol.
+/// All times are on the protocol clock.
 struct PlanTime {
-    Seconds begin{0.0}; ///< of the run
-    Seconds end{0.0};   ///< the newest that is known
-    Seconds shown{0.0};
-    std::uint64_t cycle = 0; ///< that is shown; 0: there is none
-    std::size_t epoch = 0;   ///< within it, from 1; 0: all of it
-    std::size_t epochs = 1;  ///< it has
+    Seconds begin{0.0};      ///< start of the run
+    Seconds end{0.0};        ///< newest moment known
+    Seconds shown{0.0};      ///< the moment that is displayed
+    std::uint64_t cycle = 0; ///< number of the cycle shown; 0: none
+    std::size_t epoch = 0;   ///< epoch shown within the cycle, from 1; 0: the whole cycle
+    std::size_t epochs = 1;  ///< number of epochs in the cycle
     bool live = true;        ///< follows the run
-    bool replay = false;     ///< of a recording
+    bool replay = false;     ///< the run is a recording
     bool operator==(const PlanTime&) const = default;
 };
 

@@ -62,7 +62,7 @@ int PlanTree::find(std::string_view path) const {
     for (std::size_t begin = 0; begin < path.size();) {
         std::size_t end = path.find('/', begin + 1);
         end = end == std::string_view::npos ? path.size() : end;
-        if (found >= 0 && (*this)[found].link >= 0) // what is below a link is drawn elsewhere
+        if (found >= 0 && (*this)[found].link >= 0) // Nodes below a link are drawn elsewhere.
             state = planHash(plan_hash_start, this->path((*this)[found].link));
         state = planHash(state, path.substr(begin, end - begin));
         const auto known = by_path_.find(state);

@@ -1,4 +1,4 @@
-// A plan as the tree that is drawn: every drive, element, sense and act a node with its path, references followed.
+// A plan as the tree that is drawn: each drive, element, sense and act is a node with a path; references are followed.
 #pragma once
 
 #include <cstdint>
@@ -14,42 +14,43 @@
 
 namespace usar::widgets {
 
+/// Kinds of nodes. Plan is the common root if some forms are not reached by the collection.
 enum class PlanNodeKind { Plan, Collection, Drive, Competence, Element, Pattern, Adopt, Act, Sense };
-/// "competence": the word of the language, for people.
+/// "competence": the word that the language uses, for the user.
 QString planKindWord(PlanNodeKind kind);
 
-/// What becomes of a competence, pattern or adopt that is used at several places.
+/// How a competence, pattern or adopt that is used in several places is drawn.
 enum class PlanSharing {
-    Once,    ///< drawn where it is met first; later places are links to it
-    Expanded ///< drawn at each place, as the engine sees it
+    Once,    ///< once, where it is first met; other places are links to it
+    Expanded ///< at each place, as the engine sees it
 };
 
-/// Node numbers are those of the tree; -1 is none.
+/// A node of the tree. Node numbers are indices into the tree; -1 is none.
 struct PlanNode {
     PlanNodeKind kind = PlanNodeKind::Plan;
     int parent = -1;
-    int depth = 0;
-    int end = 0;             ///< one past the last node below it: nodes stand in the order of the drawing
-    int senses = 0;          ///< of its trigger or goal: the nodes right behind it, drawn inside its card
-    bool in_card = false;    ///< it is one of those
-    bool of_goal = false;    ///< it asks for a goal, not for a trigger
-    int level = -1;          ///< of a drive or element: its place in the order of priority, from 0
-    bool has_equals = false; ///< its level has several members
-    int link = -1;           ///< the node where this form is drawn; nothing is below a link
-    bool recursive = false;  ///< the link leads back to what this stands in (the checks refuse such plans)
-    std::uint64_t key = 0;   ///< of the names on the way to it: the same part of a changed plan has the same one
-    std::string segment;     ///< what its path has behind that of its parent: "/DE:1", "/A:0/C:2"
-    QString name;            ///< of a sense with its arguments
+    int depth = 0;  ///< number of ancestors
+    int end = 0;    ///< one past the last node of its subtree; nodes are stored in the order of the drawing
+    int senses = 0; ///< number of senses in its trigger or goal: the nodes directly after it, drawn inside its card
+    bool in_card = false;    ///< it is one of those senses
+    bool of_goal = false;    ///< it belongs to a goal, not to a trigger
+    int level = -1;          ///< place of a drive or element in the order of priority, from 0
+    bool has_equals = false; ///< its level has other members
+    int link = -1;           ///< the node that draws this form; a link has nothing below it
+    bool recursive = false;  ///< the link leads back to a node that contains it (the checks refuse such plans)
+    std::uint64_t key = 0;   ///< hash of the names on the path to it: the same part of an edited plan has the same key
+    std::string segment;     ///< end of its path, after the path of its parent: "/DE:1", "/A:0/C:2"
+    QString name;            ///< for senses and acts with their arguments
     QString detail;          ///< the rest of its line: "< 0.3", "every 2 s", "at most 3 starts", "$altitude=6.0"
     QString comment;         ///< the string at its end, without quotes
-    posh::Spot at;           ///< of its name
+    posh::Spot at;           ///< place of its name in the text; line 0: none
 };
 
-/// Values, made at once; nothing is ever left out: what no drive reaches stands beside the collection.
+/// Immutable after construction. Nothing is left out: forms that no drive reaches are drawn beside the collection.
 class PlanTree {
 public:
-    /// Expanding doubles with every level of forms that refer to others twice. Beyond so many nodes forms are links
-    /// even where they should be expanded.
+    /// Limit for PlanSharing::Expanded, because expansion may double with every level of forms. Beyond this number of
+    /// nodes, further uses of a form become links.
     static constexpr int most_nodes = 200'000;
 
     PlanTree() = default;
@@ -58,22 +59,23 @@ public:
     int size() const { return static_cast<int>(nodes_.size()); }
     bool empty() const { return nodes_.empty(); }
     const PlanNode& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
-    /// The cards below it, in their order; its senses are none of them.
+    /// The cards directly below the node, in order, without the senses inside its own card.
     std::span<const int> children(int node) const;
-    /// Expanding was given up somewhere.
+    /// True if some forms were not expanded because of `most_nodes`.
     bool truncated() const { return truncated_; }
 
-    /// The node of a path of the engine, also of one that leads through a link; -1 where there is none. Linear in the
-    /// length of the path.
+    /// The node of an engine's path, even if the path leads through a link; -1 if there is none. Linear in the length
+    /// of the path.
     int find(std::string_view path) const;
+    /// The engine's path of the node.
     std::string path(int node) const;
-    /// "robot ▸ work ▸ pick-up ▸ grab": for people.
+    /// "robot ▸ work ▸ pick-up ▸ grab": the names from the root to the node, for the user.
     QString trail(int node) const;
-    /// -1 where no node has this key. Namesakes at one place are told apart by their order.
+    /// The node with this key; -1 if there is none. Parts of the same name in one place differ by their order.
     int findKey(std::uint64_t key) const;
 
-    /// Every word must begin a word of the node's kind ("sense", "competence") or stand in its name or details,
-    /// whatever the case. Nothing for no words.
+    /// Finds the nodes for which every word either begins a word of the node's kind ("sense", "competence") or is
+    /// contained in its name or detail, ignoring case. Empty without words.
     std::vector<int> search(const QString& words) const;
 
 private:
@@ -81,13 +83,13 @@ private:
 
     std::vector<PlanNode> nodes_;
     std::vector<int> children_;
-    std::vector<int> first_child_; ///< in children_; one more than there are nodes
+    std::vector<int> first_child_; ///< index into children_; has one entry more than there are nodes
     std::unordered_map<std::uint64_t, int> by_path_;
-    std::unordered_map<std::uint64_t, int> by_reference_; ///< forms by the path of what refers to them: "…/A:0"
+    std::unordered_map<std::uint64_t, int> by_reference_; ///< forms by the path of the reference to them: "…/A:0"
     bool truncated_ = false;
 };
 
-/// FNV-1a, so that a path can be looked up while it is read.
+/// FNV-1a hash, which can be updated while a path is read.
 constexpr std::uint64_t plan_hash_start = 14695981039346656037ULL;
 constexpr std::uint64_t planHash(std::uint64_t state, std::string_view text) {
     for (const char c : text)

@@ -31,7 +31,7 @@ QString textOf(const Call& call) {
     return fromText(text);
 }
 
-/// What a call says behind the name of a form.
+/// Returns the text of a call after the name of the form.
 QString argumentsOf(const Call& call) {
     return textOf(call).mid(fromText(call.name.text).size());
 }
@@ -174,7 +174,8 @@ void PlanTreeBuilder::build() {
     finish();
 }
 
-/// What no collection leads to, each thing once: first what nothing names, then what only names itself in a circle.
+/// Returns the forms that no collection leads to, without their descendants: first those that no form names, then one
+/// form of each circle that only names itself.
 std::vector<std::size_t> PlanTreeBuilder::unreachedForms() const {
     std::vector<bool> reached(plan_.forms.size(), false);
     std::vector<bool> named(plan_.forms.size(), false);
@@ -369,7 +370,7 @@ void PlanTreeBuilder::addSenseStep(int parent, const SenseStep& step) {
     add(std::move(sense));
 }
 
-/// Where each subtree ends, and the cards below each card.
+/// Sets the end of each subtree and the list of cards below each card.
 void PlanTreeBuilder::finish() {
     auto& nodes = tree_.nodes_;
     std::vector<int> count(nodes.size() + 1, 0);

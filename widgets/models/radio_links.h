@@ -1,4 +1,4 @@
-// Radio links between robots: strength now and over the last minutes, as rows.
+// Radio links between robots as list rows: current strength and its history over the last minutes.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace usar::widgets {
 
-/// Between two robots, the same both ways; nothing where the server cannot say.
+/// Signal strength between two robots, the same in both directions; nullopt if the server does not know it.
 struct RadioLink {
     QString a;
     QString b;
@@ -18,35 +18,39 @@ struct RadioLink {
     bool operator==(const RadioLink&) const = default;
 };
 
-/// Below it there is no link: the wireless server's default, for no server tells its own.
+/// Threshold below which there is no link: the default of the wireless server, because no server reports its own.
 inline constexpr double radio_cutoff_dbm = -93.0;
-/// What a wall takes (the same source); quality is counted in walls that a link would stand.
+/// Attenuation of one wall (same source); quality is the number of walls that a link could still pass.
 inline constexpr double radio_wall_db = 6.325;
 
+/// Unknown: the server does not know. Lost: below the threshold.
 enum class RadioQuality { Unknown, Lost, Weak, Fair, Good };
-/// Weak: one wall more ends it. Fair: two do.
+/// Weak: one more wall ends the link. Fair: two more do.
 RadioQuality radioQuality(const std::optional<double>& strength_dbm);
-/// 0 to 4: so many walls more it would stand, and 0 without a link.
+/// Number of bars, 0 to 4: the further walls that would end the link; 0 without a link.
 int radioBars(const std::optional<double>& strength_dbm);
+/// "good", "fair", "weak", "no link", "not heard".
 QString radioWord(RadioQuality quality);
-/// Of the theme applied last.
+/// Color in the current theme.
 QColor radioColor(RadioQuality quality);
 
+/// A link with its history.
 struct RadioRow {
     RadioLink link;
-    std::vector<double> history_dbm; ///< oldest first, one a report; NaN where nothing was known
+    std::vector<double> history_dbm; ///< oldest first, one value per report; NaN: unknown
 };
 
-/// One row a pair, in the order of the names. DisplayRole is a whole sentence; views paint from `row`. GUI thread.
+/// One row per pair, sorted by name. DisplayRole is a complete sentence; views paint from `row`. GUI thread.
 class RadioLinkModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    static constexpr std::size_t most_samples = 120; ///< two minutes of a report a second
+    static constexpr std::size_t most_samples = 120; ///< two minutes at one report per second
 
     using QAbstractListModel::QAbstractListModel;
 
-    /// All that are known now; pairs that are not among them go.
+    /// Replaces all links and appends to their histories; pairs that are missing are removed.
     void take(std::vector<RadioLink> links);
+    /// The reference is valid until the next take().
     const RadioRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

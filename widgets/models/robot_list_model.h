@@ -1,4 +1,4 @@
-// Who is there: one row a robot, in the order of their numbers.
+// List model of the robots: one row per robot, in the order of their numbers.
 #pragma once
 
 #include <optional>
@@ -11,41 +11,41 @@
 
 namespace usar::widgets {
 
-/// A robot as the list needs it. `id` is the window's own; `number` 1..9 chooses color and key.
+/// A robot as the list needs it. `id` is assigned by the window; `number` 1..9 selects color and key.
 struct RobotRow {
     int id = 0;
     int number = 1;
     QString name;
-    QString class_name; ///< "AirRobot"
-    QString state;      ///< in words: "scanning lane 4 of 9"
-    std::optional<double> battery_pct;
-    bool stale = false;    ///< nobody vouches for state and battery any more
-    ControlWords driver{}; ///< who drives it
+    QString class_name;                ///< "AirRobot"
+    QString state;                     ///< in words: "scanning lane 4 of 9"
+    std::optional<double> battery_pct; ///< 0..100; nullopt: unknown
+    bool stale = false;                ///< state and battery may be out of date
+    ControlWords driver{};             ///< the one in control
     bool operator==(const RobotRow&) const = default;
 };
 
-/// DisplayRole is a whole sentence for assistive tools and type-ahead; views paint from `row`. GUI thread.
+/// DisplayRole is a complete sentence for assistive tools and type-ahead; views paint from `row`. GUI thread.
 class RobotListModel : public QAbstractListModel {
     Q_OBJECT
 public:
     using QAbstractListModel::QAbstractListModel;
 
-    /// All there are. Views keep their selection where the ids are the same; other ids reset them.
+    /// Replaces all robots. Views keep their selection if the ids are the same; otherwise the model is reset.
     void setRobots(std::vector<RobotRow> robots);
-    /// Adds a robot with an id that is not there yet. Tells nobody when nothing changed.
+    /// Updates the robot with this id, or adds it. Emits nothing if nothing changed.
     void updateRobot(const RobotRow& robot);
-    /// An unknown id is no news.
+    /// An unknown id changes nothing.
     void removeRobot(int id);
 
-    /// By row, 0 at the top; the reference holds until the next change.
+    /// `index` 0 is at the top; the reference is valid until the next change.
     const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
-    /// The row of that robot; nothing where it is not listed.
+    /// Row of that robot; nullopt if it is not listed.
     std::optional<int> indexOf(int id) const;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 
 private:
-    std::vector<RobotRow> rows_; ///< by number, then id
+    std::vector<RobotRow> rows_; ///< sorted by number, then id
 };
 
 } // namespace usar::widgets

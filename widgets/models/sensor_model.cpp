@@ -15,10 +15,10 @@ namespace usar::widgets {
 
 namespace {
 
-/// Sort key of the first answer: more than there will ever be streams.
+/// Sort key of the first answer; larger than the number of streams can ever be.
 constexpr int answers_from = 1'000'000;
 
-/// Answers to a question; all else is sent again and again.
+/// True for answers to a question; all other messages are repeated.
 bool isAnswer(const protocol::InfoMessage& message) {
     if (const auto* generic = std::get_if<protocol::GenericMessage>(&message))
         return generic->type_word == "NFO" || generic->type_word == "GEO" || generic->type_word == "CONF" ||
@@ -40,7 +40,7 @@ int decimalsOf(double shown, const QString& unit) {
 } // namespace
 
 void SensorModel::Timing::arrived(Seconds now, int count) {
-    // A smoothed period follows a changed rate within a few messages and does not tremble with a single late one.
+    // The smoothed period follows a changed rate within a few messages, but not a single late message.
     if (now > last && last.count() > 0.0) {
         const Seconds newest = (now - last) / std::max(1, count);
         period = period ? 0.7 * *period + 0.3 * newest : newest;
@@ -80,7 +80,7 @@ SensorModel::Source& SensorModel::sourceNamed(const std::string& name, bool repe
         const int at = static_cast<int>(sources_.size());
         beginInsertRows({}, at, at);
         sources_.push_back({QString::fromStdString(name), {}, {}, true});
-        sources_.back().timing.repeats = repeats; // before views see the row, for they sort by it
+        sources_.back().timing.repeats = repeats; // Before views see the row, because they sort by it.
         endInsertRows();
     }
     return sources_[row->second];

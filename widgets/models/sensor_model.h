@@ -1,4 +1,4 @@
-// What the robot really sends, as a tree: one branch a source, one leaf a value, each with its age and rate.
+// Tree model of the values that a robot sends: one branch per source, one leaf per value, each with age and rate.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,25 @@
 
 namespace usar::widgets {
 
-/// Made from protocol::fieldsOf, so unknown sensors appear like known ones. take() only notes; flush() tells the views,
-/// once a frame. A value is stale when its age exceeds three of its periods and one second; answers (GEO, CONF, NFO,
-/// RES) are sent once and never stale. Ages count on the clock given as `now`. GUI thread.
+/// Made from protocol::fieldsOf, so unknown sensors appear like known ones. take() only stores; flush() informs the
+/// views, once per frame. A value is stale when its age exceeds both one second and three of its periods; answers (GEO,
+/// CONF, NFO, RES) are sent once and never become stale. Ages are measured on the clock passed as `now`. GUI thread.
 class SensorModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    /// Value is right-aligned text; Unit stands beside it, so that figures line up.
+    /// Value is right-aligned text; Unit has a column of its own, so that the numbers line up.
     enum Column { Name, Value, Unit, Age, Rate, ColumnCount };
-    /// SortRole puts what is sent again and again before answers, each in order of first appearance.
+    /// SortRole orders repeated messages before answers, each in the order of first appearance.
     enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };
 
     explicit SensorModel(QObject* parent = nullptr);
 
-    /// `count` lines of this stream came since the last one was taken, this one included.
+    /// `count` is the number of lines of this stream since the last one passed here, this one included.
     void take(const protocol::InfoLine& line, Seconds now, int count = 1);
-    /// Tells views what changed since the last flush; ages are those of `now`. Without a link every value is stale.
+    /// Informs the views of changes since the last flush; ages are as of `now`. Without a link every repeated value is
+    /// stale.
     void flush(Seconds now, bool linked = true);
-    /// Forgets every stream: another robot is shown.
+    /// Removes everything, for another robot.
     void clear();
     /// The stream words that were heard ("INS", "RangeScanner"), in order of first appearance.
     QStringList types() const;
@@ -41,47 +42,51 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QStringList mimeTypes() const override;
-    /// The paths of the numeric values among `indexes`.
+    /// The paths of the numeric values among `indexes`; nullptr if there are none.
     QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
 private:
-    /// When something last came and how often it comes, on the caller's clock.
+    /// When a value last arrived and how often it does, on the caller's clock.
     struct Timing {
         Seconds last{0.0};
+        /// Smoothed; nullopt before the second arrival.
         std::optional<Seconds> period;
         bool repeats = true; ///< false: an answer, sent once
+        /// `count` messages arrived since the last call.
         void arrived(Seconds now, int count);
+        /// True if a repeated value is too old, or there is no link.
         bool stale(Seconds now, bool linked) const;
     };
-    /// One value with the newest field it came in.
+    /// A value with the newest field that carried it.
     struct Leaf {
         protocol::Field field;
         Timing timing;
-        int decimals = 0; ///< grows, never shrinks: the width must not jump
+        int decimals = 0; ///< only grows, so that the width does not jump
     };
-    /// One stream word of the wire with its values in the server's order.
+    /// One stream of the protocol with its values in the server's order.
     struct Source {
         QString name;
         Timing timing;
         std::vector<Leaf> leaves;
-        bool single = true; ///< all values are of one item, whose name is then said once, not on every line
-        /// "INS", "RangeScanner  Scanner1", "Sonar": what kind, and which one where there is but one.
+        bool single = true; ///< all values are of one item, whose name is then shown once instead of on every line
+        /// "INS", "RangeScanner  Scanner1", "Sonar": the kind, and the item if there is only one.
         QString title() const;
     };
 
-    /// Inserts the branch when it is new. The reference holds until the next call.
+    /// Returns the branch, added if it is new. The reference is valid until the next call.
     Source& sourceNamed(const std::string& name, bool repeats);
     void takeField(Source& source, const protocol::Field& field, Seconds now, int count, bool repeats);
+    /// The leaf at that index; nullptr for a branch.
     const Leaf* leafAt(const QModelIndex& index) const;
     const Timing& timingAt(const QModelIndex& index) const;
     QVariant text(const QModelIndex& index) const;
     QString valueText(const Leaf& leaf) const;
-    /// Color and font: grey and struck when stale, branches bold.
+    /// Color and font: gray and struck through when stale, bold for branches.
     QVariant look(const QModelIndex& index, int role) const;
 
     std::vector<Source> sources_;
     std::unordered_map<std::string, std::size_t> source_rows_;
-    std::unordered_map<std::string, std::size_t> leaf_rows_; ///< by path, within the source
+    std::unordered_map<std::string, std::size_t> leaf_rows_; ///< row by path, within the source
     Seconds now_{0.0};
     bool linked_ = true;
 };

@@ -13,7 +13,7 @@ namespace {
 constexpr double another_run_s = 1.0;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A flag is drawn as 0 and 1, "nan" as a gap; other texts cannot be drawn.
+/// Returns the value to draw: a number, 0 or 1 for a flag, NaN (a gap) for "nan"; nullopt for other texts.
 std::optional<double> drawable(const protocol::Field& field) {
     if (field.number)
         return std::isfinite(*field.number) ? *field.number : no_number;
@@ -24,7 +24,7 @@ std::optional<double> drawable(const protocol::Field& field) {
     return field.text == "nan" ? std::optional(no_number) : std::nullopt;
 }
 
-/// In quotes where a comma or a quote would break the row.
+/// Quotes a cell that contains a comma, a quote or a line end.
 std::string csvCell(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos)
         return text;
@@ -34,7 +34,7 @@ std::string csvCell(const std::string& text) {
     return cell + '"';
 }
 
-/// Walks all series together in order of time.
+/// Iterates over all series together in order of time.
 class Merger {
 public:
     explicit Merger(const std::vector<Series>& series) : series_(series), at_(series.size(), 0) {}

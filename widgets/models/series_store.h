@@ -1,4 +1,4 @@
-// Watched fields as time series in bounded memory: what plots draw and export, no painting.
+// Watched fields as time series in bounded memory; used by plots for drawing and export.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +12,46 @@
 
 namespace usar::widgets {
 
+/// One value of a field.
 struct Sample {
     double time_s = 0.0; ///< protocol clock
-    double value = 0.0;  ///< SI; NaN where the server said something that is no number: a gap in the line
+    double value = 0.0;  ///< SI units; NaN for a value that is not a number, which leaves a gap in the line
     bool operator==(const Sample&) const = default;
 };
 
-/// One watched field. Samples are in order of time; `dropped` counts those that fell off the front, so
-/// dropped + samples.size() grows and tells a view what is new. `history` changes when all samples were thrown away.
+/// The samples of one watched field, in order of time. `dropped` counts samples removed from the front, so dropped +
+/// samples.size() only grows and tells a view which samples are new. `history` changes when all samples were discarded.
 struct Series {
     std::uint64_t history = 0;
-    std::string path; ///< protocol::Field::path(), "SEN Sonar/F1/range"
-    std::string unit; ///< of the samples; learned from the first one if not given
+    std::string path; ///< as protocol::Field::path() returns it, "SEN Sonar/F1/range"
+    std::string unit; ///< unit of the samples; taken from the first one if not given
     std::deque<Sample> samples;
     std::uint64_t dropped = 0;
 };
 
-/// Values in protocol time. A value that is older than its predecessor is left out; a clock that jumps back by more
-/// than a second belongs to another run (a reconnect), so every series starts again. Owned by one view.
+/// Stores values by protocol time. A value that is older than its predecessor is ignored; a clock that jumps back by
+/// more than a second belongs to another run (a reconnect), so every series restarts. Owned by one view.
 class SeriesStore {
 public:
-    static constexpr std::size_t default_capacity = 200'000; ///< a series: eleven hours at 5 Hz
+    static constexpr std::size_t default_capacity = 200'000; ///< samples per series: eleven hours at 5 Hz
     explicit SeriesStore(std::size_t capacity = default_capacity) : capacity_(capacity) {}
 
-    /// False where the path is empty or watched already.
+    /// Starts to watch a field; returns false if the path is empty or already watched.
     bool add(const std::string& path, const std::string& unit = {});
-    /// False where it was not watched.
+    /// Stops watching and discards the samples; returns false if the path was not watched.
     bool remove(const std::string& path);
-    /// Watches nothing any more.
+    /// Stops watching all fields.
     void clear();
-    /// Every series starts again, empty.
+    /// Discards the samples of every series.
     void startAgain();
-    /// `now` stands in where the message has no time of its own. True if a watched field was in it.
+    /// `now` is used for messages without a time of their own. Returns true if the message contained a watched field.
     bool take(const protocol::InfoLine& line, Seconds now);
 
     /// In the order in which they were added.
     const std::vector<Series>& series() const { return series_; }
-    /// Over all series, protocol clock; nothing before the first sample.
+    /// Newest time of all series on the protocol clock; nullopt before the first sample.
     std::optional<double> newestTime_s() const { return newest_s_; }
+    /// Oldest time of the stored samples of all series; nullopt if there are none.
     std::optional<double> oldestTime_s() const;
 
 private:
@@ -61,8 +63,8 @@ private:
     std::uint64_t last_history_ = 0;
 };
 
-/// "time_s,SEN Sonar/F1/range [m],…": one row for every time at which any series has a sample, empty where it has
-/// none; SI values that read back to the same double.
+/// CSV with the head "time_s,SEN Sonar/F1/range [m],…" and one row for every time at which any series has a sample;
+/// cells without a sample or with NaN are empty. Values are in SI units and read back to the same double.
 std::string csvOf(const std::vector<Series>& series);
 
 } // namespace usar::widgets

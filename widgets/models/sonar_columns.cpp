@@ -8,7 +8,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// L4 = -4 … M0 = 0 … R4 = 4; anything else comes last.
+/// Returns the place in the ring: L4 = -4 … M0 = 0 … R4 = 4; other names come last.
 long long ringPlace(const std::string& name) {
     constexpr long long last = 1000000;
     const auto number = name.size() > 1 ? readInteger(std::string_view(name).substr(1)) : std::nullopt;

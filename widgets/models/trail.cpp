@@ -6,7 +6,7 @@ namespace usar::widgets {
 
 namespace {
 
-/// A longer straight stretch is cut, so that adding a point never costs more than this many comparisons.
+/// A longer straight stretch is split, so that adding a point never costs more than this many comparisons.
 constexpr std::size_t longest_stretch = 256;
 
 double distance_m(const Vec2& point, const Vec2& a, const Vec2& b) {

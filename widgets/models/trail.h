@@ -1,4 +1,4 @@
-// A robot's path thinned out as it grows: straight lanes cost two points, however long they are.
+// A robot's path, thinned out as it grows: a straight lane costs two points, however long it is.
 #pragma once
 
 #include <vector>
@@ -7,24 +7,25 @@
 
 namespace usar::widgets {
 
-/// Keeps a point when the path bends by more than `tolerance_m` since the last kept one; the newest point is always
-/// the last. Drawn every frame, so its length bounds the frame time.
+/// Keeps a point only if the path bends by more than `tolerance_m` since the last kept one; the newest point is always
+/// the last. The trail is drawn in every frame, so its length bounds the frame time.
 class Trail {
 public:
     explicit Trail(double tolerance_m = 0.1) : tolerance_m_(tolerance_m) {}
 
-    /// Points that are not finite or hardly differ from the last one are ignored.
+    /// Ignores points that are not finite or closer to the last one than half the tolerance.
     void add(const Vec2& point_in_map_m);
     void clear();
+    /// The kept points in meters of the map frame, oldest first.
     const std::vector<Vec2>& points_m() const { return points_m_; }
 
 private:
-    /// Whether a straight line to `end_m` still passes all points that it would replace.
+    /// True if a straight line to `end_m` still passes within the tolerance of all points that it would replace.
     bool pendingFit(const Vec2& end_m) const;
 
     double tolerance_m_;
     std::vector<Vec2> points_m_;
-    std::vector<Vec2> pending_m_; ///< passed since the last kept point
+    std::vector<Vec2> pending_m_; ///< points since the last kept one
 };
 
 } // namespace usar::widgets
