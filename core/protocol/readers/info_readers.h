@@ -1,6 +1,6 @@
-// Reading functions of the info messages that are no sensor's. Each fills all of `out`, which may hold an older
-// message; false means that the line stays a GenericMessage: without a diagnostic where it says nothing or is of
-// another shape, with one where it is damaged.
+// Reading functions for the info messages that do not come from sensors. Each fills all of `out`, which may hold an
+// older message. False means that the line stays a GenericMessage: without a diagnostic if it has no data or another
+// structure, with one if it is damaged.
 #pragma once
 
 #include "core/protocol/info_message.h"
