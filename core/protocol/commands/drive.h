@@ -1,4 +1,5 @@
-// DRIVE of vehicles. A value stays in force until the next DRIVE; an absent one keeps what it was.
+// DRIVE commands for vehicles. A value remains in force until the next DRIVE; an absent value leaves the old one in
+// force.
 #pragma once
 
 #include <optional>
@@ -6,15 +7,16 @@
 
 namespace usar::protocol {
 
-/// What may go with any DRIVE, or alone. Flip rights a robot that fell over (UT2004).
+/// Switches that may accompany any DRIVE or be sent alone. `flip` rights a robot that has fallen over (UT2004).
 struct DriveSwitches {
     std::optional<bool> light_on{};
     std::optional<bool> flip{};
     bool operator==(const DriveSwitches&) const = default;
 };
 
-/// Skid-steered robots: wheel spin. `normalized`, here and below: speeds are per cent of the robot's maximum, and what
-/// is beyond -100..100 is cut. A DRIVE without any term says nothing; it reads back as an AerialDrive without any.
+/// DRIVE for skid-steered robots: the wheel spins of both sides. If `normalized` is set, here and below, speeds are in
+/// percent of the robot's maximum and are limited to -100..100, except wheel spins of an OmniDrive, which are not
+/// limited. A DRIVE without any value has no effect; it reads back as an AerialDrive without any value.
 struct SkidDrive {
     std::optional<double> left_rad_s{};
     std::optional<double> right_rad_s{};
@@ -23,8 +25,9 @@ struct SkidDrive {
     bool operator==(const SkidDrive&) const = default;
 };
 
-/// Cars. Steering angles are counter-clockwise positive, so that a positive front one turns left. UDK acts only when it
-/// has all three: what is absent is written as 0 for it (DriveGate fills in what was said last).
+/// DRIVE for cars. Steering angles are counterclockwise positive, so a positive front angle turns left. UDK obeys only
+/// if all three values are there, so absent ones are written as 0 for UDK, unless DriveGate has filled them in with the
+/// values sent last.
 struct AckermannDrive {
     std::optional<double> speed_rad_s{}; ///< wheel spin
     std::optional<double> front_steer_rad{};
@@ -34,13 +37,14 @@ struct AckermannDrive {
     bool operator==(const AckermannDrive&) const = default;
 };
 
-/// One wheel of many.
+/// The values for one of several wheels.
 struct WheelDrive {
     int wheel = 0; ///< from 0
     std::optional<double> spin_rad_s{};
-    std::optional<double> steer_rad{}; ///< counter-clockwise positive
+    std::optional<double> steer_rad{}; ///< counterclockwise positive
     bool operator==(const WheelDrive&) const = default;
 };
+/// DRIVE for robots whose wheels are driven and steered one by one; wheels that are not listed keep their values.
 struct OmniDrive {
     std::vector<WheelDrive> wheels{};
     bool normalized = false;
@@ -48,12 +52,12 @@ struct OmniDrive {
     bool operator==(const OmniDrive&) const = default;
 };
 
-/// Flying robots.
+/// DRIVE for flying robots.
 struct AerialDrive {
     std::optional<double> climb_m_s{}; ///< up positive
     std::optional<double> forward_m_s{};
     std::optional<double> left_m_s{};       ///< left positive; the wire's lateral velocity is right positive
-    std::optional<double> yaw_rate_rad_s{}; ///< counter-clockwise positive
+    std::optional<double> yaw_rate_rad_s{}; ///< counterclockwise positive
     bool normalized = false;
     std::optional<double> pitch_rad{}; ///< UDK only; positive lowers the nose
     std::optional<double> roll_rad{};  ///< UDK only
@@ -61,7 +65,7 @@ struct AerialDrive {
     bool operator==(const AerialDrive&) const = default;
 };
 
-/// Boats and submarines. Angles have the server's sign.
+/// DRIVE for boats and submarines. Angles have the server's sign.
 struct NauticDrive {
     std::optional<double> propeller_rad_s{};
     std::optional<double> rudder_rad{};

@@ -1,4 +1,4 @@
-// The segments of DRIVE, once for writing (LineOut) and reading (LineIn).
+// The segments of DRIVE and MULTIDRIVE, stated once for writing (Io = LineOut) and reading (Io = LineIn).
 #pragma once
 
 #include "core/protocol/commands/drive.h"
@@ -30,7 +30,7 @@ void fields(Io& io, typename Io::template Ref<SkidDrive> drive) {
     switches(io, drive.switches);
 }
 
-/// UDK acts only when it has all three.
+/// Sets absent values to 0, because UDK obeys only if all three are there.
 inline AckermannDrive complete(AckermannDrive drive) {
     drive.speed_rad_s = drive.speed_rad_s.value_or(0.0);
     drive.front_steer_rad = drive.front_steer_rad.value_or(0.0);

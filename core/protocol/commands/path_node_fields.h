@@ -1,4 +1,5 @@
-// The segments of path nodes and avatars, once for writing (LineOut) and reading (LineIn).
+// The segments of commands about path nodes and avatars, stated once for writing (Io = LineOut) and reading (Io =
+// LineIn).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"

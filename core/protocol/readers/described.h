@@ -19,7 +19,7 @@ namespace usar::protocol {
 
 using Pairs = std::span<const KeyedText>;
 
-/// True for types of members that must be on the line, because they have no state for "absent".
+/// True for the types of members that must be on the line; members of other types may be missing.
 template <class Member>
 inline constexpr bool is_required = std::is_same_v<Member, double> || std::is_same_v<Member, long long> ||
                                     std::is_same_v<Member, Vec3> || std::is_same_v<Member, Pose>;

@@ -1,4 +1,6 @@
-// SEN of the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and the soccer ball's Helper.
+// SEN messages about the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and Helper, which sees
+// the
+// soccer ball. `time` is on the server's clock; absent optionals were not on the line.
 #pragma once
 
 #include <optional>
@@ -10,6 +12,7 @@
 
 namespace usar::protocol {
 
+/// The sound at the sensor's place.
 struct SoundReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -25,7 +28,8 @@ struct SoundReading {
     bool operator==(const SoundReading&) const = default;
 };
 
-/// A sound that UDK's ears hear: too far to place, or with the unit vector toward it in the sensor's frame.
+/// A sound heard by UDK's acoustic sensor: too far away to be located, or with a unit vector toward it in the sensor's
+/// frame.
 struct HeardSound {
     Present far = Present::No;
     std::optional<Vec3> direction{};
@@ -43,7 +47,7 @@ struct HeardSound {
     bool operator==(const HeardSound&) const = default;
 };
 
-/// `silence` is the server's {None}.
+/// The sounds heard at one moment. `silence` is Yes if the server sent {None}.
 struct AcousticReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -60,7 +64,7 @@ struct GasReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::string gas{};
-    double density = 0.0; ///< as sent; the unit is nowhere said
+    double density = 0.0; ///< as sent; no source gives its unit
 
     static constexpr std::string_view wire_types = "CO2Sensor";
     static constexpr auto items() {
@@ -70,8 +74,8 @@ struct GasReading {
     bool operator==(const GasReading&) const = default;
 };
 
-/// Where the camera of a soccer robot sees the ball (thesis 5.2). The picture's axes are the camera's own, so the three
-/// numbers stay as the wire has them.
+/// The place at which the camera of a soccer robot sees the ball (thesis 5.2). The axes are those of the camera's
+/// picture, so the three numbers stay as they are on the wire.
 struct BallReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -86,6 +90,7 @@ struct BallReading {
     bool operator==(const BallReading&) const = default;
 };
 
+/// The mission's time in whole minutes.
 struct MissionTimeReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -98,11 +103,12 @@ struct MissionTimeReading {
     bool operator==(const MissionTimeReading&) const = default;
 };
 
+/// One object seen by an ObjectSensor.
 struct SeenObject {
     std::string tag{};
     Pose object_in_map{};
     std::optional<Vec3> hit_in_map_m{};
-    std::string material{}; ///< "None" where it has none
+    std::string material{}; ///< "None" if it has none
 
     static constexpr auto items() {
         return std::tuple(item("Object", &SeenObject::tag, "tag"), pose(&SeenObject::object_in_map),
@@ -112,6 +118,7 @@ struct SeenObject {
     bool operator==(const SeenObject&) const = default;
 };
 
+/// All objects that the sensor sees at one moment.
 struct ObjectsReading {
     std::optional<Seconds> time{};
     std::string name{};

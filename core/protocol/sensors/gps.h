@@ -1,4 +1,4 @@
-// SEN GPS.
+// The SEN message of a GPS receiver.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ class FieldList;
 class LineReading;
 class LineWriter;
 
-/// Latitude is north positive, longitude east positive; both absent without a fix, which takes four satellites. On the
-/// wire they are whole degrees, minutes and a letter.
+/// Latitude (north positive) and longitude (east positive), both absent without a fix, which takes four satellites. On
+/// the wire they are whole degrees, minutes and a letter.
 struct GpsReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -26,6 +26,7 @@ struct GpsReading {
     bool operator==(const GpsReading&) const = default;
 };
 
+/// Fills all of `out`. False if the line has neither a Fix nor a Latitude, or an invalid number of satellites.
 bool read(LineReading& line, GpsReading& out);
 void write(LineWriter& line, const GpsReading& reading);
 void list(FieldList& fields, const GpsReading& reading);

@@ -1,4 +1,4 @@
-// SEN of what feels forces: Accel, AcceleroMeter, IMU (all UDK).
+// SEN messages of inertial sensors: Accel, AcceleroMeter and IMU (all UDK only).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace usar::protocol {
 
-/// Acceleration in the body's frame, without gravity.
+/// Acceleration in the body frame, without gravity.
 struct AccelerationReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -23,7 +23,7 @@ struct AccelerationReading {
     bool operator==(const AccelerationReading&) const = default;
 };
 
-/// What an accelerometer at rest really shows: acceleration with gravity, body frame.
+/// Proper acceleration in the body frame, as a real accelerometer measures it: including gravity, so not zero at rest.
 struct AccelerometerReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -37,7 +37,8 @@ struct AccelerometerReading {
     bool operator==(const AccelerometerReading&) const = default;
 };
 
-/// Body frame; vectors of turning point along their axis, counter-clockwise positive.
+/// Values in the body frame. Angular velocity and acceleration are vectors along the axis of rotation, counterclockwise
+/// positive.
 struct ImuReading {
     std::optional<Seconds> time{};
     std::string name{};

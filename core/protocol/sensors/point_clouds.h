@@ -1,4 +1,4 @@
-// SEN of sensors that give points: UDK's PCL and LineLaser.
+// SEN messages of sensors that deliver points: UDK's PCL and LineLaser.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class FieldList;
 class LineReading;
 class LineWriter;
 
-/// Points in the sensor's frame. The wire has raw Unreal units, 250 of them a metre, z up and y right.
+/// Points in the sensor's frame. On the wire they are in raw Unreal units, 250 per meter, with y right and z up.
 struct PointCloud {
     std::optional<Seconds> time{};
     std::string name{};
@@ -24,11 +24,12 @@ struct PointCloud {
     bool operator==(const PointCloud&) const = default;
 };
 
+/// Fills all of `out`. False if the line has no points, or, with an error, if one of them is damaged.
 bool read(LineReading& line, PointCloud& out);
 void write(LineWriter& line, const PointCloud& cloud);
 void list(FieldList& fields, const PointCloud& cloud);
 
-/// Points that a line of light hits, and where the sensor was.
+/// The points that a line of laser light hits, possibly none, and the sensor's pose.
 struct LineLaserReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -39,6 +40,7 @@ struct LineLaserReading {
     bool operator==(const LineLaserReading&) const = default;
 };
 
+/// Fills all of `out`. False if the line has neither pose nor points, or, with an error, if one of them is damaged.
 bool read(LineReading& line, LineLaserReading& out);
 void write(LineWriter& line, const LineLaserReading& reading);
 void list(FieldList& fields, const LineLaserReading& reading);

@@ -1,4 +1,4 @@
-// SEN of the pose family: INS, INU, ground truth, odometry.
+// SEN messages about the robot's pose: INS, INU, ground truth and odometry.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace usar::protocol {
 
-/// The robot's own drifting estimate; no Time on the wire in either dialect.
+/// The robot's own estimate of its pose, which drifts. It has no Time on the wire in either dialect.
 struct InsReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -20,11 +20,11 @@ struct InsReading {
     bool operator==(const InsReading&) const = default;
 };
 
-/// An older INS that tells attitude only.
+/// An older kind of INS that gives the attitude only.
 struct InuReading {
     std::optional<Seconds> time{};
     std::string name{};
-    Vec3 roll_pitch_yaw_rad = Vec3::Zero(); ///< of the base in the map
+    Vec3 roll_pitch_yaw_rad = Vec3::Zero(); ///< attitude of the base in the map frame
 
     static constexpr std::string_view wire_types = "INU";
     static constexpr auto items() {
@@ -34,7 +34,7 @@ struct InuReading {
     bool operator==(const InuReading&) const = default;
 };
 
-/// Exact.
+/// The exact pose of the robot.
 struct GroundTruthReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -45,7 +45,7 @@ struct GroundTruthReading {
     bool operator==(const GroundTruthReading&) const = default;
 };
 
-/// Dead reckoning in the frame of the spawn pose. Absent values: the server sent a bare head.
+/// The pose by dead reckoning in the frame of the spawn pose. Only x, y and yaw are sent; z, roll and pitch are 0.
 struct OdometryReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -1,4 +1,4 @@
-// SEN of what turns: Encoder, Tachometer.
+// SEN messages about turning wheels: Encoder and Tachometer.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 
 namespace usar::protocol {
 
+/// The count of one encoder since its last reset.
 struct EncoderTicks {
     std::string name{};
-    long long ticks = 0; ///< taken as it is: the P2DX counts down when it rolls forward
+    long long ticks = 0; ///< as sent; a P2DX counts down when it rolls forward
 
     static constexpr auto items() { return std::tuple(item("Tick", &EncoderTicks::ticks, "ticks")); }
     bool operator==(const EncoderTicks&) const = default;
 };
 
-/// All encoders of a tick (UT2004) or one of them (UDK).
+/// All encoders of one tick (UT2004), or a single one (UDK).
 struct EncoderReadings {
     std::optional<Seconds> time{};
     std::vector<EncoderTicks> encoders{};
@@ -28,8 +29,8 @@ struct EncoderReadings {
     bool operator==(const EncoderReadings&) const = default;
 };
 
-/// Speed and angle of each wheel in the robot's own order; positive is forward. Two calls in one instant give a name
-/// only (UDK), which is no news.
+/// Speed and angle of each wheel in the robot's own order; positive is forward. If UDK measures twice in one instant,
+/// the second line has only a name and is ignored.
 struct TachometerReading {
     std::optional<Seconds> time{};
     std::string name{};

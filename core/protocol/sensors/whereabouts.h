@@ -1,4 +1,4 @@
-// SEN that tell one figure of where the robot is: AltitudeSensor, MagneticCompass (both UDK).
+// SEN messages with a single figure about the robot's pose: AltitudeSensor and MagneticCompass (both UDK only).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace usar::protocol {
 
-/// Up positive, in the wire's frame as in ours.
+/// Altitudes; up is positive, on the wire as in our frame.
 struct AltitudeReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -24,7 +24,8 @@ struct AltitudeReading {
     bool operator==(const AltitudeReading&) const = default;
 };
 
-/// As sent, without a unit: the server cuts the angle to an int and converts it twice (usarsim-protocol 4.5).
+/// The heading as sent, without a unit: the server truncates the angle to an int and converts it twice
+/// (usarsim-protocol 4.5).
 struct CompassReading {
     std::optional<Seconds> time{};
     std::string name{};
