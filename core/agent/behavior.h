@@ -41,7 +41,9 @@ public:
     virtual ~Behavior();
     /// Takes every info line, before the tick that the line may cause.
     virtual void onInfo(const protocol::InfoLine& line, CommandPort& port);
+    /// Decides, on every STA.
     virtual void tick(const Tick& tick, CommandPort& port) = 0;
+    /// Obeys an order of the operator, between ticks.
     virtual void order(Order order, CommandPort& port) = 0;
     /// Takes new values while running; they have been checked against the specs.
     virtual void setParameters(const ParameterSet& parameters) = 0;

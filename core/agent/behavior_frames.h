@@ -48,9 +48,9 @@ using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::stri
 
 /// The reply to a request; the host sends one reply for each request, in the same order.
 struct Answer {
-    RunningBehavior::Output output;
-    protocol::Command safe; ///< the behavior's safe command at this time
-    bool halted = false;
+    RunningBehavior::Output output; ///< empty for new parameters
+    protocol::Command safe;         ///< the behavior's safe command at this time
+    bool halted = false;            ///< as in RunningBehavior; so are the next two
     bool finished = false;
     bool broke = false;
 };
@@ -64,7 +64,7 @@ struct Refusal {
 };
 /// The last frame of a host, sent by its signal handler.
 struct Dying {
-    int signal = 0;
+    int signal = 0; ///< number of the signal
 };
 
 using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;

@@ -17,8 +17,7 @@ namespace usar::agent {
 class BehaviorHost final : public RunningBehavior {
 public:
     /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning". `sensors_needed` are types on the
-    /// wire.
-    /// If a needed sensor has not reported within three seconds of the first tick, the server is asked for its
+    /// wire. If a needed sensor has not reported within three seconds of the first tick, the server is asked for its
     /// configuration; if there is none, or no answer, the behavior is stopped.
     explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
                           std::vector<std::string> sensors_needed = {});

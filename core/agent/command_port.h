@@ -22,10 +22,12 @@ class CommandPort {
 public:
     /// `source` names the state or plan node that decided; the host adds the behavior's id and the triggering line.
     void send(protocol::Command command, std::string source);
+    /// Values are delivered in the order of publication.
     void publish(Published value);
 
     /// Sets the line that counts as the trigger of the commands that follow.
     void setTrigger(LineNumber line) { trigger_ = line; }
+    /// Return what has been collected, in order, and empty the port.
     std::vector<CausedCommand> takeCommands();
     std::vector<Published> takePublished();
 

@@ -12,8 +12,7 @@ namespace usar::agent {
 
 /// A frame is sent as its length (four bytes, little-endian) and its bytes. Owns the socket and closes it. Calls block
 /// for at most their `patience`. Use it from one thread at a time. POSIX only; the death of the peer's process is
-/// noticed
-/// on Linux only.
+/// noticed on Linux only.
 class FrameChannel {
 public:
     enum class Received { Frame, TimedOut, Closed };
@@ -27,15 +26,13 @@ public:
 
     int socket() const { return socket_; }
     /// Sets a file descriptor that becomes readable when the process on the other side ends. From then on the
-    /// connection
-    /// counts as closed, even if another process holds its other end; data sent before is still received. The
-    /// descriptor is not owned; -1 means none.
+    /// connection counts as closed, even if another process holds its other end; data sent before is still received.
+    /// The descriptor is not owned; -1 means none.
     void endWith(int process_handle) { process_handle_ = process_handle; }
     /// False if the other side is gone or has not read for `patience`.
     bool send(const QByteArray& frame, Seconds patience);
     /// Waits forever if `patience` is nullopt. After TimedOut, the part of a frame that has arrived is kept for the
-    /// next
-    /// call.
+    /// next call.
     Received receive(QByteArray& frame, std::optional<Seconds> patience);
 
 private:

@@ -29,8 +29,7 @@ public:
     /// gone or its reply cannot be read.
     FrameChannel::Received ask(const frames::Request& request, Seconds patience, std::optional<frames::Reply>& reply);
     /// Sends a request without waiting; `listen` returns the reply once the end handle is readable. False if the
-    /// process
-    /// is gone. The request must fit into the socket's buffer (about 200 kB).
+    /// process is gone. The request must fit into the socket's buffer (about 200 kB).
     bool tell(const frames::Request& request);
     /// Returns a reply that has arrived, without waiting. TimedOut if none, or only a part of one, has arrived.
     FrameChannel::Received listen(std::optional<frames::Reply>& reply);
@@ -38,8 +37,7 @@ public:
     /// Process id; 0 if the process is known to have ended or has been given up.
     int id() const { return process_; }
     /// A file descriptor that becomes readable when the process sends something, ends or closes the connection; -1
-    /// after
-    /// `becomeDeaf`.
+    /// after `becomeDeaf`.
     int endHandle() const { return end_handle_; }
     /// Closes the end handle.
     void becomeDeaf();
@@ -50,8 +48,7 @@ public:
     /// Closes the connection and lets the process end by itself, however long it takes: it may be writing a core dump.
     void leave();
     /// "died by SIGSEGV (Segmentation fault)". `signal` is the number in its last frame (Dying). Without it, waits up
-    /// to
-    /// `patience` for the process to end, and kills it if it does not.
+    /// to `patience` for the process to end, and kills it if it does not.
     std::string howItEnded(std::optional<int> signal, Seconds patience = Seconds{0.5});
 
 private:

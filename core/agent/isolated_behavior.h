@@ -14,11 +14,9 @@
 namespace usar::agent {
 
 /// Starts usar-behavior-host and forwards each call to the BehaviorHost there, waiting for the answer, so that a
-/// mission
-/// runs the same as without isolation. If the process or its end of the connection is gone, or if it does not answer
-/// within the patience (it is killed then), this returns the behavior's last safe command, and BehaviorFinished tells
-/// by
-/// which signal it died, in which state and at which line. The destructor ends the process.
+/// mission runs the same as without isolation. If the process or its end of the connection is gone, or if it does not
+/// answer within the patience (it is killed then), this returns the behavior's last safe command, and BehaviorFinished
+/// tells by which signal it died, in which state and at which line. The destructor ends the process.
 class IsolatedBehavior final : public RunningBehavior {
 public:
     /// `program` is the path of usar-behavior-host. `begin` starts the process.

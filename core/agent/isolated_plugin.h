@@ -24,10 +24,9 @@ struct IsolationPatience {
 
 /// Represents the plugin for its description and previews. Its behaviors are started as IsolatedBehavior, each in yet
 /// another process; `createBehavior` is refused. No call waits: the answer of the process, its death, or the fact that
-/// it
-/// hangs (it is killed then) is reported from the event loop. A preview that crashes or hangs ends the process, which
-/// the next preview starts again. Belongs to the GUI thread. The destructor closes the connection, on which the process
-/// ends. Callbacks must not destroy this object.
+/// it hangs (it is killed then) is reported from the event loop. A preview that crashes or hangs ends the process,
+/// which the next preview starts again. Belongs to the GUI thread. The destructor closes the connection, on which the
+/// process ends. Callbacks must not destroy this object.
 class IsolatedPlugin final : public RobotPlugin {
 public:
     /// A callback for a result.
@@ -40,8 +39,7 @@ public:
 
     /// Call it once, before anything else: starts the process and makes it load the plugin within the patience for
     /// loading. The error gives the reason, for example the signal by which the process died. `told` may be called
-    /// before
-    /// this returns if the process cannot be started.
+    /// before this returns if the process cannot be started.
     void describe(Told<void> told);
     /// Computes a preview within the patience for previews. Replaces a request that has not been answered yet.
     void foretell(frames::Preview wanted, Told<TaskPreview> told);

@@ -9,8 +9,7 @@
 namespace usar::agent {
 
 /// One row. `Settings` is a plain aggregate that a behavior copies, so that new parameters take effect at its next
-/// tick.
-/// Units and texts are as in ParameterSpec. The default is the value in a default-constructed `Settings`.
+/// tick. Units and texts are as in ParameterSpec. The default is the value in a default-constructed `Settings`.
 template <class Settings>
 struct ParameterRow {
     std::variant<double Settings::*, long long Settings::*, bool Settings::*> member;

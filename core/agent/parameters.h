@@ -32,9 +32,8 @@ struct ParameterSpec {
 class ParameterSet {
 public:
     /// The defaults, overridden by `values`. Returns an error if an id is unknown (it suggests the nearest), or if a
-    /// value
-    /// has the wrong type or is out of range (it names parameter, value and range). Whole numbers are accepted for
-    /// reals.
+    /// value has the wrong type or is out of range (it names parameter, value and range). Whole numbers are accepted
+    /// for reals.
     static Result<ParameterSet> make(const std::vector<ParameterSpec>& specs,
                                      const std::map<std::string, ParameterValue>& values = {});
 

@@ -131,11 +131,11 @@ struct PluginLoader::Library {
     FileStamp stamp;
     QJsonObject metadata;
     QString complaint;                           ///< reason of the rejection; empty if there is none so far
-    const RobotPlugin* plugin = nullptr;         ///< nullptr if rejected or not described yet
+    const RobotPlugin* plugin = nullptr;         ///< not to be used if there is a complaint
     std::optional<RobotDescription> description; ///< absent if rejected or not described yet
     std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
     std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
-    bool apart = false;                          ///< isolated, or rejected while being isolated
+    bool apart = false;                          ///< isolated, even if it could not be loaded there
     bool dangerous = false;
 };
 

@@ -83,8 +83,7 @@ public:
     const std::vector<PluginRecord>& records() const { return records_; }
 
     /// The plugin that has this behavior. The error names the behavior, the known behaviors or else the folders, and
-    /// the
-    /// rejected plugins.
+    /// the rejected plugins.
     Result<const RobotPlugin*> pluginFor(const std::string& behavior_id) const;
     /// The description of a behavior; nullptr if no loaded plugin has it. Valid until the next scan or news.
     const BehaviorDescription* behavior(const std::string& behavior_id) const;
@@ -93,8 +92,7 @@ public:
     /// True if only the behavior's id is known so far.
     bool isAsked(const std::string& behavior_id) const;
     /// Computes the preview of a task. `told` is called at once, or, if the plugin is isolated, later from the event
-    /// loop,
-    /// unless another preview is requested or `forgetPreview` is called before.
+    /// loop, unless another preview is requested or `forgetPreview` is called before.
     void preview(const std::string& behavior_id, const BehaviorContext& context, const Told& told) const;
     void forgetPreview() const;
     /// The robot that the behavior belongs to; nullptr if no loaded plugin has the behavior.
@@ -102,8 +100,7 @@ public:
     /// Descriptions of all loaded plugins.
     const std::vector<RobotDescription>& robots() const { return robots_; }
     /// One description for each robot class, by the first plugin that has it, with the behaviors of all plugins for
-    /// this
-    /// class. Behaviors of plugins that have not answered yet have only their ids.
+    /// this class. Behaviors of plugins that have not answered yet have only their ids.
     std::vector<RobotDescription> kinds() const;
 
 private:

@@ -26,16 +26,15 @@ struct PoshParts {
 
 /// Runs one cycle per tick, on the protocol's clock in whole milliseconds. If an act throws, the plan exhausts its
 /// budget of acts or a drive starves, this is reported with the path, and the robot gets its safe command in that
-/// cycle.
-/// If no drive is ready, it gets the safe command once. Orders that the body does not handle have a default effect:
-/// pause and resume keep the plan's position; landing stops the plan and sends the safe command. Reaching the plan's
-/// goal finishes the behavior. Each tick publishes the events as PlanTrace.
+/// cycle. If no drive is ready, it gets the safe command once. Orders that the body does not handle have a default
+/// effect: pause and resume keep the plan's position; landing stops the plan and sends the safe command. Reaching the
+/// plan's goal finishes the behavior. Each tick publishes the events as PlanTrace.
 ///
 /// While the plan is halted by the operator, no cycle runs and the robot has its safe command. When the plan continues,
 /// the last cycle's drive command is sent again, so that a robot whose time stood still does not notice the halt. An
 /// order to land also continues the plan. A new plan of the same shape as the running one (see posh::sameShape)
-/// replaces
-/// it without interruption; any other begins at its root, and the robot has its safe command until the plan decides.
+/// replaces it without interruption; any other begins at its root, and the robot has its safe command until the plan
+/// decides.
 class PoshBehavior final : public Behavior {
 public:
     /// Returns an error that lists all problems if the plan cannot be read or does not fit the robot.

@@ -28,8 +28,7 @@ public:
     const posh::Value& read(const std::string& key) const;
 
     /// For acts. Of the drive commands in a cycle only the last is sent; other commands are sent at once. Outside a
-    /// tick,
-    /// commands and published values are discarded.
+    /// tick, commands and published values are discarded.
     modules::RobotModules& modules() { return *modules_; }
     /// `why` is appended to the path of the act in the command's cause: "scanning lane 1 of 4".
     void drive(protocol::Command command, std::string_view why = {});
@@ -44,8 +43,7 @@ public:
     virtual void begin(const Tick&) {}
     virtual void end(const Tick&) {}
     /// Return true if the robot handles the order itself (its senses inform the plan) and cycles continue; false for
-    /// the
-    /// default effect, see PoshBehavior.
+    /// the default effect, see PoshBehavior.
     virtual bool order(Order) { return false; }
     virtual void setParameters(const ParameterSet&) {}
     /// Completes the values for the status strip; the times and the path of the current act are already set.

@@ -15,8 +15,7 @@
 namespace usar::agent {
 
 /// Sits between one engine and its host and observes the run. The code that runs the cycles calls `afterCycle` after
-/// each
-/// one and runs none while `halted`. Used in the engine's thread.
+/// each one and runs none while `halted`. Used in the engine's thread.
 class PoshDebugger {
 public:
     /// `host` must outlive this object.

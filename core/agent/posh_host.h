@@ -16,6 +16,7 @@ public:
     /// Both must outlive this object; the registry must not change.
     PoshHost(const PoshRegistry& registry, PoshBody& body) : registry_(registry), body_(body) {}
 
+    /// See posh::Host. The place of each call is noted in the body first, for the causes of its commands.
     bool hasSense(std::string_view name) const override;
     bool hasAct(std::string_view name) const override;
     void bind(const posh::Program& program) override;
@@ -25,6 +26,7 @@ public:
     void done(posh::CallSite site, posh::DoneReason reason) override;
 
 private:
+    /// A call in the plan with its converted arguments.
     struct BoundCall {
         const PoshPrimitive* primitive = nullptr;
         PoshArguments arguments;
@@ -32,6 +34,7 @@ private:
         std::string refusal; ///< the reason if the call does not fit, else empty
     };
     BoundCall boundTo(const posh::ProgramCall& call) const;
+    /// Throws if the call does not fit.
     BoundCall& at(std::vector<BoundCall>& calls, posh::CallSite site);
 
     const PoshRegistry& registry_;

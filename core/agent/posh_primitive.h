@@ -19,6 +19,7 @@ struct PoshParameter {
     std::string help;                 ///< one sentence
     bool operator==(const PoshParameter&) const = default;
 
+    /// Parameters of each type; `value` is the default.
     static PoshParameter number(std::string name, double value, std::string unit, double minimum, double maximum,
                                 std::string help = {});
     static PoshParameter whole(std::string name, std::int64_t value, std::int64_t minimum, std::int64_t maximum,
@@ -30,6 +31,7 @@ struct PoshParameter {
 };
 
 enum class PrimitiveKind { Sense, Act };
+/// The type of a sense's answer; Any if it may change from call to call.
 enum class AnswerType { Any, Boolean, Integer, Real, Text, Symbol };
 
 /// One sense or act.

@@ -75,8 +75,7 @@ public:
     explicit PoshPrimitives(PoshRegistry& registry) : registry_(registry) {}
 
     /// `ask` is called as `ask(const Body&, const PoshArguments&)` or `ask(const Body&)` and returns a bool, a number,
-    /// a
-    /// text, a symbol or a Value.
+    /// a text, a symbol or a Value.
     template <class Ask>
     PoshRegistry::Entry sense(std::string name, Ask ask) {
         using Answer = decltype(call(ask, std::declval<const Body&>(), std::declval<const PoshArguments&>()));
@@ -95,8 +94,7 @@ public:
     }
 
     /// An act that is done in one call: `code(Body&, const PoshArguments&)` or `code(Body&)`. It returns an ActResult;
-    /// a
-    /// result of true or void means RunningOnce, false means Failed.
+    /// a result of true or void means RunningOnce, false means Failed.
     template <class Act>
     PoshRegistry::Entry act(std::string name, Act code) {
         PoshPrimitive primitive = actNamed(std::move(name));
@@ -105,8 +103,7 @@ public:
     }
 
     /// An act of class `Act`, which has `ActResult run(Body&, const PoshArguments&)` and, optionally, `init` with the
-    /// same
-    /// parameters and `done` with an additional DoneReason.
+    /// same parameters and `done` with an additional DoneReason.
     template <std::default_initializable Act>
     PoshRegistry::Entry act(std::string name) {
         PoshPrimitive primitive = actNamed(std::move(name));

@@ -53,6 +53,7 @@ struct TaskPreview {
 class RobotPlugin {
 public:
     virtual ~RobotPlugin() = default;
+    /// The robot and its behaviors; their ids must equal those in the plugin's metadata.
     virtual RobotDescription description() const = 0;
     /// Returns an error if `description` does not list the id, or if the plan cannot run on this robot.
     virtual Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const = 0;

@@ -53,8 +53,7 @@ public:
     /// Sets how long an answer may take, in wall time, before the behavior counts as hanging. Call it before `begin`.
     virtual void setPatience(Seconds) {}
     /// A file descriptor that becomes readable if the behavior ends between two calls; then call `takeEnd`. Negative if
-    /// it
-    /// can end during calls only.
+    /// it can end during calls only.
     virtual int endHandle() const { return -1; }
     /// The output of its end, including BehaviorFinished; empty if it has not ended.
     virtual Output takeEnd() { return {}; }

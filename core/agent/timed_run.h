@@ -12,8 +12,7 @@ namespace usar::agent {
 
 /// For behaviors with simple orders: Pause stops the robot until Resume, and LandNow ends the behavior. Times are those
 /// of the ticks, on the protocol's clock. Owned by one behavior; plain data without a thread or a clock of its own.
-/// Call
-/// `step` once per tick, before everything else, and check `ending` after it.
+/// Call `step` once per tick, before everything else, and check `ending` after it.
 struct TimedRun {
     Seconds now{0.0};             ///< time of the newest tick
     std::optional<Seconds> began; ///< time of the first tick
@@ -29,6 +28,7 @@ struct TimedRun {
             began = now;
         return passed;
     }
+    /// Time since the first tick, including pauses; 0 before it.
     Seconds elapsed() const { return began ? now - *began : Seconds{0.0}; }
     /// True if the behavior has run for `whole` and nothing else has ended it; never true if `whole` is 0.
     bool isOver(Seconds whole) const { return whole > Seconds{0.0} && elapsed() >= whole && !ending; }

@@ -8,8 +8,8 @@
 
 namespace usar {
 
-/// Sequence number of an info line on its connection, assigned when the line is read. The first line is 1; 0 means
-/// "no line".
+/// Sequence number of an info line on its connection, assigned when the line is read. The first line is 1; 0 means "no
+/// line".
 struct LineNumber {
     std::uint64_t value = 0;
     auto operator<=>(const LineNumber&) const = default;

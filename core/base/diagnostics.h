@@ -19,6 +19,7 @@ struct Diagnostic {
     bool operator==(const Diagnostic&) const = default;
 };
 
+/// In the order in which the problems were found.
 using Diagnostics = std::vector<Diagnostic>;
 
 /// "warning at column 5: the closing brace is missing". Columns count from 1.

@@ -31,15 +31,17 @@ inline double bearingOf(const Vec2& vector) {
     return std::atan2(vector.y(), vector.x());
 }
 
-/// Position and attitude of one frame in another. The attitude is yaw about z, then pitch about y, then roll about x
-/// (R = Rz Ry Rx); by the right-hand rule a positive pitch lowers the nose.
+/// Position and attitude of one frame in another. The attitude is yaw about z, then pitch about y, then roll about x (R
+/// = Rz Ry Rx); by the right-hand rule a positive pitch lowers the nose.
 struct Pose {
     Vec3 position_m = Vec3::Zero();
     double roll_rad = 0.0;
     double pitch_rad = 0.0;
     double yaw_rad = 0.0;
 
+    /// The rotation that turns vectors of the posed frame into the reference frame.
     Eigen::Quaterniond rotation() const;
+    /// The transform of points of the posed frame into the reference frame.
     Eigen::Isometry3d isometry() const;
     /// Angles come out with pitch in [-pi/2, pi/2], roll and yaw in [-pi, pi].
     static Pose from(const Eigen::Isometry3d& isometry);
@@ -63,6 +65,7 @@ struct Rectangle {
 
     double width_m() const { return max_m.x() - min_m.x(); }
     double height_m() const { return max_m.y() - min_m.y(); }
+    /// 0 if the rectangle is empty; width and height may be negative then.
     double area_m2() const { return empty() ? 0.0 : width_m() * height_m(); }
     bool empty() const { return !(width_m() > 0.0 && height_m() > 0.0); }
     Vec2 center_m() const { return (min_m + max_m) / 2.0; }

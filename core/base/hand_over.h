@@ -13,9 +13,8 @@ namespace usar {
 /// Wraps a callable so that ThreadSanitizer sees the handover. Debian's Qt is not built for ThreadSanitizer, which
 /// therefore does not know that an event is posted before it is delivered and reports every value in it as a race. This
 /// wrapper states the order: everything written before the wrapper was constructed at its current address happens
-/// before
-/// the call, and everything written by the call happens before the wrapper is destroyed. Without ThreadSanitizer it
-/// adds nothing to the callable.
+/// before the call, and everything written by the call happens before the wrapper is destroyed. Without ThreadSanitizer
+/// it adds nothing to the callable.
 template <class Call>
 class HandedOver {
 public:

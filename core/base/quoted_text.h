@@ -7,8 +7,7 @@
 namespace usar {
 
 /// Appends `bytes` to `text` in double quotes. Quotes, backslashes and bytes that are not printable ASCII are escaped
-/// as
-/// \n \r \t \\ \" or \xHH.
+/// as \n \r \t \\ \" or \xHH.
 void appendQuoted(std::string& text, std::string_view bytes);
 /// Removes a quoted text, and blanks before it, from the front of `rest` and decodes it into `bytes`. False if there is
 /// no quoted text or it is malformed; then `rest` and `bytes` are unspecified.

@@ -12,6 +12,7 @@ namespace usar {
 constexpr bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
+/// ASCII digits and letters only; the locale does not matter.
 constexpr bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -19,6 +20,7 @@ constexpr bool isDigit(char c) {
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
+/// Changes A-Z only.
 constexpr char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

@@ -36,8 +36,7 @@ struct CoveragePlan {
 /// the area is within half a spacing of a lane; fewer lanes would not suffice. Quadrants are visited in the order with
 /// the shortest transit among those tried: back and forth by rows or by columns from each corner, and, for up to 1600
 /// quadrants, always the nearest one next. Returns an error if the area has no size or needs more than 100 000 lanes,
-/// if
-/// an option is invalid, or if a coordinate is not finite.
+/// if an option is invalid, or if a coordinate is not finite.
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 

@@ -53,10 +53,9 @@ struct CellBounds {
     bool operator==(const CellBounds&) const = default;
 };
 
-/// Heights above the map's datum (z up), in meters, on a grid of square cells. Cell (c, r) covers x in
-/// [c, c+1) * cell_size, and y likewise with r. Not thread-safe: each map is owned by one session, and other threads
-/// get
-/// copies of tiles.
+/// Heights above the map's datum (z up), in meters, on a grid of square cells. Cell (c, r) covers x in [c, c+1) *
+/// cell_size, and y likewise with r. Not thread-safe: each map is owned by one session, and other threads get copies of
+/// tiles.
 class HeightMap {
 public:
     /// `cell_size_m` is positive and finite.
@@ -68,12 +67,10 @@ public:
     Vec2 center_m(GridIndex cell) const;
 
     /// Records a measured height. The preview takes the value; the array takes the value, or the mean of the old and
-    /// the
-    /// new one (thesis 4.2). A height that was only filled in is replaced. Ignores values that are not finite.
+    /// the new one (thesis 4.2). A height that was only filled in is replaced. Ignores values that are not finite.
     void write(GridIndex cell, float height_m, LineNumber line);
     /// Records a height interpolated between measured ones, unless the cell has a measured height. Also takes the mean
-    /// of
-    /// the old and the new value. Ignores values that are not finite.
+    /// of the old and the new value. Ignores values that are not finite.
     void fill(GridIndex cell, float height_m, LineNumber line);
 
     /// Values of a cell as in HeightTile; nullopt or 0 if the cell is unknown.

@@ -41,8 +41,7 @@ Raster rasterOf(const HeightMap& map);
 /// The value for unknown cells in the raw file, as stated in its header.
 inline constexpr float no_data_m = -9999.0f;
 /// The bytes of an ESRI .bil file (float32, little-endian, band interleaved by line), and the text of its .hdr file;
-/// GDAL
-/// opens the pair.
+/// GDAL opens the pair.
 std::vector<char> bilBytes(const Raster& raster);
 std::string bilHeader(const Raster& raster);
 

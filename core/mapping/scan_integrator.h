@@ -24,16 +24,14 @@ struct Beams {
 /// neighboring beams and between consecutive scans, repeatedly until there is a value for every cell. This amounts to
 /// linear interpolation between the two values. Two hits that are more than `gap_limit_m` apart horizontally, or in
 /// height (a trunk, a treetop, a house), are not joined. With coarse cells the horizontal limit is two cells. A limit
-/// of
-/// 1.5 m joins all beams of a level scan at an altitude of 6 m, up to the range of 20 m (hits are 0.42 m apart at 60
+/// of 1.5 m joins all beams of a level scan at an altitude of 6 m, up to the range of 20 m (hits are 0.42 m apart at 60
 /// degrees off nadir, 1.1 m at 72). Each integrator is owned and called by one session.
 class ScanIntegrator {
 public:
     explicit ScanIntegrator(double gap_limit_m = 1.5);
 
     /// Writes the hits of one scan and fills the gaps. With a pose that is not finite, all beams are misses, so that
-    /// the
-    /// next scan is not joined to this one either. `line` is the number of the scan's info line.
+    /// the next scan is not joined to this one either. `line` is the number of the scan's info line.
     void integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map);
     /// Call it if the next scan does not continue the last one (transit, landing, another lane).
     void breakStrip();

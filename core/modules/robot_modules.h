@@ -24,6 +24,7 @@ struct RobotModules {
     std::optional<protocol::StartPoses> start_poses; ///< newest answer to GETSTARTPOSES
     std::optional<protocol::GameInfo> game;          ///< newest NFO about the server
 
+    /// Passes the line to all modules, the state first, because its clock stamps sensor readings without a time.
     void take(const protocol::InfoLine& line);
 };
 

@@ -29,6 +29,7 @@ class SensorPlaces {
 public:
     static constexpr std::size_t most_sensors = 256;
 
+    /// What is kept for one sensor.
     struct Place {
         std::string type;
         std::string name;
@@ -77,6 +78,7 @@ class SensorStores;
 template <template <class> class Content, class... Sensors>
 class SensorStores<Content, protocol::TypeList<Sensors...>> : private SensorStore<Content, Sensors>... {
 public:
+    /// The SensorPlaces for one message type of the table.
     template <class Sensor>
     const auto& of() const {
         return static_cast<const SensorStore<Content, Sensor>&>(*this).places;
@@ -91,8 +93,8 @@ public:
 bool hasNews(const protocol::GenericMessage& message);
 
 /// Calls `file(type, name, reading, tag)` for every reading in the message; `tag` is a null pointer to the message
-/// type,
-/// by which the caller selects the store. Lines of unknown sensors and damaged lines are passed as GenericMessage.
+/// type, by which the caller selects the store. Lines of unknown sensors and damaged lines are passed as
+/// GenericMessage.
 template <class File>
 void forEachSensorReading(const protocol::InfoMessage& message, File&& file) {
     std::visit(

@@ -12,8 +12,8 @@
 namespace usar::modules {
 
 /// Sensor-specific module of the thesis (3.3): `SpecificSensor<protocol::BallReading> ball("ballHelper")`. An empty
-/// name
-/// accepts every sensor with this message type. A behavior that needs this module owns one and feeds it in `onInfo`.
+/// name accepts every sensor with this message type. A behavior that needs this module owns one and feeds it in
+/// `onInfo`.
 template <protocol::SensorMessage Sensor>
 class SpecificSensor {
 public:

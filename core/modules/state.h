@@ -28,9 +28,8 @@ public:
     static constexpr std::size_t most_parts = 64;
 
     /// The time of the newest STA; zero before the first. Never runs backward, unless the very first time is
-    /// contradicted
-    /// by the next two STA. A jump ahead by more than `jump_limit` is believed only if the next STA continues from it:
-    /// otherwise a damaged time would stop the clock until the world has caught up.
+    /// contradicted by the next two STA. A jump ahead by more than `jump_limit` is believed only if the next STA
+    /// continues from it: otherwise a damaged time would stop the clock until the world has caught up.
     Seconds now() const { return now_; }
 
     static constexpr Seconds jump_limit{10.0};

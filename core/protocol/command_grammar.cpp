@@ -47,8 +47,7 @@ bool isOnLine(std::string_view line, std::string_view key) {
 }
 
 /// Keys that begin with `begun`, except those that `line` has already used up. Each suggestion begins with `before`
-/// ("{"
-/// or nothing).
+/// ("{" or nothing).
 std::vector<Completion> keys(const CommandRule& command, std::string_view line, std::string_view before,
                              std::string_view begun, std::size_t from) {
     std::vector<Completion> found;

@@ -45,9 +45,8 @@ struct Completion {
 };
 
 /// Lists what may stand at `cursor` (a byte offset into the line, limited to its end), judging mainly by the text
-/// before
-/// it: command words, then segments ("{Left"), keys after an opening brace, and the words of a key. The suggestions
-/// are in the table's order; the part already typed may be in any case. Empty if the command is unknown.
+/// before it: command words, then segments ("{Left"), keys after an opening brace, and the words of a key. The
+/// suggestions are in the table's order; the part already typed may be in any case. Empty if the command is unknown.
 std::vector<Completion> completionsAt(std::string_view line, std::size_t cursor);
 
 /// Lists what a server would not understand, in the order of the line: an unknown word or key gives a warning with the

@@ -42,6 +42,7 @@ struct ValueLister {
     }
 };
 
+/// Adds one item under the name and unit in its description.
 template <class Owner, class Member>
 void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& item) {
     ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);

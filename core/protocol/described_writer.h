@@ -79,6 +79,7 @@ void writeItem(LineWriter& line, const Owner& owner, const Item<Owner, Member>& 
         line.close();
 }
 
+/// Writes a pose as Location and Orientation.
 template <class Owner>
 void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item, bool) {
     const Pose on_wire = acrossWire(owner.*item.member);
@@ -87,6 +88,7 @@ void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item
                  Decimals::TwoRounded);
 }
 
+/// Writes all items of one message or group, without its groups.
 template <class Owner>
 void writeItems(LineWriter& line, const Owner& owner, bool in_segment = false) {
     forEachItem<Owner>([&](const auto& item) { writeItem(line, owner, item, in_segment); });

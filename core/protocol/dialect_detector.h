@@ -10,10 +10,9 @@
 namespace usar::protocol {
 
 /// Watches one connection and applies the rules at the end of usarsim-protocol 7. The first characteristic line
-/// decides.
-/// After that, each line for the same dialect strengthens the belief, up to a small limit, and each line for the other
-/// one weakens it; the answer changes when the contrary lines outnumber the others by several. In this way a proxy that
-/// is restarted with a different server is noticed, but a single odd line changes nothing.
+/// decides. After that, each line for the same dialect strengthens the belief, up to a small limit, and each line for
+/// the other one weakens it; the answer changes when the contrary lines outnumber the others by several. In this way a
+/// proxy that is restarted with a different server is noticed, but a single odd line changes nothing.
 class DialectDetector {
 public:
     /// Call it with every info line of the connection, as received.

@@ -29,8 +29,7 @@ public:
     }
     void flag(std::string_view field, const std::optional<bool>& value);
     /// Adds the components x, y, z, or with `is_angles` roll, pitch, yaw; they are named "field.x", or "x" if `field`
-    /// is
-    /// empty.
+    /// is empty.
     void vector(std::string_view field, const Vec3& value, std::string_view unit, bool is_angles = false);
     /// Adds x, y, z in m and roll, pitch, yaw in rad.
     void pose(const Pose& pose);

@@ -14,10 +14,8 @@ namespace usar::protocol {
 
 /// One value of a message. `source` names the stream ("SEN Sonar", "STA"), `item` the sensor or group ("F1",
 /// "CameraPanTilt Link 1"; may be empty), `field` the value within it ("range", "x"). Numbers are in SI units and in
-/// our
-/// frame, except those of a generic message, whose meaning is unknown and which stay as they are on the wire. `number`
-/// is
-/// absent for texts and for NaN, whose text is "nan".
+/// our frame, except those of a generic message, whose meaning is unknown and which stay as they are on the wire.
+/// `number` is absent for texts and for NaN, whose text is "nan".
 struct Field {
     std::string source{};
     std::string item{};

@@ -8,9 +8,8 @@
 namespace usar::protocol {
 
 /// Takes bytes as they arrive and delivers whole lines without their terminators. CR, LF and any run of them end a
-/// line;
-/// empty lines are not reported. A line longer than the cap is dropped up to its terminator and counted once; reading
-/// continues after it. Each connection owns one splitter and uses it in its own thread.
+/// line; empty lines are not reported. A line longer than the cap is dropped up to its terminator and counted once;
+/// reading continues after it. Each connection owns one splitter and uses it in its own thread.
 class LineSplitter {
 public:
     /// 4 MiB. No server limits its lines, and depth images reach hundreds of kilobytes (usarsim-protocol 1.1).

@@ -20,6 +20,7 @@ class LineWriter {
 public:
     explicit LineWriter(std::string& out) : out_(out) {}
 
+    /// A number without key and braces.
     void number(double value, Decimals decimals) {
         if (decimals == Decimals::TwoRounded)
             appendFixed(out_, value, 2);
@@ -67,6 +68,7 @@ public:
         numbers(values, decimals);
         close();
     }
+    /// A number without decimals.
     void whole(long long value) {
         std::array<char, 24> digits;
         out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);

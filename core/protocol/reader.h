@@ -12,15 +12,13 @@ namespace usar::protocol {
 
 /// Reads the lines of one connection in either dialect and numbers them from 1. Never fails: a line of unknown type
 /// becomes a GenericMessage; a damaged line keeps what could be read, or becomes a GenericMessage, and gets
-/// diagnostics.
-/// Values are in SI units and in our frame, except in a GenericMessage. Each connection owns one reader.
+/// diagnostics. Values are in SI units and in our frame, except in a GenericMessage. Each connection owns one reader.
 class Reader {
 public:
     Reader();
 
     /// Reads one line without its terminator. The result is valid until the next call: its memory is reused for the
-    /// next
-    /// line of its kind, so that reading allocates nothing in steady state. Copy what you want to keep.
+    /// next line of its kind, so that reading allocates nothing in steady state. Copy what you want to keep.
     const InfoLine& read(std::string_view line);
     /// Gives the next line the number after `line`; a replay uses this to restore the recorded numbers.
     void continueAfter(LineNumber line) { last_ = line; }

@@ -7,8 +7,7 @@
 namespace usar::protocol {
 
 /// Reuses the elements of `list` from the first one on. Elements that `next` has not returned by the time this object
-/// is
-/// destroyed are removed. The list must outlive this object.
+/// is destroyed are removed. The list must outlive this object.
 template <class T>
 class Refill {
 public:

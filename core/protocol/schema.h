@@ -41,8 +41,8 @@ constexpr Item<Owner, Member> item(std::string_view key, Member Owner::*member, 
     return {key, member, field, unit, crossing, decimals, other_key};
 }
 
-/// A pose in two segments, Location and Orientation, with two decimals each. `angles_positive` writes the angles in
-/// [0, 2 pi), as UT2004 does for some sensors.
+/// A pose in two segments, Location and Orientation, with two decimals each. `angles_positive` writes the angles in [0,
+/// 2 pi), as UT2004 does for some sensors.
 template <class Owner>
 struct PoseItem {
     Pose Owner::*member;
@@ -55,9 +55,8 @@ constexpr PoseItem<Owner> pose(Pose Owner::*member, bool angles_positive = false
 }
 
 /// Groups of values that repeat. Each segment with `opening_key` begins a new element. Groups opened by Name are
-/// sensors
-/// of one type, each with its own name: `{Name F1 Range 4.5}` in UT2004, `{Name F1} {Range 4.5}` in UDK. Groups opened
-/// by another key are several things that one sensor reports.
+/// sensors of one type, each with its own name: `{Name F1 Range 4.5}` in UT2004, `{Name F1} {Range 4.5}` in UDK. Groups
+/// opened by another key are several things that one sensor reports.
 template <class Owner, class Element>
 struct Groups {
     std::string_view opening_key;

@@ -13,8 +13,7 @@
 namespace usar::protocol {
 
 /// One `{...}` group. `text` is everything between the braces, `key` its first word, and `value` the trimmed rest,
-/// empty
-/// if there is only one word. `offset` is the byte in the line at which `text` starts.
+/// empty if there is only one word. `offset` is the byte in the line at which `text` starts.
 struct Segment {
     std::string_view key;
     std::string_view value;
@@ -24,8 +23,7 @@ struct Segment {
 
 /// A tokenized line. Segments are an ordered list and never a map: repeated keys are normal, and a segment belongs to
 /// the last group-opening key before it (usarsim-protocol 1.4). All texts are views into the line given to `read`,
-/// which
-/// must outlive their use. Reuse the object, so that reading allocates nothing in steady state.
+/// which must outlive their use. Reuse the object, so that reading allocates nothing in steady state.
 class Segments {
 public:
     /// Further segments are ignored with a warning. No server sends a hundredth as many.

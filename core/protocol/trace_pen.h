@@ -25,8 +25,7 @@ public:
     bool on() const { return on_; }
     TraceColor color() const { return color_; }
     /// The color of the mark to leave at this position in the map frame; nullopt while tracing is off, or too soon
-    /// after
-    /// or too near to the previous mark. `now` is on the server's clock; if it has gone back, a mark is due.
+    /// after or too near to the previous mark. `now` is on the server's clock; if it has gone back, a mark is due.
     std::optional<TraceColor> markAt(Seconds now, const Vec3& position_m) {
         if (!on_ || !position_m.allFinite())
             return std::nullopt;

@@ -29,8 +29,7 @@ public:
     /// The empty text. A Token cannot be empty.
     CheckedText() requires(rule != TextRule::Token) = default;
     /// For literals in our own code, of which a misfit is a bug (asserted). Texts from users or servers go through
-    /// `make`
-    /// or `mended`.
+    /// `make` or `mended`.
     template <std::size_t size>
     CheckedText(const char (&literal)[size]) : text_(literal) {
         assert(fits(rule, text_));

@@ -24,6 +24,7 @@ struct JointDrive {
     DriveSwitches switches{};
     bool operator==(const JointDrive&) const = default;
 
+    /// Commands for an angle, a speed and a torque; the units are those of a revolute joint.
     static JointDrive toAngle(Token joint, double angle_rad) {
         return {std::move(joint), JointOrder::Angle, angle_rad};
     }

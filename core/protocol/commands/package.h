@@ -31,7 +31,7 @@ struct PackageDrive {
 /// The old form of MISPKG, which turns a camera.
 struct PackageRotation {
     Token package;
-    double tilt_rad = 0.0;
+    double tilt_rad = 0.0; ///< an angle, a speed in rad/s or a torque in N m, according to `order`; so is `pan_rad`
     double pan_rad = 0.0;
     LinkOrder order = LinkOrder::Angle;
     bool operator==(const PackageRotation&) const = default;

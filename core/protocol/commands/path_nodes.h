@@ -27,7 +27,7 @@ struct GoToNode {
 enum class Gait { WalkForward, WalkBackward, Run };
 /// MOVE with the action New, which replaces all goals of an avatar, or Append, which adds one after them.
 struct WalkTo {
-    std::variant<Vec2, Token> goal = Vec2::Zero(); ///< a point in the map frame in metres, or a path node
+    std::variant<Vec2, Token> goal = Vec2::Zero(); ///< a point in the map frame in meters, or a path node
     Gait gait = Gait::WalkForward;
     bool append = false;
     bool operator==(const WalkTo&) const = default;

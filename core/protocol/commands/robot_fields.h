@@ -1,5 +1,5 @@
-// The segments of all commands that have no file of their own, stated once for writing (Io = LineOut) and reading (Io =
-// LineIn).
+// The segments of all commands that have no file of their own, stated once for writing and reading (see
+// drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"
@@ -63,6 +63,7 @@ void fields(Io& io, typename Io::template Ref<GetConfiguration> get) {
     io.text("Name", get.name);
 }
 
+/// Link and its values, for each link.
 inline void links(LineOut& out, const std::vector<LinkTarget>& links) {
     for (const LinkTarget& target : links) {
         out.whole("Link", target.link);

@@ -1,4 +1,4 @@
-// The segments of SET, stated once for writing (Io = LineOut) and reading (Io = LineIn).
+// The segments of SET, stated once for writing and reading (see drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/joint.h"

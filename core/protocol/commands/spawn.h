@@ -32,6 +32,7 @@ struct Init {
     std::optional<Seconds> battery_life{}; ///< accepted by the Gazebo server only
     bool operator==(const Init&) const = default;
 
+    /// Spawns a robot at a pose, or, below, at a start pose by its name.
     static Init at(Token class_name, Name robot_name, const Pose& start_in_map) {
         return {std::move(class_name), std::move(robot_name), start_in_map};
     }

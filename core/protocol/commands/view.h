@@ -29,8 +29,7 @@ struct DetachCamera {
 
 enum class ViewLayout { Single, Quad };
 /// Divides the game's window into viewports and sets what each one shows: the name of a camera, "Disabled" or "None".
-/// An
-/// empty name leaves the viewport unchanged.
+/// An empty name leaves the viewport unchanged.
 struct SetViewports {
     ViewLayout layout = ViewLayout::Single;
     std::array<Name, 4> views{}; ///< top left, top right, bottom left, bottom right

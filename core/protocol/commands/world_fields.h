@@ -1,4 +1,4 @@
-// The segments of CONTROL, stated once for writing (Io = LineOut) and reading (Io = LineIn).
+// The segments of CONTROL, stated once for writing and reading (see drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"
@@ -7,6 +7,7 @@
 
 namespace usar::protocol {
 
+/// Begins the line with the Type that distinguishes the commands.
 template <class Io>
 void beginControl(Io& io, std::string_view type) {
     io.word("CONTROL");
@@ -93,6 +94,7 @@ void fields(Io& io, typename Io::template Ref<ClearWaypoints> clear) {
     io.text("Name", clear.object_name);
 }
 
+/// Speed, or Time for the whole path.
 inline void pace(LineOut& out, const std::variant<WaypointSpeed, Seconds>& pace) {
     if (const auto* const speed = std::get_if<WaypointSpeed>(&pace))
         out.number("Speed", speed->speed_m_s);

@@ -30,7 +30,7 @@ struct StartPoses {
     bool operator==(const StartPoses&) const = default;
 };
 
-/// NFO that answers GETPATHNODES (UDK): the places along which avatars walk.
+/// NFO that answers GETPATHNODES (UDK): the places along which avatars walk. A node has the fields of a start pose.
 struct PathNodes {
     std::vector<StartPose> nodes{};
     bool operator==(const PathNodes&) const = default;

@@ -42,10 +42,10 @@ struct EffecterState {
     std::optional<Seconds> time{};
     std::string type{};
     std::string name{};
-    std::optional<bool> closed{};
-    std::optional<bool> on{};
-    std::string tool_type{};
-    std::string tool{};
+    std::optional<bool> closed{}; ///< of a gripper or tool changer
+    std::optional<bool> on{};     ///< of something that can be switched
+    std::string tool_type{};      ///< type of the tool in a tool changer
+    std::string tool{};           ///< name of that tool
     bool operator==(const EffecterState&) const = default;
 };
 

@@ -10,6 +10,7 @@
 
 namespace usar::protocol {
 
+/// The kinds of vehicles by which STA, GEO and CONF classify robots; see vehicle_words.h for the words.
 enum class VehicleKind { Unknown, Ground, Aerial, Nautic, Legged, StaticPlatform };
 
 /// One joint and its angle, with the server's sign.
@@ -20,8 +21,7 @@ struct JointAngle {
 };
 
 /// The state of a robot of any kind, in either dialect; values that a kind does not have are absent. Steering angles
-/// are
-/// counterclockwise positive.
+/// are counterclockwise positive.
 struct RobotState {
     VehicleKind kind = VehicleKind::Unknown; ///< also Unknown for a UDK aerial vehicle, which sends no Type
     std::optional<Seconds> time{};

@@ -47,14 +47,12 @@ public:
     /// The result is valid until the next call.
     std::span<const KeyedText> pairs(bool split_names);
     /// Reports a problem; `part`, a view into the line, gives the place. Only the first `most_diagnostics` of a line
-    /// are
-    /// kept, so that a hostile line costs no more than an honest one.
+    /// are kept, so that a hostile line costs no more than an honest one.
     void warn(std::string_view part, std::string message);
     void error(std::string_view part, std::string message);
 
     /// The number of the first segment with this key. Absent if the key is missing, and, with a warning, if the value
-    /// is
-    /// not a plausible number. Junk after a number only gives a warning, because servers accept the number (1.6).
+    /// is not a plausible number. Junk after a number only gives a warning, because servers accept the number (1.6).
     std::optional<double> number(std::string_view key);
     /// The same for a text that the caller has found; it must be a view into the line.
     std::optional<double> numberIn(std::string_view value);

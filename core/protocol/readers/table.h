@@ -12,8 +12,7 @@ namespace usar::protocol {
 
 /// One row. It applies to lines with this type word and this value of the Type segment (empty matches any), both
 /// compared ignoring case, for which `fits`, unless null, returns true. `read` fills the alternative of InfoMessage
-/// with
-/// the index `kind`, which the message must already hold; it returns false if the line must stay generic.
+/// with the index `kind`, which the message must already hold; it returns false if the line must stay generic.
 struct ReaderRow {
     std::string_view type_word;
     std::string_view type;

@@ -1,6 +1,5 @@
 // SEN messages about the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and Helper, which sees
-// the
-// soccer ball. `time` is on the server's clock; absent optionals were not on the line.
+// the soccer ball. `time` is on the server's clock; absent optionals were not on the line.
 #pragma once
 
 #include <optional>
@@ -17,7 +16,7 @@ struct SoundReading {
     std::optional<Seconds> time{};
     std::string name{};
     double loudness_db = 0.0;
-    std::optional<Seconds> duration{};
+    std::optional<Seconds> duration{}; ///< length of the sound
 
     static constexpr std::string_view wire_types = "Sound";
     static constexpr auto items() {
@@ -32,9 +31,9 @@ struct SoundReading {
 /// frame.
 struct HeardSound {
     Present far = Present::No;
-    std::optional<Vec3> direction{};
-    std::optional<double> volume{};
-    std::optional<Seconds> duration{};
+    std::optional<Vec3> direction{};   ///< absent if the sound is too far away
+    std::optional<double> volume{};    ///< as sent; no unit is known
+    std::optional<Seconds> duration{}; ///< length of the sound
     std::optional<Seconds> delay{};
 
     static constexpr auto items() {
@@ -105,10 +104,10 @@ struct MissionTimeReading {
 
 /// One object seen by an ObjectSensor.
 struct SeenObject {
-    std::string tag{};
+    std::string tag{}; ///< value of Object
     Pose object_in_map{};
-    std::optional<Vec3> hit_in_map_m{};
-    std::string material{}; ///< "None" if it has none
+    std::optional<Vec3> hit_in_map_m{}; ///< point at which the sensor's ray hits the object
+    std::string material{};             ///< "None" if it has none
 
     static constexpr auto items() {
         return std::tuple(item("Object", &SeenObject::tag, "tag"), pose(&SeenObject::object_in_map),

@@ -15,8 +15,7 @@ namespace usar::protocol {
 namespace {
 
 /// Reads an angle in rad from a text such as `47,40.3323,N`: degrees, minutes and one of the two `letters`, of which
-/// the
-/// first stands for positive angles. Absent, with a warning, if it is malformed.
+/// the first stands for positive angles. Absent, with a warning, if it is malformed.
 std::optional<double> readAngle(LineReading& line, std::string_view key, std::string_view letters) {
     const Segment* const segment = line.segments().find(key);
     if (!segment)

@@ -28,7 +28,9 @@ struct GpsReading {
 
 /// Fills all of `out`. False if the line has neither a Fix nor a Latitude, or an invalid number of satellites.
 bool read(LineReading& line, GpsReading& out);
+/// Writes the line without CR LF.
 void write(LineWriter& line, const GpsReading& reading);
+/// Adds the values of the reading; the caller has set source and item.
 void list(FieldList& fields, const GpsReading& reading);
 
 } // namespace usar::protocol

@@ -26,7 +26,9 @@ struct PointCloud {
 
 /// Fills all of `out`. False if the line has no points, or, with an error, if one of them is damaged.
 bool read(LineReading& line, PointCloud& out);
+/// Writes the line without CR LF.
 void write(LineWriter& line, const PointCloud& cloud);
+/// Adds the number of points and their extent; the caller has set source and item.
 void list(FieldList& fields, const PointCloud& cloud);
 
 /// The points that a line of laser light hits, possibly none, and the sensor's pose.
@@ -43,6 +45,7 @@ struct LineLaserReading {
 /// Fills all of `out`. False if the line has neither pose nor points, or, with an error, if one of them is damaged.
 bool read(LineReading& line, LineLaserReading& out);
 void write(LineWriter& line, const LineLaserReading& reading);
+/// Adds the sensor's pose, and the points as above.
 void list(FieldList& fields, const LineLaserReading& reading);
 
 } // namespace usar::protocol

@@ -31,8 +31,7 @@ struct Scan3d {
 };
 
 /// A strip of a depth image (UDK's Kinect). Depths are measured along the optical axis; rows run from top to bottom
-/// and,
-/// unlike scans, from left to right. The image is sent in `frames` strips; 0 before the first request. UDK prints
+/// and, unlike scans, from left to right. The image is sent in `frames` strips; 0 before the first request. UDK prints
 /// fractions without their leading zeros, so 2.05 arrives as 2.5, which cannot be corrected here.
 struct RangeImage {
     std::optional<Seconds> time{};
@@ -40,7 +39,7 @@ struct RangeImage {
     std::vector<double> size_px{}; ///< width, height
     std::vector<double> fov_rad{}; ///< horizontal, vertical
     std::optional<long long> frames{};
-    std::optional<long long> frame{};
+    std::optional<long long> frame{}; ///< number of this strip
     std::vector<double> depths_m{};
 
     static constexpr std::string_view wire_types = "RangeImager";

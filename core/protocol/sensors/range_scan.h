@@ -16,8 +16,7 @@ class LineWriter;
 
 /// One scan. Beams run from right to left: index 0 looks at -fov/2 (right; counterclockwise is positive), the last one
 /// at +fov/2. The number of beams is the number of values, not the quotient of field of view and resolution. A beam
-/// that
-/// hits nothing gives the maximum range; NaN means that the server sent no number.
+/// that hits nothing gives the maximum range; NaN means that the server sent no number.
 struct RangeScan {
     std::optional<Seconds> time{};
     std::string name{};
@@ -46,7 +45,9 @@ bool read(LineReading& line, RangeScan& out);
 /// Reads a SEN of any Type with a Range and a single number for FOV and for Resolution, because scanners have many type
 /// names (RangeScanner, IRScanner, Laser …). False for any other line.
 bool readByShape(LineReading& line, RangeScan& out);
+/// Writes the line as UT2004 does, without CR LF.
 void write(LineWriter& line, const RangeScan& scan);
+/// Adds resolution and field of view, and a summary of the ranges; the caller has set source and item.
 void list(FieldList& fields, const RangeScan& scan);
 
 } // namespace usar::protocol

@@ -13,8 +13,8 @@ namespace usar::protocol {
 /// One tag. The server's version and configuration decide which values it sends besides the id.
 struct SeenTag {
     long long id = 0;
-    std::optional<Vec3> tag_in_reader_m{};
-    std::optional<std::string> memory{}; ///< text stored in the tag; may contain spaces
+    std::optional<Vec3> tag_in_reader_m{}; ///< position in the reader's frame
+    std::optional<std::string> memory{};   ///< text stored in the tag; may contain spaces
 
     static constexpr auto items() {
         return std::tuple(item("ID", &SeenTag::id, "id"),

@@ -13,7 +13,7 @@ namespace usar::protocol {
 /// A detected body part: Head, Arm, Hand, Chest, Pelvis, Leg or Foot. May be a false alarm.
 struct SeenPart {
     std::string part{};
-    std::optional<Vec3> part_in_sensor_m{};
+    std::optional<Vec3> part_in_sensor_m{}; ///< position in the sensor's frame
 
     static constexpr auto items() {
         return std::tuple(item("PartName", &SeenPart::part, "part"), item("Location", &SeenPart::part_in_sensor_m, "",
@@ -41,7 +41,7 @@ struct TaggedVictim {
     std::string id{};
     std::string victim_name{}; ///< sent by some versions only
     std::string status{};
-    std::optional<Vec3> victim_in_reader_m{};
+    std::optional<Vec3> victim_in_reader_m{}; ///< position in the reader's frame
 
     static constexpr auto items() {
         return std::tuple(

@@ -34,7 +34,7 @@ struct EncoderReadings {
 struct TachometerReading {
     std::optional<Seconds> time{};
     std::string name{};
-    std::vector<double> speeds_rad_s{};
+    std::vector<double> speeds_rad_s{}; ///< one for each wheel; so is `angles_rad`
     std::vector<double> angles_rad{};
 
     static constexpr std::string_view wire_types = "Tachometer";

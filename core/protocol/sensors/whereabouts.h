@@ -13,8 +13,8 @@ namespace usar::protocol {
 struct AltitudeReading {
     std::optional<Seconds> time{};
     std::string name{};
-    std::optional<double> above_start_m{};
-    std::optional<double> above_sea_m{};
+    std::optional<double> above_start_m{}; ///< the server's relative altitude
+    std::optional<double> above_sea_m{};   ///< the server's absolute altitude
 
     static constexpr std::string_view wire_types = "AltitudeSensor";
     static constexpr auto items() {
