@@ -29,7 +29,7 @@ enum class Order { Pause, Resume, LandNow };
 /// (geometry.query), but must not keep a reference.
 struct Tick {
     Seconds now{0.0};             ///< on the protocol's clock
-    LineNumber line;              ///< of the STA
+    LineNumber line;              ///< line number of the STA
     modules::RobotModules& robot; ///< newest values
 };
 

@@ -71,7 +71,7 @@ using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;
 
 QByteArray write(const Request& request);
 QByteArray write(const Reply& reply);
-/// nullopt if the bytes are not such a frame or have another version.
+/// Returns nullopt if the bytes are not such a frame or have another version.
 std::optional<Request> readRequest(const QByteArray& frame);
 std::optional<Reply> readReply(const QByteArray& frame);
 

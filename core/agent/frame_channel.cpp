@@ -24,8 +24,7 @@ FrameChannel::Waited FrameChannel::waitFor(short events, std::optional<Seconds> 
         int left_ms = -1;
         if (patience)
             left_ms = static_cast<int>(std::ceil(std::max(0.0, Seconds(until - Clock::now()).count()) * 1e3));
-        std::array watched{pollfd{socket_, events, 0},
-                           pollfd{process_handle_, POLLIN, 0}}; // poll ignores negative descriptors
+        std::array watched{pollfd{socket_, events, 0}, pollfd{process_handle_, POLLIN, 0}}; // ignored if below 0
         const int ready = ::poll(watched.data(), watched.size(), left_ms);
         if (ready == 0 || (ready < 0 && errno != EINTR))
             return Waited::TimedOut;

@@ -1,4 +1,4 @@
-// usar-behavior-host as a child process: the process, the connection to it, and the reason for its end.
+// A child process that runs usar-behavior-host: the process, the connection to it, and the reason for its end.
 #pragma once
 
 #include <memory>

@@ -43,7 +43,7 @@ struct PrimitiveDescription {
     std::string unit;                    ///< unit of the answer
     std::string help;                    ///< one sentence
     std::vector<std::string> needs;      ///< sensors and commands, by their names on the wire
-    double minimum = 0.0;                ///< of a sense's number; no range if both are 0
+    double minimum = 0.0;                ///< range of a sense's number, inclusive; no range if both are 0
     double maximum = 0.0;                //
     std::vector<std::string> choices{};  ///< symbols that a sense may answer
     bool operator==(const PrimitiveDescription&) const = default;

@@ -84,11 +84,11 @@ public:
     /// Minimum and maximum of all values recorded so far, for shading. The range never shrinks, even if values are
     /// averaged or replaced; nullopt for an empty map.
     std::optional<HeightRange> range() const { return range_; }
-    std::optional<CellBounds> bounds() const; ///< of all tiles; nullopt for an empty map
+    std::optional<CellBounds> bounds() const; ///< cells of all tiles; nullopt for an empty map
     std::size_t tileCount() const { return tiles_.size(); }
     std::size_t memoryBytes() const;
 
-    /// nullptr if there is no such tile. Valid as long as the map.
+    /// Returns nullptr if there is no such tile. The tile exists as long as the map.
     const HeightTile* tile(GridIndex tile_index) const;
     std::vector<GridIndex> tileIndices() const;
     /// Returns copies of the tiles written since the last call.

@@ -29,7 +29,7 @@ class SensorPlaces {
 public:
     static constexpr std::size_t most_sensors = 256;
 
-    /// What is kept for one sensor.
+    /// The content kept for one sensor.
     struct Place {
         std::string type;
         std::string name;
@@ -46,7 +46,7 @@ public:
     Content* find(std::string_view name, std::string_view type = {}) {
         return const_cast<Content*>(std::as_const(*this).find(name, type));
     }
-    /// nullptr if there are too many. Invalidates the pointers returned before if it adds a place.
+    /// Returns nullptr if there are too many sensors. Adding a place invalidates the pointers returned before.
     Content* findOrMake(std::string_view type, std::string_view name) {
         const auto place = std::ranges::find_if(
             places_, [&](const Place& one) { return one.name == name && sameWord(one.type, type); });

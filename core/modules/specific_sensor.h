@@ -37,7 +37,7 @@ public:
         return count_ != before;
     }
 
-    /// nullopt before the first reading.
+    /// The newest reading; nullopt before the first.
     const std::optional<Stamped<Reading>>& newest() const { return newest_; }
     /// Number of readings so far.
     std::uint64_t count() const { return count_; }

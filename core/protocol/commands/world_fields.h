@@ -33,7 +33,7 @@ void fields(Io& io, typename Io::template Ref<KillObject> kill) {
     io.text("Name", kill.object_name);
 }
 
-/// y and z change their signs on the wire, so that their minimum and maximum swap.
+/// Converts a box; y and z change their signs on the wire, so that their minimum and maximum swap.
 inline Box acrossWire(const Box& box) {
     return {{box.min_m.x(), -box.max_m.y(), -box.max_m.z()}, {box.max_m.x(), -box.min_m.y(), -box.min_m.z()}};
 }

@@ -96,7 +96,7 @@ struct EffecterConfiguration {
     bool operator==(const EffecterConfiguration&) const = default;
 };
 
-/// nullopt if the message is not about one robot.
+/// The configuration of a robot; nullopt if the message is not about a single robot.
 std::optional<RobotConfiguration> robotConfigurationOf(const ConfigurationInfo& info);
 /// Configurations of MisPkg and Actuator; empty for messages about anything else, like the functions below.
 std::vector<PackageConfiguration> packageConfigurationsOf(const ConfigurationInfo& info);

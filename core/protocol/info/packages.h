@@ -42,8 +42,8 @@ struct EffecterState {
     std::optional<Seconds> time{};
     std::string type{};
     std::string name{};
-    std::optional<bool> closed{}; ///< of a gripper or tool changer
-    std::optional<bool> on{};     ///< of something that can be switched
+    std::optional<bool> closed{}; ///< grippers and tool changers only
+    std::optional<bool> on{};     ///< switchable effecters only
     std::string tool_type{};      ///< type of the tool in a tool changer
     std::string tool{};           ///< name of that tool
     bool operator==(const EffecterState&) const = default;
