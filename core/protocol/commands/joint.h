@@ -15,6 +15,7 @@ namespace usar::protocol {
 enum class JointOrder { Angle, Speed, Torque, Brake, RelativeAngle, RelativeSpeed, RelativeTorque };
 
 /// DRIVE for one joint. UT2004 compares the name case-sensitively.
+/// On the wire: `DRIVE {Name FrontLeft} {Order 1} {Value 2} {Steer 0.5} {Normalized false}`.
 struct JointDrive {
     Token joint;
     JointOrder order = JointOrder::Angle;
@@ -43,6 +44,7 @@ struct JointAngleTarget {
     bool operator==(const JointAngleTarget&) const = default;
 };
 /// MULTIDRIVE: sets several joints at once; UT2004 only.
+/// On the wire: `MULTIDRIVE {FRFlipper 0.5} {FLFlipper -0.5}`.
 struct MultiDrive {
     std::vector<JointAngleTarget> joints{};
     bool operator==(const MultiDrive&) const = default;
@@ -51,6 +53,7 @@ struct MultiDrive {
 /// The quantity that a SET of a joint changes. UDK knows only Angle and Stiffness.
 enum class JointOpcode { Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque, Stiffness };
 /// SET of a joint. UDK also accepts the names AllAngles and AllJoints.
+/// On the wire: `SET {Type Joint} {Name LeftWheel} {Opcode Torque} {Params 5,0.25}`.
 struct SetJoint {
     Token joint;
     JointOpcode opcode = JointOpcode::Angle;

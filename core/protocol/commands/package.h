@@ -20,6 +20,7 @@ struct LinkTarget {
 };
 
 /// MISPKG, for both dialects. Each link is written as Link, Value, Order, because UDK accepts no other order.
+/// On the wire: `MISPKG {Name Arm} {Link 1} {Value 0.5} {Order 0} {Link 2} {Value 0.25} {Order 1}`.
 struct PackageDrive {
     Token package;
     std::vector<LinkTarget> links{};
@@ -29,6 +30,7 @@ struct PackageDrive {
 };
 
 /// The old form of MISPKG, which turns a camera.
+/// On the wire: `MISPKG {Name Cam1} {Rotation 0,0.25,0.5} {Order 0}`.
 struct PackageRotation {
     Token package;
     double tilt_rad = 0.0; ///< an angle, a speed in rad/s or a torque in N m, according to `order`; so is `pan_rad`
@@ -45,6 +47,7 @@ struct LinkValue {
 };
 
 /// ACT, UDK's newer command for the same purpose.
+/// On the wire: `ACT {Name Arm} {Link 1} {Value 0.5} {Link 3} {Value 0}`.
 struct ActuatorDrive {
     Token actuator;
     std::vector<LinkValue> links{};

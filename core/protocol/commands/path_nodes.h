@@ -13,12 +13,14 @@ struct GetPathNodes {
     bool operator==(const GetPathNodes&) const = default;
 };
 /// GETCLOSESTPATHNODE; the answer is ClosestPathNode.
+/// On the wire: `GETCLOSESTPATHNODE {Location 3,4,0}`.
 struct GetClosestPathNode {
     Vec3 point_in_map_m = Vec3::Zero();
     bool operator==(const GetClosestPathNode&) const = default;
 };
 
 /// GOTO: sends an avatar to a path node.
+/// On the wire: `GOTO {Name PathNode_3}`.
 struct GoToNode {
     Token node_name;
     bool operator==(const GoToNode&) const = default;
@@ -26,6 +28,7 @@ struct GoToNode {
 
 enum class Gait { WalkForward, WalkBackward, Run };
 /// MOVE with the action New, which replaces all goals of an avatar, or Append, which adds one after them.
+/// On the wire: `MOVE {Action New} {Type Walk_Forward} {Location 3.5,-2}`.
 struct WalkTo {
     std::variant<Vec2, Token> goal = Vec2::Zero(); ///< a point in the map frame in meters, or a path node
     Gait gait = Gait::WalkForward;

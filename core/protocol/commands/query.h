@@ -13,12 +13,14 @@ inline Token packageType(Dialect dialect) {
 
 /// GETGEO: asks for dimensions and mounting poses; the answer is GeometryInfo. `type` is "Robot", "MisPkg", "Actuator"
 /// or a type of sensor, effecter or camera; an empty name means all items of the type.
+/// On the wire: `GETGEO {Type Sonar}`.
 struct GetGeometry {
     Token type;
     Name name{};
     bool operator==(const GetGeometry&) const = default;
 };
 /// GETCONF: asks for limits and settings in the same way; the answer is ConfigurationInfo.
+/// On the wire: `GETCONF {Type Camera} {Name Cam}`.
 struct GetConfiguration {
     Token type;
     Name name{};

@@ -24,6 +24,7 @@ constexpr bool isStation(std::string_view class_name) {
 
 /// INIT: spawns a robot. No source shows that UT2004 servers accept the name of a start pose; send them the pose
 /// itself.
+/// On the wire: `INIT {ClassName USARBot.AirRobot} {Name R1} {Location 4.5,1.9,-1.8} {Rotation 0.5,0,1.5}`.
 struct Init {
     Token class_name;                      ///< with its package: "USARBot.AirRobot"
     Name robot_name{};                     ///< empty lets the server choose

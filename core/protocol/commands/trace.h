@@ -10,6 +10,7 @@ namespace usar::protocol {
 enum class TraceColor { Red, Yellow, Green, Cyan, White, Blue, Purple };
 
 /// Absent values keep the settings of the previous TRACE.
+/// On the wire: `TRACE {On true} {Interval 0.5} {Color Red}`.
 struct Trace {
     bool on = true;
     std::optional<Seconds> interval{}; ///< time between marks while the robot moves

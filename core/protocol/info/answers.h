@@ -23,6 +23,7 @@ struct MountedItem {
 /// are no items. The empty answer that UT2004 sends for "no such thing" has neither class nor items. The items of a
 /// mission package are its links, "CameraPanTilt_Link1", mounted on the chassis or on each other; these are the names
 /// that the mounts of other items refer to.
+/// On the wire: `GEO {Type Sonar} {Name F Location 1,0,0 Orientation 0,0,0 Mount HARD}`.
 struct GeometryInfo {
     std::string type{};
     std::vector<MountedItem> items{};
@@ -54,6 +55,7 @@ struct ConfiguredItem {
 };
 
 /// CONF of a robot, of sensors or of anything else. Settings keep the server's keys, order and units.
+/// On the wire: `CONF {Type Sonar} {Name R8} {MaxRange 5.0000} {MinRange 0.1000} {BeamAngle 0.3491}`.
 struct ConfigurationInfo {
     std::string type{};
     std::vector<ConfiguredItem> items{};
@@ -72,6 +74,7 @@ struct ResponsePart {
 
 /// RES, the result of SET (UT2004 only). If one line reports several things (all cameras, viewports), `name` is the
 /// first Name, `ok` is true only if all succeeded, and `parts` has the individual results.
+/// On the wire: `RES {Time 120.40} {Type INS} {Name INS} {Status OK}`.
 struct Response {
     std::optional<Seconds> time{};
     std::string type{};

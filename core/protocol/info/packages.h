@@ -27,6 +27,7 @@ struct LinkState {
 };
 
 /// MISSTA (UT2004) or ASTA (UDK): the state of one mission package, such as an arm or the pan and tilt of a camera.
+/// On the wire: `MISSTA {Time 1} {Name Cam} {Link 1} {Value 0.5} {Torque -20.00} {Link 2} {Value 0}`.
 struct PackageState {
     std::optional<Seconds> time{};
     std::string name{};
@@ -38,6 +39,7 @@ struct PackageState {
 
 /// EFF (UDK): the state of a gripper, of a tool changer and the tool that it holds, or of something that is on or off.
 /// Absent and empty values do not apply to the effecter.
+/// On the wire: `EFF {Time 41} {Type ToolChanger} {Name T} {Status CLOSED} {ToolType Gripper} {Tool G1}`.
 struct EffecterState {
     std::optional<Seconds> time{};
     std::string type{};

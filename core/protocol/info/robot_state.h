@@ -22,6 +22,7 @@ struct JointAngle {
 
 /// The state of a robot of any kind, in either dialect; values that a kind does not have are absent. Steering angles
 /// are counterclockwise positive.
+/// On the wire: `STA {Type AerialVehicle} {Time 268.50} {LightToggle False} {Battery 1180} {View -1}`.
 struct RobotState {
     VehicleKind kind = VehicleKind::Unknown; ///< also Unknown for a UDK aerial vehicle, which sends no Type
     std::optional<Seconds> time{};

@@ -19,6 +19,7 @@ struct WorldObject {
 };
 
 /// All objects of the answer; empty if there are none.
+/// On the wire: `STA {Name Box1} {Size 1,1,1} {Location 1,2,3} {Memory hi there} {Rotation 0,0,1.5}`.
 struct WorldObjects {
     std::vector<WorldObject> objects{};
     bool operator==(const WorldObjects&) const = default;

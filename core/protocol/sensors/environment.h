@@ -12,6 +12,7 @@
 namespace usar::protocol {
 
 /// The sound at the sensor's place.
+/// On the wire: `SEN {Time 1} {Type Sound} {Name S} {Loudness 12.5} {Duration 3.25}`.
 struct SoundReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -47,6 +48,7 @@ struct HeardSound {
 };
 
 /// The sounds heard at one moment. `silence` is Yes if the server sent {None}.
+/// On the wire: `SEN {Time 1} {Type Acoustic} {Name A} {Direction 0,1,0} {Volume 0.5} {Duration 1.5} {Delay 0.25}`.
 struct AcousticReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -59,6 +61,7 @@ struct AcousticReading {
     bool operator==(const AcousticReading&) const = default;
 };
 
+/// On the wire: `SEN {Time 1} {Type CO2Sensor} {Name C} {Gas CO2} {Density 0.25}`.
 struct GasReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -75,6 +78,7 @@ struct GasReading {
 
 /// The place at which the camera of a soccer robot sees the ball (thesis 5.2). The axes are those of the camera's
 /// picture, so the three numbers stay as they are on the wire.
+/// On the wire: `SEN {Time 67.2} {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true}`.
 struct BallReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -90,6 +94,7 @@ struct BallReading {
 };
 
 /// The mission's time in whole minutes.
+/// On the wire: `SEN {Time 33} {Type MissionTime} {Name c} {Minutes 2}`.
 struct MissionTimeReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -118,6 +123,7 @@ struct SeenObject {
 };
 
 /// All objects that the sensor sees at one moment.
+/// On the wire: `SEN {Time 34} {Type ObjectSensor} {Name o} {Object Box1} {Location 3,1,1.5} {Orientation 0,0,1.5}`.
 struct ObjectsReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -14,6 +14,7 @@ class LineWriter;
 
 /// Latitude (north positive) and longitude (east positive), both absent without a fix, which takes four satellites. On
 /// the wire they are whole degrees, minutes and a letter.
+/// On the wire: `SEN {Type GPS} {Name G} {Latitude 47,30.0000,N} {Longitude 122,18.0000,W} {Fix 1} {Satellites 8}`.
 struct GpsReading {
     std::optional<Seconds> time{};
     std::string name{};

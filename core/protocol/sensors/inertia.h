@@ -10,6 +10,7 @@
 namespace usar::protocol {
 
 /// Acceleration in the body frame, without gravity.
+/// On the wire: `SEN {Time 32} {Type Accel} {Name a} {Acceleration 1,2,3}`.
 struct AccelerationReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -24,6 +25,7 @@ struct AccelerationReading {
 };
 
 /// Proper acceleration in the body frame, as a real accelerometer measures it: including gravity, so not zero at rest.
+/// On the wire: `SEN {Time 32} {Type AcceleroMeter} {Name a} {ProperAcceleration 0,0,-9.8065}`.
 struct AccelerometerReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -39,6 +41,7 @@ struct AccelerometerReading {
 
 /// Values in the body frame. Angular velocity and acceleration are vectors along the axis of rotation, counterclockwise
 /// positive.
+/// On the wire: `SEN {Time 1} {Type IMU} {Name I} {XYZAcceleration 1,2,3} {AngularVel 0,0,0.5} {Rotation 0,0,1}`.
 struct ImuReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -15,6 +15,7 @@ class LineReading;
 class LineWriter;
 
 /// Points in the sensor's frame. On the wire they are in raw Unreal units, 250 per meter, with y right and z up.
+/// On the wire: `SEN {Time 34.7} {Type PCL} {Name p} {250.00,-500.00,125.00;500.00,-250.00,250.00}`.
 struct PointCloud {
     std::optional<Seconds> time{};
     std::string name{};
@@ -32,6 +33,7 @@ void write(LineWriter& line, const PointCloud& cloud);
 void list(FieldList& fields, const PointCloud& cloud);
 
 /// The points that a line of laser light hits, possibly none, and the sensor's pose.
+/// On the wire: `SEN {Type LineLaser} {Name l} {Location 1,2,3} {Orientation 0,0,1.5} {Points [1,0,0][1,1,0]}`.
 struct LineLaserReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -10,6 +10,7 @@
 namespace usar::protocol {
 
 /// The robot's own estimate of its pose, which drifts. It has no Time on the wire in either dialect.
+/// On the wire: `SEN {Type INS} {Name INS} {Location 4.50,1.90,1.80} {Orientation 0.00,6.28,3.01}`.
 struct InsReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -21,6 +22,7 @@ struct InsReading {
 };
 
 /// An older kind of INS that gives the attitude only.
+/// On the wire: `SEN {Type INU} {Name I} {Orientation 0.00,0.25,1.50}`.
 struct InuReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -35,6 +37,7 @@ struct InuReading {
 };
 
 /// The exact pose of the robot.
+/// On the wire: `SEN {Time 395.3833} {Type GroundTruth} {Name GT} {Location 4.50,1.90,-1.85} {Orientation 0,0.25,6}`.
 struct GroundTruthReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -46,6 +49,7 @@ struct GroundTruthReading {
 };
 
 /// The pose by dead reckoning in the frame of the spawn pose. Only x, y and yaw are sent; z, roll and pitch are 0.
+/// On the wire: `SEN {Type Odometry} {Name Odometry} {Pose 0.0320,0.0014,0.0296}`.
 struct OdometryReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -14,6 +14,7 @@ namespace usar::protocol {
 /// A scan by a scanner that turns about two axes. `resolution_rad` and `fov_rad` hold the vertical and then the
 /// horizontal value; ranges are in row-major order. No recording of this sensor is known, so the order within a row is
 /// kept as on the wire (usarsim-protocol 4.5).
+/// On the wire: `SEN {Time 1} {Type RangeScanner3D} {Name S} {Resolution 0.5,0.25} {FOV 1,0.5} {Range 1,2,3}`.
 struct Scan3d {
     std::optional<Seconds> time{};
     std::string name{};
@@ -33,6 +34,7 @@ struct Scan3d {
 /// A strip of a depth image (UDK's Kinect). Depths are measured along the optical axis; rows run from top to bottom
 /// and, unlike scans, from left to right. The image is sent in `frames` strips; 0 before the first request. UDK prints
 /// fractions without their leading zeros, so 2.05 arrives as 2.5, which cannot be corrected here.
+/// On the wire: `SEN {Type RangeImager} {Name k} {Resolution 2,1} {FOV 1.5,0.75} {Frames 2} {Frame 0} {Range 1,2}`.
 struct RangeImage {
     std::optional<Seconds> time{};
     std::string name{};

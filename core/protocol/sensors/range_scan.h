@@ -17,6 +17,7 @@ class LineWriter;
 /// One scan. Beams run from right to left: index 0 looks at -fov/2 (right; counterclockwise is positive), the last one
 /// at +fov/2. The number of beams is the number of values, not the quotient of field of view and resolution. A beam
 /// that hits nothing gives the maximum range; NaN means that the server sent no number.
+/// On the wire: `SEN {Time 395.38} {Type RangeScanner} {Name S1} {Resolution 0.0174} {FOV 3.1415} {Range 1.5,2,…}`.
 struct RangeScan {
     std::optional<Seconds> time{};
     std::string name{};

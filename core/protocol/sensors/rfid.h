@@ -25,6 +25,7 @@ struct SeenTag {
 };
 
 /// All tags in reach. Sent when the list changes.
+/// On the wire: `SEN {Time 8} {Type RFID} {Name R} {ID 21} {Location 3,4.5,0.25} {Mem seen by robot 2} {ID 22}`.
 struct RfidReading {
     std::optional<Seconds> time{};
     std::string name{};

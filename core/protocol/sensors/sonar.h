@@ -20,6 +20,7 @@ struct NamedRange {
 };
 
 /// All sonars of one tick (UT2004), or a single one (UDK). A sonar that hears no echo gives its maximum range.
+/// On the wire: `SEN {Time 395.6055} {Type Sonar} {Name F1 Range 4.5604} {Name F2 Range 2.4576}`.
 struct SonarReadings {
     std::optional<Seconds> time{};
     std::vector<NamedRange> ranges{};
@@ -30,6 +31,7 @@ struct SonarReadings {
 };
 
 /// Sensors that measure along a single ray (IR, and UDK's Range), grouped like sonars.
+/// On the wire: `SEN {Time 1.5} {Type IR} {Name A Range 0.5122} {Name B Range 0.8}`.
 struct RangeReadings {
     std::optional<Seconds> time{};
     std::vector<NamedRange> ranges{};

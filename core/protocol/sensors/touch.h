@@ -20,6 +20,7 @@ struct NamedTouch {
 };
 
 /// All touch sensors of one tick (UT2004), or a single one or a ring of bumpers (UDK).
+/// On the wire: `SEN {Type Touch} {Name L Touch False} {Name R Touch True}`.
 struct TouchReadings {
     std::optional<Seconds> time{};
     std::vector<NamedTouch> touches{};

@@ -24,6 +24,7 @@ struct SeenPart {
 
 /// The body parts in view, sent every fourth tick. Without victims it has a status instead ("NoVictims"), and sometimes
 /// no name.
+/// On the wire: `SEN {Time 1} {Type VictSensor} {Name V} {PartName Leg} {Location 2,0.25,0.5}`.
 struct VictimReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -54,6 +55,7 @@ struct TaggedVictim {
 };
 
 /// All tagged victims in reach of the reader.
+/// On the wire: `SEN {Time 1} {Type VictRFID} {Name V} {ID Becky} {Status ok} {Location 3,2,-1}`.
 struct VictimTagReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -65,6 +67,7 @@ struct VictimTagReading {
 };
 
 /// The probability that a person moves within the sensor's view.
+/// On the wire: `SEN {Time 1} {Type HumanMotion} {Name H} {Prob 0.25}`.
 struct HumanMotionReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -97,6 +100,7 @@ struct Player {
 };
 
 /// All players of the game; `count` is the number that the server announced.
+/// On the wire: `SEN {Type GroundTruthPlayers} {Name P} {Players 1} {PlayerNum 4} {Anchor None} {IsPlayer True}`.
 struct PlayersReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -20,6 +20,7 @@ struct EncoderTicks {
 };
 
 /// All encoders of one tick (UT2004), or a single one (UDK).
+/// On the wire: `SEN {Type Encoder} {Name ECLeft Tick -30} {Name ECRight Tick -18}`.
 struct EncoderReadings {
     std::optional<Seconds> time{};
     std::vector<EncoderTicks> encoders{};
@@ -31,6 +32,7 @@ struct EncoderReadings {
 
 /// Speed and angle of each wheel in the robot's own order; positive is forward. If UDK measures twice in one instant,
 /// the second line has only a name and is ignored.
+/// On the wire: `SEN {Time 48} {Type Tachometer} {Name T} {Vel 0.5,-0.25} {Pos 1,2}`.
 struct TachometerReading {
     std::optional<Seconds> time{};
     std::string name{};

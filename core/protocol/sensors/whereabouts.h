@@ -10,6 +10,7 @@
 namespace usar::protocol {
 
 /// Altitudes; up is positive, on the wire as in our frame.
+/// On the wire: `SEN {Time 32.1} {Type AltitudeSensor} {Name a} {relativeAltitude 1.25} {absoluteAltitude 141.25}`.
 struct AltitudeReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -26,6 +27,7 @@ struct AltitudeReading {
 
 /// The heading as sent, without a unit: the server truncates the angle to an int and converts it twice
 /// (usarsim-protocol 4.5).
+/// On the wire: `SEN {Time 1} {Type MagneticCompass} {Name c} {MagneticAngle 2}`.
 struct CompassReading {
     std::optional<Seconds> time{};
     std::string name{};
