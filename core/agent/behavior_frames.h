@@ -44,6 +44,7 @@ struct Preview {
     std::optional<PlanText> plan;
 };
 
+/// From the program to the host. The map contains new values of all parameters.
 using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Preview>;
 
 /// The reply to a request; the host sends one reply for each request, in the same order.
@@ -67,8 +68,10 @@ struct Dying {
     int signal = 0; ///< number of the signal
 };
 
+/// From the host to the program.
 using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;
 
+/// The bytes of one frame, without the length that FrameChannel adds.
 QByteArray write(const Request& request);
 QByteArray write(const Reply& reply);
 /// Returns nullopt if the bytes are not such a frame or have another version.

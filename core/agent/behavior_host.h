@@ -39,11 +39,14 @@ private:
     void guarded(Call&& call);
     /// Replaces the commands of this call by the safe command and reports BehaviorFinished.
     void fail(const std::string& reason);
+    /// A needed sensor that has reported is no longer missed.
     void noteSensor(const protocol::InfoMessage& message);
+    /// Queues questions about the missed sensors once they have been silent too long.
     void askForSensors();
     template <class Module>
     void ask(Module& module, const std::string& subject);
     void askQuestions();
+    /// Empties the port, completes the sources of the causes, and notes the end or halt of the behavior.
     Output takeOutput();
 
     std::unique_ptr<Behavior> behavior_;

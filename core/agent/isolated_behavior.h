@@ -45,6 +45,7 @@ private:
     /// Sends a request and waits for the answer. `at_work` describes the work for an error message: "it worked on
     /// line".
     Output ask(const frames::Request& request, Seconds patience, const std::string& at_work);
+    /// Takes over the state in an answer and returns its output, after the output owed from before.
     Output take(frames::Answer& answer);
     /// Handles the loss of the process: returns the safe command now and leaves the reason to `takeEnd`.
     Output lose(const std::string& at_work);

@@ -55,7 +55,9 @@ public:
 private:
     enum class Doing { Nothing, Loading, Foretelling };
 
+    /// Starts the process and asks for the description.
     void begin();
+    /// Sends a request and starts the timer.
     void ask(const frames::Request& request, Doing doing);
     /// Asks for the preview that is waiting, if any.
     void goOn();
@@ -68,6 +70,7 @@ private:
     void runOut();
     /// Drops the process and reports what it did ("died by …").
     void lose(const std::string& what);
+    /// Reports an error to the callback that waits.
     void fail(Error error);
     void listenTo(int handle, void (IsolatedPlugin::*call)());
     void becomeDeaf();

@@ -8,8 +8,10 @@
 
 namespace usar::agent {
 
-/// One row. `Settings` is a plain aggregate that a behavior copies, so that new parameters take effect at its next
-/// tick. Units and texts are as in ParameterSpec. The default is the value in a default-constructed `Settings`.
+/// One row, such as {&Settings::turn_rad, "turn_rad", "Turn", "Getting out", "rad", radians(10), radians(180), "How far
+/// the robot turns."}. `Settings` is a plain aggregate that a behavior copies, so that new parameters take effect at
+/// its next tick. Units and texts are as in ParameterSpec. The default is the value in a default-constructed
+/// `Settings`.
 template <class Settings>
 struct ParameterRow {
     std::variant<double Settings::*, long long Settings::*, bool Settings::*> member;

@@ -10,6 +10,7 @@
 
 namespace usar::agent {
 
+/// The index of an alternative is part of the format in behavior_frames.h.
 using ParameterValue = std::variant<bool, long long, double, std::string>;
 
 /// The description of one parameter. The alternative held by `default_value` is its type. Numbers are in SI units and
@@ -42,6 +43,7 @@ public:
     long long integer(const std::string& id) const;
     bool flag(const std::string& id) const;
     const std::string& text(const std::string& id) const;
+    /// All values by id, including defaults.
     const std::map<std::string, ParameterValue>& values() const { return values_; }
     bool operator==(const ParameterSet&) const = default;
 

@@ -74,6 +74,7 @@ enum class PlanStep {
     Cycle,    ///< run one cycle, then halt again
 };
 
+/// Any of these requests. They take effect between two cycles, also while the plan is halted.
 using PlanControl = std::variant<ReplacePlan, SetBreakpoints, SetPins, PlanStep>;
 
 } // namespace usar::agent

@@ -81,9 +81,12 @@ private:
     };
 
     PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program);
+    /// Runs one cycle of the plan. Returns the reason if the plan halts after it.
     std::optional<PlanHalted> runCycle(const Tick& tick, CommandPort& port);
+    /// Publishes the events of the cycle, and the end of the behavior if it has come.
     void report(posh::Outcome outcome, CommandPort& port);
     void publishStatus(const Tick& tick, CommandPort& port);
+    /// The default effect of the order to land.
     void land(CommandPort& port);
     void obey(const ReplacePlan& asked, CommandPort& port);
     void obey(const SetBreakpoints& asked, CommandPort& port);

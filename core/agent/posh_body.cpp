@@ -66,7 +66,6 @@ PoshBody::Opening::~Opening() {
     body_.modules_ = nullptr;
 }
 
-/// Sends the last drive command of the cycle.
 void PoshBody::sendDrive() {
     if (drive_ && port_)
         port_->send(*std::move(drive_), std::move(drive_source_));

@@ -60,7 +60,9 @@ private:
     friend class PoshHost;
 
     void note(posh::TraceEvent event, std::string_view text);
+    /// The path of the sense or act being called, and the reason, for the cause of a command.
     std::string source(std::string_view why) const;
+    /// Sends the last drive command of the cycle.
     void sendDrive();
 
     /// Provides the tick's data and the output while it exists.

@@ -28,6 +28,7 @@ public:
 
     /// Replaces the breakpoints. Returns a sentence for each one that could not be set.
     std::vector<std::string> set(const SetBreakpoints& all);
+    /// Replaces the pins and switches the drives of the engine on or off accordingly.
     void set(const SetPins& pins, posh::Engine& engine);
     /// Switches drives off again after the engine has got another program.
     void switchDrives(posh::Engine& engine) const;
@@ -43,6 +44,7 @@ public:
     bool takeActed() { return pins_.takeActed(); }
 
 private:
+    /// The reason for a halt after the next cycle, if one is requested.
     enum class Soon { No, Halt, Step };
     struct Known {
         PlanBreakpoint asked;

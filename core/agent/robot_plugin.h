@@ -1,4 +1,12 @@
-// The interface that a robot plugin implements, and the entry point of the SDK.
+// The interface that a robot plugin implements, and the entry point of the SDK. A plugin is a Qt plugin library with
+// one class:
+//
+//     class MyRobot : public QObject, public RobotPlugin {
+//         Q_OBJECT
+//         Q_PLUGIN_METADATA(IID USAR_ROBOT_PLUGIN_IID FILE "my_robot.json")
+//         Q_INTERFACES(usar::agent::RobotPlugin)
+//
+// Its JSON file is described at PluginLoader.
 #pragma once
 
 #include <memory>
@@ -67,5 +75,6 @@ inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const Behavi
 
 } // namespace usar::agent
 
+/// The number is the version of this interface; plugins built for another version are rejected.
 #define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/4"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

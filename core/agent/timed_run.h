@@ -16,6 +16,7 @@ namespace usar::agent {
 struct TimedRun {
     Seconds now{0.0};             ///< time of the newest tick
     std::optional<Seconds> began; ///< time of the first tick
+    /// Set by orders; the behavior itself must stop the robot.
     bool paused = false;
     std::string state = "waiting";          ///< in words
     std::optional<BehaviorFinished> ending; ///< set when the behavior is to end

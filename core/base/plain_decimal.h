@@ -11,7 +11,7 @@ namespace usar {
 /// Returns false and leaves `at` unchanged for everything that needs readNumberPrefix: exponents, words, a plus sign,
 /// more than 15 digits. The result is exact because integers of 15 digits and powers of ten up to 10^15 are
 /// representable as doubles, so that the single division rounds correctly (Clinger, "How to read floating point numbers
-/// accurately", 1990).
+/// accurately", 1990). Precondition: `at` <= `end`; `value` is unchanged if this returns false.
 inline bool readPlainDecimal(const char*& at, const char* end, double& value) {
     static constexpr std::array<double, 16> powers_of_ten = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

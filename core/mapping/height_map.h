@@ -103,6 +103,7 @@ private:
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
     /// sequence.
     Slot& slotFor(GridIndex cell);
+    /// Updates everything except the array: preview, provenance, list of changes and range.
     void note(Slot& slot, std::size_t offset, float height_m, LineNumber line);
 
     double cell_size_m_;

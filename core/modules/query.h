@@ -57,8 +57,11 @@ private:
         std::optional<Answer> answer{};
     };
 
+    /// The name is ignored for the type Robot.
     static Key keyOf(const std::string& type, const std::string& name);
+    /// True if `answer` answers the question `key`, which may have been asked earlier.
     bool answers(const Key& key, const Answer& answer, bool asked_now) const;
+    /// Handles a missing answer.
     void giveUpOrWait(const Key& key);
     void fail(const Key& key, Entry& entry, bool no_such_thing);
 

@@ -35,6 +35,7 @@ public:
     static constexpr Seconds jump_limit{10.0};
 
 private:
+    /// None: no time yet. First: only one STA has given a time. Confirmed: another one continued from it.
     enum class Trust { None, First, Confirmed };
     void takeTime(Seconds time);
 

@@ -48,6 +48,7 @@ void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& 
     ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);
 }
 
+/// Adds all six values of a pose.
 template <class Owner>
 void listItem(FieldList& fields, const Owner& owner, const PoseItem<Owner>& item) {
     fields.pose(owner.*item.member);

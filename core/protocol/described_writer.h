@@ -31,6 +31,7 @@ struct ValueWriter {
     }
     void operator()(long long value) const { line.whole(value); }
     void operator()(bool value) const { line.text(value ? "True" : "False"); }
+    /// The key alone states it.
     void operator()(Present) const {}
     void operator()(const std::string& value) const { line.text(value); }
     void operator()(Seconds value) const { line.number(value.count(), decimals); }
@@ -40,6 +41,7 @@ struct ValueWriter {
         else
             line.numbers(crossing == Crossing::Vector ? acrossWire(value) : value, decimals);
     }
+    /// A pose on the ground: x, y and yaw.
     void operator()(const Pose& value) const {
         const Pose on_wire = acrossWire(value);
         line.numbers(Vec3(on_wire.position_m.x(), on_wire.position_m.y(), on_wire.yaw_rad), decimals);

@@ -39,7 +39,7 @@ private:
 
     std::size_t cap_bytes_;
     std::string pending_;
-    bool dropping_ = false;
+    bool dropping_ = false; ///< the current line is too long; its rest is discarded
     std::size_t overlong_count_ = 0;
 };
 

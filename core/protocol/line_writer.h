@@ -35,7 +35,7 @@ public:
         out_ += ' ';
     }
     void close() { out_ += '}'; }
-    /// Values separated by commas.
+    /// Values separated by commas, without key and braces.
     void numbers(const Vec3& values, Decimals decimals) {
         number(values.x(), decimals);
         out_ += ',';

@@ -35,6 +35,7 @@ public:
     void read(std::string_view line, Diagnostics& diagnostics);
 
     std::string_view line() const { return line_; }
+    /// The text before the first brace, trimmed: "SEN". Empty if the line begins with a brace.
     std::string_view typeWord() const { return type_word_; }
     std::span<const Segment> all() const { return segments_; }
     /// The first segment with this key, ignoring case; nullptr if there is none.

@@ -39,6 +39,7 @@ public:
     }
 
 private:
+    /// The mark that was left last.
     struct Mark {
         Seconds time{0.0};
         Vec3 position_m = Vec3::Zero();

@@ -8,7 +8,7 @@
 
 namespace usar::protocol {
 
-/// Converts a position or direction from the wire's frame to ours, or back.
+/// Converts a position or direction from the wire's frame to ours, or back: (x, y, z) becomes (x, -y, -z).
 Vec3 acrossWire(const Vec3& position_m);
 /// Converts a pose; the resulting angles are normalized to (-pi, pi].
 Pose acrossWire(const Pose& pose);

@@ -82,6 +82,7 @@ public:
         if (value)
             mark(key, *value ? "true" : "false");
     }
+    /// A flag that is sent as 1 or 0 instead of true or false.
     void digit(std::string_view key, const std::optional<bool>& value) {
         if (value)
             mark(key, *value ? "1" : "0");
@@ -109,6 +110,7 @@ public:
     /// Writes a pose, or the name of a start pose.
     void start(const std::variant<Pose, Token>& start);
 
+    /// The parts of a segment, for values that no function above can write.
     void open(std::string_view key) {
         out_ += " {";
         out_.append(key);

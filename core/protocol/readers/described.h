@@ -17,6 +17,7 @@
 
 namespace usar::protocol {
 
+/// The segments of a line, or of one group, in order.
 using Pairs = std::span<const KeyedText>;
 
 /// True for the types of members that must be on the line; members of other types may be missing.
@@ -49,6 +50,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Me
         found.missing = item.key;
 }
 
+/// Reads a pose, which is damaged if only one of its two segments is there.
 template <class Owner>
 void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner>& item, ItemsFound& found) {
     const KeyedText* const location = findPair(pairs, "Location");

@@ -94,6 +94,7 @@ bool take(LineReading& line, std::string_view value, std::optional<Vec3>& member
 bool take(LineReading& line, std::string_view value, std::optional<Pose>& member, Crossing);
 bool take(LineReading& line, std::string_view value, std::vector<double>& member, Crossing);
 
+/// Resets a member to absent, empty or zero, keeping the memory of texts and lists.
 template <class Member>
 void clear(Member& member) {
     if constexpr (requires { member.clear(); })
