@@ -1,5 +1,5 @@
-// The seam between Mission Control and anything that decides: message-shaped, so that a behavior can run in this
-// process, in a thread or in a process of its own without being changed.
+// The interface between Mission Control and the code that makes decisions for a robot. It exchanges messages only, so
+// that a behavior can run in the caller's thread, in a thread or in a process of its own without being changed.
 #pragma once
 
 #include <optional>
@@ -14,39 +14,42 @@
 
 namespace usar::agent {
 
-/// What the behavior is asked to do.
+/// The task that a behavior is given.
 struct Task {
     std::string robot_name;
-    Pose start_in_map;     ///< where the robot was spawned
+    Pose start_in_map;     ///< pose at which the robot was spawned
     Rectangle area_in_map; ///< mission area; empty for behaviors that need none
     bool operator==(const Task&) const = default;
 };
 
-/// What a person may ask of a running behavior.
+/// An order by the operator to a running behavior.
 enum class Order { Pause, Resume, LandNow };
 
-/// One tick, on every STA: the protocol clock and the modules' newest values. Modules belong to the host; asking them
-/// (geometry.query) is allowed, keeping a reference is not.
+/// The input of one tick, which occurs on every STA. The modules belong to the host; a behavior may query them
+/// (geometry.query), but must not keep a reference.
 struct Tick {
-    Seconds now{0.0};
-    LineNumber line;
-    modules::RobotModules& robot;
+    Seconds now{0.0};             ///< on the protocol's clock
+    LineNumber line;              ///< line number of the STA
+    modules::RobotModules& robot; ///< newest values
 };
 
-/// Decides. Sees info lines, module snapshots, parameters, orders and the tick's time; answers with commands and
-/// published values; nothing else crosses. No GUI, no socket, no clock, no thread, no state shared with anyone.
+/// Makes the decisions for one robot. Its only inputs are info lines, the modules' values, parameters, orders and the
+/// time of the tick; its only outputs are commands and published values. A behavior has no GUI, socket, clock or thread
+/// and shares no state. All calls come from one thread at a time. An exception stops the behavior.
 class Behavior {
 public:
     virtual ~Behavior();
-    /// Every info line, before the tick that it may cause.
+    /// Takes every info line, before the tick that the line may cause.
     virtual void onInfo(const protocol::InfoLine& line, CommandPort& port);
+    /// Decides, on every STA.
     virtual void tick(const Tick& tick, CommandPort& port) = 0;
+    /// Obeys an order of the operator, between ticks.
     virtual void order(Order order, CommandPort& port) = 0;
-    /// New values while running; already checked against the specs.
+    /// Takes new values while running; they have been checked against the specs.
     virtual void setParameters(const ParameterSet& parameters) = 0;
-    /// Of a behavior that a plan decides; others refuse a plan and have nothing to halt.
+    /// Controls the plan, if a plan makes the decisions. The default refuses a new plan and ignores everything else.
     virtual void control(const PlanControl& control, CommandPort& port);
-    /// The commands that make the robot safe at once (zero DRIVE); asked for at stop, at close and after a fault.
+    /// The command that makes the robot safe at once (a DRIVE of zeros); used at stop, at close and after a fault.
     virtual protocol::Command safeCommand() const = 0;
 };
 

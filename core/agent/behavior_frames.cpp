@@ -15,7 +15,7 @@ namespace usar::agent::frames {
 
 namespace {
 
-/// One list of fields for both directions: `Put` writes them, `Take` reads them into their places.
+// Each type has one list of fields for both directions: `Put` writes the fields, `Take` reads them.
 class Put {
 public:
     explicit Put(QByteArray& bytes) : stream_(&bytes, QIODevice::WriteOnly) { stream_.setVersion(QDataStream::Qt_6_0); }
@@ -166,7 +166,7 @@ void pass(Take& take, PlanStep& step) {
     passEnum(take, step, PlanStep::Cycle);
 }
 
-/// What has the same fields in both directions; `Of` is constant where it is written.
+/// Satisfied by `Plain` and by `const Plain`: with it, one function serves reading and writing.
 template <class Of, class Plain>
 concept Either = std::is_same_v<std::remove_const_t<Of>, Plain>;
 
@@ -222,7 +222,7 @@ void pass(auto& io, Either<Line> auto& line) {
     (pass(io, line.number), pass(io, line.text));
 }
 
-/// As a line of the wire; one that was raw stays so, though its words may be those of a command that we know.
+/// Passes a command as a protocol line. A raw command stays raw, even if its words are those of a known command.
 void pass(Put& put, const protocol::Command& command) {
     const auto* const raw = std::get_if<protocol::RawCommand>(&command);
     put(raw != nullptr);
@@ -232,7 +232,7 @@ void pass(Take& take, protocol::Command& command) {
     bool raw = false;
     std::string line;
     (take(raw), take(line));
-    Diagnostics ours; // what we wrote ourselves has none
+    Diagnostics ours; // our own line has no problems
     command = raw ? protocol::Command(protocol::RawCommand{line}) : protocol::readCommand(line, ours);
 }
 void pass(Put& put, const Published& value) {

@@ -1,4 +1,4 @@
-// What crosses the border between the program and a behavior in a process of its own.
+// The frames that the program and a behavior in a process of its own exchange.
 #pragma once
 
 #include <map>
@@ -14,28 +14,29 @@
 
 namespace usar::agent::frames {
 
-/// Raised with every change of what follows. A host of another version is refused.
+/// Version of the format, which increases with every change of the frames below. Hosts of another version are refused.
 inline constexpr quint32 version = 3;
 
-/// The first frame to the host: which behavior of which plugin, and what it is to do.
+/// The first frame to the host of a behavior: the behavior, its plugin and its task.
 struct Start {
     std::string plugin_file;
     std::string behavior_id;
     Task task;
     std::map<std::string, ParameterValue> parameters;
-    std::optional<PlanText> plan;
+    std::optional<PlanText> plan; ///< replaces the plan that comes with the robot
 };
 
-/// A line as it came, for the reader on the other side: no second way to write forty kinds of message.
+/// An info line as received, to be read by the other side, so that forty kinds of messages need no second format.
 struct Line {
     LineNumber number;
     std::string text;
 };
 
-/// In place of Start: what the plugin says of itself is wanted, and then previews.
+/// Sent instead of Start: asks for the plugin's description. Previews may follow.
 struct Describe {
     std::string plugin_file;
 };
+/// Asks for the preview of a task, with the fields of Start.
 struct Preview {
     std::string behavior_id;
     Task task;
@@ -43,34 +44,37 @@ struct Preview {
     std::optional<PlanText> plan;
 };
 
+/// From the program to the host. The map contains new values of all parameters.
 using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Preview>;
 
-/// To each request one, in the same order.
+/// The reply to a request; the host sends one reply for each request, in the same order.
 struct Answer {
-    RunningBehavior::Output output;
-    protocol::Command safe; ///< what the behavior would say if it had to stop now
-    bool halted = false;
+    RunningBehavior::Output output; ///< empty for new parameters
+    protocol::Command safe;         ///< the behavior's safe command at this time
+    bool halted = false;            ///< as in RunningBehavior; so are the next two
     bool finished = false;
     bool broke = false;
 };
-/// To Describe. A preview is answered by one.
+/// The reply to Describe. The reply to Preview is a TaskPreview.
 struct Description {
     RobotDescription robot;
 };
-/// In place of the answer to Start, Describe or Preview.
+/// The reply to Start, Describe or Preview if they fail.
 struct Refusal {
     Error error;
 };
-/// The last word of a host, said in the handler of a signal.
+/// The last frame of a host, sent by its signal handler.
 struct Dying {
-    int signal = 0;
+    int signal = 0; ///< number of the signal
 };
 
+/// From the host to the program.
 using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;
 
+/// The bytes of one frame, without the length that FrameChannel adds.
 QByteArray write(const Request& request);
 QByteArray write(const Reply& reply);
-/// Nothing where the bytes are no such frame, or of another version.
+/// Returns nullopt if the bytes are not such a frame or have another version.
 std::optional<Request> readRequest(const QByteArray& frame);
 std::optional<Reply> readReply(const QByteArray& frame);
 

@@ -10,15 +10,15 @@ namespace usar::agent {
 
 namespace {
 
-/// Sensors speak several times a second; what has been silent so long may not be there.
+/// Sensors report several times per second; one that has been silent for this long may not exist.
 constexpr Seconds sensors_silent{3.0};
 
-/// Those that speak only when there is something to tell (usarsim-protocol 5): their silence says nothing.
+/// Sensors that report only if they detect something (usarsim-protocol 5); their silence means nothing.
 constexpr std::array<std::string_view, 10> silent_by_nature{
     "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
     "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
 
-/// The type of a sensor on the wire; empty for a message that is none's.
+/// A visitor that returns the sensor's type on the wire; empty for messages that do not come from sensors.
 struct SensorType {
     template <protocol::SensorMessage Sensor>
     std::string_view operator()(const Sensor& reading) const {
@@ -67,7 +67,7 @@ void BehaviorHost::guarded(Call&& call) {
 
 void BehaviorHost::fail(const std::string& reason) {
     finished_ = true;
-    port_.takeCommands(); // what it wanted before it failed is not to be trusted
+    port_.takeCommands(); // its output before the fault cannot be trusted
     CausedCommand safe = safeCommand("stopped after a fault");
     port_.send(std::move(safe.command), "stopped after a fault");
     port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " " + reason});
@@ -96,7 +96,7 @@ void BehaviorHost::noteSensor(const protocol::InfoMessage& message) {
         std::erase_if(sensors_missed_, [type](const std::string& one) { return sameWord(one, type); });
 }
 
-/// One that is there and has nothing to tell answers about its configuration.
+/// A sensor that exists but has nothing to report still has a configuration, so this is what the server is asked for.
 void BehaviorHost::askForSensors() {
     if (!first_tick_)
         first_tick_ = modules_.state.now();

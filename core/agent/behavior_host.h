@@ -1,4 +1,4 @@
-// Runs one behavior against the lines of one connection, in the caller's thread.
+// Runs one behavior on the lines of one connection, in the caller's thread.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace usar::agent {
 
-/// Owns the behavior and its modules. Lines and orders go in, caused commands and published values come out. The
-/// behavior ticks on every STA (thesis 3); questions that the modules have waiting are sent on every line, and those
-/// that nobody answers are reported as BehaviorEvent. A behavior that throws, or whose robot has not the sensors that
-/// it needs, is stopped.
+/// Owns the behavior and its modules. Takes lines and orders, and returns commands with their causes and published
+/// values. The behavior ticks on every STA (thesis 3). On every line, the host sends the next question waiting in the
+/// modules; unanswered ones are reported as BehaviorEvent. A behavior is stopped if it throws or if its robot lacks a
+/// sensor that it needs.
 class BehaviorHost final : public RunningBehavior {
 public:
-    /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning". A sensor that is needed (by its type)
-    /// and has not spoken in the first three seconds is asked for; where the server says that there is none, the
-    /// behavior is stopped.
+    /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning". `sensors_needed` are types on the
+    /// wire. If a needed sensor has not reported within three seconds of the first tick, the server is asked for its
+    /// configuration; if there is none, or no answer, the behavior is stopped.
     explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
                           std::vector<std::string> sensors_needed = {});
     ~BehaviorHost() override;
@@ -34,21 +34,26 @@ public:
     const std::string& behaviorId() const override { return behavior_id_; }
 
 private:
+    /// Makes the call unless the behavior has finished, and stops the behavior if it throws.
     template <class Call>
     void guarded(Call&& call);
+    /// Replaces the commands of this call by the safe command and reports BehaviorFinished.
     void fail(const std::string& reason);
+    /// A needed sensor that has reported is no longer missed.
     void noteSensor(const protocol::InfoMessage& message);
+    /// Queues questions about the missed sensors once they have been silent too long.
     void askForSensors();
     template <class Module>
     void ask(Module& module, const std::string& subject);
     void askQuestions();
+    /// Empties the port, completes the sources of the causes, and notes the end or halt of the behavior.
     Output takeOutput();
 
     std::unique_ptr<Behavior> behavior_;
     std::string behavior_id_;
     modules::RobotModules modules_;
     CommandPort port_;
-    std::vector<std::string> sensors_missed_; ///< types that are needed and have not spoken
+    std::vector<std::string> sensors_missed_; ///< needed types that have not reported yet
     std::optional<Seconds> first_tick_;
     LineNumber last_line_;
     bool finished_ = false;

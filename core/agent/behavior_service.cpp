@@ -21,29 +21,29 @@ namespace usar::agent {
 
 namespace {
 
-/// Long enough for whoever is busy; who is gone does not make us wait.
+/// Long enough for a busy program; if the program is gone, sending fails at once.
 constexpr Seconds patience_to_answer{60.0};
 constexpr std::array deadly{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGTERM};
 
-/// What a handler of signals may touch: made before the first one can come.
+/// All data that the signal handler uses, prepared before the first signal can arrive.
 struct LastWords {
     int socket = -1;
-    std::array<std::array<char, 64>, 65> frames{}; ///< by signal, each with its length before it
+    std::array<std::array<char, 64>, 65> frames{}; ///< by signal number; each frame is preceded by its length
     std::array<std::size_t, 65> sizes{};
 };
 LastWords last_words;
 
-/// The connection ends here and now, for a process may take long to be dumped to the disk.
+/// Sends the prepared frame and closes the connection at once, because writing a core dump may take long.
 void sayLastWords(int signal) {
     const auto number = static_cast<std::size_t>(signal);
     (void)::send(last_words.socket, last_words.frames[number].data(), last_words.sizes[number],
                  MSG_NOSIGNAL | MSG_DONTWAIT);
     ::shutdown(last_words.socket, SHUT_WR);
-    ::raise(signal); // its handler is the default one again
+    ::raise(signal); // SA_RESETHAND has restored the default handler
 }
 
 void prepareLastWords(int socket) {
-    static std::array<char, 1 << 16> stack_of_handlers; // the usual one may have run over
+    static std::array<char, 1 << 16> stack_of_handlers; // the normal stack may have overflowed
     stack_t stack{};
     stack.ss_sp = stack_of_handlers.data();
     stack.ss_size = stack_of_handlers.size();
@@ -63,7 +63,8 @@ void prepareLastWords(int socket) {
     }
 }
 
-/// A behavior that hangs would not notice that nobody waits any more.
+/// Ends the process when the other side closes the connection. A thread waits for this, because a behavior that hangs
+/// would not notice.
 void endWithTheOtherSide(int socket) {
     std::thread([socket] {
         pollfd watched{socket, POLLRDHUP, 0};
@@ -73,7 +74,7 @@ void endWithTheOtherSide(int socket) {
     }).detach();
 }
 
-/// What is made from the first frame.
+/// The behavior and its context, created from the first frame.
 struct Service {
     static Result<Service> make(const frames::Start& start, PluginLoader& plugins);
     RunningBehavior::Output answer(const frames::Request& request);
@@ -137,7 +138,7 @@ frames::Reply previewOf(const frames::Preview& asked, const PluginLoader& plugin
     return *std::move(preview);
 }
 
-/// Of what needs no behavior; nothing for all else.
+/// The reply to a request that needs no behavior; nullopt for other requests.
 std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Request>& request, PluginLoader& plugins) {
     if (!request)
         return std::nullopt;

@@ -1,4 +1,4 @@
-// From a plugin to a behavior at work.
+// Starts a behavior from a plugin.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace usar::agent {
 
-/// How a behavior gets a process of its own.
+/// The means to run a behavior in a process of its own.
 struct Isolation {
     QString program; ///< path of usar-behavior-host
 };
 
-/// Makes the behavior and hands it to a thread of its own; or, isolated, prepares a process that makes it. Plugins are
-/// code of other people: what they throw or refuse comes back as an error (isolated, from the process: as the
-/// behavior's end), and so does a behavior that no loaded plugin has.
+/// Creates the behavior in a thread of its own, or, with `isolation`, prepares a process that will create it. Plugins
+/// are third-party code: if one throws or refuses, this returns an error (in an isolated process, it ends the behavior
+/// instead). Also returns an error if no loaded plugin has the behavior.
 Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugins, const std::string& behavior_id,
                                                        BehaviorContext context,
                                                        const std::optional<Isolation>& isolation = {});

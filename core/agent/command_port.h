@@ -1,4 +1,4 @@
-// Where a behavior's answers go: commands with their cause, and published values.
+// Collects a behavior's output: commands with their causes, and published values.
 #pragma once
 
 #include <string>
@@ -10,20 +10,24 @@
 
 namespace usar::agent {
 
+/// A command and the reason why it is sent.
 struct CausedCommand {
     protocol::Command command;
     Cause cause;
     bool operator==(const CausedCommand&) const = default;
 };
 
-/// Collects what one call of a behavior answers. The owner empties it; nothing is sent while the behavior runs.
+/// Collects the output of one call of a behavior. The owner empties it afterwards; nothing is sent during the call.
 class CommandPort {
 public:
-    /// `source` says which state or plan node decided; the triggering line is stamped by the host.
+    /// `source` names the state or plan node that decided; the host adds the behavior's id and the triggering line.
     void send(protocol::Command command, std::string source);
+    /// Values are delivered in the order of publication.
     void publish(Published value);
 
+    /// Sets the line that counts as the trigger of the commands that follow.
     void setTrigger(LineNumber line) { trigger_ = line; }
+    /// Return what has been collected, in order, and empty the port.
     std::vector<CausedCommand> takeCommands();
     std::vector<Published> takePublished();
 

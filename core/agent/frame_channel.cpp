@@ -24,7 +24,7 @@ FrameChannel::Waited FrameChannel::waitFor(short events, std::optional<Seconds> 
         int left_ms = -1;
         if (patience)
             left_ms = static_cast<int>(std::ceil(std::max(0.0, Seconds(until - Clock::now()).count()) * 1e3));
-        std::array watched{pollfd{socket_, events, 0}, pollfd{process_handle_, POLLIN, 0}}; // below 0: passed over
+        std::array watched{pollfd{socket_, events, 0}, pollfd{process_handle_, POLLIN, 0}}; // ignored if below 0
         const int ready = ::poll(watched.data(), watched.size(), left_ms);
         if (ready == 0 || (ready < 0 && errno != EINTR))
             return Waited::TimedOut;
@@ -36,7 +36,7 @@ FrameChannel::Waited FrameChannel::waitFor(short events, std::optional<Seconds> 
 bool FrameChannel::send(const QByteArray& frame, Seconds patience) {
     QByteArray bytes(sizeof(quint32), Qt::Uninitialized);
     qToLittleEndian(static_cast<quint32>(frame.size()), bytes.data());
-    bytes += frame; // in one piece, or the other side would wake up twice
+    bytes += frame; // in one piece, so that the other side wakes up only once
     for (qsizetype sent = 0; sent < bytes.size();) {
         const ssize_t now = ::send(socket_, bytes.constData() + sent, static_cast<std::size_t>(bytes.size() - sent),
                                    MSG_NOSIGNAL | MSG_DONTWAIT);

@@ -1,4 +1,4 @@
-// Calls into a plugin that keep what it throws from ending the program.
+// Calls plugins such that their exceptions do not end the program.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace usar::agent {
 
-/// `createBehavior`, with an exception or a missing object turned into an error that names the behavior.
+/// Calls `createBehavior`. Turns an exception or a null result into an error that names the behavior.
 Result<std::unique_ptr<Behavior>> makeBehavior(const RobotPlugin& plugin, const std::string& id,
                                                BehaviorContext context);
 
-/// `preview`, likewise.
+/// Calls `preview`. Turns an exception into such an error.
 Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id, const BehaviorContext& context);
 
 } // namespace usar::agent

@@ -22,7 +22,7 @@ namespace usar::agent {
 
 namespace {
 
-/// Where the host finds its end of the connection.
+/// The file descriptor under which the host finds its end of the connection.
 constexpr int host_socket = 3;
 
 std::string signalInWords(int signal) {
@@ -30,13 +30,13 @@ std::string signalInWords(int signal) {
     return name ? "SIG" + std::string(name) + " (" + ::strsignal(signal) + ")" : "signal " + std::to_string(signal);
 }
 
-/// Can be read from when the process is over; below 0 where the system has no such thing.
+/// Returns a file descriptor that becomes readable when the process ends; negative if the system has none.
 int handleOf(int process) {
-    // The header of glibc 2.36 declares pidfd_open for C alone.
+    // The header of glibc 2.36 declares pidfd_open for C only.
     return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
 }
 
-/// Waits for the end of a process that is as good as over, at most so long; nothing where it lives on.
+/// Waits up to `patience` for a process that is about to end, and returns its status; nullopt if it has not ended.
 std::optional<int> statusOf(int process, Seconds patience) {
     if (const int handle = handleOf(process); handle >= 0) {
         pollfd its_end{handle, POLLIN, 0};
@@ -47,7 +47,7 @@ std::optional<int> statusOf(int process, Seconds patience) {
     return ::waitpid(process, &status, WNOHANG) == process ? std::optional(status) : std::nullopt;
 }
 
-/// Our own environment with another folder for temporary files.
+/// A copy of our environment with another folder for temporary files.
 class Environment {
 public:
     explicit Environment(const QTemporaryDir& scratch) : folder_("TMPDIR=" + QFile::encodeName(scratch.path())) {
@@ -65,16 +65,16 @@ private:
     std::vector<char*> variables_;
 };
 
-/// Its number, or the error below 0.
+/// Starts the program. Returns the process id, or the negated error number.
 int spawn(const QString& program, int socket, const QTemporaryDir& scratch) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawnattr_init(&attributes);
     ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO); // our output is for our words
+    ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO); // stdout belongs to this program
     ::posix_spawn_file_actions_adddup2(&actions, socket, host_socket);
-    // Ctrl+C in a terminal is for us, who then end it in order.
+    // Ctrl+C in a terminal must reach only this program, which then ends the process in an orderly way.
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     QByteArray path = QFile::encodeName(program);
     QByteArray option = QByteArray::number(host_socket);
@@ -107,7 +107,7 @@ Result<std::unique_ptr<HostProcess>> HostProcess::start(const QString& program, 
     return wrong(program.toStdString() + ": " + std::strerror(-process));
 }
 
-/// A process may be gone and its end of the connection open still, where it has left children behind.
+/// Watches both the process and the connection, because the children of a dead process may keep the connection open.
 HostProcess::HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir> scratch)
     : scratch_(std::move(scratch))
     , process_(process)
@@ -124,7 +124,7 @@ HostProcess::HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir>
 
 HostProcess::~HostProcess() {
     becomeDeaf();
-    channel_.reset(); // it ends by that, if it is well
+    channel_.reset(); // a healthy process ends because of this
     if (process_handle_ >= 0)
         ::close(process_handle_);
     if (process_ > 0 && !statusOf(process_, Seconds{0.2}))
@@ -148,7 +148,7 @@ void HostProcess::leave() {
     reap();
 }
 
-/// One that is being dumped to the disk takes its time.
+/// Waits in a thread, because a process that writes a core dump may take long to end.
 void HostProcess::reap() {
     if (process_ > 0)
         std::thread([process = std::exchange(process_, 0)] { ::waitpid(process, nullptr, 0); }).detach();
@@ -184,7 +184,7 @@ std::string HostProcess::howItEnded(std::optional<int> signal, Seconds patience)
     if (status)
         process_ = 0;
     else
-        kill(); // it hung up and lives on
+        kill(); // it has closed the connection but still runs
     if (status && WIFSIGNALED(*status))
         return "died by " + signalInWords(WTERMSIG(*status));
     if (status && WIFEXITED(*status))

@@ -1,4 +1,4 @@
-// usar-behavior-host as a child: its process, the connection to it, and how it ended.
+// A child process that runs usar-behavior-host: the process, the connection to it, and the reason for its end.
 #pragma once
 
 #include <memory>
@@ -13,49 +13,55 @@
 
 namespace usar::agent {
 
-/// Ends its process when it goes, and waits up to 200 ms for one that is well. Used from its owner's thread. POSIX
-/// only; on other systems than Linux the end of the connection alone tells that it is gone. The process has a folder of
-/// its own for temporary files, which goes with this, for one that is killed leaves all of them behind.
+/// The destructor closes the connection, waits up to 200 ms for the process to end, and then kills it. Use it from the
+/// owner's thread. POSIX only; on systems other than Linux, only the end of the connection shows that the process is
+/// gone. The process has its own folder for temporary files, which this object deletes, because a killed process leaves
+/// its files behind.
 class HostProcess {
 public:
-    /// `program` is the path of usar-behavior-host. The error names `subject`, whatever is to have the process.
+    /// `program` is the path of usar-behavior-host. The error names `subject`, the behavior or plugin that needs the
+    /// process.
     static Result<std::unique_ptr<HostProcess>> start(const QString& program, const std::string& subject);
     ~HostProcess();
     Q_DISABLE_COPY_MOVE(HostProcess)
 
-    /// Nothing in time: `TimedOut`. Its words are in `reply` where they are understood, else it counts as gone.
+    /// Sends a request and waits for the reply. TimedOut if there is none within `patience`; Closed if the process is
+    /// gone or its reply cannot be read.
     FrameChannel::Received ask(const frames::Request& request, Seconds patience, std::optional<frames::Reply>& reply);
-    /// Asks without waiting, also for the answer: `listen` has it once the end handle can be read from. False where it
-    /// is gone. The request is smaller than what a socket takes in (some 200 kB).
+    /// Sends a request without waiting; `listen` returns the reply once the end handle is readable. False if the
+    /// process is gone. The request must fit into the socket's buffer (about 200 kB).
     bool tell(const frames::Request& request);
-    /// What has come; does not wait. `TimedOut` where nothing has, or only a part of it.
+    /// Returns a reply that has arrived, without waiting. TimedOut if none, or only a part of one, has arrived.
     FrameChannel::Received listen(std::optional<frames::Reply>& reply);
 
-    /// 0 where there is none any more.
+    /// Process id; 0 if the process is known to have ended or has been given up.
     int id() const { return process_; }
-    /// Can be read from when the process or its end of the connection is gone, or has said something; -1 once `deaf`.
+    /// A file descriptor that becomes readable when the process sends something, ends or closes the connection; -1
+    /// after `becomeDeaf`.
     int endHandle() const { return end_handle_; }
+    /// Closes the end handle.
     void becomeDeaf();
-    /// Can be read from when the process is over; -1 where the system has no such thing.
+    /// A file descriptor that becomes readable when the process ends; -1 if the system has none.
     int processHandle() const { return process_handle_; }
+    /// Kills the process without waiting for its end.
     void kill();
-    /// Hangs up and lets it end by itself, however long that takes: it may be being dumped to the disk.
+    /// Closes the connection and lets the process end by itself, however long it takes: it may be writing a core dump.
     void leave();
-    /// "died by SIGSEGV (Segmentation fault)". `signal`: as its last words name it. Without them the process is waited
-    /// for, so long at the most; one that lives on then is killed.
+    /// "died by SIGSEGV (Segmentation fault)". `signal` is the number in its last frame (Dying). Without it, waits up
+    /// to `patience` for the process to end, and kills it if it does not.
     std::string howItEnded(std::optional<int> signal, Seconds patience = Seconds{0.5});
 
 private:
     HostProcess(int process, int socket, std::unique_ptr<QTemporaryDir> scratch);
-    /// Without waiting for it.
+    /// Collects the exit status in the background.
     void reap();
     FrameChannel::Received take(std::optional<Seconds> patience, std::optional<frames::Reply>& reply);
 
     std::unique_ptr<QTemporaryDir> scratch_;
     int process_ = 0;
     std::optional<FrameChannel> channel_;
-    int process_handle_ = -1; ///< can be read from when the process is over
-    int end_handle_ = -1;     ///< of the process and the connection together
+    int process_handle_ = -1; ///< readable when the process has ended
+    int end_handle_ = -1;     ///< an epoll descriptor for the process handle and the connection
 };
 
 } // namespace usar::agent

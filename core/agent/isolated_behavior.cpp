@@ -8,8 +8,9 @@ namespace usar::agent {
 
 namespace {
 
-/// Of a process, its libraries and the plugin's constructor.
+/// Time limit for starting the process, loading its libraries and the plugin, and creating the behavior.
 constexpr Seconds patience_at_start{15.0};
+/// Number of bytes of a line that messages quote.
 constexpr std::size_t words_of_a_line = 60;
 
 } // namespace
@@ -93,7 +94,7 @@ RunningBehavior::Output IsolatedBehavior::takeEnd() {
         return {};
     std::optional<frames::Reply> reply;
     if (host_->listen(reply) == FrameChannel::Received::TimedOut)
-        return {}; // nothing has come after all
+        return {}; // nothing has arrived after all
     const std::string at_work = "it waited after line";
     if (reply && std::holds_alternative<frames::Dying>(*reply))
         return die(host_->howItEnded(std::get<frames::Dying>(*reply).signal), at_work);
@@ -104,12 +105,11 @@ RunningBehavior::Output IsolatedBehavior::lose(const std::string& at_work) {
     ending_ = true;
     halted_ = false;
     lost_at_work_ = at_work;
-    host_->becomeDeaf(); // or its handle would tell of it for ever
+    host_->becomeDeaf(); // otherwise its handle would stay readable forever
     owed_.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
     return std::exchange(owed_, {});
 }
 
-/// The robot first: the words may be long.
 RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std::string& at_work) {
     std::string reason = "The behavior " + start_.behavior_id + " " + how + ", while " + at_work;
     if (last_line_.value > 0)

@@ -1,4 +1,4 @@
-// A behavior in a process of its own: what it breaks there breaks nothing here.
+// A behavior in a process of its own, where it cannot damage this program.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,13 @@
 
 namespace usar::agent {
 
-/// Starts usar-behavior-host and asks it as it would ask a BehaviorHost: each call crosses to the other process and
-/// waits for its answer there, so that a mission is the same either way. One that is gone (its process, or its end of
-/// the connection) or does not answer within the patience (it is killed then) gives the safe command that it named
-/// last, and BehaviorFinished says by which signal it died, in which state and at which line. Ends its process when it
-/// goes.
+/// Starts usar-behavior-host and forwards each call to the BehaviorHost there, waiting for the answer, so that a
+/// mission runs the same as without isolation. If the process or its end of the connection is gone, or if it does not
+/// answer within the patience (it is killed then), this returns the behavior's last safe command, and BehaviorFinished
+/// tells by which signal it died, in which state and at which line. The destructor ends the process.
 class IsolatedBehavior final : public RunningBehavior {
 public:
-    /// `program` is the path of usar-behavior-host. Nothing is started before `begin`.
+    /// `program` is the path of usar-behavior-host. `begin` starts the process.
     IsolatedBehavior(QString program, frames::Start start);
     ~IsolatedBehavior() override;
 
@@ -39,16 +38,20 @@ public:
     int endHandle() const override { return host_ ? host_->endHandle() : -1; }
     Output takeEnd() override;
 
-    /// 0 where there is none, or none any more.
+    /// 0 if the process has not started or is gone.
     int processId() const { return host_ ? host_->id() : 0; }
 
 private:
-    /// `at_work` says what it does meanwhile: "it worked on line 7 (STA …)".
+    /// Sends a request and waits for the answer. `at_work` describes the work for an error message: "it worked on
+    /// line".
     Output ask(const frames::Request& request, Seconds patience, const std::string& at_work);
+    /// Takes over the state in an answer and returns its output, after the output owed from before.
     Output take(frames::Answer& answer);
-    /// It is gone: the robot first, the reason by `takeEnd`.
+    /// Handles the loss of the process: returns the safe command now and leaves the reason to `takeEnd`.
     Output lose(const std::string& at_work);
+    /// Ends the behavior with a reason that includes its last line, state and decision.
     Output die(const std::string& how, const std::string& at_work);
+    /// Ends the behavior with the safe command and the reason.
     Output end(const std::string& reason);
 
     QString program_;
@@ -56,11 +59,11 @@ private:
     std::unique_ptr<HostProcess> host_;
     protocol::Command safe_;
     LineNumber last_line_;
-    std::string last_text_;     ///< of that line, shortened
-    std::string last_state_;    ///< that it has told
+    std::string last_text_;     ///< text of that line, shortened
+    std::string last_state_;    ///< newest state in a BehaviorStatus
     std::string last_decision_; ///< state or plan node that caused its newest command
-    std::string lost_at_work_;  ///< what it did when it was lost; for `takeEnd`
-    Output owed_;               ///< came of a call that answers nothing
+    std::string lost_at_work_;  ///< its work when it was lost, for `takeEnd`
+    Output owed_;               ///< output of a call that returns none, for the next call to return
     Seconds patience_{1.0};
     bool halted_ = false;
     bool ending_ = false;

@@ -84,7 +84,7 @@ void IsolatedPlugin::goOn() {
 void IsolatedPlugin::listen() {
     std::optional<frames::Reply> reply;
     if (host_->listen(reply) == FrameChannel::Received::TimedOut)
-        return; // a part of it
+        return; // only a part has arrived
     if (!reply)
         return awaitEnd();
     if (const auto* const dying = std::get_if<frames::Dying>(&*reply))
@@ -110,7 +110,7 @@ void IsolatedPlugin::take(frames::Reply reply) {
         return lose("answered what nobody had asked");
     doing_ = Doing::Nothing;
     if (wanted_)
-        return goOn(); // with what has been asked for since
+        return goOn(); // with the newer request
     if (const auto tell = std::exchange(told_preview_, nullptr))
         tell(std::move(*preview));
 }
@@ -135,7 +135,7 @@ void IsolatedPlugin::lose(const std::string& what) {
     hangUp();
     ending_ = false;
     if (doing_ == Doing::Nothing)
-        return; // the next preview starts it anew
+        return; // the next preview starts it again
     fail({"it " + what + " while " + (doing_ == Doing::Loading ? "being loaded" : "foretelling a task") +
               " in a process of its own",
           "plugin " + QFileInfo(file_).fileName().toStdString(), "Mend it and build it again"});
@@ -144,11 +144,11 @@ void IsolatedPlugin::lose(const std::string& what) {
 void IsolatedPlugin::fail(Error error) {
     const Doing done = std::exchange(doing_, Doing::Nothing);
     if (done == Doing::Loading)
-        hangUp(); // it lives, and has nothing to say
+        hangUp(); // the process runs but is of no use
     if (const auto tell = std::exchange(told_, nullptr))
         return tell(tl::unexpected(std::move(error)));
     if (done == Doing::Foretelling && wanted_)
-        return goOn(); // it was another's
+        return goOn(); // the error belongs to an older request
     wanted_.reset();
     if (const auto tell = std::exchange(told_preview_, nullptr))
         tell(tl::unexpected(std::move(error)));
@@ -162,7 +162,7 @@ void IsolatedPlugin::listenTo(int handle, void (IsolatedPlugin::*call)()) {
     QObject::connect(ear_.get(), &QSocketNotifier::activated, ear_.get(), [this, call] { (this->*call)(); });
 }
 
-/// It may be the ear that has just heard.
+/// Deletes the notifier later, because this may be called from its own signal.
 void IsolatedPlugin::becomeDeaf() {
     if (!ear_)
         return;

@@ -1,4 +1,4 @@
-// One table says where in a behavior's settings a parameter's value lies and what a form shows of it.
+// A table that links each parameter of a behavior to its member in the behavior's settings and to its entry in a form.
 #pragma once
 
 #include <variant>
@@ -8,8 +8,10 @@
 
 namespace usar::agent {
 
-/// A row of the table of `Settings`, a plain aggregate that a behavior copies: new parameters take effect at its next
-/// tick. Units as in ParameterSpec. The default is what a default-made `Settings` has there.
+/// One row, such as {&Settings::turn_rad, "turn_rad", "Turn", "Getting out", "rad", radians(10), radians(180), "How far
+/// the robot turns."}. `Settings` is a plain aggregate that a behavior copies, so that new parameters take effect at
+/// its next tick. Units and texts are as in ParameterSpec. The default is the value in a default-constructed
+/// `Settings`.
 template <class Settings>
 struct ParameterRow {
     std::variant<double Settings::*, long long Settings::*, bool Settings::*> member;
@@ -17,15 +19,15 @@ struct ParameterRow {
     const char* label;
     const char* group;
     const char* unit;
-    double minimum; ///< of numbers, inclusive
+    double minimum; ///< for numbers, inclusive
     double maximum;
     const char* help;
 };
 
-/// What a form shows, in the table's order.
+/// The specs for a form, in the table's order.
 template <class Settings>
 std::vector<ParameterSpec> specsOf(const std::vector<ParameterRow<Settings>>& table) {
-    static const Settings defaults{}; // static: GCC 12 takes one on the stack for uninitialized
+    static const Settings defaults{}; // static, because GCC 12 warns that one on the stack is uninitialized
     std::vector<ParameterSpec> specs;
     for (const ParameterRow<Settings>& row : table) {
         specs.push_back({row.id, row.label, row.group, row.unit, 0.0, row.minimum, row.maximum, row.help, {}});
@@ -34,7 +36,7 @@ std::vector<ParameterSpec> specsOf(const std::vector<ParameterRow<Settings>>& ta
     return specs;
 }
 
-/// `parameters` were made from `specsOf(table)`.
+/// The settings with the values of `parameters`, which must have been made from `specsOf(table)`.
 template <class Settings>
 Settings settingsOf(const std::vector<ParameterRow<Settings>>& table, const ParameterSet& parameters) {
     struct Load {

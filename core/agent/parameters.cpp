@@ -56,7 +56,7 @@ Result<void> checkText(const ParameterSpec& spec, const std::string& text) {
     return failure(shown(text) + " is not one of the choices", "parameter " + spec.id, "Choose one of: " + all);
 }
 
-/// The value in the spec's own type, whole numbers taken for reals.
+/// The value converted to the type of its spec (whole numbers are accepted for reals), or an error.
 Result<ParameterValue> checked(const ParameterSpec& spec, ParameterValue value) {
     if (std::holds_alternative<double>(spec.default_value) && std::holds_alternative<long long>(value))
         value = static_cast<double>(std::get<long long>(value));

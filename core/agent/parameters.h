@@ -1,4 +1,4 @@
-// Typed parameters of a behavior: what a form shows, a mission file sets and a behavior reads.
+// Typed parameters of a behavior, which are shown in forms, set in mission files and read by the behavior.
 #pragma once
 
 #include <map>
@@ -10,10 +10,11 @@
 
 namespace usar::agent {
 
+/// The index of an alternative is part of the format in behavior_frames.h.
 using ParameterValue = std::variant<bool, long long, double, std::string>;
 
-/// One parameter as its author describes it. The alternative held by `default_value` is the type. Numbers are SI and
-/// radians; widgets and files that people write show angles in degrees where `unit` is "rad".
+/// The description of one parameter. The alternative held by `default_value` is its type. Numbers are in SI units and
+/// radians; widgets and hand-written files show angles in degrees if `unit` is "rad".
 struct ParameterSpec {
     std::string id;    ///< "scan_altitude_m": the unit is part of the name
     std::string label; ///< "Scan altitude"
@@ -23,24 +24,26 @@ struct ParameterSpec {
     double minimum = 0.0; ///< numbers only, inclusive
     double maximum = 0.0;
     std::string help;                 ///< one sentence
-    std::vector<std::string> choices; ///< for a text that is one of several
+    std::vector<std::string> choices; ///< permitted texts; empty if any text is permitted
 
     bool operator==(const ParameterSpec&) const = default;
 };
 
-/// A complete, valid set of values for a list of specs.
+/// A complete, valid set of values for a list of specs. An empty set can be default-constructed.
 class ParameterSet {
 public:
-    /// Defaults, overridden by `values`. An unknown id (the error names the nearest), a wrong type or a value out of
-    /// range is an error that names parameter, value and range. Whole numbers are taken for reals.
+    /// The defaults, overridden by `values`. Returns an error if an id is unknown (it suggests the nearest), or if a
+    /// value has the wrong type or is out of range (it names parameter, value and range). Whole numbers are accepted
+    /// for reals.
     static Result<ParameterSet> make(const std::vector<ParameterSpec>& specs,
                                      const std::map<std::string, ParameterValue>& values = {});
 
-    /// Asking for an id that has no spec, or for the wrong type, is a bug (assertion).
+    /// The id must have a spec of the requested type (assertion).
     double real(const std::string& id) const;
     long long integer(const std::string& id) const;
     bool flag(const std::string& id) const;
     const std::string& text(const std::string& id) const;
+    /// All values by id, including defaults.
     const std::map<std::string, ParameterValue>& values() const { return values_; }
     bool operator==(const ParameterSet&) const = default;
 

@@ -1,5 +1,5 @@
-// What a person asks of a behavior that a plan decides: another plan, where to stop, what to pretend, and how to go on.
-// Values only: they cross threads and, one day, processes.
+// Requests to a behavior that is controlled by a plan: to replace the plan, to halt and continue it, and to simulate
+// senses and acts. Plain data, which is passed between threads and processes.
 #pragma once
 
 #include <string>
@@ -11,52 +11,54 @@
 
 namespace usar::agent {
 
-/// A POSH plan as a person wrote it.
+/// The source text of a POSH plan.
 struct PlanText {
-    std::string name; ///< of the file, for messages
+    std::string name; ///< file name, for messages
     std::string text;
     bool operator==(const PlanText&) const = default;
 };
 
-/// Between two cycles this plan takes the place of the one that runs. PlanReplaced says what became of it.
+/// Replaces the running plan between two cycles. PlanReplaced reports the result.
 struct ReplacePlan {
     PlanText plan;
     bool operator==(const ReplacePlan&) const = default;
 };
 
-/// `id` is the asker's: what is said of a breakpoint names it by that.
+/// A breakpoint. The sender chooses `id`, by which PlanHalted refers to it.
 struct PlanBreakpoint {
     int id = 0;
     posh::Breakpoint what;
     bool operator==(const PlanBreakpoint&) const = default;
 };
 
-/// All that there are from now on. Those that were there already keep their counts of hits.
+/// The complete list of breakpoints from now on. Breakpoints that were set before and have not changed keep their hit
+/// counts.
 struct SetBreakpoints {
     std::vector<PlanBreakpoint> breakpoints;
     bool operator==(const SetBreakpoints&) const = default;
 };
 
-/// Calls are named as traces write them: fly("lake", $speed=9).
+/// Makes a sense answer with a fixed value. `call` is written as in traces: fly("lake", $speed=9).
 struct SensePin {
     std::string call;
     posh::Value answer;
     bool operator==(const SensePin&) const = default;
 };
+/// Makes an act have a fixed result without reaching the robot.
 struct ActPin {
     std::string call;
     posh::ActResult result = posh::ActResult::Failed;
     bool operator==(const ActPin&) const = default;
 };
 
-/// Found as breakpoints are: by path, repaired by names.
+/// Switches a drive off. The drive is found by its path or, if the plan has changed, by its names, like a breakpoint.
 struct DriveOff {
     std::string path;
     std::string names;
     bool operator==(const DriveOff&) const = default;
 };
 
-/// All that is pretended from now on; empty: nothing. They outlive a replaced plan.
+/// All pins and switched-off drives from now on; empty removes them. They remain in force if the plan is replaced.
 struct SetPins {
     std::vector<SensePin> senses;
     std::vector<ActPin> acts;
@@ -65,12 +67,14 @@ struct SetPins {
     bool operator==(const SetPins&) const = default;
 };
 
+/// Halts or continues the plan.
 enum class PlanStep {
-    Halt,     ///< stand still behind the next cycle
+    Halt,     ///< halt after the next cycle
     Continue, ///< until a breakpoint hits
-    Cycle,    ///< one, then stand still again
+    Cycle,    ///< run one cycle, then halt again
 };
 
+/// Any of these requests. They take effect between two cycles, also while the plan is halted.
 using PlanControl = std::variant<ReplacePlan, SetBreakpoints, SetPins, PlanStep>;
 
 } // namespace usar::agent

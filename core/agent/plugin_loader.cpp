@@ -53,7 +53,7 @@ QString complaintAboutMetadata(const QJsonObject& metadata) {
     return {};
 }
 
-/// What can be said before any of the library's code runs.
+/// Problems that can be found before any of the library's code runs; empty if there are none.
 QString complaintBeforeLoading(const QJsonObject& raw) {
     if (raw.isEmpty())
         return "It is no Qt plugin, or the file is damaged. Remove it from the folder, or build it again.";
@@ -92,7 +92,7 @@ QStringList behaviorsIn(const QJsonObject& metadata) {
     return textsIn(metadata, "behaviors");
 }
 
-/// Of a plugin that has not told more.
+/// Descriptions made from the metadata of a plugin that has not answered yet.
 std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
     std::vector<RobotDescription> robots;
     for (const QString& class_name : textsIn(metadata, "robots")) {
@@ -119,9 +119,9 @@ void join(std::vector<RobotDescription>& kinds, const RobotDescription& robot) {
 
 } // namespace
 
-/// A file as it was opened: its library, or what was wrong with it.
+/// An opened file: its library, or the reason why it was rejected.
 struct PluginLoader::Library {
-    /// What can be known without its code.
+    /// Reads what can be known without running its code.
     void look();
     void open(const QString& copy);
     QString load(const QString& path);
@@ -130,12 +130,12 @@ struct PluginLoader::Library {
     QString file;
     FileStamp stamp;
     QJsonObject metadata;
-    QString complaint;                           ///< empty where all is well so far
-    const RobotPlugin* plugin = nullptr;         ///< none where it complains
-    std::optional<RobotDescription> description; ///< none before it has told, or where it complains
-    std::unique_ptr<QPluginLoader> loader;       ///< does not unload when it dies
-    std::unique_ptr<IsolatedPlugin> isolated;    ///< in place of `loader`
-    bool apart = false;                          ///< it is isolated, or was to be
+    QString complaint;                           ///< reason of the rejection; empty if there is none so far
+    const RobotPlugin* plugin = nullptr;         ///< not to be used if there is a complaint
+    std::optional<RobotDescription> description; ///< absent if rejected or not described yet
+    std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
+    std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
+    bool apart = false;                          ///< isolated, even if it could not be loaded there
     bool dangerous = false;
 };
 
@@ -146,7 +146,8 @@ void PluginLoader::Library::look() {
 }
 
 void PluginLoader::Library::open(const QString& copy) {
-    // A library that looks for others beside itself finds them only where it lies.
+    // If the copy cannot be loaded, try the original: a library that needs others in its own folder finds them only
+    // there.
     if (!QFile::copy(file, copy) || !load(copy).isEmpty())
         complaint = load(file);
     if (complaint.isEmpty())
@@ -165,7 +166,7 @@ void PluginLoader::Library::describe() {
 
 QString PluginLoader::Library::load(const QString& path) {
     loader = std::make_unique<QPluginLoader>(path);
-    // Otherwise a missing symbol would end the program at its first use instead of failing here.
+    // Without this, a missing symbol would end the program at its first use instead of failing here.
     loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
     QObject* instance = nullptr;
     try {
@@ -303,11 +304,11 @@ void PluginLoader::openLibrary(Library& library) {
                             "process of its own.";
         return;
     }
-    const QString folder = QString::number(++copies_made_); // a path that was loaded once is never loaded again
+    const QString folder = QString::number(++copies_made_); // a path that was loaded once would not be loaded again
     QDir(copies_.path()).mkpath(folder);
     policy_.marks.begin(library.file, library.stamp);
     library.open(copies_.filePath(folder + '/' + QFileInfo(library.file).fileName()));
-    policy_.marks.end(library.file); // all its code that runs by itself has run
+    policy_.marks.end(library.file); // all code that runs during loading has run
 }
 
 void PluginLoader::isolate(Library& library) {

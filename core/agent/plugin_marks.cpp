@@ -13,11 +13,12 @@ namespace usar::agent {
 
 namespace {
 
-/// "BYTES MILLISECONDS": with the process and the file's name one line each.
+/// "BYTES MILLISECONDS", the first line of a mark; the others are the process id and the file's name.
 QByteArray textOf(const FileStamp& stamp) {
     return QByteArray::number(stamp.bytes) + ' ' + QByteArray::number(stamp.written_ms);
 }
 
+/// True if `process` is another process that still runs.
 bool othersAreAt(qint64 process) {
     return process > 0 && process != QCoreApplication::applicationPid() && ::kill(static_cast<pid_t>(process), 0) == 0;
 }

@@ -21,7 +21,7 @@ bool isChoice(const PoshParameter& parameter, const std::string& word) {
     return parameter.choices.empty() || std::ranges::find(parameter.choices, word) != parameter.choices.end();
 }
 
-/// Of an enumeration constant, what stands behind its last dot.
+/// The part of an enumeration constant after its last dot.
 std::string lastPart(const std::string& constant) {
     return constant.substr(constant.rfind('.') + 1);
 }

@@ -1,4 +1,4 @@
-// What a sense or act of a plan is called with, checked and converted once when the plan is put in.
+// The arguments of the calls of senses and acts in a plan, checked and converted once when the plan is loaded.
 #pragma once
 
 #include <string>
@@ -10,24 +10,27 @@
 
 namespace usar::agent {
 
-/// `value` as a value of that parameter: whole numbers are taken for reals, the last part of an enumeration constant
-/// for a symbol, a text for a symbol. The error is a phrase: "takes $x as …, not …".
+/// Converts `value` to the type of the parameter: accepts whole numbers for reals, and for symbols also texts and the
+/// last part of enumeration constants. The error is a phrase: "takes $x as …, not …".
 Result<posh::Value, std::string> convertArgument(const PoshParameter& parameter, const posh::Value& value);
 
-/// The parameter that the `position`-th argument of a call gives a value to; null where there is none.
+/// The parameter to which an argument of a call belongs: the one called `name`, or, if that is empty, the one at
+/// `position` (from 0). nullptr if there is none.
 const PoshParameter* parameterFor(const PrimitiveDescription& primitive, std::size_t position, const std::string& name);
 
-/// A value for each parameter.
+/// A value for each parameter of a sense or act.
 class PoshArguments {
 public:
+    /// The defaults, overridden by the arguments of the call. The error is a phrase that begins with the primitive's
+    /// name.
     static Result<PoshArguments, std::string> make(const PrimitiveDescription& primitive,
                                                    const std::vector<posh::CallArgument>& arguments);
 
-    /// Asking for a parameter that is not declared, or for another type, is a bug (assertion).
+    /// The parameter must be declared (assertion) with the requested type.
     double real(std::string_view name) const;
     std::int64_t whole(std::string_view name) const;
     bool flag(std::string_view name) const;
-    /// Of a text or a symbol.
+    /// The value of a parameter that is a text or a symbol.
     const std::string& text(std::string_view name) const;
 
 private:

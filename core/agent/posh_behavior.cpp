@@ -114,7 +114,7 @@ std::optional<PlanHalted> PoshBehavior::runCycle(const Tick& tick, CommandPort& 
     const posh::Outcome outcome = engine_.cycle(wholeMilliseconds(tick.now));
     body.place_ = 0;
     const bool is_idle = outcome == posh::Outcome::Idle;
-    const bool undriven = debugger_.takeActed() && !body.drive_; // it would go on as the act before told it
+    const bool undriven = debugger_.takeActed() && !body.drive_; // otherwise it would keep obeying the act before
     if (reporter_.needs_safety || (is_idle && !idle_) || undriven)
         body.drive(body.safeCommand());
     idle_ = is_idle;
@@ -172,7 +172,7 @@ void PoshBehavior::order(Order order, CommandPort& port) {
     port.send(safeCommand(), "paused");
 }
 
-/// The robot's safe command is all that a body without an order of its own can do.
+/// The safe command is the only response to the order if the body does not handle it.
 void PoshBehavior::land(CommandPort& port) {
     landing_ = true;
     engine_.stop();
@@ -194,7 +194,7 @@ void PoshBehavior::obey(const ReplacePlan& asked, CommandPort& port) {
     if (news.fate != PlanFate::Refused)
         remark(port);
     if (news.fate == PlanFate::Restarted && !debugger_.halted() && !paused_)
-        port.send(safeCommand(), "plan replaced"); // what its act wanted last is over
+        port.send(safeCommand(), "plan replaced"); // the last command of the old plan's act no longer applies
     port.publish(std::move(news));
 }
 
@@ -242,7 +242,7 @@ void PoshBehavior::obey(PlanStep step, CommandPort& port) {
         goOn(port);
 }
 
-/// `last_drive_` is not sent: the robot gets it when the plan goes on.
+/// Does not send `last_drive_`: the robot gets it when the plan continues.
 void PoshBehavior::standStill(PlanHalted why, CommandPort& port) {
     parts_.body->drive_.reset();
     port.send(safeCommand(), "plan halted");

@@ -1,4 +1,4 @@
-// A behavior that is a plan file and a robot's senses and acts.
+// A behavior that consists of a plan and a robot's senses and acts.
 #pragma once
 
 #include <memory>
@@ -15,28 +15,29 @@
 
 namespace usar::agent {
 
-/// What a plan behavior is made of.
+/// The parts of a plan behavior.
 struct PoshParts {
-    std::string plan_name; ///< of its file, for messages
+    std::string plan_name; ///< file name, for messages
     std::string plan_text;
     PoshRegistry registry;
     std::unique_ptr<PoshBody> body;
-    posh::EngineOptions options; ///< a plan whose goal is reached is finished, whatever they say
+    posh::EngineOptions options; ///< except `on_goal`: reaching the goal always ends the behavior
 };
 
-/// One cycle a tick, on the robot's own clock in whole milliseconds. An act that throws, a plan that spends its budget
-/// of acts or a drive that starves is reported by its path, and the robot gets its safe command in that cycle; when no
-/// drive is ready it gets it once. Orders that the body does not see to: pause and resume keep the plan where it is;
-/// landing stops the plan and gives the safe command. The plan's goal finishes the behavior. What happens is published
-/// as PlanTrace at every tick.
+/// Runs one cycle per tick, on the protocol's clock in whole milliseconds. If an act throws, the plan exhausts its
+/// budget of acts or a drive starves, this is reported with the path, and the robot gets its safe command in that
+/// cycle. If no drive is ready, it gets the safe command once. Orders that the body does not handle have a default
+/// effect: pause and resume keep the plan's position; landing stops the plan and sends the safe command. Reaching the
+/// plan's goal finishes the behavior. Each tick publishes the events as PlanTrace.
 ///
-/// Where a person holds it still no cycle runs, and the robot has its safe command; when it goes on, the last cycle's
-/// drive command goes out again, so that a robot whose time stood still does not notice. An order to land lets it go
-/// on. A plan of the same shape as the one that runs (see posh::sameShape) takes its place without a break; any other
-/// begins at its root, and until it has decided the robot has its safe command.
+/// While the plan is halted by the operator, no cycle runs and the robot has its safe command. When the plan continues,
+/// the last cycle's drive command is sent again, so that a robot whose time stood still does not notice the halt. An
+/// order to land also continues the plan. A new plan of the same shape as the running one (see posh::sameShape)
+/// replaces it without interruption; any other begins at its root, and the robot has its safe command until the plan
+/// decides.
 class PoshBehavior final : public Behavior {
 public:
-    /// A plan that cannot be read, or does not fit the robot, is an error that lists all that is wrong with it.
+    /// Returns an error that lists all problems if the plan cannot be read or does not fit the robot.
     static Result<std::unique_ptr<PoshBehavior>> make(PoshParts parts);
     ~PoshBehavior() override;
 
@@ -49,11 +50,11 @@ public:
 
     const std::string& planText() const { return parts_.plan_text; }
     const posh::Engine& engine() const { return engine_; }
-    /// Null: nobody watches.
+    /// Sets an additional observer of the trace, which must outlive this object; nullptr removes it.
     void watch(posh::TraceObserver* observer);
 
 private:
-    /// Hears what goes wrong, keeps the trace, and passes everything on.
+    /// Turns errors and warnings into events, keeps the trace, and passes all records on.
     class Reporter final : public posh::TraceObserver {
     public:
         Reporter(std::string plan_text, posh::TraceObserver& debugger)
@@ -66,7 +67,7 @@ private:
         void setPlanText(std::string text) { encoder_.setPlanText(std::move(text)); }
         std::string takeTrace() { return encoder_.takeBytes(); }
 
-        bool needs_safety = false; ///< in this cycle
+        bool needs_safety = false; ///< the robot needs its safe command in this cycle
         std::vector<BehaviorEvent> events;
 
     private:
@@ -76,22 +77,27 @@ private:
         posh::TraceObserver& debugger_;
         posh::TraceObserver* next_ = nullptr;
         std::shared_ptr<const posh::Program> program_;
-        std::set<std::pair<posh::Index, std::string>> reported_; ///< once each
+        std::set<std::pair<posh::Index, std::string>> reported_; ///< by place and text; each is reported once
     };
 
     PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program);
+    /// Runs one cycle of the plan. Returns the reason if the plan halts after it.
     std::optional<PlanHalted> runCycle(const Tick& tick, CommandPort& port);
+    /// Publishes the events of the cycle, and the end of the behavior if it has come.
     void report(posh::Outcome outcome, CommandPort& port);
     void publishStatus(const Tick& tick, CommandPort& port);
+    /// The default effect of the order to land.
     void land(CommandPort& port);
     void obey(const ReplacePlan& asked, CommandPort& port);
     void obey(const SetBreakpoints& asked, CommandPort& port);
     void obey(const SetPins& asked, CommandPort& port);
     void obey(PlanStep step, CommandPort& port);
     PlanReplaced replacePlan(const PlanText& plan);
-    /// What is worth knowing about the plan before it decides.
+    /// Publishes a note if the plan asks for real time.
     void remark(CommandPort& port);
+    /// Halts: sends the safe command and publishes the reason.
     void standStill(PlanHalted why, CommandPort& port);
+    /// Continues a halted plan; no effect otherwise.
     void goOn(CommandPort& port);
 
     PoshParts parts_;
@@ -99,11 +105,11 @@ private:
     PoshDebugger debugger_;
     Reporter reporter_;
     posh::Engine engine_;
-    std::optional<CausedCommand> last_drive_; ///< what the robot is to do when a halted plan goes on
-    std::optional<Seconds> began_;
-    bool paused_ = false;
-    bool idle_ = false;
-    bool landing_ = false;
+    std::optional<CausedCommand> last_drive_; ///< sent again when a halted plan continues
+    std::optional<Seconds> began_;            ///< time of the first tick
+    bool paused_ = false;                     ///< by an order
+    bool idle_ = false;                       ///< no drive was ready in the last cycle
+    bool landing_ = false;                    ///< the plan was stopped by the order to land
     bool finished_ = false;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_similar = 3;
 
-/// Names that the engine has itself.
+/// True for the senses and acts that are built into the engine.
 bool isBuiltIn(std::string_view name, PrimitiveKind kind) {
     constexpr std::string_view executor = "cz.cuni.amis.pogamut.sposh.executor.";
     constexpr std::array<std::string_view, 4> senses{"succeed", "true", "fail", "false"};
@@ -119,13 +119,13 @@ void Checker::checkArguments(const Call& call, const PrimitiveDescription& primi
         }
         const auto* const literal = std::get_if<posh::Literal>(&argument.value);
         if (!literal)
-            continue; // what it comes to is known when the plan is expanded
+            continue; // its value is known only when the plan is expanded
         if (const auto value = convertArgument(*parameter, literal->value); !value)
             complain(Code::WrongUse, call.name.at, primitive.name + " " + value.error() + "; write another value");
     }
 }
 
-/// "did you mean A, B or C?".
+/// "did you mean A, B or C?", or advice without names if none is similar.
 std::string Checker::similarTo(const std::string& name, PrimitiveKind kind) const {
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const PrimitiveDescription& primitive : primitives_)
@@ -150,7 +150,7 @@ posh::Findings checkBinding(const posh::Plan& plan, const std::vector<PrimitiveD
 
 namespace {
 
-/// Arguments that come from parameters of forms: known since the plan is expanded.
+/// Checks the arguments that come from parameters of forms, which are known once the plan is expanded.
 void checkExpanded(const std::vector<posh::ProgramCall>& calls, const std::vector<PrimitiveDescription>& primitives,
                    posh::Findings& findings) {
     for (const posh::ProgramCall& call : calls) {

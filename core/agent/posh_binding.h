@@ -1,4 +1,4 @@
-// Checks a plan against the senses and acts of its robot, before the robot moves.
+// Checks a plan against the senses and acts of its robot before the robot moves.
 #pragma once
 
 #include <memory>
@@ -13,22 +13,24 @@
 
 namespace usar::agent {
 
-/// E303 for a plan without drives; E304 for each use of a name that the robot has not, with up to three similar ones;
-/// E305 for a form that takes a primitive's name; E307 for a primitive used in the wrong way or with arguments that it
-/// does not take. In the order of the text; empty: the plan can run. No robot need be there: descriptions are enough.
+/// Reports E303 for a plan without drives, E304 for each use of a name that the robot does not have (with up to three
+/// similar names), E305 for a form with the name of a primitive, and E307 for a primitive used in the wrong way or with
+/// unsuitable arguments. Findings are in the order of the text; if there are none, the plan can run. Needs no robot,
+/// only the descriptions of its primitives.
 posh::Findings checkBinding(const posh::Plan& plan, const std::vector<PrimitiveDescription>& primitives);
 
-/// Those of reading the text and of binding; the program, where there is no error.
+/// The findings of reading the text and of checking it against the robot, and the program; nullptr if there are errors.
 struct PlanForRobot {
     posh::Findings findings;
     std::shared_ptr<const posh::Program> program;
 };
+/// Reads, checks and compiles a plan.
 PlanForRobot bindPlan(std::string_view text, const std::vector<PrimitiveDescription>& primitives);
 
-/// A note where the plan asks for real time: it runs by the robot's clock as any other. Else empty.
+/// A note for the user if the plan asks for real time, because it runs on the robot's clock like any other; else empty.
 std::string clockRemark(const posh::Plan& plan);
 
-/// One error that lists all errors among the findings.
+/// A single error that lists all errors among the findings.
 Error planRefusal(const std::string& plan_name, const posh::Findings& findings);
 
 } // namespace usar::agent

@@ -58,7 +58,7 @@ PoshBody::Opening::Opening(PoshBody& body, const Tick& tick, CommandPort& port) 
     body_.port_ = &port;
     body_.modules_ = &tick.robot;
     body_.now_ = tick.now;
-    body_.drive_.reset(); // what an act said when nobody listened
+    body_.drive_.reset(); // from an act that was called outside a tick
 }
 
 PoshBody::Opening::~Opening() {
@@ -66,7 +66,6 @@ PoshBody::Opening::~Opening() {
     body_.modules_ = nullptr;
 }
 
-/// The last drive command of the cycle.
 void PoshBody::sendDrive() {
     if (drive_ && port_)
         port_->send(*std::move(drive_), std::move(drive_source_));

@@ -9,7 +9,7 @@ namespace usar::agent {
 
 namespace {
 
-/// `text` is what the trace said beside the hit.
+/// The reason for a halt in words; `text` is the text of the trace record that hit the breakpoint.
 std::string reasonOf(const posh::Breakpoint& breakpoint, const std::string& names, const std::string& text) {
     switch (breakpoint.on) {
     case posh::BreakOn::Before:

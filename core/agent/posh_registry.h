@@ -1,4 +1,4 @@
-// The senses and acts that a robot offers to plans. Made without a robot: editors and checks ask it, too.
+// The senses and acts that a robot offers to plans. It needs no robot, so editors and checks can use it, too.
 #pragma once
 
 #include <concepts>
@@ -16,7 +16,7 @@
 
 namespace usar::agent {
 
-/// An act at work; one for each call of a plan.
+/// A running act; there is one object for each call in a plan. `init` comes first, `run` once per cycle, `done` last.
 class PoshAct {
 public:
     virtual ~PoshAct() = default;
@@ -25,29 +25,30 @@ public:
     virtual void done(PoshBody&, const PoshArguments&, posh::DoneReason) {}
 };
 
+/// A sense or act: its description and its code.
 struct PoshPrimitive {
     PrimitiveDescription description;
     std::function<void(const PoshBody&, const PoshArguments&, posh::Value&)> sense; ///< empty for an act
     std::function<std::unique_ptr<PoshAct>()> make_act;                             ///< empty for a sense
 };
 
-/// By name, sense or act; the later of two of one name replaces the earlier.
+/// Senses and acts by name; adding one under an existing name replaces the earlier one.
 class PoshRegistry {
 public:
-    /// Goes on describing what was just added.
+    /// Completes the description of the primitive that was just added; valid until the next change of the registry.
     class Entry {
     public:
         explicit Entry(PrimitiveDescription& description) : description_(description) {}
         Entry& describe(std::string help) { return description_.help = std::move(help), *this; }
         Entry& takes(PoshParameter parameter) { return description_.parameters.push_back(std::move(parameter)), *this; }
         Entry& unit(std::string unit) { return description_.unit = std::move(unit), *this; }
-        /// Of a sense's number.
+        /// The range of a sense's number, inclusive.
         Entry& within(double minimum, double maximum) {
             description_.minimum = minimum;
             description_.maximum = maximum;
             return *this;
         }
-        /// Of a sense's symbol.
+        /// The symbols that a sense may answer.
         Entry& oneOf(std::vector<std::string> choices) { return description_.choices = std::move(choices), *this; }
         Entry& needs(std::string sensor_or_command) {
             return description_.needs.push_back(std::move(sensor_or_command)), *this;
@@ -60,21 +61,21 @@ public:
     Entry add(PoshPrimitive primitive);
     const PoshPrimitive* find(std::string_view name) const;
     const std::map<std::string, PoshPrimitive, std::less<>>& all() const { return primitives_; }
-    /// In the order of their names.
+    /// Descriptions sorted by name.
     std::vector<PrimitiveDescription> descriptions() const;
 
 private:
     std::map<std::string, PoshPrimitive, std::less<>> primitives_;
 };
 
-/// Adds senses and acts of robots whose body is a `Body`.
+/// Adds senses and acts for robots whose body is a `Body` to a registry, which must outlive this object.
 template <std::derived_from<PoshBody> Body>
 class PoshPrimitives {
 public:
     explicit PoshPrimitives(PoshRegistry& registry) : registry_(registry) {}
 
-    /// `ask(const Body&, const PoshArguments&)` or `ask(const Body&)`; answers with a truth value, a number, a text, a
-    /// symbol or a Value.
+    /// `ask` is called as `ask(const Body&, const PoshArguments&)` or `ask(const Body&)` and returns a bool, a number,
+    /// a text, a symbol or a Value.
     template <class Ask>
     PoshRegistry::Entry sense(std::string name, Ask ask) {
         using Answer = decltype(call(ask, std::declval<const Body&>(), std::declval<const PoshArguments&>()));
@@ -92,8 +93,8 @@ public:
         return registry_.add(std::move(primitive));
     }
 
-    /// `code(Body&, const PoshArguments&)` or `code(Body&)`, done in one call. Answers with an ActResult; true or
-    /// nothing means RunningOnce, false Failed.
+    /// An act that is done in one call: `code(Body&, const PoshArguments&)` or `code(Body&)`. It returns an ActResult;
+    /// a result of true or void means RunningOnce, false means Failed.
     template <class Act>
     PoshRegistry::Entry act(std::string name, Act code) {
         PoshPrimitive primitive = actNamed(std::move(name));
@@ -101,8 +102,8 @@ public:
         return registry_.add(std::move(primitive));
     }
 
-    /// A class with `ActResult run(Body&, const PoshArguments&)` and, if it likes, `init` with the same parameters and
-    /// `done` with a DoneReason as well.
+    /// An act of class `Act`, which has `ActResult run(Body&, const PoshArguments&)` and, optionally, `init` with the
+    /// same parameters and `done` with an additional DoneReason.
     template <std::default_initializable Act>
     PoshRegistry::Entry act(std::string name) {
         PoshPrimitive primitive = actNamed(std::move(name));

@@ -1,4 +1,4 @@
-// What a behavior tells the world besides commands. Values only: they cross threads and processes.
+// The values that a behavior publishes besides commands. Plain data, which is passed between threads and processes.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@
 
 namespace usar::agent {
 
-/// Every tick: the figures of the status strip. Unknown figures are absent.
+/// The values of the status strip, published at every tick. Unknown values are absent.
 struct BehaviorStatus {
     Seconds time{0.0};    ///< protocol clock
     Seconds elapsed{0.0}; ///< since the behavior started
     std::string state;    ///< in words: "scanning lane 4 of 9"
     std::optional<double> distance_to_goal_m;
-    std::optional<double> battery_used_pct; ///< of the simulated capacity, 0..100
-    std::optional<double> range_left_m;     ///< before the reserve is touched
-    std::optional<double> progress_pct;     ///< of the whole task, 0..100
+    std::optional<double> battery_used_pct; ///< share of the simulated capacity, 0..100
+    std::optional<double> range_left_m;     ///< distance until the reserve is needed
+    std::optional<double> progress_pct;     ///< share of the whole task, 0..100
     std::optional<Seconds> time_left;       ///< estimate on the protocol clock
     double distance_flown_m = 0.0;
     int charges = 0;
@@ -34,16 +34,17 @@ struct BehaviorStatus {
     bool operator==(const BehaviorStatus&) const = default;
 };
 
-/// Where the robot believes it is; drives the trail.
+/// The robot's own estimate of its pose; the trail on the map is made from it.
 struct PoseEstimate {
-    Seconds time{0.0};
+    Seconds time{0.0}; ///< protocol clock
     Pose base_in_map;
     bool operator==(const PoseEstimate&) const = default;
 };
 
-/// The thesis's marks on the height map (figure 4.4).
+/// The kinds of marks on the height map in the thesis (figure 4.4).
 enum class MarkKind { Path, Diversion, LowRisk, HighRisk, Recharge, Landing, GoalGivenUp };
 
+/// One mark, with the time and the info line that led to it.
 struct MapMark {
     MarkKind kind = MarkKind::Path;
     Vec3 position_in_map_m = Vec3::Zero();
@@ -52,28 +53,29 @@ struct MapMark {
     bool operator==(const MapMark&) const = default;
 };
 
-/// "Put that scan on the map": names the scan's line and where the scanner was when it was taken.
+/// Asks for a scan to be written to the map: names the scan's line and the scanner's pose when it was taken.
 struct ScanPlacement {
     LineNumber scan_line;
     Pose scanner_in_map;
     bool operator==(const ScanPlacement&) const = default;
 };
 
-/// The lanes that the behavior means to fly, in order, and where it is heading now.
+/// The path that the behavior plans to fly, in order.
 struct PlannedPath {
     std::vector<Vec2> points_in_map_m;
     bool operator==(const PlannedPath&) const = default;
 };
+/// The point to which the robot is heading; absent if there is none.
 struct CurrentGoal {
     std::optional<Vec3> goal_in_map_m;
     bool operator==(const CurrentGoal&) const = default;
 };
 
-/// A sonar's reading judged by the robot's threat zones, for the columns view. Distances in metres.
 enum class Risk { None, Low, High };
+/// A sonar's reading and the risk according to the robot's threat zones, for the columns view.
 struct SonarZone {
     std::string name;
-    double bearing_rad = 0.0; ///< counter-clockwise positive, robot frame
+    double bearing_rad = 0.0; ///< counterclockwise positive, robot frame
     double range_m = 0.0;
     double maximum_m = 0.0;
     double low_risk_below_m = 0.0;
@@ -86,53 +88,53 @@ struct SonarZones {
     bool operator==(const SonarZones&) const = default;
 };
 
-/// Something the person should know; becomes a notification.
+/// A message for the operator, which becomes a notification.
 struct BehaviorEvent {
     Severity severity = Severity::Note;
     std::string text;
     bool operator==(const BehaviorEvent&) const = default;
 };
 
-/// The last word of a behavior. `reason` is a sentence.
+/// The last value of a behavior. `reason` is a sentence.
 struct BehaviorFinished {
     bool success = false;
     std::string reason;
     bool operator==(const BehaviorFinished&) const = default;
 };
 
-/// What a POSH plan did since the last one, as a piece of a trace file (core/posh/trace_file.h): put together, the
-/// pieces of a run are such a file, with the text of the plan in it.
+/// The events of a POSH plan since the last PlanTrace, as a piece of a trace file (core/posh/trace_file.h). The pieces
+/// of a run in sequence form such a file, which includes the text of the plan.
 struct PlanTrace {
     std::string bytes;
     bool operator==(const PlanTrace&) const = default;
 };
 
-/// A plan stands still behind a cycle, because a person wants it so; the robot has its safe command. A server that
-/// waits for each STEP gets none, so that its time stands still as well.
+/// The plan has halted after a cycle at the user's request, and the robot has its safe command. A server in lockstep
+/// gets no STEP, so that its time stands still as well.
 struct PlanHalted {
-    std::uint64_t cycle = 0;         ///< the last that was run
-    Seconds time{0.0};               ///< of that cycle, protocol clock
-    std::optional<int> breakpoint{}; ///< by its id; none: a step is over
-    std::string path{};              ///< of what happened; empty for a step
-    std::string reason{};            ///< "before robot ▸ work": a part of a sentence
+    std::uint64_t cycle = 0;         ///< number of the last cycle
+    Seconds time{0.0};               ///< time of that cycle, protocol clock
+    std::optional<int> breakpoint{}; ///< id of the breakpoint; absent after a step or a requested halt
+    std::string path{};              ///< place of the event; empty without a breakpoint
+    std::string reason{};            ///< "before robot ▸ work": part of a sentence
     bool operator==(const PlanHalted&) const = default;
 };
-/// It goes on.
+/// The halted plan continues.
 struct PlanResumed {
     bool operator==(const PlanResumed&) const = default;
 };
 
-/// Kept: what ran goes on where it was, with the new text. Restarted: the new plan begins at its root; body and
-/// blackboard are as they were. Refused: the old plan goes on as if nothing had been asked.
+/// Kept: execution continues at the same place with the new text. Restarted: the new plan begins at its root; body and
+/// blackboard are unchanged. Refused: the old plan continues.
 enum class PlanFate { Kept, Restarted, Refused };
 
-/// What became of a plan that should take the place of the one that runs.
+/// The result of a request to replace the running plan.
 struct PlanReplaced {
     PlanFate fate = PlanFate::Refused;
-    std::string plan_name;     ///< of the new one
-    std::uint64_t cycle = 0;   ///< the last of the old one
-    std::string reason{};      ///< why it was refused, a sentence; empty where the findings say it
-    posh::Findings findings{}; ///< of the new one, warnings too
+    std::string plan_name;     ///< name of the new plan
+    std::uint64_t cycle = 0;   ///< last cycle of the old plan
+    std::string reason{};      ///< sentence why it was refused; empty if the findings give the reason
+    posh::Findings findings{}; ///< errors and warnings about the new plan
     bool operator==(const PlanReplaced&) const = default;
 };
 
@@ -140,7 +142,8 @@ using PublishedVariant =
     std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal, SonarZones,
                  BehaviorEvent, BehaviorFinished, PlanTrace, PlanHalted, PlanResumed, PlanReplaced>;
 
-/// What a behavior tells, to be used as the variant; what copies its alternatives is compiled in one place.
+/// A published value; use it like the variant that it derives from. The code that copies its alternatives is compiled
+/// only once.
 class Published : public PublishedVariant {
 public:
     Published();
@@ -150,12 +153,12 @@ public:
     Published& operator=(Published&& other) noexcept;
     ~Published();
 
-    /// One of the alternatives.
+    /// Holds a copy of one of the alternatives.
     template <AlternativeOf<PublishedVariant> One>
     Published(One&& one) : PublishedVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
 
     bool operator==(const Published& other) const;
-    /// The variant has one that its alternatives have not, and meta types ask for it.
+    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
     friend bool operator<(const Published&, const Published&) = delete;
 };
 

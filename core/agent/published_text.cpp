@@ -110,7 +110,7 @@ private:
     std::string& text_;
 };
 
-/// Takes fields off a text; one that is missing or of another shape makes it wrong for good.
+/// Removes fields from a text. After a field that is missing or malformed, `fine` stays false.
 class Fields {
 public:
     explicit Fields(std::string_view text) : rest_(text) {}
@@ -149,7 +149,7 @@ public:
         for (std::uint32_t* const number : {&spot.line, &spot.column, &spot.offset, &spot.length})
             takeWhole(*number);
     }
-    /// An enumerator, by its number.
+    /// Takes an enumerator by its number, up to `last`.
     template <class Enum>
     void takeOneOf(Enum& value, Enum last) {
         int number = 0;

@@ -1,4 +1,5 @@
-// Published values as texts for a recording, and back (resources/docs/recording-format.md, "Published values").
+// Converts published values to texts for a recording, and back (resources/docs/recording-format.md, "Published
+// values").
 #pragma once
 
 #include <optional>
@@ -9,9 +10,9 @@
 
 namespace usar::agent {
 
-/// Numbers read back to the same double; infinities become NaN.
+/// Appends the text of a value. Numbers read back as the same double; infinities become NaN.
 void appendText(std::string& text, const Published& value);
-/// Nothing for a word or a shape that this program does not know.
+/// Reads such a text; nullopt if this version does not know its first word or its structure.
 std::optional<Published> readPublished(std::string_view text);
 
 } // namespace usar::agent

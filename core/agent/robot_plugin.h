@@ -1,4 +1,12 @@
-// The SDK's door: what a plugin implements.
+// The interface that a robot plugin implements, and the entry point of the SDK. A plugin is a Qt plugin library with
+// one class:
+//
+//     class MyRobot : public QObject, public RobotPlugin {
+//         Q_OBJECT
+//         Q_PLUGIN_METADATA(IID USAR_ROBOT_PLUGIN_IID FILE "my_robot.json")
+//         Q_INTERFACES(usar::agent::RobotPlugin)
+//
+// Its JSON file is described at PluginLoader.
 #pragma once
 
 #include <memory>
@@ -14,48 +22,50 @@
 
 namespace usar::agent {
 
-/// One way to fly (or drive) the robot.
+/// One behavior of the robot.
 struct BehaviorDescription {
     std::string id;   ///< "airrobot/cpp"
     std::string name; ///< "Terrain survey (C++)"
     std::string help;
-    bool needs_area = false;
+    bool needs_area = false; ///< the task must have a mission area
     std::vector<ParameterSpec> parameters;
-    std::string plan_name = {}; ///< of a behavior that a POSH plan decides: "airrobot.lap"; empty for all others
+    std::string plan_name = {}; ///< "airrobot.lap" if a POSH plan decides; empty otherwise
     std::string plan_text = {}; ///< the plan that comes with the robot
 };
 
+/// A robot and its behaviors.
 struct RobotDescription {
-    std::string class_name;                  ///< on the wire: "USARBot.AirRobot"
+    std::string class_name;                  ///< class on the wire: "USARBot.AirRobot"
     std::string name;                        ///< "AirRobot"
     std::vector<std::string> sensors_needed; ///< types on the wire
     std::vector<BehaviorDescription> behaviors;
-    std::vector<PrimitiveDescription> primitives =
-        {}; ///< what plans may ask of it and have it do; empty where no plan can decide
+    std::vector<PrimitiveDescription> primitives = {}; ///< senses and acts for plans; empty if no behavior uses a plan
 };
 
-/// What a new behavior is given once.
+/// The arguments for the creation of a behavior.
 struct BehaviorContext {
     Task task;
     ParameterSet parameters;
-    std::optional<PlanText> plan = {}; ///< in place of the one that comes with the robot
+    std::optional<PlanText> plan = {}; ///< replaces the plan that comes with the robot
 };
 
-/// What a task would come to, shown before it starts: the path over the ground and its cost without obstacles.
+/// The path over the ground and the cost of a task, without obstacles, shown before the task starts.
 struct TaskPreview {
     std::vector<Vec2> path_in_map_m;
     double length_m = 0.0;
     Seconds duration{0.0};
-    std::string summary; ///< "6 lanes", "22 lanes in 4 parts"; empty where the behavior has nothing to foretell
+    std::string summary; ///< "6 lanes", "22 lanes in 4 parts"; empty if the behavior has no preview
 };
 
+/// A robot's plugin. It must be immutable once loaded: `createBehavior` may be called in any thread.
 class RobotPlugin {
 public:
     virtual ~RobotPlugin() = default;
+    /// The robot and its behaviors; their ids must equal those in the plugin's metadata.
     virtual RobotDescription description() const = 0;
-    /// An id that `description` does not list is an error, and so is a plan that cannot run on this robot.
+    /// Returns an error if `description` does not list the id, or if the plan cannot run on this robot.
     virtual Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const = 0;
-    /// Quick: called while a person drags the area. An area without size is an error.
+    /// Must be quick, because it is called while the user drags the area. Returns an error if a needed area is empty.
     virtual Result<TaskPreview> preview(const std::string& id, const BehaviorContext& context) const;
 };
 
@@ -65,5 +75,6 @@ inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const Behavi
 
 } // namespace usar::agent
 
+/// The number is the version of this interface; plugins built for another version are rejected.
 #define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/4"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

@@ -1,4 +1,4 @@
-// A behavior at work, wherever it runs: in the caller's thread, in one of its own, or in a process of its own.
+// A running behavior, wherever it runs: in the caller's thread, in a thread or in a process of its own.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 
 namespace usar::agent {
 
-/// Lines and orders go in, caused commands and published values come out; each call waits for the answer, so that a
-/// mission is the same wherever its behavior runs. One that fails, hangs or dies says BehaviorFinished with the reason,
-/// after its safe command, and is not called again; where the reason must be found out first, `ending` is true before.
-/// Used from its owner's thread.
+/// Takes lines and orders, and returns commands with their causes and published values. Each call waits for the answer,
+/// so that a mission is the same wherever its behavior runs. A behavior that fails, hangs or dies returns its safe
+/// command and BehaviorFinished with the reason, and is not called again; if finding the reason takes time, `ending` is
+/// true before that. Used from its owner's thread.
 class RunningBehavior {
 public:
+    /// The output of one call.
     struct Output {
         std::vector<CausedCommand> commands;
         std::vector<Published> published;
@@ -28,35 +29,38 @@ public:
 
     virtual ~RunningBehavior() = default;
 
-    /// Once, before the first line: what takes time, such as the start of a process.
+    /// Call it once before the first line. Does what takes time, such as starting a process.
     virtual Output begin() { return {}; }
+    /// Takes one info line; call it for every line of the connection.
     virtual Output receive(const protocol::InfoLine& line) = 0;
     virtual Output order(Order order) = 0;
     virtual Output control(const PlanControl& control) = 0;
-    /// What goes wrong by it comes out of the next call.
+    /// The next call returns the output, such as the report of a failure.
     virtual void setParameters(const ParameterSet& parameters) = 0;
-    /// What makes the robot safe, with `source` as its cause. Never waits for the behavior.
+    /// The command that makes the robot safe, with `source` as its cause. Never waits for the behavior.
     virtual CausedCommand safeCommand(const std::string& source) const = 0;
 
-    /// Its plan stands still: time should, too.
+    /// True if its plan is halted; simulated time should stand still, too.
     virtual bool halted() const = 0;
     virtual bool finished() const = 0;
-    /// It is gone, and nobody knows why yet: the robot is to be made safe now, and then `takeEnd` finds out, which may
-    /// take half a second.
+    /// True if it is gone for a reason not known yet: make the robot safe now, and then call `takeEnd`, which may take
+    /// half a second to find the reason.
     virtual bool ending() const { return false; }
-    /// It ended by a fault of its own (it threw, hung or died), and not by what it had to say.
+    /// True if it ended because of a fault (it threw, hung or died) and not by its own BehaviorFinished.
     virtual bool broke() const { return false; }
     virtual const std::string& behaviorId() const = 0;
 
-    /// How long an answer may take, of wall time, before the behavior counts as hanging. Before `begin`.
+    /// Sets how long an answer may take, in wall time, before the behavior counts as hanging. Call it before `begin`.
     virtual void setPatience(Seconds) {}
-    /// A file descriptor that can be read from when it has ended between two calls; then ask `takeEnd`. Below 0: it
-    /// ends in its calls only.
+    /// A file descriptor that becomes readable if the behavior ends between two calls; then call `takeEnd`. Negative if
+    /// it can end during calls only.
     virtual int endHandle() const { return -1; }
+    /// The output of its end, including BehaviorFinished; empty if it has not ended.
     virtual Output takeEnd() { return {}; }
 };
 
-/// A DRIVE of zeros, for a robot on the ground, in the water or in the air, where the behavior cannot even say that.
+/// A DRIVE of zeros for a robot on the ground, in the water or (the default) in the air, for use if the behavior cannot
+/// give its safe command.
 protocol::Command lastResort(protocol::VehicleKind kind);
 
 } // namespace usar::agent

@@ -1,4 +1,4 @@
-// What every behavior that works for some time keeps: its clock, what it does in words, a person's orders, and its end.
+// The common state of behaviors that work for a limited time: clock, state in words, operator's orders, and end.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,18 @@
 
 namespace usar::agent {
 
-/// For behaviors whose orders are simple: a pause stands, `LandNow` ends. Times are of the protocol clock and come with
-/// the ticks; before the first one nothing has begun. Owned by one behavior; a plain value without a thread or a clock
-/// of its own. Call `step` once a tick, before all else, and look at `ending` behind it.
+/// For behaviors with simple orders: Pause stops the robot until Resume, and LandNow ends the behavior. Times are those
+/// of the ticks, on the protocol's clock. Owned by one behavior; plain data without a thread or a clock of its own.
+/// Call `step` once per tick, before everything else, and check `ending` after it.
 struct TimedRun {
-    Seconds now{0.0};
-    std::optional<Seconds> began; ///< with the first tick
+    Seconds now{0.0};             ///< time of the newest tick
+    std::optional<Seconds> began; ///< time of the first tick
+    /// Set by orders; the behavior itself must stop the robot.
     bool paused = false;
-    std::string state = "waiting"; ///< in words
-    std::optional<BehaviorFinished> ending;
+    std::string state = "waiting";          ///< in words
+    std::optional<BehaviorFinished> ending; ///< set when the behavior is to end
 
-    /// The time since the last tick; none at the first.
+    /// Takes the time of a tick and returns the time since the last one; 0 at the first.
     Seconds step(Seconds tick) {
         const Seconds passed = began ? tick - now : Seconds{0.0};
         now = tick;
@@ -28,10 +29,11 @@ struct TimedRun {
             began = now;
         return passed;
     }
+    /// Time since the first tick, including pauses; 0 before it.
     Seconds elapsed() const { return began ? now - *began : Seconds{0.0}; }
-    /// Whether the behavior has had its time and nothing else has ended it; `whole` of 0 never ends.
+    /// True if the behavior has run for `whole` and nothing else has ended it; never true if `whole` is 0.
     bool isOver(Seconds whole) const { return whole > Seconds{0.0} && elapsed() >= whole && !ending; }
-    /// True: it has been seen to.
+    /// Handles an order; returns true.
     bool order(Order order) {
         if (order == Order::LandNow)
             ending = {false, "A person asked the robot to stop."};
@@ -39,7 +41,7 @@ struct TimedRun {
             paused = order == Order::Pause;
         return true;
     }
-    /// With progress and the time that is left, where there is a whole.
+    /// The status, with progress and remaining time if `whole` is not 0.
     BehaviorStatus status(Seconds whole, double way_m) const {
         BehaviorStatus status;
         status.time = now;

@@ -9,15 +9,16 @@
 
 namespace usar::agent {
 
-/// What both threads see. All but `mutex`, `turned` and `turn` belongs to the thread whose turn it is. No semaphores:
-/// those of the library yield before they wait, which costs milliseconds where others want the processor as well.
+/// The data shared by both threads. Everything except `mutex`, `turned` and `turn` belongs to the thread whose turn it
+/// is. Uses no semaphores, because those of the standard library yield before they wait, which costs milliseconds on a
+/// busy machine.
 struct WatchedBehavior::Worker {
     explicit Worker(std::unique_ptr<BehaviorHost> watched) : host(std::move(watched)) {}
 
     void work();
 
     std::unique_ptr<BehaviorHost> host;
-    protocol::InfoLine line; ///< a copy: the caller's own is overwritten, whether or not the behavior has done with it
+    protocol::InfoLine line; ///< a copy, because the caller may overwrite its own while the behavior still uses it
     std::function<Output(BehaviorHost&)> call;
     Output output;
     protocol::Command safe;
@@ -30,7 +31,7 @@ struct WatchedBehavior::Worker {
 
     std::mutex mutex;
     std::condition_variable turned;
-    Turn turn = Turn::Owners; ///< Nobody's: it is over
+    Turn turn = Turn::Owners; ///< Nobodys: the owner is gone, and the thread must end
 };
 
 void WatchedBehavior::Worker::pass(Turn to) {

@@ -1,4 +1,4 @@
-// A behavior in a thread of its own, given up when it hangs.
+// A behavior in a thread of its own, which is abandoned if it hangs.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,13 @@
 
 namespace usar::agent {
 
-/// The owner hands over one call at a time and waits for the answer. A call that is not answered within the patience is
-/// the last: the robot gets the safe command that the behavior gave after the call before, and its thread is left alone
-/// with all that it may still touch, for no thread can be ended from outside. It ends by itself if the call ever does.
+/// The owner's thread hands over one call at a time and waits for the answer. A call that is not answered within the
+/// patience is the last one: the robot gets the safe command that the behavior gave after the previous call, and the
+/// thread is abandoned together with everything that it may still access, because a thread cannot be ended from
+/// outside. The thread ends by itself if the call ever returns.
 class WatchedBehavior final : public RunningBehavior {
 public:
+    /// Starts the thread, in which all calls of `host` are made.
     explicit WatchedBehavior(std::unique_ptr<BehaviorHost> host);
     ~WatchedBehavior() override;
 
@@ -32,15 +34,16 @@ public:
 
 private:
     struct Worker;
-    /// `what` names the call for the person.
+    /// Runs a call in the thread. `what` names the call for messages to the operator.
     Output run(std::function<Output(BehaviorHost&)> call, const std::string& what);
+    /// Abandons the thread and reports that the behavior hangs.
     Output giveUp(const std::string& what);
 
-    std::shared_ptr<Worker> worker_; ///< its thread owns it, too
+    std::shared_ptr<Worker> worker_; ///< also owned by its thread
     std::string behavior_id_;
     protocol::Command safe_;
     LineNumber last_line_;
-    Output owed_; ///< came of a call that answers nothing
+    Output owed_; ///< output of a call that returns none, for the next call to return
     Seconds patience_{1.0};
     bool halted_ = false;
     bool finished_ = false;

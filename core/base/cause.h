@@ -1,5 +1,5 @@
-// Cause ids: which line said it, and what made us answer. The recording stores both; why-traces and provenance of a
-// map cell stand on them.
+// Identifies the info line that carried a fact and the reason why a command was sent. Recordings store both; why-traces
+// and the provenance of map cells are built from them.
 #pragma once
 
 #include <compare>
@@ -8,13 +8,15 @@
 
 namespace usar {
 
-/// Sequence number of an info line on its connection, given when the line is read; the first line is 1, 0 is "none".
+/// Sequence number of an info line on its connection, assigned when the line is read. The first line is 1; 0 means "no
+/// line".
 struct LineNumber {
     std::uint64_t value = 0;
     auto operator<=>(const LineNumber&) const = default;
 };
 
-/// Why a command was sent: who decided (behavior and state, plan node, or "operator", "session") and on which line.
+/// The reason why a command was sent. `source` names who decided: a behavior and its state, a plan node, "operator" or
+/// "session". `trigger` is the info line that led to the decision, or 0 if there was none.
 struct Cause {
     std::string source;
     LineNumber trigger;

@@ -1,4 +1,4 @@
-// A call that one thread makes ready and another one makes.
+// A function call that one thread prepares and another thread executes.
 #pragma once
 
 #include <type_traits>
@@ -10,10 +10,11 @@
 
 namespace usar {
 
-/// Debian's Qt is not built for ThreadSanitizer, which therefore does not see that an event is posted before it is
-/// delivered, and takes each value in it for a race. This marks the order: what was written before the call came to
-/// rest where it is now was written before it is made, and what the call has written was written before it is
-/// destroyed. Without ThreadSanitizer it is the call and nothing else.
+/// Wraps a callable so that ThreadSanitizer sees the handover. Debian's Qt is not built for ThreadSanitizer, which
+/// therefore does not know that an event is posted before it is delivered and reports every value in it as a race. This
+/// wrapper states the order: everything written before the wrapper was constructed at its current address happens
+/// before the call, and everything written by the call happens before the wrapper is destroyed. Without ThreadSanitizer
+/// it adds nothing to the callable.
 template <class Call>
 class HandedOver {
 public:
@@ -27,7 +28,7 @@ public:
     HandedOver& operator=(HandedOver&&) = delete;
     ~HandedOver() { acquire(); }
 
-    /// In the other thread.
+    /// Runs the callable; called in the receiving thread.
     void operator()() {
         acquire();
         call_();

@@ -14,7 +14,8 @@ namespace usar {
 
 namespace {
 
-/// Windows' run-time writes 1.#IND, -1.#QNAN, 1.#INF; digits may follow.
+/// Length of a Windows "not a number" at the start of `text`, 0 if there is none. The Windows run-time library writes
+/// 1.#IND, -1.#QNAN and 1.#INF; digits may follow.
 std::size_t windowsNotANumber(std::string_view text) {
     const std::size_t start = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
     if (text.substr(start, 3) != "1.#")
@@ -25,7 +26,8 @@ std::size_t windowsNotANumber(std::string_view text) {
     return end;
 }
 
-/// A whole number of last places, with the point put in; the sign of a zero is kept, as printf keeps it.
+/// Appends `places`, a whole number counted in units of the last decimal place, with the decimal point inserted. The
+/// sign of a zero is kept, as printf keeps it. `decimals` > 0.
 void appendWhole(std::string& out, double places, std::size_t decimals) {
     std::array<char, 40> buffer;
     char* const end = buffer.data() + buffer.size();
@@ -50,7 +52,7 @@ NumberPrefix readNumberPrefix(std::string_view text) {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     if (const std::size_t used = windowsNotANumber(text))
         return {not_a_number, used};
-    const bool plus = text.starts_with('+'); // from_chars takes no plus
+    const bool plus = text.starts_with('+'); // from_chars does not accept a plus sign
     const std::string_view digits = plus ? text.substr(1) : text;
     if (plus && digits.starts_with('-'))
         return {};
@@ -95,11 +97,11 @@ void appendTruncated(std::string& out, double value, int decimals) {
     double scale = 1.0;
     for (int i = 0; i < decimals; ++i)
         scale *= 10.0;
-    // A value that was read with as many decimals must be written with the same ones, though its product with the
+    // A value that was read with this many decimals must be written with the same digits, although its product with the
     // scale may fall short of the whole number by a few units in the last place.
     constexpr double few_last_places = 4 * std::numeric_limits<double>::epsilon();
     const double cut = std::trunc(value * scale * (1.0 + few_last_places));
-    constexpr double largest_whole = 9007199254740992.0; // 2^53: beyond it there is nothing left to cut
+    constexpr double largest_whole = 9007199254740992.0; // 2^53: from here on doubles have no fraction to cut
     if (!(std::abs(cut) < largest_whole))
         appendFixed(out, value, decimals);
     else if (decimals > 0)

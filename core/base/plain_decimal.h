@@ -1,4 +1,4 @@
-// The fast path for the numbers that servers really send ("4.5604"), exact to the last bit.
+// A fast, exact reader for numbers in the form that servers actually send ("4.5604").
 #pragma once
 
 #include <array>
@@ -7,10 +7,11 @@
 
 namespace usar {
 
-/// Reads [-]digits[.digits] at `at` to the double that std::from_chars gives, and moves `at` behind it. False, with
-/// `at` where it was, for all that readNumberPrefix must take: exponents, words, a plus, more than 15 digits. Exact
-/// because 15 digits and powers of ten to 10^15 are both doubles, so the one division rounds correctly (Clinger, "How
-/// to read floating point numbers accurately", 1990).
+/// Reads [-]digits[.digits] at `at`, gives the same double as std::from_chars, and advances `at` past the number.
+/// Returns false and leaves `at` unchanged for everything that needs readNumberPrefix: exponents, words, a plus sign,
+/// more than 15 digits. The result is exact because integers of 15 digits and powers of ten up to 10^15 are
+/// representable as doubles, so that the single division rounds correctly (Clinger, "How to read floating point numbers
+/// accurately", 1990). Precondition: `at` <= `end`; `value` is unchanged if this returns false.
 inline bool readPlainDecimal(const char*& at, const char* end, double& value) {
     static constexpr std::array<double, 16> powers_of_ten = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

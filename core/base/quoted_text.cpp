@@ -13,7 +13,8 @@ int hexDigit(char c) {
     return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// What stands behind a backslash; cuts it off `rest`.
+/// Decodes the escape sequence after a backslash, appends its byte and removes the sequence from `rest`. False if the
+/// sequence is invalid.
 bool takeEscaped(std::string_view& rest, std::string& bytes) {
     constexpr std::string_view letters = "nrt\\\"";
     constexpr std::string_view meanings = "\n\r\t\\\"";

@@ -1,4 +1,4 @@
-// An error in words for the operator, and the result type that carries it.
+// An error message for the operator, and the result type that carries it.
 #pragma once
 
 #include <string>
@@ -7,22 +7,24 @@
 
 namespace usar {
 
-/// What failed, on what (file, line, host, parameter), and what the person can do about it.
-/// Each part is a phrase without a final stop; `mend` may be empty where nothing can be done.
+/// A failure in three parts: `what` failed, `where` (file, line, host or parameter), and in `mend` what the user can do
+/// about it. Each part is a phrase without a final period. `where` and `mend` may be empty.
 struct Error {
     std::string what;
     std::string where;
     std::string mend;
 
-    /// One sentence or two: "where: what. Mend."
+    /// One or two sentences: "where: what. Mend."
     std::string text() const;
     bool operator==(const Error&) const = default;
 };
 
-/// Expected trouble (input, files, network, plugins) is a value that must be looked at; our own bugs are assertions.
+/// A value or an error. Expected failures (input, files, network, plugins) are returned as errors; bugs in our own code
+/// are caught by assertions.
 template <class T, class E = Error>
 using Result = tl::expected<T, E>;
 
+/// Makes an error that a function returning Result can return directly.
 tl::unexpected<Error> failure(std::string what, std::string where, std::string mend = {});
 
 } // namespace usar

@@ -1,4 +1,4 @@
-// Which known word a misspelt one was meant to be.
+// Finds the known word that a misspelled word was probably meant to be.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace usar {
 
-/// Letters (bytes) to change, put in or take out to make one word of the other.
+/// Levenshtein distance: the number of bytes to replace, insert or delete to turn one word into the other.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The first of the nearest; empty where nothing is known.
+/// The known word with the smallest edit distance, the first if several are equally near; empty if `known` is empty.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
 
 } // namespace usar

@@ -1,4 +1,5 @@
-// Small helpers for ASCII text whatever the locale; all work on views and allocate nothing.
+// Small helpers for ASCII text, independent of the locale. They work on views and allocate nothing, except lowerCase of
+// a whole text.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +8,11 @@
 
 namespace usar {
 
-/// Blank, tab, line ends: what separates words on a line.
+/// True for the characters that separate words on a line: blank, tab and line ends.
 constexpr bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
+/// ASCII digits and letters only; the locale does not matter.
 constexpr bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -18,12 +20,13 @@ constexpr bool isDigit(char c) {
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
+/// Changes A-Z only.
 constexpr char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// ASCII comparison without regard to case, as servers and clients of all ages need. Most words that are compared
-/// differ in length or first letter, so it is inline.
+/// Compares ASCII texts ignoring case, because servers and clients of different versions vary in case. Inline because
+/// most of the words compared differ in length or first letter.
 constexpr bool sameWord(std::string_view a, std::string_view b) {
     if (a.size() != b.size())
         return false;
@@ -42,7 +45,7 @@ constexpr std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Cuts the first word off `text` (which keeps the rest) and gives it; empty when there is none.
+/// Removes the first word from `text`, which keeps the rest, and returns it; empty if there is no word left.
 constexpr std::string_view takeWord(std::string_view& text) {
     while (!text.empty() && isSpace(text.front()))
         text.remove_prefix(1);
@@ -54,6 +57,7 @@ constexpr std::string_view takeWord(std::string_view& text) {
     return word;
 }
 
+/// A copy with the letters A-Z in lower case; other bytes stay as they are.
 inline std::string lowerCase(std::string_view text) {
     std::string result(text);
     for (char& c : result)

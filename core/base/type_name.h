@@ -1,12 +1,13 @@
-// The name of a type as it is written in the source, for people and files.
+// The name of a type as written in the source code, for display and for files.
 #pragma once
 
 #include <string_view>
 
 namespace usar {
 
-/// Without its namespaces: "RangeScan". From what GCC and Clang say of a function, "… [with T = usar::RangeScan; …]"
-/// and "… [T = usar::RangeScan]"; not for templates, whose arguments have colons as well.
+/// The name without its namespaces: "RangeScan". Extracted from the function signature that GCC ("… [with T =
+/// usar::RangeScan; …]") and Clang ("… [T = usar::RangeScan]") provide. Does not work for template instances, whose
+/// arguments contain colons as well.
 template <class T>
 constexpr std::string_view typeName() {
     std::string_view text = __PRETTY_FUNCTION__;

@@ -13,10 +13,11 @@ namespace usar::mapping {
 namespace {
 
 constexpr double maximum_lanes = 100'000;
-/// Above this many quadrants (a square of 6 km at the default limit) `always the nearest next` would take too long.
+/// With more quadrants than this (a square of 6 km at the default limit), planNearestNext would take too long.
 constexpr std::size_t maximum_quadrants_sorted = 1600;
 
-/// Pieces of `length_m` that are no longer than `limit_m`; 40.0000001 / 10 is four pieces, not five.
+/// Number of equal pieces of `length_m` that are no longer than `limit_m`, with some tolerance: 40.0000001 / 10 gives
+/// four pieces, not five.
 double pieces(double length_m, double limit_m) {
     return std::max(1.0, std::ceil(length_m / limit_m - 1e-6));
 }
@@ -38,7 +39,8 @@ double distanceToCorner(const Rectangle& quadrant, const Vec2& from_m) {
     return off_m.norm();
 }
 
-/// Adds one quadrant's lanes, beginning at the corner nearest to `position_m`; leaves the robot at the last one's end.
+/// Adds the lanes of one quadrant, beginning at the corner nearest to `position_m`, and sets `position_m` to the end of
+/// the last lane.
 void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, Vec2& position_m) {
     const int along = quadrant.width_m() >= quadrant.height_m() ? 0 : 1;
     const int across = 1 - along;
@@ -62,7 +64,7 @@ void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, V
     plan.quadrants.push_back(quadrant);
 }
 
-/// To and fro over the grid, by columns or by rows, from one of its corners.
+/// Visits the quadrants back and forth. The three bits of `variant` select rows or columns and the first corner.
 CoveragePlan planToAndFro(const Grid& grid, const Vec2& base_m, double spacing_m, unsigned variant) {
     const bool by_rows = (variant & 1) != 0;
     const bool outer_down = (variant & 2) != 0;

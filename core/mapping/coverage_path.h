@@ -1,4 +1,4 @@
-// Lanes that cover a rectangle: the survey pattern of the thesis (4.1).
+// Plans lanes that cover a rectangle: the survey pattern of the thesis (4.1).
 #pragma once
 
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace usar::mapping {
 
+/// Both values must be positive, and the spacing finite.
 struct CoverageOptions {
-    double lane_spacing_m = 10.0;    ///< at most; lanes are spread evenly
-    double quadrant_limit_m = 150.0; ///< an area with a longer side is cut into equal quadrants, scanned one by one
+    double lane_spacing_m = 10.0;    ///< maximum; lanes are spread evenly
+    double quadrant_limit_m = 150.0; ///< an area with a longer side is divided into equal quadrants, scanned one by one
 };
 
-/// One straight lane; scanned from start to end.
+/// One straight lane in the map frame, scanned from start to end.
 struct Lane {
     Vec2 start_m = Vec2::Zero();
     Vec2 end_m = Vec2::Zero();
@@ -22,24 +23,24 @@ struct Lane {
     bool operator==(const Lane&) const = default;
 };
 
-/// Metres, map frame.
+/// The result of planCoverage.
 struct CoveragePlan {
-    std::vector<Lane> lanes;          ///< in flying order: boustrophedon along the longer side
+    std::vector<Lane> lanes;          ///< in flying order: back and forth along the longer side
     std::vector<Rectangle> quadrants; ///< in flying order
-    double lane_length_m = 0.0;       ///< sum of the lanes
+    double lane_length_m = 0.0;       ///< total length of the lanes
     double transit_length_m = 0.0;    ///< from the base, between lanes, and back to the base
 };
 
-/// Lanes along the longer side of each quadrant, from the corner nearest to where the robot then is (the base for the
-/// first). The outer lanes lie half a spacing inside the border, so every point of the area is within half a spacing
-/// of a lane, and no fewer lanes would do. Quadrants are visited in the order with the least transit of those tried:
-/// to and fro by rows or by columns from each corner, and always the nearest next.
-/// An area without size, one that needs more than 100 000 lanes, a spacing or a limit that is not positive, and
-/// anything that is not finite is an error.
+/// Plans lanes along the longer side of each quadrant, starting at the corner nearest to the robot's position at that
+/// time (the base for the first quadrant). The outer lanes are half a spacing inside the border, so that every point of
+/// the area is within half a spacing of a lane; fewer lanes would not suffice. Quadrants are visited in the order with
+/// the shortest transit among those tried: back and forth by rows or by columns from each corner, and, for up to 1600
+/// quadrants, always the nearest one next. Returns an error if the area has no size or needs more than 100 000 lanes,
+/// if an option is invalid, or if a coordinate is not finite.
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 
-/// Flying time of a plan at two speeds, without obstacles and charging; infinite for a speed that is not positive.
+/// Flying time of a plan without obstacles and charging; infinite if one of the speeds is not positive.
 Seconds estimatedTime(const CoveragePlan& plan, double scan_speed_m_s, double transit_speed_m_s);
 
 } // namespace usar::mapping

@@ -25,7 +25,7 @@ std::size_t offsetOf(GridIndex cell) {
 std::int32_t cellIndex(double coordinate_m, double cell_size_m) {
     constexpr double limit = 1 << 30;
     const double cell = std::floor(coordinate_m / cell_size_m);
-    // Written so that NaN fails the comparison: casting it would be undefined.
+    // The comparison is false for NaN, whose cast would be undefined behavior.
     return cell > -limit ? static_cast<std::int32_t>(std::min(cell, limit)) : static_cast<std::int32_t>(-limit);
 }
 

@@ -1,4 +1,4 @@
-// The map that a scan leaves: sparse square tiles of height cells, growing in any direction.
+// The map made from scans: sparse square tiles of height cells, which can grow in any direction.
 #pragma once
 
 #include <array>
@@ -15,34 +15,36 @@
 
 namespace usar::mapping {
 
-/// Column (x) and row (y) of a cell or tile; negative ones are as good as positive ones.
+/// Column (x) and row (y) of a cell or tile; both may be negative.
 struct GridIndex {
     std::int32_t column = 0;
     std::int32_t row = 0;
     auto operator<=>(const GridIndex&) const = default;
 };
 
-/// 64 x 64 cells, row-major from the lowest x and y. Unknown cells are NaN.
+/// 64 x 64 cells, row-major from the lowest x and y. Heights of unknown cells are NaN.
 struct HeightTile {
     static constexpr std::int32_t side = 64;
     static constexpr std::size_t cell_count = std::size_t(side) * side;
 
-    GridIndex index;                         ///< in tiles: cell (0,0) of this tile is cell index * side
-    std::array<float, cell_count> height_m;  ///< the array of the thesis: a second value makes the mean with the first
-    std::array<float, cell_count> preview_m; ///< what the preview shows: the newest value
+    GridIndex index;                         ///< in tiles: cell (0,0) of this tile is cell index * side of the map
+    std::array<float, cell_count> height_m;  ///< the array of the thesis: averages repeated values
+    std::array<float, cell_count> preview_m; ///< the newest value, shown by the preview
     std::array<std::uint16_t, cell_count>
-        hits; ///< values taken, saturating; 0 with a known height = filled between beams
+        hits; ///< number of measured values, saturating; 0 with a known height: filled between beams
     std::array<std::uint64_t, cell_count> line; ///< line number of the newest scan that wrote here (provenance)
+    /// A tile of unknown cells.
     HeightTile();
 };
 
+/// Lowest and highest height.
 struct HeightRange {
     float minimum_m = 0.0f;
     float maximum_m = 0.0f;
     bool operator==(const HeightRange&) const = default;
 };
 
-/// Rectangle of cells, `last` included.
+/// A rectangle of cells that includes `last`.
 struct CellBounds {
     GridIndex first;
     GridIndex last;
@@ -51,50 +53,57 @@ struct CellBounds {
     bool operator==(const CellBounds&) const = default;
 };
 
-/// Heights above the map's datum (z up), in metres, on a grid of square cells. Cell (c, r) covers x in
-/// [c, c+1) * cell_size and y likewise. Not thread-safe; owned by one session. Copies of tiles go to other threads.
+/// Heights above the map's datum (z up), in meters, on a grid of square cells. Cell (c, r) covers x in [c, c+1) *
+/// cell_size, and y likewise with r. Not thread-safe: each map is owned by one session, and other threads get copies of
+/// tiles.
 class HeightMap {
 public:
+    /// `cell_size_m` is positive and finite.
     explicit HeightMap(double cell_size_m);
 
     double cellSize_m() const { return cell_size_m_; }
-    /// Points further than 2^30 cells away (and NaN) land in the outermost cells.
+    /// Points farther than 2^30 cells from the origin, and NaN, map to the outermost cells.
     GridIndex cellAt(const Vec2& point_in_map_m) const;
     Vec2 center_m(GridIndex cell) const;
 
-    /// A measured height: preview := value; array := value, or the mean of the old and the new (thesis 4.2). What was
-    /// only filled is no recorded value: the measured one replaces it. Values that are not finite are ignored.
+    /// Records a measured height. The preview takes the value; the array takes the value, or the mean of the old and
+    /// the new one (thesis 4.2). A height that was only filled in is replaced. Ignores values that are not finite.
     void write(GridIndex cell, float height_m, LineNumber line);
-    /// A height made up between two measured ones: written only where nothing was measured; a second one makes the
-    /// mean too.
+    /// Records a height interpolated between measured ones, unless the cell has a measured height. Also takes the mean
+    /// of the old and the new value. Ignores values that are not finite.
     void fill(GridIndex cell, float height_m, LineNumber line);
 
+    /// Values of a cell as in HeightTile; nullopt or 0 if the cell is unknown.
     std::optional<float> height_m(GridIndex cell) const;
     std::optional<float> preview_m(GridIndex cell) const;
     int hits(GridIndex cell) const;
     LineNumber line(GridIndex cell) const;
 
-    /// Known cells, measured and filled.
+    /// Number of known cells, measured or filled.
     std::size_t knownCellCount() const { return known_cells_; }
-    /// Running minimum and maximum of all values taken; it only widens, and the shade follows it.
+    /// Minimum and maximum of all values recorded so far, for shading. The range never shrinks, even if values are
+    /// averaged or replaced; nullopt for an empty map.
     std::optional<HeightRange> range() const { return range_; }
-    std::optional<CellBounds> bounds() const; ///< of known cells, to the tile's border
+    std::optional<CellBounds> bounds() const; ///< cells of all tiles; nullopt for an empty map
     std::size_t tileCount() const { return tiles_.size(); }
     std::size_t memoryBytes() const;
 
+    /// Returns nullptr if there is no such tile. The tile exists as long as the map.
     const HeightTile* tile(GridIndex tile_index) const;
     std::vector<GridIndex> tileIndices() const;
-    /// Copies of the tiles written since the last call.
+    /// Returns copies of the tiles written since the last call.
     std::vector<std::shared_ptr<const HeightTile>> takeChangedTiles();
 
 private:
-    /// A tile and whether it is listed in `changed_`.
+    /// A tile, and whether it is listed in `changed_`.
     struct Slot {
         HeightTile tile;
         bool changed = false;
     };
-    /// Neighbouring cells are written one after the other, so the slot of the last write is tried first.
+    /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
+    /// sequence.
     Slot& slotFor(GridIndex cell);
+    /// Updates everything except the array: preview, provenance, list of changes and range.
     void note(Slot& slot, std::size_t offset, float height_m, LineNumber line);
 
     double cell_size_m_;

@@ -40,7 +40,7 @@ CourseProfile courseProfile(const HeightMap& map, const Pose& base_in_map, doubl
     for (ProfilePoint& point : profile.points)
         point.distance_m = -point.distance_m;
     const std::vector<ProfilePoint> ahead = heightProfile(map, here_m, here_m + ahead_m);
-    if (!ahead.empty()) // the point below the robot is there already
+    if (!ahead.empty()) // without the point below the robot, which is already there
         profile.points.insert(profile.points.end(), ahead.begin() + 1, ahead.end());
     return profile;
 }

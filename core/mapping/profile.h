@@ -1,4 +1,4 @@
-// Heights along a line: the terrain under the robot, or under a ruler.
+// Heights along a line, for the terrain below the robot or below a measuring tool.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,29 @@
 
 namespace usar::mapping {
 
+/// One point of a profile.
 struct ProfilePoint {
     double distance_m = 0.0;       ///< from the start of the line
-    std::optional<float> height_m; ///< the array's; absent where nothing is known
+    std::optional<float> height_m; ///< from the map's array; absent if unknown
     bool operator==(const ProfilePoint&) const = default;
 };
 
-/// Evenly spread points along the straight line, at most a cell apart, ends included; at least two and at most
-/// 100 001. Ends that are not finite give none.
+/// Evenly spaced points along the straight line between two points of the map frame, including both ends, at most one
+/// cell apart; at least two and at most 100 001. Empty if an end is not finite.
 std::vector<ProfilePoint> heightProfile(const HeightMap& map, const Vec2& start_m, const Vec2& end_m);
 
-/// The ground along a robot's course. Distances count from the robot, negative ones lie behind it.
+/// The ground along a robot's course. Distances are measured from the robot; those behind it are negative.
 struct CourseProfile {
     std::vector<ProfilePoint> points; ///< from `-reach_m` to `reach_m`
     double reach_m = 0.0;
-    double robot_z_m = 0.0; ///< of the robot's base, by the same datum as the heights
+    double robot_z_m = 0.0; ///< height of the robot's base above the same datum as the heights
     bool operator==(const CourseProfile&) const = default;
 
-    /// The nearest known height to the robot within two metres of it; nothing where the map is empty there.
+    /// The known height nearest to the robot, within two meters of it; nullopt if there is none.
     std::optional<double> groundBelow_m() const;
 };
 
-/// Along the yaw of `base_in_map`. A pose that is not finite gives no points.
+/// The profile along the yaw of `base_in_map`. It has no points if the pose is not finite.
 CourseProfile courseProfile(const HeightMap& map, const Pose& base_in_map, double reach_m);
 
 } // namespace usar::mapping

@@ -21,7 +21,7 @@ std::int32_t middle(std::vector<std::int32_t> values) {
     return *half;
 }
 
-/// Bounds of tiles as they are added, in tiles.
+/// The bounding box, in tiles, of the tiles added so far.
 struct TileBounds {
     std::int64_t first_column = std::numeric_limits<std::int32_t>::max();
     std::int64_t last_column = std::numeric_limits<std::int32_t>::min();
@@ -42,7 +42,8 @@ struct TileBounds {
     }
 };
 
-/// Takes out of `indices` (not empty) those for one raster: the ones nearest to the middle tile, as many as fit.
+/// Removes from `indices`, which must not be empty, as many tiles as fit into one raster, nearest to the median tile
+/// first, and returns them.
 std::vector<const HeightTile*> takeTilesForOne(const HeightMap& map, std::vector<GridIndex>& indices) {
     std::vector<std::int32_t> columns, rows;
     for (const GridIndex& index : indices) {
@@ -90,7 +91,7 @@ std::optional<CellBounds> knownBounds(const std::vector<const HeightTile*>& tile
     return bounds;
 }
 
-/// Cropped to the known cells.
+/// Makes a raster of the tiles, cropped to the known cells.
 Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>& tiles) {
     const std::optional<CellBounds> bounds = knownBounds(tiles);
     Raster raster;

@@ -1,4 +1,4 @@
-// The map as a dense raster, and in the raw file formats that need no image library.
+// Converts the map to dense rasters, and these to the raw file formats that need no image library.
 #pragma once
 
 #include <optional>
@@ -10,36 +10,38 @@
 
 namespace usar::mapping {
 
-/// Row 0 is the highest y, as pictures and GIS want it; unknown cells are NaN. Heights are the array's, z up.
+/// A dense raster of heights from the map's array (z up), row-major. Row 0 has the highest y, as in pictures and GIS;
+/// unknown cells are NaN.
 struct Raster {
     std::int64_t columns = 0;
     std::int64_t rows = 0;
     double cell_size_m = 0.0;
-    Vec2 upper_left_center_m = Vec2::Zero(); ///< center of the first cell
+    Vec2 upper_left_center_m = Vec2::Zero(); ///< center of the first cell, in the map frame
     std::vector<float> heights_m;
     bool empty() const { return heights_m.empty(); }
-    /// Of the known cells; nothing where none is known.
+    /// The range of the known cells; nullopt if there are none.
     std::optional<HeightRange> range() const;
     std::size_t knownCellCount() const;
 };
 
-/// A stray scan (a garbled position) can put a tile a thousand kilometres away, and a raster of all would fill memory
-/// and disk with nothing. So no raster has a longer side than this, nor more cells than `roomy_raster_cells` unless a
-/// quarter of them lies in tiles that are there.
+/// A stray scan with a garbled position can create a tile a thousand kilometers away, and a raster of everything would
+/// fill memory and disk with unknown cells. Therefore no raster has a side longer than this many cells, nor more cells
+/// than `roomy_raster_cells` unless at least a quarter of them lie in existing tiles.
 inline constexpr std::int64_t maximum_raster_side = 16384;
 inline constexpr std::int64_t roomy_raster_cells = std::int64_t(1) << 26;
 
-/// All known cells: first the raster around the middle tile, as large as may be, then in the same way what lies too far
-/// from it, and so on. No more than `most`, though garbled positions be many. Each is cropped to its known cells; empty
-/// for an empty map.
+/// Rasters of all known cells: first the largest permitted raster around the median tile, then in the same way one for
+/// the tiles too far away from it, and so on, up to `most` rasters, in case there are many garbled positions. Each is
+/// cropped to its known cells. Empty for an empty map.
 std::vector<Raster> rastersOf(const HeightMap& map, std::size_t most = 64);
 
-/// The first of them; an empty one for an empty map.
+/// The first of these rasters; an empty raster for an empty map.
 Raster rasterOf(const HeightMap& map);
 
-/// NoData value of the raw file, as its header says.
+/// The value for unknown cells in the raw file, as stated in its header.
 inline constexpr float no_data_m = -9999.0f;
-/// ESRI .bil (float32, little-endian, band interleaved by line) bytes and the text of its .hdr; GDAL opens the pair.
+/// The bytes of an ESRI .bil file (float32, little-endian, band interleaved by line), and the text of its .hdr file;
+/// GDAL opens the pair.
 std::vector<char> bilBytes(const Raster& raster);
 std::string bilHeader(const Raster& raster);
 

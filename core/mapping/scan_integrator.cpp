@@ -9,7 +9,7 @@ namespace usar::mapping {
 
 namespace {
 
-/// What the filling of one scan has in common.
+/// Fills cells between the hits of one scan.
 class Filler {
 public:
     Filler(HeightMap& map, LineNumber line, double gap_limit_m)
@@ -18,19 +18,19 @@ public:
         , height_limit_m_(gap_limit_m)
         , ground_limit_m_(std::max(gap_limit_m, 2.0 * map.cellSize_m())) {}
 
-    /// NaN is far from everything.
+    /// True if two hits are near enough to be joined; false if one of them is NaN.
     bool near(const Vec3& a_m, const Vec3& b_m) const {
         const Vec3 step_m = b_m - a_m;
         return std::abs(step_m.z()) <= height_limit_m_ &&
                step_m.head<2>().squaredNorm() <= ground_limit_m_ * ground_limit_m_;
     }
 
-    /// Half a cell at most, so that no cell of any width worth naming is jumped over.
+    /// Number of steps of at most half a cell, so that only cells can be skipped that the line hardly touches.
     int stepsBetween(const Vec3& a_m, const Vec3& b_m) const {
         return static_cast<int>(std::ceil((b_m - a_m).head<2>().norm() / (0.5 * map_.cellSize_m())));
     }
 
-    /// Cells strictly between a and b, each with the height of the line at the point nearest to the cell's center.
+    /// Fills the cells between a and b, each with the height of the line at the point nearest to the cell's center.
     void join(const Vec3& a_m, const Vec3& b_m) const {
         const int steps = stepsBetween(a_m, b_m);
         const Vec2 along_m = (b_m - a_m).head<2>();
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /// Two neighbouring beams of two consecutive scans: the cells inside the four figures.
+    /// Fills the cells inside the quadrangle of the hits of two neighboring beams in two consecutive scans.
     void joinInside(const Vec3& old_a_m, const Vec3& old_b_m, const Vec3& new_a_m, const Vec3& new_b_m) const {
         const int steps = std::max(stepsBetween(old_a_m, old_b_m), stepsBetween(new_a_m, new_b_m));
         for (int i = 1; i < steps; ++i) {

@@ -1,4 +1,4 @@
-// Writes scans into a height map, filling between beams and between scans.
+// Writes scans into a height map and fills the cells between beams and between scans.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace usar::mapping {
 
-/// A scan as geometry: beam k leaves the scanner at -fov/2 + k * resolution (counter-clockwise positive, about the
-/// scanner's z axis, 0 = its x axis). Ranges at or beyond `maximum_m`, not positive, or NaN, hit nothing.
+/// The geometry of a scan: beam k leaves the scanner at the angle -fov/2 + k * resolution (counterclockwise positive
+/// about the scanner's z axis; 0 is its x axis). Ranges that are at or beyond `maximum_m`, not positive, or NaN are
+/// misses. Does not own the ranges.
 struct Beams {
     std::span<const double> ranges_m;
     double resolution_rad = 0.0;
@@ -19,22 +20,23 @@ struct Beams {
     double maximum_m = 20.0;
 };
 
-/// Thesis 4.2: sparse data is made coherent by the average of two consecutive figures, between neighbouring beams and
-/// between consecutive scans, subdivided until there is a value for every cell: linear between the two figures, and
-/// their plain average in the cell half way. Two figures more than `gap_limit_m` apart over ground, or in height (a
-/// trunk, a crown, a house), are not joined. Coarse cells stretch the limit over ground to two cells; 1.5 m holds all
-/// beams of a level scan at 6 m together, up to the 20 m range (0.42 m apart 60 degrees off nadir, 1.1 m at 72).
-/// Owned and called by one session.
+/// Integrates scans as in thesis 4.2: sparse data is made coherent by averaging two consecutive values, between
+/// neighboring beams and between consecutive scans, repeatedly until there is a value for every cell. This amounts to
+/// linear interpolation between the two values. Two hits that are more than `gap_limit_m` apart horizontally, or in
+/// height (a trunk, a treetop, a house), are not joined. With coarse cells the horizontal limit is two cells. A limit
+/// of 1.5 m joins all beams of a level scan at an altitude of 6 m, up to the range of 20 m (hits are 0.42 m apart at 60
+/// degrees off nadir, 1.1 m at 72). Each integrator is owned and called by one session.
 class ScanIntegrator {
 public:
     explicit ScanIntegrator(double gap_limit_m = 1.5);
 
-    /// A pose that is not finite hits nothing and ends the strip.
+    /// Writes the hits of one scan and fills the gaps. With a pose that is not finite, all beams are misses, so that
+    /// the next scan is not joined to this one either. `line` is the number of the scan's info line.
     void integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map);
-    /// The next scan does not continue the last one (transit, landing, another lane).
+    /// Call it if the next scan does not continue the last one (transit, landing, another lane).
     void breakStrip();
 
-    /// Points hit by the last scan, in beam order; NaN where a beam hit nothing.
+    /// Points hit by the last scan, in the map frame and in beam order; NaN for misses.
     const std::vector<Vec3>& lastHits() const { return hits_; }
 
 private:

@@ -16,7 +16,7 @@ struct Stop {
     double at;
     double red, green, blue;
 };
-// Luminance rises all the way, so the picture keeps its meaning in gray and for color-blind eyes.
+// Luminance rises monotonically, so that the picture remains readable in gray and for color-blind people.
 constexpr std::array<Stop, 6> terrain_stops{{{0.00, 14, 40, 58},
                                              {0.20, 22, 84, 74},
                                              {0.42, 74, 128, 64},

@@ -1,4 +1,4 @@
-// Heights to colors.
+// Converts heights to colors.
 #pragma once
 
 #include <array>
@@ -9,14 +9,16 @@
 
 namespace usar::mapping {
 
-/// Both get lighter with height (thesis 4.2: darker shades are depths); Terrain runs from deep green over tan to snow.
+/// Both get lighter with height (thesis 4.2: darker shades are lower). Terrain goes from dark green through tan to
+/// white.
 enum class ColorMap { Gray, Terrain };
 
-/// 0xAARRGGBB as QImage::Format_ARGB32 wants it; unknown heights are fully transparent. Heights outside the range take
-/// the color of its end; a range without extent is the middle color.
+/// The color of a height as 0xAARRGGBB, the format of QImage::Format_ARGB32. Unknown heights (NaN) are fully
+/// transparent. Heights outside the range get the color of its nearest end; a range without extent gives the middle
+/// color.
 std::uint32_t shade(float height_m, const HeightRange& range, ColorMap color_map);
-/// The preview heights of a tile. `pixels` has HeightTile::cell_count entries, row 0 = highest y (pictures grow
-/// downward, maps upward).
+/// Colors the preview heights of a tile. `pixels` has HeightTile::cell_count entries; row 0 has the highest y, because
+/// pictures grow downward and maps upward.
 void shadeTile(const HeightTile& tile, const HeightRange& range, ColorMap color_map, std::span<std::uint32_t> pixels);
 
 } // namespace usar::mapping

@@ -34,7 +34,7 @@ bool tellsSomething(const ConfigurationInfo& answer) {
     return std::ranges::any_of(answer.items, [](const auto& item) { return !item.settings.empty(); });
 }
 
-/// An item of that name, or a link of that mission package.
+/// True if the answer has an item with this name (in lower case), or a link of the mission package with this name.
 template <class Answer>
 bool speaksOf(const Answer& answer, const std::string& lower_name) {
     return std::ranges::any_of(answer.items, [&](const auto& item) {
@@ -123,7 +123,7 @@ std::optional<protocol::Command> QueryModule<Question, Answer>::next(Seconds now
         waiting_.pop_front();
         Entry& entry = entries_.at(key);
         if (entry.state != QueryState::Pending)
-            continue; // answered unasked while it waited
+            continue; // another question's answer covered it while it waited
         ++entry.times_sent;
         outstanding_.emplace(key, now);
         return *entry.question;

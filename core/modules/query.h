@@ -1,4 +1,4 @@
-// Questions about geometry and configuration, one outstanding at a time.
+// Queries about geometry and configuration, with one outstanding at a time.
 #pragma once
 
 #include <deque>
@@ -14,53 +14,60 @@
 
 namespace usar::modules {
 
+/// Unknown: never asked. Pending: waiting to be sent or answered.
 enum class QueryState { Unknown, Pending, Ready, Failed };
 
-/// Geometry and configuration module of the thesis (3.3). The server holds one pending question of each kind and loses
-/// the earlier one, so questions wait in line: the next is sent when the answer came or 1 s has passed; a question is
-/// sent three times before it fails. An answer is known by its type and, where one was asked for, its name, both in any
-/// case; the answer about the type Robot has the word of a vehicle kind instead, and its name is not looked at. An
-/// answer that tells nothing (UT2004's bare head) means that there is no such thing: Failed at once. UDK answers
-/// nothing then, so three seconds pass. `Answer` is GeometryInfo or ConfigurationInfo, `Question` GetGeometry or
-/// GetConfiguration.
+/// Geometry and configuration module of the thesis (3.3). The server remembers one pending question of each kind and
+/// forgets the earlier one, so questions wait in a queue: the next one is sent after the answer has arrived or 1 s has
+/// passed. A question is sent up to three times before it fails. An answer is recognized by its type and, if one was
+/// asked for, its name, both in any case; the answer about the type Robot has the word for a kind of vehicle instead,
+/// and its name is ignored. An empty answer, which UT2004 sends, means that there is no such thing: the question fails
+/// at once. UDK sends no answer then, so three seconds pass. `Answer` is GeometryInfo or ConfigurationInfo, `Question`
+/// GetGeometry or GetConfiguration. Plain data without a thread or clock of its own.
 template <class Question, class Answer>
 class QueryModule {
 public:
-    /// Asks (again, if it failed). Asking twice for the same thing changes nothing. A name that no line can hold (with
-    /// spaces or braces) fails at once.
+    /// Queues a question, again if it has failed before. Has no effect if it is already pending or answered. A type or
+    /// name that no line can hold (with spaces or braces) fails at once. An empty name means all items of the type.
     void query(const std::string& type, const std::string& name = {});
     QueryState state(const std::string& type, const std::string& name = {}) const;
-    /// The answer once the state is Ready, else nullptr.
+    /// The answer if the state is Ready, else nullptr. Valid until the next call of `query` or `take`.
     const Answer* answer(const std::string& type, const std::string& name = {}) const;
 
+    /// Call it with every info line of the connection.
     void take(const protocol::InfoLine& line);
-    /// Questions that have failed since the last call, each with the reason.
+    /// A question that was sent and has failed.
     struct Failure {
         std::string type;
         std::string name;
-        bool no_such_thing = false; ///< the server said so; else there was no answer
+        bool no_such_thing = false; ///< the server said so; otherwise it did not answer
     };
+    /// The failures since the last call.
     std::vector<Failure> takeFailures() { return std::exchange(failures_, {}); }
-    /// The question to send now, if the line is free; marks it as sent at `now` (the protocol's clock).
+    /// The question to send now, which counts as sent at `now` (on the protocol's clock); nullopt if none waits or the
+    /// answer to another one may still arrive.
     std::optional<protocol::Command> next(Seconds now);
 
 private:
     using Key = std::pair<std::string, std::string>; // type and name in lower case
     struct Entry {
-        std::optional<Question> question{}; ///< absent for what no line can ask
+        std::optional<Question> question{}; ///< absent if no line can hold it
         QueryState state = QueryState::Pending;
         int times_sent = 0;
         std::optional<Answer> answer{};
     };
 
+    /// The name is ignored for the type Robot.
     static Key keyOf(const std::string& type, const std::string& name);
+    /// True if `answer` answers the question `key`, which may have been asked earlier.
     bool answers(const Key& key, const Answer& answer, bool asked_now) const;
+    /// Handles a missing answer.
     void giveUpOrWait(const Key& key);
     void fail(const Key& key, Entry& entry, bool no_such_thing);
 
     std::map<Key, Entry> entries_;
     std::deque<Key> waiting_;
-    std::optional<std::pair<Key, Seconds>> outstanding_;
+    std::optional<std::pair<Key, Seconds>> outstanding_; ///< the question sent last, and when
     std::vector<Failure> failures_;
 };
 

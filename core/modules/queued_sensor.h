@@ -1,4 +1,4 @@
-// Every reading of every sensor since somebody last looked, by type and name.
+// Queues every reading of every sensor, by type and name, until it is taken.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,32 @@
 
 namespace usar::modules {
 
-/// Queued sensor module of the thesis (3.3), for whoever decides more seldom than sensors speak and wants every
-/// reading. Bounded: past `capacity` readings of one sensor the oldest goes and is counted. A behavior that wants it
-/// owns one and feeds it in `onInfo`.
+/// Queued sensor module of the thesis (3.3), for code that decides less often than sensors report but wants every
+/// reading. If a sensor has more than `capacity` readings in its queue, the oldest is dropped and counted. A behavior
+/// that needs this module owns one and feeds it in `onInfo`.
 class QueuedSensorModule {
 public:
     static constexpr std::size_t capacity = 4096;
 
-    /// `now` is the protocol clock, used for readings without a time of their own.
+    /// `now` is the time on the protocol's clock, used for readings without a time of their own.
     void take(const protocol::InfoLine& line, Seconds now);
 
-    /// The readings of one sensor, oldest first, which empties its queue. An empty name means the first one that spoke.
+    /// Returns the readings of one sensor, oldest first, and empties its queue. An empty name means the sensor of this
+    /// type that reported first.
     template <class Sensor>
     std::vector<Stamped<protocol::ReadingOf<Sensor>>> takeAll(const std::string& name = {}) {
         return emptied(stores_.of<Sensor>().find(name));
     }
-    /// Of a type that no table knows.
+    /// The same for a sensor of unknown type; an empty type or name matches any.
     std::vector<Stamped<protocol::GenericMessage>> takeAllGeneric(const std::string& type, const std::string& name) {
         return emptied(generic_.find(name, type));
     }
-    /// Readings that fell out of full queues, of all sensors.
+    /// Number of readings lost, of all sensors: dropped from full queues, or of sensors beyond the limit.
     std::uint64_t overflowCount() const { return overflow_count_; }
 
 private:
     template <class Value>
-    using Queue = std::list<Stamped<Value>>; // deques of forty kinds would take the compiler twice as long
+    using Queue = std::list<Stamped<Value>>; // deques of forty types would double the compile time
 
     template <class Value>
     static std::vector<Stamped<Value>> emptied(Queue<Value>* queue) {

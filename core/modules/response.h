@@ -1,4 +1,4 @@
-// Results of SET, queued until somebody looks.
+// Queues the results of SET until they are taken.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,14 @@
 
 namespace usar::modules {
 
-/// The queue empties when read. Bounded: past `capacity` the oldest goes and is counted.
+/// Reading empties the queue. Beyond `capacity` results, the oldest is dropped and counted.
 class ResponseModule {
 public:
     static constexpr std::size_t capacity = 1024;
 
+    /// Call it with every info line of the connection.
     void take(const protocol::InfoLine& line);
+    /// Returns all results, oldest first.
     std::vector<protocol::Response> takeAll();
     std::size_t overflowCount() const { return overflow_count_; }
 

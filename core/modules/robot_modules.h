@@ -1,4 +1,4 @@
-// All modules of one robot, fed together.
+// All modules of one robot, which are fed together.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace usar::modules {
 
-/// Whoever owns it feeds it every line of the robot's connection. Not copied: made and cleared in one place, for the
-/// compiler's sake (see SensorModule).
+/// Its owner feeds it every line of the robot's connection. Not copyable. Constructed and destroyed out of line to save
+/// compile time (see SensorModule).
 struct RobotModules {
     RobotModules();
     ~RobotModules();
@@ -21,9 +21,10 @@ struct RobotModules {
     GeometryModule geometry;
     ConfigurationModule configuration;
     ResponseModule responses;
-    std::optional<protocol::StartPoses> start_poses;
-    std::optional<protocol::GameInfo> game;
+    std::optional<protocol::StartPoses> start_poses; ///< newest answer to GETSTARTPOSES
+    std::optional<protocol::GameInfo> game;          ///< newest NFO about the server
 
+    /// Passes the line to all modules, the state first, because its clock stamps sensor readings without a time.
     void take(const protocol::InfoLine& line);
 };
 

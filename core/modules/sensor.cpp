@@ -10,7 +10,7 @@ namespace usar::modules {
 bool hasNews(const protocol::GenericMessage& message) {
     return std::ranges::any_of(message.segments, [&message](const protocol::KeyValue& segment) {
         if (sameWord(segment.key, "Name"))
-            return segment.value != message.name; // a grouped one holds values beside the name
+            return segment.value != message.name; // a grouped segment holds values besides the name
         return !sameWord(segment.key, "Type") && !sameWord(segment.key, "Time");
     });
 }

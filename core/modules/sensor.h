@@ -1,4 +1,4 @@
-// The newest reading of every sensor, by type and name.
+// Keeps the newest reading of every sensor, by type and name.
 #pragma once
 
 #include <string>
@@ -7,25 +7,26 @@
 
 namespace usar::modules {
 
-/// Non-queued sensor module of the thesis (3.3): a new reading replaces the old one of the same type and name; a bare
-/// head ("no news") replaces nothing. Pointers live until the next `take`. Not copied.
+/// Non-queued sensor module of the thesis (3.3): a new reading replaces the old one of the same type and name; a line
+/// without data replaces nothing. Returned pointers are valid until the next `take` and are nullptr if the sensor has
+/// not reported yet.
 class SensorModule {
 public:
     SensorModule();
     SensorModule(const SensorModule&) = delete;
     SensorModule& operator=(const SensorModule&) = delete;
-    ~SensorModule(); // making and clearing forty stores takes the compiler seconds, so it is done in one place
+    ~SensorModule(); // out of line: the code for forty stores takes the compiler seconds
 
-    /// `now` is the protocol clock, used for readings without a time of their own.
+    /// `now` is the time on the protocol's clock, used for readings without a time of their own.
     void take(const protocol::InfoLine& line, Seconds now);
 
-    /// Of any sensor in the table, by its message: `newest<protocol::ImuReading>("IMU")`. An empty name means the first
-    /// one that spoke.
+    /// The newest reading of any sensor in the table, by its message type: `newest<protocol::ImuReading>("IMU")`. An
+    /// empty name, here and below, means the sensor that reported first.
     template <class Sensor>
     const Stamped<protocol::ReadingOf<Sensor>>* newest(const std::string& name = {}) const {
         return stores_.of<Sensor>().find(name);
     }
-    /// All of one message's sensors, in the order in which they first spoke.
+    /// All sensors with this message type, in the order in which they first reported.
     template <class Sensor>
     const auto& all() const {
         return stores_.of<Sensor>().all();
@@ -37,7 +38,7 @@ public:
     const Stamped<protocol::GroundTruthReading>* groundTruth() const;
     const Stamped<protocol::OdometryReading>* odometry() const;
     const Stamped<protocol::EncoderTicks>* encoder(const std::string& name) const;
-    /// Sensors of types that no table knows, and damaged lines of known ones.
+    /// The newest line of a sensor of unknown type, or the newest damaged line of one of known type.
     const Stamped<protocol::GenericMessage>* generic(const std::string& type, const std::string& name) const;
 
 private:

@@ -1,4 +1,4 @@
-// What sensor modules are made of: a place for each sensor that has spoken, by type and name.
+// Building blocks of the sensor modules: a place for each sensor that has reported, by type and name.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace usar::modules {
 
-/// A reading and when it came: its own time where it carries one, else the clock at arrival.
+/// A reading with its time (the one it carries, or else the protocol's clock at arrival) and the number of its line.
 template <class Value>
 struct Stamped {
     Value value;
@@ -22,20 +22,21 @@ struct Stamped {
     LineNumber line;
 };
 
-/// In the order in which the sensors first spoke. The type in any case, the name exactly. Names beyond `most_sensors`
-/// are garbage and get no place.
+/// Places in the order in which the sensors first reported. Types are compared ignoring case, names exactly. At most
+/// `most_sensors` sensors get a place; more names than that are garbage.
 template <class Content>
 class SensorPlaces {
 public:
     static constexpr std::size_t most_sensors = 256;
 
+    /// The content kept for one sensor.
     struct Place {
         std::string type;
         std::string name;
         Content content;
     };
 
-    /// nullptr where there is none; an empty name or type stands for any.
+    /// The first matching place, nullptr if there is none. An empty name or type matches any.
     const Content* find(std::string_view name, std::string_view type = {}) const {
         const auto place = std::ranges::find_if(places_, [&](const Place& one) {
             return (name.empty() || one.name == name) && (type.empty() || sameWord(one.type, type));
@@ -45,7 +46,7 @@ public:
     Content* find(std::string_view name, std::string_view type = {}) {
         return const_cast<Content*>(std::as_const(*this).find(name, type));
     }
-    /// nullptr when there are too many.
+    /// Returns nullptr if there are too many sensors. Adding a place invalidates the pointers returned before.
     Content* findOrMake(std::string_view type, std::string_view name) {
         const auto place = std::ranges::find_if(
             places_, [&](const Place& one) { return one.name == name && sameWord(one.type, type); });
@@ -62,20 +63,22 @@ private:
     std::vector<Place> places_;
 };
 
-/// The places of one row of the table; by the sensor's type, as two sensors may have the same reading.
+/// The places for one row of the sensor table. Distinguished by `Sensor`, because two rows may have the same reading
+/// type.
 template <template <class> class Content, class Sensor>
 struct SensorStore {
     SensorPlaces<Content<protocol::ReadingOf<Sensor>>> places;
 };
 
-/// A store for each row of the table of sensors. `Content<Value>` is what is kept of one sensor. Bases and no tuple: a
-/// tuple of forty takes the compiler half a second wherever it is seen.
+/// A store for each row of the sensor table. `Content<Value>` is the type kept for each sensor. Uses base classes
+/// because a tuple of forty elements costs half a second of compile time in every file that includes it.
 template <template <class> class Content, class Sensors>
 class SensorStores;
 
 template <template <class> class Content, class... Sensors>
 class SensorStores<Content, protocol::TypeList<Sensors...>> : private SensorStore<Content, Sensors>... {
 public:
+    /// The SensorPlaces for one message type of the table.
     template <class Sensor>
     const auto& of() const {
         return static_cast<const SensorStore<Content, Sensor>&>(*this).places;
@@ -86,11 +89,12 @@ public:
     }
 };
 
-/// Of a line that is no known sensor's: whether it tells anything. A bare head means "no news" (UDK).
+/// True if a line of an unknown sensor has data besides Type, Time and Name. UDK sends lines without data.
 bool hasNews(const protocol::GenericMessage& message);
 
-/// Calls `file(type, name, reading, tag)` for every reading in the message; `tag` points to the sensor's type. Lines of
-/// sensors that no table knows, and damaged ones, come as themselves.
+/// Calls `file(type, name, reading, tag)` for every reading in the message; `tag` is a null pointer to the message
+/// type, by which the caller selects the store. Lines of unknown sensors and damaged lines are passed as
+/// GenericMessage.
 template <class File>
 void forEachSensorReading(const protocol::InfoMessage& message, File&& file) {
     std::visit(

@@ -1,4 +1,4 @@
-// One sensor and nothing else.
+// Keeps the newest reading of a single sensor.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 namespace usar::modules {
 
 /// Sensor-specific module of the thesis (3.3): `SpecificSensor<protocol::BallReading> ball("ballHelper")`. An empty
-/// name follows whichever speaks. A behavior that wants it owns one and feeds it in `onInfo`.
+/// name accepts every sensor with this message type. A behavior that needs this module owns one and feeds it in
+/// `onInfo`.
 template <protocol::SensorMessage Sensor>
 class SpecificSensor {
 public:
@@ -20,7 +21,8 @@ public:
 
     explicit SpecificSensor(std::string name = {}) : name_(std::move(name)) {}
 
-    /// True when the line told something of this sensor.
+    /// Returns true if the line had a reading of this sensor. `now`, on the protocol's clock, is used for readings
+    /// without a time of their own.
     bool take(const protocol::InfoLine& line, Seconds now) {
         const auto* const message = std::get_if<Sensor>(&line.message);
         if (!message)
@@ -35,8 +37,9 @@ public:
         return count_ != before;
     }
 
+    /// The newest reading; nullopt before the first.
     const std::optional<Stamped<Reading>>& newest() const { return newest_; }
-    /// Readings so far.
+    /// Number of readings so far.
     std::uint64_t count() const { return count_; }
     const std::string& name() const { return name_; }
 

@@ -1,4 +1,4 @@
-// Everything a client can ask, as one variant of small structs in our frame and in SI units.
+// Everything a client can ask of a server, as one variant of small structs in our frame and in SI units.
 #pragma once
 
 #include <string>
@@ -21,7 +21,8 @@
 
 namespace usar::protocol {
 
-/// Any other line, sent as it is and kept whole by a server that does not know it.
+/// Any other line, without its line end. A client sends it unchanged; our server keeps a line in this form if it does
+/// not know the command.
 struct RawCommand {
     std::string line{};
     bool operator==(const RawCommand&) const = default;
@@ -36,7 +37,8 @@ using CommandVariant =
                  AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates, GetPathNodes, GetClosestPathNode,
                  GoToNode, WalkTo, PauseWalk, ResumeWalk, Lockstep, Step, Test, Pause>;
 
-/// The variant, to be used as one; what copies fifty alternatives is compiled in one place.
+/// A command; use it like the variant that it derives from. The class exists so that the code that copies and compares
+/// fifty alternatives is compiled only once.
 class Command : public CommandVariant {
 public:
     Command();
@@ -46,16 +48,16 @@ public:
     Command& operator=(Command&& other) noexcept;
     ~Command();
 
-    /// One of the alternatives.
+    /// Holds a copy of one of the alternatives.
     template <AlternativeOf<CommandVariant> One>
     Command(One&& one) : CommandVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
 
     bool operator==(const Command& other) const;
-    /// The variant has one that its alternatives have not, and meta types ask for it.
+    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
     friend bool operator<(const Command&, const Command&) = delete;
 };
 
-/// DRIVE and MULTIDRIVE of any kind: what moves a robot and replaces what was said before.
+/// True for any kind of DRIVE and MULTIDRIVE: commands that move a robot and replace the previous command of that kind.
 bool isDrive(const Command& command);
 
 } // namespace usar::protocol

@@ -46,7 +46,8 @@ bool isOnLine(std::string_view line, std::string_view key) {
     return false;
 }
 
-/// Keys that begin with `begun`, each behind `before` ("{" or nothing), but for those used up on `line`.
+/// Keys that begin with `begun`, except those that `line` has already used up. Each suggestion begins with `before`
+/// ("{" or nothing).
 std::vector<Completion> keys(const CommandRule& command, std::string_view line, std::string_view before,
                              std::string_view begun, std::size_t from) {
     std::vector<Completion> found;
@@ -80,7 +81,7 @@ std::vector<Completion> insideSegment(const CommandRule& command, std::string_vi
     std::string_view rest = line.substr(open + 1, cursor - open - 1);
     const std::string_view key = takeWord(rest);
     if (rest.empty()) {
-        // What stands behind the cursor is the same segment, and its key is not used up by itself.
+        // The segment at the cursor is left out, so that its own key does not count as used up.
         const std::string others = std::string(line.substr(0, open)) + std::string(line.substr(cursor));
         return keys(command, others, "", key, cursor - key.size());
     }
@@ -112,7 +113,7 @@ std::string nearestKey(const CommandRule& command, std::string_view key) {
     return meant(key, known);
 }
 
-/// A brace that opens must close before the next one opens, and the other way round.
+/// Adds an error for each brace that does not pair up: braces must alternate, as segments do not nest.
 void checkBraces(std::string_view line, Diagnostics& found) {
     std::size_t open = std::string_view::npos;
     for (std::size_t i = 0; i < line.size(); ++i) {

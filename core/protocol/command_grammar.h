@@ -1,4 +1,4 @@
-// The words of commands as a table: for help, completion and a check before a line is sent.
+// The grammar of commands as a table, for help, completion and a check before a line is sent.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace usar::protocol {
 
-/// What a segment's value must look like. Word means one of the rule's words, in any case.
+/// The form that a segment's value must have. Word means one of the rule's words, in upper or lower case.
 enum class ValueForm { Text, Number, Numbers, Word };
 
-/// One segment that a command may have. `words` are values to choose from; empty where the value is free. A key in
-/// angle brackets ("<joint>") stands for any name.
+/// One segment that a command may have. `words` are the values to choose from, empty if any value is allowed. `help` is
+/// a phrase for the operator. A key in angle brackets ("<joint>") stands for any name.
 struct SegmentRule {
     std::string_view key;
     std::string_view help;
@@ -24,6 +24,8 @@ struct SegmentRule {
     bool repeats = false; ///< may stand more than once on a line
 };
 
+/// One command: its first word, a phrase of help, a complete line as an example, and the segments that it may have.
+/// All views are to static text.
 struct CommandRule {
     std::string_view word;
     std::string_view help;
@@ -31,10 +33,10 @@ struct CommandRule {
     std::span<const SegmentRule> segments;
 };
 
-/// Every command of usarsim-protocol 5, and our server's own.
+/// Every command of usarsim-protocol 5 and the additional ones of our own server.
 std::span<const CommandRule> commandRules();
 
-/// Replaces the bytes [from, cursor) of the line.
+/// A suggestion; `text` is to replace the bytes [from, cursor) of the line.
 struct Completion {
     std::string text;
     std::string help;
@@ -42,13 +44,14 @@ struct Completion {
     bool operator==(const Completion&) const = default;
 };
 
-/// What may stand at `cursor` (a byte of the line, at most its end), judged by what is before it: command words, then
-/// segments ("{Left"), keys behind an opening brace, words of a key. In the table's order; begun words in any case.
+/// Lists what may stand at `cursor` (a byte offset into the line, limited to its end), judging mainly by the text
+/// before it: command words, then segments ("{Left"), keys after an opening brace, and the words of a key. The
+/// suggestions are in the table's order; the part already typed may be in any case. Empty if the command is unknown.
 std::vector<Completion> completionsAt(std::string_view line, std::size_t cursor);
 
-/// What a server would not understand: an unknown word or key is a warning with the nearest spelling, a missing brace
-/// or a number that is none an error. No line is too odd to be sent, though: the caller decides. Nothing for an empty
-/// line.
+/// Lists what a server would not understand, in the order of the line: an unknown word or key gives a warning with the
+/// nearest spelling, a missing brace or an invalid number an error. Any line can be sent nevertheless; the caller
+/// decides. Empty for an empty line.
 Diagnostics checkCommand(std::string_view line);
 
 } // namespace usar::protocol

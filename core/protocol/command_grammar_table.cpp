@@ -1,4 +1,4 @@
-// The table of commandRules(), in the order in which people meet the commands.
+// The table that commandRules() returns, in the order in which users come across the commands.
 #include <array>
 
 #include "core/protocol/command_grammar.h"

@@ -15,7 +15,8 @@ namespace {
 
 using Read = Command (*)(LineIn&);
 
-/// A command whose words are still to be read: a Token has no empty value, but a refused line is thrown away.
+/// A command to read values into. Tokens cannot be empty and begin as "?", which is replaced when the line is read; if
+/// the line is refused, the command is discarded.
 template <class T>
 T blank() {
     if constexpr (std::is_default_constructible_v<T>)
@@ -33,8 +34,8 @@ Command read(LineIn& line) {
     return value;
 }
 
-/// A row of a table: lines that have this key (and this word for it; an empty one is any) are of this kind. The first
-/// row that fits wins.
+/// A table row: a line that has a segment with this key, and this word as its value (empty means any), is read by
+/// `read`. The first matching row wins.
 struct Row {
     std::string_view key;
     std::string_view word;
@@ -53,8 +54,8 @@ Command readByRow(LineIn& line, std::span<const Row> rows, std::string_view refu
     return {};
 }
 
-/// Aerial keys win, for Iridium's stop button sends the keys of all vehicles at once. A bare Normalized is a drive of
-/// any kind without terms.
+/// Aerial keys come first because Iridium's stop button sends the keys of all vehicles at once. A Normalized alone is a
+/// drive of any kind without values.
 constexpr std::array drive_rows = {
     Row{"AltitudeVelocity", "", read<AerialDrive>},
     Row{"LinearVelocity", "", read<AerialDrive>},
@@ -113,7 +114,7 @@ Command readMove(LineIn& line) {
     return readByRow(line, move_rows, "MOVE needs an Action: New, Append, Pause or Resume");
 }
 
-/// By type and opcode; an empty word is any.
+/// A table row that matches by Type and Opcode; an empty word matches any.
 struct SetRow {
     std::string_view type;
     std::string_view opcode;
@@ -137,7 +138,7 @@ constexpr std::array set_rows = {
     SetRow{"", "SCAN", read<ScanNow>},
     SetRow{"", "", read<SetItem>},
 };
-/// SET without an Opcode.
+/// Rows for a SET without an Opcode.
 constexpr std::array view_rows = {
     Row{"Config", "", read<SetViewports>},
     Row{"Robot", "", read<AttachCamera>},

@@ -1,4 +1,4 @@
-// Command lines to values, as a server takes them.
+// Converts command lines to values, as a server does.
 #pragma once
 
 #include <string_view>
@@ -9,10 +9,11 @@
 
 namespace usar::protocol {
 
-/// As tolerant as usarsim-protocol 1.2-1.7: any case, any spacing, vectors with commas or spaces, prefix numbers
-/// (`1,00` is 1, a word is 0, as servers take them), the aliases STARTPOSES and MISSPKG. What no struct of command.h
-/// can hold comes back as RawCommand with the whole line. Never fails; `diagnostics` says what was mended or why a line
-/// stayed raw. `dialect` decides the unit of the aerial yaw rate: radians per second, degrees in UDK.
+/// Reads one line without its line end, as tolerantly as usarsim-protocol 1.2-1.7 asks: any case, any spacing, vectors
+/// with commas or spaces, numbers followed by junk (`1,00` is 1, a word is 0, as servers read them), the aliases
+/// STARTPOSES and MISSPKG. A line that no struct of command.h can hold is returned whole as a RawCommand. Never fails;
+/// `diagnostics` receives what was corrected, or why a line with a known first word stayed raw. `dialect` decides the
+/// unit of the aerial yaw rate: radians per second in UT2004, degrees per second in UDK.
 Command readCommand(std::string_view line, Diagnostics& diagnostics, Dialect dialect = Dialect::Ut2004);
 
 } // namespace usar::protocol

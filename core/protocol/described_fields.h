@@ -1,4 +1,4 @@
-// Lists the values of any container that describes itself (core/protocol/schema.h).
+// Lists the values of any message struct that describes itself (core/protocol/schema.h).
 #pragma once
 
 #include <optional>
@@ -11,6 +11,7 @@
 
 namespace usar::protocol {
 
+/// Adds one member of a message to `fields` under the name `field`. Absent optionals and empty texts add nothing.
 struct ValueLister {
     FieldList& fields;
     std::string_view field;
@@ -27,7 +28,7 @@ struct ValueLister {
     }
     void operator()(Seconds value) const { fields.number(field, value.count(), unit); }
     void operator()(const Vec3& value) const { fields.vector(field, value, unit, is_angles); }
-    /// Only what moves on the ground has a pose in one segment.
+    /// Lists x, y and yaw only, because only ground robots send a pose in a single segment.
     void operator()(const Pose& value) const {
         fields.number("x", value.position_m.x(), "m");
         fields.number("y", value.position_m.y(), "m");
@@ -41,22 +42,26 @@ struct ValueLister {
     }
 };
 
+/// Adds one item under the name and unit in its description.
 template <class Owner, class Member>
 void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& item) {
     ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);
 }
 
+/// Adds all six values of a pose.
 template <class Owner>
 void listItem(FieldList& fields, const Owner& owner, const PoseItem<Owner>& item) {
     fields.pose(owner.*item.member);
 }
 
+/// Adds all items of one message or group, without its groups.
 template <class Owner>
 void listItems(FieldList& fields, const Owner& owner) {
     forEachItem<Owner>([&](const auto& item) { listItem(fields, owner, item); });
 }
 
-/// What an element's group was opened with, or its place where that says nothing that tells it from others.
+/// The number that opened an element's group on the wire, or, if groups are opened by something that does not identify
+/// them, `number`, the element's position from 1.
 template <class Element>
 std::string openingValue(const Element& element, std::size_t number) {
     constexpr auto first = std::get<0>(Element::items());
@@ -66,7 +71,8 @@ std::string openingValue(const Element& element, std::size_t number) {
         return std::to_string(number);
 }
 
-/// `fields.source` is set. Groups become items: "F1", or "CameraPanTilt Link 1".
+/// Adds all values of a message. The caller has set `fields.source`; each group becomes an item of its own: "F1", or
+/// "CameraPanTilt Link 1".
 template <Described T>
 void listDescribed(FieldList& fields, const T& message) {
     if constexpr (requires { message.name; })

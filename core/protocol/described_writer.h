@@ -1,4 +1,4 @@
-// Writes any container that describes itself (core/protocol/schema.h), as a UT2004 server does.
+// Writes any message struct that describes itself (core/protocol/schema.h), as a UT2004 server does.
 #pragma once
 
 #include <string>
@@ -10,15 +10,17 @@
 
 namespace usar::protocol {
 
+/// Roll, pitch and yaw in rad.
 inline Vec3 anglesOf(const Pose& pose) {
     return {pose.roll_rad, pose.pitch_rad, pose.yaw_rad};
 }
 
-/// The same angles in [0, 2 pi), as UT2004's ground truth and INS have them.
+/// The same angles in [0, 2 pi), as UT2004's ground truth and INS send them. The pose's angles are in (-pi, pi].
 inline Vec3 positiveAnglesOf(const Pose& pose) {
     return anglesOf(pose).unaryExpr([](double angle_rad) { return angle_rad < 0 ? angle_rad + 2 * pi : angle_rad; });
 }
 
+/// Appends the value of one segment to `line`, converted from our frame to the wire's. Optionals must hold a value.
 struct ValueWriter {
     LineWriter& line;
     Crossing crossing;
@@ -29,6 +31,7 @@ struct ValueWriter {
     }
     void operator()(long long value) const { line.whole(value); }
     void operator()(bool value) const { line.text(value ? "True" : "False"); }
+    /// The key alone states it.
     void operator()(Present) const {}
     void operator()(const std::string& value) const { line.text(value); }
     void operator()(Seconds value) const { line.number(value.count(), decimals); }
@@ -38,6 +41,7 @@ struct ValueWriter {
         else
             line.numbers(crossing == Crossing::Vector ? acrossWire(value) : value, decimals);
     }
+    /// A pose on the ground: x, y and yaw.
     void operator()(const Pose& value) const {
         const Pose on_wire = acrossWire(value);
         line.numbers(Vec3(on_wire.position_m.x(), on_wire.position_m.y(), on_wire.yaw_rad), decimals);
@@ -49,6 +53,7 @@ struct ValueWriter {
     }
 };
 
+/// False if the member is absent or empty, so that no segment is written for it.
 template <class Member>
 bool isThere(const Member& member) {
     if constexpr (std::is_same_v<Member, Present>)
@@ -61,7 +66,7 @@ bool isThere(const Member& member) {
         return true;
 }
 
-/// `in_segment`: the segment is open and takes several pairs.
+/// Writes one item as a segment of its own, or, with `in_segment`, as one of several pairs of the open segment.
 template <class Owner, class Member>
 void writeItem(LineWriter& line, const Owner& owner, const Item<Owner, Member>& item, bool in_segment) {
     const Member& member = owner.*item.member;
@@ -76,6 +81,7 @@ void writeItem(LineWriter& line, const Owner& owner, const Item<Owner, Member>& 
         line.close();
 }
 
+/// Writes a pose as Location and Orientation.
 template <class Owner>
 void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item, bool) {
     const Pose on_wire = acrossWire(owner.*item.member);
@@ -84,12 +90,13 @@ void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item
                  Decimals::TwoRounded);
 }
 
+/// Writes all items of one message or group, without its groups.
 template <class Owner>
 void writeItems(LineWriter& line, const Owner& owner, bool in_segment = false) {
     forEachItem<Owner>([&](const auto& item) { writeItem(line, owner, item, in_segment); });
 }
 
-/// Everything behind the type word, Time and Type.
+/// Writes everything that follows the type word, Time and Type.
 template <Described T>
 void writeDescribed(LineWriter& line, const T& message) {
     if constexpr (requires { message.name; })

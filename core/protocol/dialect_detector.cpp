@@ -11,9 +11,10 @@ namespace usar::protocol {
 namespace {
 
 constexpr int most_belief = 8;
-constexpr int least_belief = -4; ///< then it was the other one
+constexpr int least_belief = -4; ///< at this value the answer changes to the other dialect
 
-/// Key and value of the segment that begins at or behind `from`, which moves behind it. False where there is none.
+/// Finds the first segment that begins at or after `from`, gives its key and value, and moves `from` to its end. False
+/// if there is none.
 bool nextSegment(std::string_view line, std::size_t& from, std::string_view& key, std::string_view& value) {
     const std::size_t open = line.find('{', from);
     if (open == std::string_view::npos)
@@ -46,7 +47,8 @@ bool hasType(std::string_view line, std::string_view wanted) {
     return false;
 }
 
-/// UT2004 begins a state with its Type, UDK with its Time; what begins otherwise is the answer to CONTROL GetSTA.
+/// UT2004 begins an STA with its Type, UDK with its Time. An STA that begins otherwise is the answer to CONTROL GetSTA
+/// and tells nothing.
 std::optional<Dialect> byState(std::string_view line) {
     std::string_view key;
     std::string_view value;
@@ -64,7 +66,7 @@ void DialectDetector::take(std::string_view line) {
     std::string_view rest = line.substr(0, line.find('{'));
     const std::string_view word = takeWord(rest);
     if (sameWord(word, "SEN"))
-        return; // most lines are; they tell nothing
+        return; // most lines; not characteristic of either dialect
     if (sameWord(word, "STA")) {
         if (const auto dialect = byState(line))
             vote(*dialect);

@@ -1,4 +1,4 @@
-// Tells UT2004 and UDK servers apart by what they say; never needed to read it.
+// Tells UT2004 and UDK servers apart by the lines they send. Reading those lines does not depend on the answer.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,26 @@
 
 namespace usar::protocol {
 
-/// Listens to one connection, by the end of usarsim-protocol 7. The first telling line decides; from then on a line
-/// that tells the other way only weakens the belief, and it takes several more of them than there were for it (no more
-/// than a few count) to change it. A proxy that is restarted with another server behind it is noticed; a single odd
-/// line changes nothing.
+/// Watches one connection and applies the rules at the end of usarsim-protocol 7. The first characteristic line
+/// decides. After that, each line for the same dialect strengthens the belief, up to a small limit, and each line for
+/// the other one weakens it; the answer changes when the contrary lines outnumber the others by several. In this way a
+/// proxy that is restarted with a different server is noticed, but a single odd line changes nothing.
 class DialectDetector {
 public:
-    /// Every info line of the connection, as it came.
+    /// Call it with every info line of the connection, as received.
     void take(std::string_view line);
-    /// Every command that went out: an answer about cameras tells something only where nobody asked.
+    /// Call it with every command that is sent: a configuration of cameras is characteristic only if nobody asked for
+    /// it.
     void sent(const Command& command);
 
+    /// The dialect as far as known; nullopt before the first characteristic line.
     std::optional<Dialect> dialect() const { return dialect_; }
 
 private:
     void vote(Dialect dialect);
 
     std::optional<Dialect> dialect_;
-    int belief_ = 0; ///< in `dialect_`, by the lines that told
+    int belief_ = 0; ///< in `dialect_`: lines for it minus lines against it
     bool asked_for_cameras_ = false;
 };
 

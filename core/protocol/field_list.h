@@ -12,7 +12,8 @@
 
 namespace usar::protocol {
 
-/// `source` and `item` hold for what is added after they are set. Numbers that are none are "nan".
+/// Builds a list of Fields. `source` and `item` apply to all values added after they are set. A number that is NaN or
+/// infinite is added without a number and with the text "nan".
 class FieldList {
 public:
     std::string source;
@@ -20,26 +21,32 @@ public:
 
     void text(std::string_view field, std::string_view value);
     void number(std::string_view field, double value, std::string_view unit = {});
+    /// Adds nothing if the value is absent; neither does `flag`.
     template <class Number>
     void number(std::string_view field, const std::optional<Number>& value, std::string_view unit = {}) {
         if (value)
             number(field, static_cast<double>(*value), unit);
     }
     void flag(std::string_view field, const std::optional<bool>& value);
-    /// x, y, z of it, or roll, pitch, yaw; "field.x", or "x" without a field.
+    /// Adds the components x, y, z, or with `is_angles` roll, pitch, yaw; they are named "field.x", or "x" if `field`
+    /// is empty.
     void vector(std::string_view field, const Vec3& value, std::string_view unit, bool is_angles = false);
+    /// Adds x, y, z in m and roll, pitch, yaw in rad.
     void pose(const Pose& pose);
-    /// Each one; of long lists count, minimum, mean and maximum.
+    /// Adds each value under its index ("field.0"), or the summary if there are more than `longest_list`.
     void values(std::string_view field, std::span<const double> values, std::string_view unit);
+    /// Adds the number of values, and the minimum, mean and maximum of the finite ones.
     void summary(std::string_view field, std::span<const double> values, std::string_view unit);
     void add(Field field) { fields_.push_back(std::move(field)); }
 
+    /// Moves the list out.
     std::vector<Field> take() { return std::move(fields_); }
 
-    /// Longer lists are summed up.
+    /// Longer lists are summarized.
     static constexpr std::size_t longest_list = 16;
 
 private:
+    /// "field.part", or "part" if `field` is empty.
     static std::string partOf(std::string_view field, std::string_view part);
 
     std::vector<Field> fields_;

@@ -1,4 +1,5 @@
-// Any info message as a flat list of named values: what sensor panels, plots and exports show, known type or not.
+// Converts any info message, of a known type or not, to a flat list of named values for sensor panels, plots and
+// exports.
 #pragma once
 
 #include <optional>
@@ -12,9 +13,9 @@
 namespace usar::protocol {
 
 /// One value of a message. `source` names the stream ("SEN Sonar", "STA"), `item` the sensor or group ("F1",
-/// "CameraPanTilt Link 1", may be empty), `field` the value within it ("range", "x"). Numbers carry SI units in our
-/// frame; those of a generic message are as the wire has them, for nobody knows what they mean. A text has no number,
-/// nor has a NaN, whose text is "nan".
+/// "CameraPanTilt Link 1"; may be empty), `field` the value within it ("range", "x"). Numbers are in SI units and in
+/// our frame, except those of a generic message, whose meaning is unknown and which stay as they are on the wire.
+/// `number` is absent for texts and for NaN, whose text is "nan".
 struct Field {
     std::string source{};
     std::string item{};
@@ -23,17 +24,17 @@ struct Field {
     std::string text{};
     std::string unit{}; ///< "m", "rad", "s", "" …
 
-    /// "SEN Sonar/F1/range", or "STA/battery" without an item; the same for a stream's every message.
+    /// "SEN Sonar/F1/range", or "STA/battery" without an item. Every message of a stream has the same paths.
     std::string path() const;
     bool operator==(const Field&) const = default;
 };
 
-/// All values of `message` in the server's order, but for its time. Vectors give a field an axis; long lists (a scan)
-/// give count, minimum, mean and maximum of what is a number.
+/// All values of `message` except its time, in the server's order. A vector gives one field per axis. A long list, such
+/// as a scan, gives its count and the minimum, mean and maximum of its finite values.
 std::vector<Field> fieldsOf(const InfoMessage& message);
 /// The name of the struct that holds the message: "RangeScan", "GenericMessage".
 std::string_view containerOf(const InfoMessage& message);
-/// The message's own time stamp, if it carries one.
+/// The message's own time stamp on the server's clock; nullopt if it carries none.
 std::optional<Seconds> timeOf(const InfoMessage& message);
 
 } // namespace usar::protocol

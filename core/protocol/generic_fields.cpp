@@ -15,7 +15,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// Longer lists are summed up.
+/// Longer lists are summarized.
 constexpr std::size_t longest_list = 16;
 
 bool opensGroup(std::string_view key) {
@@ -24,7 +24,7 @@ bool opensGroup(std::string_view key) {
            sameWord(key.substr(0, 8), "Viewport");
 }
 
-/// All numbers of a comma-separated list, or nothing when an element is none.
+/// All numbers of a comma-separated list; nullopt if an element is not a number.
 std::optional<std::vector<double>> numbersOf(std::string_view value) {
     std::vector<double> numbers;
     value = trimmed(value);

@@ -1,4 +1,4 @@
-// Values of a message that no table knows: numbers where they are numbers, vectors by axis, the rest as text.
+// Lists the values of a message of unknown type: numbers as numbers, vectors by axis, everything else as text.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace usar::protocol {
 
-/// Follows the groups of usarsim-protocol 1.4: a segment belongs to the last group-opening key before it (Name, then
-/// Link, ID, PartName, Object, WheelNumber, ViewportN within it), which makes the item: "CameraPanTilt Link 1". Values
-/// stay in the wire's frame and units.
+/// Lists all values except Type and Time. Follows the grouping rule of usarsim-protocol 1.4: a segment belongs to the
+/// last group-opening key before it (Name, then Link, ID, PartName, Object, WheelNumber or ViewportN within it), which
+/// gives the item its name: "CameraPanTilt Link 1". Values stay in the wire's frame and units.
 std::vector<Field> genericFieldsOf(const GenericMessage& message);
 
-/// Of the finite ones; NaN all three where there is none.
+/// Statistics of the finite values of a list; all three are NaN if there are none.
 struct ListSummary {
     double minimum = 0.0;
     double mean = 0.0;

@@ -1,4 +1,4 @@
-// Everything a server can tell, as one variant of small structs, and the line that it came in.
+// Everything a server can send, as one variant of small structs, and the line that it came in.
 #pragma once
 
 #include <string>
@@ -20,16 +20,17 @@
 
 namespace usar::protocol {
 
+/// Has no body; used only for its return type.
 template <class... Sensors>
 std::variant<GenericMessage, GameInfo, StartPoses, PathNodes, ClosestPathNode, LockstepInfo, RobotState, PackageState,
              EffecterState, WorldObjects, GeometryInfo, ConfigurationInfo, Response, Sensors...>
     variantWith(TypeList<Sensors...>);
 
-/// What every server says, and the sensors of the table.
+/// The messages that every server sends, and those of all sensors in the table. GenericMessage is the first one.
 using InfoVariant = decltype(variantWith(SensorTypes{}));
 
-/// The variant, to be used as one. Copying forty alternatives takes the compiler many seconds, so it is done in one
-/// place and not wherever a message is kept.
+/// A message; use it like the variant that it derives from. The code that copies forty alternatives takes many seconds
+/// to compile, so it is compiled in one place and not wherever a message is stored.
 class InfoMessage : public InfoVariant {
 public:
     InfoMessage();
@@ -39,20 +40,21 @@ public:
     InfoMessage& operator=(InfoMessage&& other) noexcept;
     ~InfoMessage();
 
-    /// One of the alternatives.
+    /// Holds a copy of one of the alternatives.
     template <AlternativeOf<InfoVariant> Message>
     InfoMessage(Message&& message)
         : InfoVariant(std::in_place_type<std::decay_t<Message>>, std::forward<Message>(message)) {}
 
     bool operator==(const InfoMessage& other) const;
-    /// The variant has one that its alternatives have not, and meta types ask for it.
+    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
     friend bool operator<(const InfoMessage&, const InfoMessage&) = delete;
 };
 
-/// Whether the table has a row for a Type of SEN, in any case.
+/// True if the sensor table has a row for this value of a SEN line's Type, in upper or lower case.
 bool isKnownSensor(std::string_view type);
 
-/// One info line: its number on the connection, its raw text, its value, and what was wrong with it.
+/// One info line: its number on the connection, its raw text without the line end, its value, and the problems found
+/// while reading it.
 struct InfoLine {
     LineNumber number;
     std::string text;

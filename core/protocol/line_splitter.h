@@ -1,4 +1,4 @@
-// Cuts a byte stream into lines, whatever the chunks.
+// Splits a byte stream into lines, however it is divided into chunks.
 #pragma once
 
 #include <cstddef>
@@ -7,36 +7,39 @@
 
 namespace usar::protocol {
 
-/// Takes bytes as they arrive and gives whole lines without their terminator. CR, LF and any run of them end a line;
-/// empty lines are not reported. A line longer than the cap is dropped to its terminator, counted once, and reading
-/// goes on behind it. Owned by one connection; not a value; no thread of its own.
+/// Takes bytes as they arrive and delivers whole lines without their terminators. CR, LF and any run of them end a
+/// line; empty lines are not reported. A line longer than the cap is dropped up to its terminator and counted once;
+/// reading continues after it. Each connection owns one splitter and uses it in its own thread.
 class LineSplitter {
 public:
-    /// Four MiB: no server limits its lines; depth images reach hundreds of kilobytes (usarsim-protocol 1.1).
+    /// 4 MiB. No server limits its lines, and depth images reach hundreds of kilobytes (usarsim-protocol 1.1).
     static constexpr std::size_t default_cap_bytes = 4u << 20;
 
     explicit LineSplitter(std::size_t cap_bytes = default_cap_bytes);
 
-    /// Calls `take(std::string_view line)` for every line that `bytes` completes. The view lives during the call.
+    /// Calls `take(std::string_view line)` for every line that `bytes` completes. The view is valid during the call
+    /// only.
     template <class Take>
     void feed(std::string_view bytes, Take&& take);
 
-    /// Lines that were longer than the cap.
+    /// Number of lines dropped because they were longer than the cap.
     std::size_t overlongCount() const { return overlong_count_; }
-    /// Bytes of the line that has not ended.
+    /// Size of the line that has not ended yet; 0 while an overlong line is being dropped.
     std::size_t pendingBytes() const { return pending_.size(); }
+    /// Text of that line; valid until the next call of `feed` or `reset`.
     std::string_view pending() const { return pending_; }
-    /// Forgets the unfinished line, as after a reconnect; the count stays. Not to be called from `take`.
+    /// Discards the unfinished line, as needed after a reconnect; the count stays. Must not be called from `take`.
     void reset();
 
 private:
-    /// Cuts the part up to the first terminator off `bytes`. True when there was one; `line` is then what it ended: a
-    /// view into `bytes` when the line came in one piece, else into the pending text; empty when it was dropped.
+    /// Removes the part up to the first terminator from `bytes`. Returns true if there was a terminator; `line` is then
+    /// the line that it ended: a view into `bytes` if the line came in one piece, else into the pending text, and empty
+    /// if the line was dropped.
     bool takePiece(std::string_view& bytes, std::string_view& line);
 
     std::size_t cap_bytes_;
     std::string pending_;
-    bool dropping_ = false;
+    bool dropping_ = false; ///< the current line is too long; its rest is discarded
     std::size_t overlong_count_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Segments of one info line, spelled and rounded as Unreal prints them.
+// Writes the segments of one info line, spelled and rounded as Unreal prints them.
 #pragma once
 
 #include <array>
@@ -15,11 +15,12 @@
 
 namespace usar::protocol {
 
-/// Appends to a text that somebody else owns and that must outlive it.
+/// Appends to a text that the caller owns and that must outlive this object. Converts no frames or units.
 class LineWriter {
 public:
     explicit LineWriter(std::string& out) : out_(out) {}
 
+    /// A number without key and braces.
     void number(double value, Decimals decimals) {
         if (decimals == Decimals::TwoRounded)
             appendFixed(out_, value, 2);
@@ -27,13 +28,14 @@ public:
             appendTruncated(out_, value, 4);
     }
     void text(std::string_view value) { out_.append(value); }
-    /// " {key " and, later, "}".
+    /// Begins a segment: " {key ". `close` ends it.
     void open(std::string_view key) {
         out_ += " {";
         out_.append(key);
         out_ += ' ';
     }
     void close() { out_ += '}'; }
+    /// Values separated by commas, without key and braces.
     void numbers(const Vec3& values, Decimals decimals) {
         number(values.x(), decimals);
         out_ += ',';
@@ -50,6 +52,7 @@ public:
         }
     }
 
+    /// A whole segment: " {key value}".
     void segment(std::string_view key, std::string_view value) {
         open(key);
         text(value);
@@ -65,6 +68,7 @@ public:
         numbers(values, decimals);
         close();
     }
+    /// A number without decimals.
     void whole(long long value) {
         std::array<char, 24> digits;
         out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
@@ -74,10 +78,10 @@ public:
         whole(value);
         close();
     }
-    /// As Unreal's string of a bool.
+    /// True or False, as Unreal prints a bool.
     void boolean(std::string_view key, bool value) { segment(key, value ? "True" : "False"); }
-    /// STA, RES and the scanner print a bare float, all other sensors a formatted one. Nothing for a message without
-    /// time.
+    /// STA, RES and the range scanner print the time as a bare float (TwoRounded), all other sensors as a formatted one
+    /// (FourCut). Writes nothing if the message has no time.
     void time(const std::optional<Seconds>& time, Decimals decimals) {
         if (time)
             segment("Time", time->count(), decimals);

@@ -11,7 +11,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// What a longer line has allocated is given back: one hostile line must not be paid for until the end.
+/// The buffers are freed after a longer line, so that one hostile line does not occupy memory forever.
 constexpr std::size_t most_kept_bytes = 1u << 20;
 
 template <std::size_t... Kinds>

@@ -1,4 +1,4 @@
-// Info lines to values.
+// Converts info lines to values.
 #pragma once
 
 #include <string_view>
@@ -10,17 +10,17 @@
 
 namespace usar::protocol {
 
-/// Reads the lines of one connection, both dialects, and numbers them from 1. Never fails: a line that no table knows
-/// becomes a GenericMessage, a damaged one keeps what could be read and gets diagnostics. Values come out in SI units
-/// and in our frame. Owned by one connection.
+/// Reads the lines of one connection in either dialect and numbers them from 1. Never fails: a line of unknown type
+/// becomes a GenericMessage; a damaged line keeps what could be read, or becomes a GenericMessage, and gets
+/// diagnostics. Values are in SI units and in our frame, except in a GenericMessage. Each connection owns one reader.
 class Reader {
 public:
     Reader();
 
-    /// The line lives until the next call: its place is used again for the next one of its kind, so that reading
-    /// allocates nothing in steady state. Copy what is to be kept.
+    /// Reads one line without its terminator. The result is valid until the next call: its memory is reused for the
+    /// next line of its kind, so that reading allocates nothing in steady state. Copy what you want to keep.
     const InfoLine& read(std::string_view line);
-    /// The next line gets the number after this one: in a replay, the number that it had.
+    /// Gives the next line the number after `line`; a replay uses this to restore the recorded numbers.
     void continueAfter(LineNumber line) { last_ = line; }
 
 private:
@@ -29,9 +29,9 @@ private:
     Segments segments_;
     std::vector<KeyedText> pairs_;
     Diagnostics diagnostics_;
-    std::vector<InfoLine> places_; ///< one for each alternative of InfoMessage, holding it
+    std::vector<InfoLine> places_; ///< one for each alternative of InfoMessage, in its order
     LineNumber last_;
-    bool was_long_ = false; ///< the line before
+    bool was_long_ = false; ///< the previous line was longer than what buffers may keep
 };
 
 } // namespace usar::protocol

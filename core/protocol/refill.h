@@ -1,4 +1,4 @@
-// Fills a list anew without giving back what its elements have allocated.
+// Refills a list without freeing the memory that its elements have allocated.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace usar::protocol {
 
-/// `next` gives the next element, which may hold old values: overwrite all of it. What is not asked for goes at the end
-/// of this object's life.
+/// Reuses the elements of `list` from the first one on. Elements that `next` has not returned by the time this object
+/// is destroyed are removed. The list must outlive this object.
 template <class T>
 class Refill {
 public:
@@ -16,12 +16,13 @@ public:
     Refill(const Refill&) = delete;
     Refill& operator=(const Refill&) = delete;
 
+    /// The next element, which may hold old values: overwrite all of it. Valid until the next call.
     T& next() {
         if (used_ == list_.size())
             list_.emplace_back();
         return list_[used_++];
     }
-    /// Takes the last one back.
+    /// Takes back the element that `next` returned last; there must be one.
     void drop() { --used_; }
     std::size_t count() const { return used_; }
 

@@ -1,7 +1,7 @@
-// How a container lies on the wire, said once: reading, writing, listing of values and filing by name are made from it.
+// The wire format of a message struct, stated once; reading, writing, listing and filing by name are derived from it.
 //
-// A container describes itself by two static functions: `items()`, a tuple of its values, and, where values come in
-// groups that repeat, `groups()`. One that is neither has functions of its own instead (see readers/described.h).
+// A struct describes itself by two static functions: `items()`, a tuple of its values, and, if values come in groups
+// that repeat, `groups()`. A struct that has neither provides its own read, write and list functions instead.
 #pragma once
 
 #include <string_view>
@@ -12,16 +12,17 @@
 
 namespace usar::protocol {
 
-/// What must change between the wire's frame and ours. Vector: y and z change sign. Angles: roll, pitch, yaw; pitch and
-/// yaw change sign. Turn: one angle, rate or sideways value changes sign. Planar: x, y, yaw of a pose.
+/// How a value is converted between the wire's frame and ours. Vector: y and z change sign. Angles (roll, pitch, yaw):
+/// pitch and yaw change sign. Turn (a single angle, rate or sideways value): the sign changes. Planar (x, y, yaw of a
+/// pose): y and yaw change sign.
 enum class Crossing { None, Vector, Angles, Turn, Planar };
 
-/// Unreal rounds where it prints a bare float or a vector whole, and cuts where its formatter prints four decimals
-/// (usarsim-protocol 1.7).
+/// Unreal rounds to two decimals when it prints a bare float or a whole vector, and truncates when its formatter prints
+/// four decimals (usarsim-protocol 1.7).
 enum class Decimals { TwoRounded, FourCut };
 
-/// One segment and the member that holds it. `field` is the value's name in lists and plots, `unit` its unit there.
-/// `other_key` is what other versions call it.
+/// One segment and the member that holds its value. `key` is its key on the wire, `other_key` the key in other versions
+/// of servers, or empty. `field` is the value's name in lists and plots, `unit` its unit there.
 template <class Owner, class Member>
 struct Item {
     std::string_view key;
@@ -40,7 +41,8 @@ constexpr Item<Owner, Member> item(std::string_view key, Member Owner::*member, 
     return {key, member, field, unit, crossing, decimals, other_key};
 }
 
-/// A pose in two segments, Location and Orientation, printed whole. UT2004 gives some angles in [0, 2 pi).
+/// A pose in two segments, Location and Orientation, with two decimals each. `angles_positive` writes the angles in [0,
+/// 2 pi), as UT2004 does for some sensors.
 template <class Owner>
 struct PoseItem {
     Pose Owner::*member;
@@ -52,8 +54,9 @@ constexpr PoseItem<Owner> pose(Pose Owner::*member, bool angles_positive = false
     return {member, angles_positive};
 }
 
-/// Values that repeat. Opened by Name they are sensors of one type, each with its own name: `{Name F1 Range 4.5}` in
-/// UT2004, `{Name F1} {Range 4.5}` in UDK. Opened by another key they are what one sensor tells of several things.
+/// Groups of values that repeat. Each segment with `opening_key` begins a new element. Groups opened by Name are
+/// sensors of one type, each with its own name: `{Name F1 Range 4.5}` in UT2004, `{Name F1} {Range 4.5}` in UDK. Groups
+/// opened by another key are several things that one sensor reports.
 template <class Owner, class Element>
 struct Groups {
     std::string_view opening_key;
@@ -77,21 +80,21 @@ concept HasGroups = requires {
 };
 template <class T>
 concept Described = HasItems<T> || HasGroups<T>;
-/// Several sensors in one line, each with a name.
+/// A message about several sensors, each with its own name.
 template <class T>
 concept NamedGroups = HasGroups<T> && !requires(T value) {
     value.name;
 };
 
-/// Said by a word alone, `{Far}`, or not at all.
+/// A flag that is sent as a word without a value, `{Far}`, or not at all.
 enum class Present : bool { No, Yes };
 
-/// The type's first word in `wire_types`, "IR|Range", which is what we write.
+/// The first of the words in `wire_types`, "IR|Range", which is the one we write.
 constexpr std::string_view firstType(std::string_view wire_types) {
     return wire_types.substr(0, wire_types.find('|'));
 }
 
-/// The value of the Type segment that the sensor came or goes with.
+/// The value of the Type segment with which the sensor's message was received or will be sent.
 template <class Sensor>
 constexpr std::string_view wireTypeOf(const Sensor& sensor) {
     if constexpr (requires { sensor.type; })
@@ -115,12 +118,12 @@ template <NamedGroups Sensor>
 struct ReadingType<Sensor> {
     using Type = decltype(elementOf(Sensor::groups()));
 };
-/// What one sensor with a name tells: NamedRange of SonarReadings, an InsReading of itself.
+/// The type that holds the reading of a single sensor: NamedRange for SonarReadings, InsReading for InsReading.
 template <class Sensor>
 using ReadingOf = typename ReadingType<Sensor>::Type;
 
-/// Calls `use(name, reading)` for each sensor that the message tells of: the groups of one that has named ones, else
-/// the message itself.
+/// Calls `use(name, reading)` for each sensor in the message: for its groups if they are named, else once for the
+/// message itself.
 template <SensorMessage Sensor, class Use>
 void forEachReading(const Sensor& sensor, Use&& use) {
     if constexpr (NamedGroups<Sensor>) {
@@ -131,14 +134,14 @@ void forEachReading(const Sensor& sensor, Use&& use) {
     }
 }
 
-/// Calls `use(item)` for each item of T, in the order of the wire.
+/// Calls `use(item)` for each item of T in wire order; never if T has no items.
 template <class T, class Use>
 constexpr void forEachItem(Use&& use) {
     if constexpr (HasItems<T>)
         std::apply([&use](const auto&... one) { (use(one), ...); }, T::items());
 }
 
-/// The types of a list, to be unfolded.
+/// A list of types as a value, from which templates deduce the pack.
 template <class... Types>
 struct TypeList {};
 

@@ -29,7 +29,7 @@ void Segments::read(std::string_view line, Diagnostics& diagnostics) {
         if (close == std::string_view::npos)
             diagnostics.push_back({Severity::Warning, open, "the closing brace is missing"});
         if (const std::size_t inner = text.find('{'); inner != std::string_view::npos && !nested) {
-            nested = true; // said once a line
+            nested = true; // reported once per line
             diagnostics.push_back({Severity::Warning, start + inner, "an opening brace inside a segment"});
         }
         if (segments_.size() == most_segments) {

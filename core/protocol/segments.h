@@ -1,4 +1,4 @@
-// One protocol line as its type word and its ordered segments, all views into the line.
+// A protocol line split into its type word and its ordered segments, which are all views into the line.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace usar::protocol {
 
-/// One `{...}` group. `text` is all between the braces; `key` its first word, `value` the trimmed rest (empty for a
-/// lone word). `offset` is where `text` starts in the line.
+/// One `{...}` group. `text` is everything between the braces, `key` its first word, and `value` the trimmed rest,
+/// empty if there is only one word. `offset` is the byte in the line at which `text` starts.
 struct Segment {
     std::string_view key;
     std::string_view value;
@@ -21,29 +21,30 @@ struct Segment {
     std::size_t offset = 0;
 };
 
-/// A tokenised line. Segments are an ordered list and never a map: repeated keys are normal, and a segment belongs to
-/// the last group-opening key before it (usarsim-protocol 1.4). Views into the line given to `read`; the object is
-/// meant to be reused so that reading allocates nothing in steady state.
+/// A tokenized line. Segments are an ordered list and never a map: repeated keys are normal, and a segment belongs to
+/// the last group-opening key before it (usarsim-protocol 1.4). All texts are views into the line given to `read`,
+/// which must outlive their use. Reuse the object, so that reading allocates nothing in steady state.
 class Segments {
 public:
-    /// No server sends a hundredth of it; what comes behind is left out (a warning).
+    /// Further segments are ignored with a warning. No server sends a hundredth as many.
     static constexpr std::size_t most_segments = 65536;
 
-    /// Cuts `line`. A missing closing brace makes the rest of the line the last segment (a warning); a brace inside a
-    /// segment stays in its value (a warning, said once a line); stray text, stray closing braces and braces around
-    /// nothing are ignored.
+    /// Tokenizes `line`. If a closing brace is missing, the rest of the line is the last segment (with a warning); an
+    /// opening brace inside a segment stays in its value (with one warning per line); stray text, stray closing braces
+    /// and empty braces are ignored. Appends to `diagnostics`.
     void read(std::string_view line, Diagnostics& diagnostics);
 
     std::string_view line() const { return line_; }
+    /// The text before the first brace, trimmed: "SEN". Empty if the line begins with a brace.
     std::string_view typeWord() const { return type_word_; }
     std::span<const Segment> all() const { return segments_; }
-    /// The first segment with this key, compared without regard to case.
+    /// The first segment with this key, ignoring case; nullptr if there is none.
     const Segment* find(std::string_view key) const;
-    /// Its value, or an empty view.
+    /// The value of that segment; empty if there is none.
     std::string_view value(std::string_view key) const;
-    /// The number its value begins with; nothing when the key is missing or holds none.
+    /// The number that this value begins with; nullopt if the key is missing or its value does not begin with a number.
     std::optional<double> number(std::string_view key) const;
-    /// Where `part`, a view into the line, starts in it; 0 for a view of nothing.
+    /// The offset at which `part`, a view into the line, starts; 0 for a null view.
     std::size_t offsetOf(std::string_view part) const {
         return part.data() ? static_cast<std::size_t>(part.data() - line_.data()) : 0;
     }
@@ -54,16 +55,16 @@ private:
     std::vector<Segment> segments_;
 };
 
-/// The pairs of a segment that holds several of them, `{Name F1 Range 4.5604}`. Nothing in the syntax tells it from a
-/// value with spaces; the rule of usarsim-protocol 1.4 does: the key is Name, an even number of words follows the
-/// first, and the second word begins with a letter. Views into the line.
+/// Splits the value of a Name segment that holds several pairs, `{Name F1 Range 4.5604}`. The syntax does not
+/// distinguish it from a value with spaces, but the rule of usarsim-protocol 1.4 does: the key is Name, a positive even
+/// number of words follows the first, and the second word begins with a letter. All texts are views into the line.
 class NamedPairs {
 public:
-    /// The name alone, and no pairs, where the rule does not hold.
+    /// If the rule does not apply, the whole value is the name and there are no pairs.
     explicit NamedPairs(std::string_view value_of_name);
 
     std::string_view name() const { return name_; }
-    /// The next key and its value; false when there is none left.
+    /// Gives the next key and its value; false if none is left.
     bool next(std::string_view& key, std::string_view& value);
 
 private:

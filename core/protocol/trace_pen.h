@@ -1,4 +1,4 @@
-// When a robot under TRACE leaves its next mark (usarsim-protocol 5.6).
+// Decides when a robot under TRACE leaves its next mark (usarsim-protocol 5.6).
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace usar::protocol {
 
-/// One robot's. The same rule for a server that keeps marks and a window that draws them.
+/// The trace state of one robot. The simulated server that keeps the marks and the client that draws them share it.
 class TracePen {
 public:
-    static constexpr double least_way_m = 0.028;  ///< 7 units of the game's
-    static constexpr Seconds usual_interval{0.5}; ///< ours: no source tells the game's
+    static constexpr double least_way_m = 0.028;  ///< 7 Unreal units
+    static constexpr Seconds usual_interval{0.5}; ///< our choice; no source gives the game's
 
-    /// What a command leaves out stays as it was.
+    /// Executes a TRACE command. Interval and color keep their values if the command leaves them out.
     void obey(const Trace& wanted) {
         on_ = wanted.on;
         interval_ = wanted.interval.value_or(interval_);
@@ -24,7 +24,8 @@ public:
     }
     bool on() const { return on_; }
     TraceColor color() const { return color_; }
-    /// The color of the mark to leave here and now; nothing while it is off, too soon or too near to the last one.
+    /// The color of the mark to leave at this position in the map frame; nullopt while tracing is off, or too soon
+    /// after or too near to the previous mark. `now` is on the server's clock; if it has gone back, a mark is due.
     std::optional<TraceColor> markAt(Seconds now, const Vec3& position_m) {
         if (!on_ || !position_m.allFinite())
             return std::nullopt;
@@ -38,6 +39,7 @@ public:
     }
 
 private:
+    /// The mark that was left last.
     struct Mark {
         Seconds time{0.0};
         Vec3 position_m = Vec3::Zero();

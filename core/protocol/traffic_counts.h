@@ -1,25 +1,25 @@
-// What went over one connection, counted: the figures of link panels.
+// Counts of the traffic on one connection, as shown in link panels.
 #pragma once
 
 #include <cstdint>
 
 namespace usar::protocol {
 
-/// Since the connection was made; a new connection starts at zero. Bytes include line ends, and those of lines that
-/// were dropped.
+/// Totals since the connection was established; a new connection starts at zero. Bytes include line ends and dropped
+/// lines.
 struct TrafficCounts {
     std::uint64_t lines_in = 0;
     std::uint64_t lines_out = 0;
     std::uint64_t bytes_in = 0;
     std::uint64_t bytes_out = 0;
-    std::uint64_t unknown = 0;         ///< lines of a type that no table knows; kept whole
-    std::uint64_t malformed = 0;       ///< lines with something wrong in them; what could be read was kept
-    std::uint64_t dropped = 0;         ///< lines longer than the reader's cap, left out
-    std::uint64_t drives_replaced = 0; ///< DRIVE commands that a newer one replaced before their turn
+    std::uint64_t unknown = 0;         ///< lines of unknown type; kept whole
+    std::uint64_t malformed = 0;       ///< lines with errors; what could be read was kept
+    std::uint64_t dropped = 0;         ///< lines discarded because they exceeded the cap
+    std::uint64_t drives_replaced = 0; ///< DRIVE commands replaced by newer ones before they were sent
     bool operator==(const TrafficCounts&) const = default;
 };
 
-/// Of wall time, measured over about half a second.
+/// Rates per second of wall time, averaged over about half a second.
 struct TrafficRates {
     double lines_in_per_s = 0.0;
     double lines_out_per_s = 0.0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view line_end = "\r\n";
 
-/// What a line is written with.
+/// The output text and the values that messages do not carry themselves.
 struct Context {
     std::string& out;
     Seconds now;
@@ -29,7 +29,7 @@ void head(LineWriter& line, const std::optional<Seconds>& time, std::string_view
     line.segment("Type", type);
 }
 
-/// Sensors that UT2004 puts into one line: a line each.
+/// Writes a line for each of the sensors that UT2004 puts into one line.
 template <NamedGroups Sensor>
 void writeInto(const Context& context, const Sensor& sensor) {
     for (const auto& element : sensor.*Sensor::groups().member) {
@@ -65,7 +65,7 @@ void writeInto(const Context& context, const RangeScan& scan) {
     context.out += line_end;
 }
 
-/// Time and battery first; a flying robot has no Type, and the lights are always on full.
+/// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity.
 void writeInto(const Context& context, const RobotState& state) {
     LineWriter line(context.out);
     line.text("STA");
@@ -105,7 +105,7 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
     if (geometry.items.empty() && !geometry.dimensions_m)
         return;
     if (geometry.items.empty()) {
-        write(geometry, context.out); // of a robot, as UT2004's
+        write(geometry, context.out); // a robot's geometry, which is the same in UT2004
         context.out += line_end;
         return;
     }
@@ -152,7 +152,7 @@ void writeInto(const Context& context, const ConfigurationInfo& configuration) {
 
 void writeInto(const Context&, const Response&) {}
 
-/// What both dialects say alike.
+/// Messages that are the same in both dialects.
 template <class Message>
 requires(!(SensorMessage<Message> && Described<Message>)) void writeInto(const Context& context,
                                                                          const Message& message) {

@@ -1,4 +1,5 @@
-// Values to info lines as a UDK server sends them (usarsim-protocol 7): one line a sensor, its own order and decimals.
+// Converts values to info lines as a UDK server sends them (usarsim-protocol 7): one line per sensor, with UDK's order
+// and decimals.
 #pragma once
 
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace usar::protocol {
 
-/// Appends the lines for `message`, each with CR LF, and none where UDK says nothing: results of SET, answers about
-/// what is not there. `now` is the Time of what brings none, but for the INS, which never has one. `robot_class` is
-/// what UDK calls the chassis as a mount.
+/// Appends the lines for `message`, each with CR LF. Appends nothing if UDK sends nothing: for results of SET and for
+/// answers about things that do not exist. `now` is the Time of messages without one, except of the INS, which never
+/// has a Time. `robot_class` is the name that UDK uses for the chassis as a mount.
 void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out);
 
 } // namespace usar::protocol

@@ -9,7 +9,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// The first word of a kind is the one we write.
+/// The words of each kind; the first one is the one we write.
 constexpr std::array<std::pair<std::string_view, VehicleKind>, 7> vehicle_words = {{
     {"GroundVehicle", VehicleKind::Ground},
     {"AerialVehicle", VehicleKind::Aerial},

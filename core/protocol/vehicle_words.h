@@ -1,4 +1,4 @@
-// The words by which servers call their kinds of vehicles, in STA, GEO and CONF.
+// The words for kinds of vehicles that servers use in STA, GEO and CONF.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace usar::protocol {
 
-/// In any case and of any age: LeggedVehicle is a later LeggedRobot, BaseMachine an older StaticPlatform. Unknown for
-/// everything else.
+/// Accepts any case, and the words of newer and older servers: LeggedVehicle is the newer word for LeggedRobot,
+/// BaseMachine the older one for StaticPlatform. Returns Unknown for everything else.
 VehicleKind vehicleKindOf(std::string_view word);
 
-/// UT2004's word; empty for Unknown.
+/// The word that UT2004 uses; empty for Unknown.
 std::string_view wordOf(VehicleKind kind);
 
 } // namespace usar::protocol

@@ -115,7 +115,7 @@ void writeInto(LineWriter& line, const EffecterState& effecter) {
         line.segment("Tool", effecter.tool);
 }
 
-/// With whole braces, for nobody gains by the server's broken ones.
+/// Writes correct braces, unlike the original server: nobody needs its malformed ones.
 void writeInto(LineWriter& line, const WorldObjects& world) {
     line.text("STA");
     for (const WorldObject& object : world.objects) {
@@ -130,7 +130,8 @@ void writeInto(LineWriter& line, const WorldObjects& world) {
     }
 }
 
-/// The scanner writes itself; it alone of the sensors prints its time as a bare float.
+/// Sensors without a description have a write function of their own. Only the range scanner prints its time as a bare
+/// float.
 template <SensorMessage Sensor>
 void writeInto(LineWriter& line, const Sensor& sensor) {
     if constexpr (Described<Sensor>) {
@@ -160,7 +161,8 @@ void writeItem(LineWriter& line, const MountedItem& item) {
         line.segment("Tip", acrossWire(*item.tip_in_item_m), Decimals::FourCut);
 }
 
-/// The links of a mission package, "CameraPanTilt_Link2" on "CameraPanTilt_Link1", as UT2004 counts them.
+/// Writes the links of mission packages as UT2004 numbers them: "CameraPanTilt_Link2" mounted on "CameraPanTilt_Link1"
+/// is link 2 of "CameraPanTilt" with parent link 1.
 void writeLinks(LineWriter& line, const std::vector<MountedItem>& links) {
     constexpr std::string_view mark = "_Link";
     std::string_view package;

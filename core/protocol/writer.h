@@ -1,4 +1,4 @@
-// Values to info lines, as a server sends them (UT2004 spelling, order and decimals; without CR LF).
+// Converts values to info lines as a UT2004 server sends them, with its spelling, order and decimals.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace usar::protocol {
 
-/// Appends the line for `message` to `out`. Decimals follow usarsim-protocol 1.7: vectors and the Time of STA and
-/// RangeScanner with 2 decimals, formatted floats with 4 and cut toward zero; angles of INS and GroundTruth in
-/// [0, 2 pi); a battery in whole seconds, rounded down. A Setting without text is written as its number. Reading the
-/// line gives the value again within those decimals.
+/// Appends the line for `message` to `out`, without CR LF. Decimals follow usarsim-protocol 1.7: vectors and the Time
+/// of STA and RangeScanner have 2 decimals; formatted floats have 4, truncated toward zero. Angles of INS and
+/// GroundTruth are in [0, 2 pi); the battery is in whole seconds, rounded down. A Setting without text is written as
+/// its number. Reading the line gives the value back to within those decimals.
 void write(const InfoMessage& message, std::string& out);
 
 } // namespace usar::protocol

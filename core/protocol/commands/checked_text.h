@@ -1,4 +1,4 @@
-// Texts that cannot break a command line: nothing on the wire can quote a brace, a line end or, in a name, a space.
+// Texts that cannot break a command line: the protocol has no way to quote a brace, a line end or, in a name, a space.
 #pragma once
 
 #include <cassert>
@@ -11,32 +11,36 @@
 
 namespace usar::protocol {
 
-/// A Token is one word; a Name one word or nothing; a Text may have spaces inside, or be nothing.
+/// A Token is one word; a Name is one word or empty; a Text may be empty or contain spaces.
 enum class TextRule { Token, Name, Text };
 
-/// Whether a value by this rule would come back from the wire as it is. Braces and control characters never do, nor do
-/// spaces around it.
+/// True if a value under this rule would come back unchanged from the wire. Braces, control characters and surrounding
+/// spaces never do.
 bool fits(TextRule rule, std::string_view text);
-/// `text` without what does not fit; a Token may come out empty.
+/// `text` without the characters that do not fit; a Token may become empty.
 std::string fitted(TextRule rule, std::string_view text);
+/// The error message for a text that does not fit.
 Error misfit(TextRule rule, std::string_view text);
 
+/// A text that is known to fit its rule.
 template <TextRule rule>
 class CheckedText {
 public:
-    /// A Token has no empty value.
+    /// The empty text. A Token cannot be empty.
     CheckedText() requires(rule != TextRule::Token) = default;
-    /// Words of our own, which are right or a bug. What people or servers say goes through `make` or `mended`.
+    /// For literals in our own code, of which a misfit is a bug (asserted). Texts from users or servers go through
+    /// `make` or `mended`.
     template <std::size_t size>
     CheckedText(const char (&literal)[size]) : text_(literal) {
         assert(fits(rule, text_));
     }
+    /// Returns an error if `text` does not fit.
     static Result<CheckedText> make(std::string_view text) {
         if (!fits(rule, text))
             return tl::unexpected(misfit(rule, text));
         return CheckedText(Fitting{std::string(text)});
     }
-    /// Leaves out what does not fit.
+    /// Leaves out the characters that do not fit.
     static CheckedText mended(std::string_view text) requires(rule != TextRule::Token) {
         return CheckedText(Fitting{fitted(rule, text)});
     }

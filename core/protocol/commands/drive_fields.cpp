@@ -2,7 +2,7 @@
 
 namespace usar::protocol {
 
-/// A WheelNumber opens the wheel that the segments behind it mean.
+/// A WheelNumber selects the wheel to which the segments after it apply.
 void wheels(LineIn& in, std::vector<WheelDrive>& wheels) {
     for (const Segment& segment : in.segments().all()) {
         if (sameWord(segment.key, "WheelNumber")) {

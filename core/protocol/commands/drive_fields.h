@@ -1,4 +1,8 @@
-// The segments of DRIVE, once for writing (LineOut) and reading (LineIn).
+// The segments of DRIVE and MULTIDRIVE, stated once for writing and reading.
+//
+// `fields(io, command)` passes each segment of a command, in the order of the wire, to `io`: a LineOut writes the line,
+// a LineIn reads the values into the command. `Io::Ref<T>` is const T& for writing and T& for reading. Commands whose
+// two directions differ have an overload for each. The other *_fields.h work in the same way.
 #pragma once
 
 #include "core/protocol/commands/drive.h"
@@ -8,6 +12,7 @@
 
 namespace usar::protocol {
 
+/// The segments that may accompany any DRIVE.
 template <class Io>
 void switches(Io& io, typename Io::template Ref<DriveSwitches> switches) {
     io.flag("Light", switches.light_on);
@@ -30,7 +35,7 @@ void fields(Io& io, typename Io::template Ref<SkidDrive> drive) {
     switches(io, drive.switches);
 }
 
-/// UDK acts only when it has all three.
+/// Sets absent values to 0, because UDK obeys only if all three are there.
 inline AckermannDrive complete(AckermannDrive drive) {
     drive.speed_rad_s = drive.speed_rad_s.value_or(0.0);
     drive.front_steer_rad = drive.front_steer_rad.value_or(0.0);
@@ -55,6 +60,7 @@ inline void fields(LineOut& out, const AckermannDrive& drive) {
     ackermannFields(out, out.dialect() == Dialect::Udk ? complete(drive) : drive);
 }
 
+/// WheelNumber and the values of that wheel, for each wheel.
 inline void wheels(LineOut& out, const std::vector<WheelDrive>& wheels) {
     for (const WheelDrive& wheel : wheels) {
         out.whole("WheelNumber", wheel.wheel);
@@ -73,6 +79,7 @@ void fields(Io& io, typename Io::template Ref<OmniDrive> drive) {
     switches(io, drive.switches);
 }
 
+/// UDK expects the yaw rate in degrees per second, but not if speeds are in percent.
 template <class Io>
 void fields(Io& io, typename Io::template Ref<AerialDrive> drive) {
     io.word("DRIVE");
@@ -113,6 +120,7 @@ void fields(Io& io, typename Io::template Ref<JointDrive> drive) {
     switches(io, drive.switches);
 }
 
+/// A segment for each joint, with the joint's name as its key.
 inline void fields(LineOut& out, const MultiDrive& drive) {
     out.word("MULTIDRIVE");
     for (const JointAngleTarget& target : drive.joints)

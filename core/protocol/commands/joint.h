@@ -1,4 +1,4 @@
-// Commands to single joints: flippers, legs, wheels by name. Values have the server's sign.
+// Commands to individual joints by name: flippers, legs and wheels. Values have the server's sign.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,22 @@
 
 namespace usar::protocol {
 
-/// What a value means, in rad (m for a slider), rad/s (m/s) or N m (N). Relative ones are added to what is now.
+/// The quantity that a value sets: an angle in rad, a speed in rad/s or a torque in N m (m, m/s and N for a sliding
+/// joint). Relative values are added to the current ones.
 enum class JointOrder { Angle, Speed, Torque, Brake, RelativeAngle, RelativeSpeed, RelativeTorque };
 
-/// DRIVE of one joint. UT2004 compares its name exactly.
+/// DRIVE for one joint. UT2004 compares the name case-sensitively.
+/// On the wire: `DRIVE {Name FrontLeft} {Order 1} {Value 2} {Steer 0.5} {Normalized false}`.
 struct JointDrive {
     Token joint;
     JointOrder order = JointOrder::Angle;
-    std::optional<double> value{};
-    std::optional<double> steer_rad{}; ///< of a wheel that can be steered; counter-clockwise positive
-    bool normalized = false;
+    std::optional<double> value{};     ///< unit according to `order`
+    std::optional<double> steer_rad{}; ///< for a steerable wheel; counterclockwise positive
+    bool normalized = false;           ///< `value` is in percent of the maximum; not limited
     DriveSwitches switches{};
     bool operator==(const JointDrive&) const = default;
 
+    /// Commands for an angle, a speed and a torque; the units are those of a revolute joint.
     static JointDrive toAngle(Token joint, double angle_rad) {
         return {std::move(joint), JointOrder::Angle, angle_rad};
     }
@@ -34,24 +37,28 @@ struct JointDrive {
     }
 };
 
-/// MULTIDRIVE: several joints at once; UT2004 only.
+/// The angle that one joint is to take.
 struct JointAngleTarget {
     Token joint;
     double angle_rad = 0.0;
     bool operator==(const JointAngleTarget&) const = default;
 };
+/// MULTIDRIVE: sets several joints at once; UT2004 only.
+/// On the wire: `MULTIDRIVE {FRFlipper 0.5} {FLFlipper -0.5}`.
 struct MultiDrive {
     std::vector<JointAngleTarget> joints{};
     bool operator==(const MultiDrive&) const = default;
 };
 
-/// SET of a joint. UDK knows angle and stiffness only, and the names AllAngles and AllJoints.
+/// The quantity that a SET of a joint changes. UDK knows only Angle and Stiffness.
 enum class JointOpcode { Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque, Stiffness };
+/// SET of a joint. UDK also accepts the names AllAngles and AllJoints.
+/// On the wire: `SET {Type Joint} {Name LeftWheel} {Opcode Torque} {Params 5,0.25}`.
 struct SetJoint {
     Token joint;
     JointOpcode opcode = JointOpcode::Angle;
-    double value = 0.0;                ///< rad, rad/s, N m, or 0..1 of stiffness
-    std::optional<double> steer_rad{}; ///< counter-clockwise positive
+    double value = 0.0;                ///< rad, rad/s, N m, or a stiffness of 0..1
+    std::optional<double> steer_rad{}; ///< for a steerable wheel; counterclockwise positive
     bool operator==(const SetJoint&) const = default;
 };
 

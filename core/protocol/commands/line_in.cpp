@@ -58,12 +58,12 @@ void LineIn::flipped(std::string_view key, std::optional<double>& value) {
         value = acrossWire(*value);
 }
 
-/// Read again with more digits than a double has, for appendDegrees may have written them.
+/// Reads the digits with more precision than a double has, because appendDegrees may have written more.
 void LineIn::degrees(std::string_view key, std::optional<double>& angle_rad) {
     const Segment* const segment = segments_.find(key);
     if (!segment)
         return;
-    numberOf(*segment); // complains about what is no number
+    numberOf(*segment); // warns if this is not a number
     const NumberPrefix prefix = readNumberPrefix(segment->value);
     angle_rad = std::isfinite(prefix.value) ? radiansOfDegrees(segment->value.substr(0, prefix.used)) : 0.0;
 }
@@ -146,7 +146,6 @@ void LineIn::position(std::string_view key, Vec3& value) {
     value = acrossWire(value);
 }
 
-/// Nothing without either Location or Rotation.
 std::optional<Pose> LineIn::pose() {
     std::optional<Vec3> position_m;
     std::optional<Vec3> angles_rad;

@@ -1,4 +1,4 @@
-// Appends the segments of one command line to a text; the writing half of fields(). LineIn is the reading half.
+// Appends the segments of one command line to a text: the writing side of fields(). LineIn is the reading side.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,9 @@
 
 namespace usar::protocol {
 
-/// Absent and empty values write no segment; a number that is none is written as 0, which is how a server would read
-/// it. Vectors have commas and no spaces, numbers read back to the same double. Does not own the text.
+/// Writes no segment for an absent or empty value, and 0 for NaN and infinity, which is how a server would read them.
+/// Vectors have commas and no spaces; numbers read back as the same double. The text belongs to the caller and must
+/// outlive this object.
 class LineOut {
 public:
     template <class T>
@@ -30,9 +31,9 @@ public:
     LineOut(std::string& out, Dialect dialect) : out_(out), dialect_(dialect) {}
     Dialect dialect() const { return dialect_; }
 
-    /// How the line begins.
+    /// Begins the line.
     void word(std::string_view word) { out_.append(word); }
-    /// A segment that tells one kind of command from another.
+    /// Writes a segment that distinguishes one kind of command from another.
     void mark(std::string_view key, std::string_view value) {
         open(key);
         out_.append(value);
@@ -48,7 +49,8 @@ public:
         if (value)
             number(key, *value);
     }
-    /// A sideways or turning value, whose sign changes on the wire.
+    /// Writes a sideways or turning value in our frame with the wire's sign, like all functions with "flipped" in the
+    /// name.
     void flipped(std::string_view key, const std::optional<double>& value) {
         if (value)
             number(key, acrossWire(*value));
@@ -56,7 +58,7 @@ public:
     void degrees(std::string_view key, const std::optional<double>& angle_rad);
     void flippedDegrees(std::string_view key, const std::optional<double>& angle_rad);
 
-    /// Whether the speeds that follow are per cent; `endScale` says so on the line.
+    /// States whether the speeds that follow are in percent (then limited to -100..100); `endScale` writes this flag.
     void beginScale(bool normalized) { normalized_ = normalized; }
     void endScale() { flag("Normalized", normalized_); }
     void speed(std::string_view key, const std::optional<double>& value) {
@@ -80,6 +82,7 @@ public:
         if (value)
             mark(key, *value ? "true" : "false");
     }
+    /// A flag that is sent as 1 or 0 instead of true or false.
     void digit(std::string_view key, const std::optional<bool>& value) {
         if (value)
             mark(key, *value ? "1" : "0");
@@ -98,14 +101,16 @@ public:
     requires std::is_enum_v<Value>
     void choice(std::string_view key, Value value) { mark(key, wordOf(value)); }
 
-    /// As it is.
+    /// Writes the vector unchanged.
     void vector(std::string_view key, const std::optional<Vec3>& value);
-    /// From our frame to the wire's.
+    /// Converts the position from our frame to the wire's.
     void position(std::string_view key, const Vec3& value) { vector(key, acrossWire(value)); }
+    /// Writes a pose in our frame as Location and Rotation.
     void pose(const Pose& pose);
-    /// A pose, or the name of a start point.
+    /// Writes a pose, or the name of a start pose.
     void start(const std::variant<Pose, Token>& start);
 
+    /// The parts of a segment, for values that no function above can write.
     void open(std::string_view key) {
         out_ += " {";
         out_.append(key);
@@ -116,6 +121,7 @@ public:
     void add(double value) { appendShortest(out_, finite(value)); }
     void add(const Vec3& value);
 
+    /// The word for a value of an enumeration in wire_words.h.
     template <class Value>
     static std::string_view wordOf(Value value) {
         for (const WireWord<Value>& row : wire_words<Value>) {
@@ -126,7 +132,7 @@ public:
     }
 
 private:
-    /// Without the sign of a zero, too.
+    /// Also turns -0 into 0.
     static double finite(double value) { return std::isfinite(value) ? value + 0.0 : 0.0; }
 
     std::string& out_;

@@ -1,4 +1,4 @@
-// The segments of path nodes and avatars, once for writing (LineOut) and reading (LineIn).
+// The segments of commands about path nodes and avatars, stated once for writing and reading (see drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"
@@ -24,6 +24,7 @@ void fields(Io& io, typename Io::template Ref<GoToNode> go) {
     io.text("Name", go.node_name);
 }
 
+/// Location with two numbers, or Pathnode.
 inline void goal(LineOut& out, const std::variant<Vec2, Token>& goal) {
     if (const Token* const node = std::get_if<Token>(&goal)) {
         out.text("Pathnode", *node);

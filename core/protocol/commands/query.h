@@ -1,4 +1,4 @@
-// Questions about a robot and what it carries.
+// Queries about a robot and its equipment.
 #pragma once
 
 #include "core/protocol/commands/checked_text.h"
@@ -6,18 +6,21 @@
 
 namespace usar::protocol {
 
-/// The type under which a server lists the mission packages of a robot. Servers compare it exactly.
+/// The type under which a server lists the mission packages of a robot. Servers compare it case-sensitively.
 inline Token packageType(Dialect dialect) {
     return dialect == Dialect::Udk ? Token("Actuator") : Token("MisPkg");
 }
 
-/// GETGEO and GETCONF: `type` is "Robot", "MisPkg", "Actuator" or a type of sensor, effecter or camera; without a name
-/// all items of the type are meant.
+/// GETGEO: asks for dimensions and mounting poses; the answer is GeometryInfo. `type` is "Robot", "MisPkg", "Actuator"
+/// or a type of sensor, effecter or camera; an empty name means all items of the type.
+/// On the wire: `GETGEO {Type Sonar}`.
 struct GetGeometry {
     Token type;
     Name name{};
     bool operator==(const GetGeometry&) const = default;
 };
+/// GETCONF: asks for limits and settings in the same way; the answer is ConfigurationInfo.
+/// On the wire: `GETCONF {Type Camera} {Name Cam}`.
 struct GetConfiguration {
     Token type;
     Name name{};

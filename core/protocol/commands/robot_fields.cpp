@@ -6,7 +6,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// A Link opens the one that Value (and Order) behind it mean.
+/// A Link selects the link to which the Value (and Order) after it apply.
 template <class Target>
 void readLinks(LineIn& in, std::vector<Target>& links) {
     for (const Segment& segment : in.segments().all()) {

@@ -1,4 +1,5 @@
-// The segments of the remaining commands, once for writing (LineOut) and reading (LineIn).
+// The segments of all commands that have no file of their own, stated once for writing and reading (see
+// drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"
@@ -11,6 +12,7 @@
 
 namespace usar::protocol {
 
+/// The pose that accompanies a start name.
 inline void fallback(LineOut& out, const Init& init) {
     if (init.fallback_in_map && std::holds_alternative<Token>(init.start))
         out.pose(*init.fallback_in_map);
@@ -35,7 +37,7 @@ void fields(Io& io, typename Io::template Ref<GetStartPoses>) {
     io.word("GETSTARTPOSES");
 }
 
-/// UDK compares the words for the robot and its packages exactly.
+/// Corrects the case of the words for the robot and its packages, because UDK compares them case-sensitively.
 inline void askedType(LineOut& out, const Token& type) {
     for (const std::string_view exact : {"Robot", "MisPkg", "Actuator"}) {
         if (sameWord(type.text(), exact))
@@ -61,6 +63,7 @@ void fields(Io& io, typename Io::template Ref<GetConfiguration> get) {
     io.text("Name", get.name);
 }
 
+/// Link and its values, for each link.
 inline void links(LineOut& out, const std::vector<LinkTarget>& links) {
     for (const LinkTarget& target : links) {
         out.whole("Link", target.link);

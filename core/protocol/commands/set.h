@@ -1,4 +1,5 @@
-// SET of sensors and effecters. A server takes one SET per tick; UT2004 answers with RES, UDK not at all.
+// SET commands for sensors and effecters. A server accepts one SET per tick; UT2004 answers with RES, UDK does not
+// answer.
 #pragma once
 
 #include "core/base/geometry.h"
@@ -6,63 +7,76 @@
 
 namespace usar::protocol {
 
-/// SET INS POSE: sets the estimate; only a robot at rest obeys.
+/// POSE of an INS: sets the estimated pose; a robot obeys only at rest.
+/// On the wire: `SET {Type INS} {Name INS} {Opcode POSE} {Params 1,2,-3,0.5,-0.25,1}`.
 struct SetInsPose {
     Name sensor_name = "INS";
     Pose base_in_map{};
     bool operator==(const SetInsPose&) const = default;
 };
 
-/// RESET: an Odometry goes to 0,0,0, an Encoder to 0. Without a name all of the type are meant.
+/// RESET: sets an Odometry to 0,0,0 and an Encoder to 0. An empty name means all sensors of the type.
+/// On the wire: `SET {Type Odometry} {Name Odometry} {Opcode RESET}`.
 struct ResetSensor {
     Token type;
     Name sensor_name{};
     bool operator==(const ResetSensor&) const = default;
 };
 
-/// SCAN: one measurement of a RangeScanner, RangeImager, IRScanner or Acoustic that does not measure by itself.
+/// SCAN: requests one measurement from a RangeScanner, RangeImager, IRScanner or Acoustic that does not measure
+/// periodically.
+/// On the wire: `SET {Type RangeImager} {Name kinect} {Opcode SCAN}`.
 struct ScanNow {
     Token type;
     Name sensor_name{};
     bool operator==(const ScanNow&) const = default;
 };
 
-/// RFID tags in reach of the reader.
+/// Read of an RFID reader: asks for the memory of a tag in reach.
+/// On the wire: `SET {Type RFID} {Name RFID} {Opcode Read} {Params 118}`.
 struct ReadTag {
     Token tag_id;
     Name reader_name{};
     bool operator==(const ReadTag&) const = default;
 };
+/// Write of an RFID reader: stores a text in a tag in reach.
+/// On the wire: `SET {Type RFID} {Name RFID} {Opcode Write} {Params 118 visited by robot 2}`.
 struct WriteTag {
     Token tag_id;
     Text memory{};
     Name reader_name{};
     bool operator==(const WriteTag&) const = default;
 };
-/// RFIDReleaser: drops a tag, or asks how many are left.
+/// Release of an RFIDReleaser: drops a tag.
+/// On the wire: `SET {Type RFIDReleaser} {Name Gun} {Opcode Release}`.
 struct ReleaseTag {
     Name releaser_name{};
     bool operator==(const ReleaseTag&) const = default;
 };
+/// TagsRemaining of an RFIDReleaser: asks how many tags are left.
+/// On the wire: `SET {Type RFIDReleaser} {Name Gun} {Opcode TagsRemaining}`.
 struct CountTags {
     Name releaser_name{};
     bool operator==(const CountTags&) const = default;
 };
 
-/// UDK's hands. Grip and LetGo are GRIP with 1 and 0.
+/// Actions of UDK's grippers. Grip and LetGo are sent as GRIP with 1 and 0.
 enum class GripperAction { Open, Close, Grip, LetGo };
+/// On the wire: `SET {Type Gripper} {Name G1} {Opcode GRIP} {Params 1}`.
 struct UseGripper {
     GripperAction action = GripperAction::Open;
     Name gripper_name{};
     bool operator==(const UseGripper&) const = default;
 };
+/// On the wire: `SET {Type ToolChanger} {Name TC1} {Opcode OPEN}`.
 struct UseToolChanger {
     bool open = true;
     Name changer_name{};
     bool operator==(const UseToolChanger&) const = default;
 };
 
-/// Everything else that can be set. What says the same as a struct above reads back as that one.
+/// Any other SET. A line that equals one of the structs above reads back as that struct.
+/// On the wire: `SET {Type Siren} {Name S} {Opcode LOUD} {Params at 3 o'clock}`.
 struct SetItem {
     Token type;
     Token opcode;

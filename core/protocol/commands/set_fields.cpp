@@ -41,7 +41,7 @@ void fields(LineIn& in, UseToolChanger& set) {
     in.text("Name", set.changer_name);
 }
 
-/// Params are a value, and perhaps the angle to steer a wheel to.
+/// Params hold the value and, optionally, the steering angle of a wheel.
 void fields(LineIn& in, SetJoint& set) {
     in.text("Name", set.joint);
     in.choice("Opcode", set.opcode);
@@ -57,7 +57,7 @@ void fields(LineIn& in, SetJoint& set) {
     }
 }
 
-/// Player's driver sends the angle as a segment without a key.
+/// Also accepts the angle as a segment without a key, as Player's driver sends it.
 void fields(LineIn& in, ZoomCamera& set) {
     in.text("Name", set.camera_name);
     if (in.segments().find("Params"))

@@ -1,4 +1,4 @@
-// The segments of SET, once for writing (LineOut) and reading (LineIn).
+// The segments of SET, stated once for writing and reading (see drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/joint.h"
@@ -9,7 +9,7 @@
 
 namespace usar::protocol {
 
-/// Type, Name and Opcode, in the order that all clients use. `opcode` is empty where there is none.
+/// Writes Type, Name and Opcode in the order that all clients use; when reading, only Name. `opcode` may be empty.
 template <class Io, class Type>
 void beginSet(Io& io, const Type& type, typename Io::template Ref<Name> name, std::string_view opcode) {
     io.word("SET");

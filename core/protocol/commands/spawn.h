@@ -1,4 +1,4 @@
-// Commands before there is a robot: where it may start, and to start it.
+// Commands sent before there is a robot: the query for start poses, and INIT, which spawns the robot.
 #pragma once
 
 #include <optional>
@@ -15,39 +15,43 @@
 
 namespace usar::protocol {
 
-/// A base of the radio network; no data ever come from it (usarsim-protocol 2.4).
+/// The class of base stations of the radio network, which never send data (usarsim-protocol 2.4).
 inline constexpr std::string_view station_class = "USARBot.ComStation";
-/// With or without the package, in any case.
+/// True for a station's class name, with or without the package, in any case.
 constexpr bool isStation(std::string_view class_name) {
     return sameWord(class_name.substr(class_name.rfind('.') + 1), "ComStation");
 }
 
-/// INIT: spawn a robot. A start name is not attested for UT2004 servers; send the pose it stands for there.
+/// INIT: spawns a robot. No source shows that UT2004 servers accept the name of a start pose; send them the pose
+/// itself.
+/// On the wire: `INIT {ClassName USARBot.AirRobot} {Name R1} {Location 4.5,1.9,-1.8} {Rotation 0.5,0,1.5}`.
 struct Init {
-    Token class_name;                      ///< "USARBot.AirRobot"
+    Token class_name;                      ///< with its package: "USARBot.AirRobot"
     Name robot_name{};                     ///< empty lets the server choose
     std::variant<Pose, Token> start{};     ///< a pose in the map frame, or the name of a start pose
-    std::optional<Pose> fallback_in_map{}; ///< where to spawn when no start pose has that name
-    std::optional<Seconds> battery_life{}; ///< Gazebo's server only
+    std::optional<Pose> fallback_in_map{}; ///< used if no start pose has the name in `start`
+    std::optional<Seconds> battery_life{}; ///< accepted by the Gazebo server only
     bool operator==(const Init&) const = default;
 
+    /// Spawns a robot at a pose, or, below, at a start pose by its name.
     static Init at(Token class_name, Name robot_name, const Pose& start_in_map) {
         return {std::move(class_name), std::move(robot_name), start_in_map};
     }
     static Init atStart(Token class_name, Name robot_name, Token start_name) {
         return {std::move(class_name), std::move(robot_name), std::move(start_name)};
     }
-    /// Has no body; its connection takes the commands of world_control.h.
+    /// A world controller has no body; its connection accepts the commands in world_control.h.
     static Init worldController(Name name, Dialect dialect) {
         return {dialect == Dialect::Udk ? Token("USARBotAPI.WorldController") : Token("USARBot.WorldController"),
                 std::move(name)};
     }
-    /// A base of the radio network; it says nothing by itself.
+    /// A base station of the radio network; it sends no data.
     static Init communicationStation(Name name, std::variant<Pose, Token> start) {
         return {"USARBot.ComStation", std::move(name), std::move(start)};
     }
 };
 
+/// GETSTARTPOSES; the answer is StartPoses.
 struct GetStartPoses {
     bool operator==(const GetStartPoses&) const = default;
 };

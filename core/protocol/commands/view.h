@@ -1,4 +1,4 @@
-// SET of cameras and of the screen that shows them.
+// SET commands for cameras and for the screen that shows them.
 #pragma once
 
 #include <array>
@@ -7,27 +7,33 @@
 
 namespace usar::protocol {
 
-/// The angle of view; 0 goes back to the default, and what is out of limits is cut by the server.
+/// Sets the angle of view of a camera. 0 restores the default; the server limits the angle to the camera's range.
+/// On the wire: `SET {Type Camera} {Name Camera} {Opcode Zoom} {Params 0.5}`.
 struct ZoomCamera {
     double field_of_view_rad = 0.0;
     Name camera_name{};
     bool operator==(const ZoomCamera&) const = default;
 };
 
-/// The picture on the viewer at this address shows that camera from now on.
+/// Makes the viewer at `client_address` show the given camera of the given robot.
+/// On the wire: `SET {Type Camera} {Robot R1} {Name GCam} {Client 10.0.0.2}`.
 struct AttachCamera {
     Token robot_name;
     Token client_address;
     Name camera_name{};
     bool operator==(const AttachCamera&) const = default;
 };
+/// Ends this for the viewer at `client_address`.
+/// On the wire: `SET {Type Camera} {Client 10.0.0.2}`.
 struct DetachCamera {
     Token client_address;
     bool operator==(const DetachCamera&) const = default;
 };
 
-/// How the game's window is cut, and what each part shows: a camera's name, "Disabled", "None", or as it was.
 enum class ViewLayout { Single, Quad };
+/// Divides the game's window into viewports and sets what each one shows: the name of a camera, "Disabled" or "None".
+/// An empty name leaves the viewport unchanged.
+/// On the wire: `SET {Type Viewports} {Config QuadView} {Viewport1 Cam1} {Viewport2 Disabled}`.
 struct SetViewports {
     ViewLayout layout = ViewLayout::Single;
     std::array<Name, 4> views{}; ///< top left, top right, bottom left, bottom right

@@ -12,7 +12,7 @@ namespace {
 using Wide = long double;
 constexpr Wide radians_per_degree = std::numbers::pi_v<Wide> / 180;
 
-/// A number's shortest text, on the stack.
+/// The shortest text of a number, kept on the stack.
 struct ShortText {
     template <class Number>
     explicit ShortText(Number number) {
@@ -37,7 +37,7 @@ void appendDegrees(std::string& out, double angle_rad) {
 }
 
 double radiansOfDegrees(std::string_view number) {
-    if (number.starts_with('+')) // from_chars takes no plus
+    if (number.starts_with('+')) // from_chars does not accept a plus sign
         number.remove_prefix(1);
     Wide degrees = 0;
     std::from_chars(number.data(), number.data() + number.size(), degrees);

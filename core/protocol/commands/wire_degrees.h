@@ -1,4 +1,4 @@
-// Angles that UDK wants in degrees, without losing a bit of the radians.
+// Converts angles between our radians and the degrees that UDK expects, without losing a bit.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace usar::protocol {
 
-/// Appends degrees that `radiansOfDegrees` turns into exactly this angle: the shortest such double where there is one,
-/// else some digits more (where long double is no longer than double, the last bit may differ). No allocation but for
-/// `out` itself.
+/// Appends degrees that `radiansOfDegrees` converts back to exactly this angle: the shortest text of a double if one
+/// does, otherwise more digits (on platforms whose long double is no longer than double, the last bit may differ).
+/// Allocates nothing except in `out` itself. `angle_rad` is finite.
 void appendDegrees(std::string& out, double angle_rad);
 
-/// Of a text that is a number by readNumberPrefix; 0 for a number that is not finite.
+/// Converts a number in degrees, a text that readNumberPrefix accepts as a whole, to rad; 0 if it is not finite.
 double radiansOfDegrees(std::string_view number);
 
 } // namespace usar::protocol

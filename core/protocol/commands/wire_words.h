@@ -1,5 +1,5 @@
-// The words that stand for the values of an enumeration. The first word of a value is the one we write; UDK compares
-// some of them exactly.
+// The words on the wire for the values of enumerations. The first word for a value is the one we write; UDK compares
+// some of them case-sensitively.
 #pragma once
 
 #include <array>
@@ -14,15 +14,16 @@
 
 namespace usar::protocol {
 
+/// A table row: a word and the value that it stands for.
 template <class Value>
 struct WireWord {
     std::string_view word;
     Value value;
 };
 template <class Value>
-WireWord(std::string_view, Value) -> WireWord<Value>; // Clang 14 does not deduce it
+WireWord(std::string_view, Value) -> WireWord<Value>; // Clang 14 cannot deduce it without this guide
 
-/// Specialised below for each enumeration that goes over the wire.
+/// The table of an enumeration; specialized below for each one that is sent over the wire.
 template <class Value>
 inline constexpr auto wire_words = nullptr;
 

@@ -1,4 +1,4 @@
-// The segments of CONTROL, once for writing (LineOut) and reading (LineIn).
+// The segments of CONTROL, stated once for writing and reading (see drive_fields.h).
 #pragma once
 
 #include "core/protocol/commands/line_in.h"
@@ -7,6 +7,7 @@
 
 namespace usar::protocol {
 
+/// Begins the line with the Type that distinguishes the commands.
 template <class Io>
 void beginControl(Io& io, std::string_view type) {
     io.word("CONTROL");
@@ -32,7 +33,7 @@ void fields(Io& io, typename Io::template Ref<KillObject> kill) {
     io.text("Name", kill.object_name);
 }
 
-/// y and z change their sign on the wire, and what was the least becomes the most.
+/// Converts a box; y and z change their signs on the wire, so that their minimum and maximum swap.
 inline Box acrossWire(const Box& box) {
     return {{box.min_m.x(), -box.max_m.y(), -box.max_m.z()}, {box.max_m.x(), -box.min_m.y(), -box.min_m.z()}};
 }
@@ -60,7 +61,7 @@ void fields(Io& io, typename Io::template Ref<ShiftObject> shift) {
     io.pose(shift.shift);
 }
 
-/// Roll, pitch and yaw rates change their signs as x, y and z do.
+/// Roll, pitch and yaw rates change sign in the same way as x, y and z.
 template <class Io>
 void fields(Io& io, typename Io::template Ref<SpinObject> spin) {
     beginControl(io, "Rotate");
@@ -93,6 +94,7 @@ void fields(Io& io, typename Io::template Ref<ClearWaypoints> clear) {
     io.text("Name", clear.object_name);
 }
 
+/// Speed, or Time for the whole path.
 inline void pace(LineOut& out, const std::variant<WaypointSpeed, Seconds>& pace) {
     if (const auto* const speed = std::get_if<WaypointSpeed>(&pace))
         out.number("Speed", speed->speed_m_s);

@@ -55,7 +55,7 @@ bool isEffecter(const ConfigurationInfo& info) {
     return std::ranges::any_of(info.items, hasOpcodes);
 }
 
-/// One setting of a link, in any dialect's word.
+/// Takes over one setting of a link, under the key of either dialect.
 void take(LinkConfiguration& link, const Setting& setting) {
     if (sameWord(setting.key, "JointType"))
         link.prismatic = sameWord(setting.value, "Prismatic");

@@ -1,4 +1,5 @@
-// What a CONF says of one kind of thing, with units: small structures made from the settings that the server sent.
+// Typed configurations with units, made from the settings that a server sent in a CONF. A value that the server did not
+// send is absent.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,8 @@
 
 namespace usar::protocol {
 
-/// Of a robot. The server's MaxSpeed is wheel spin. Limits of speed are an aerial robot's.
+/// The configuration of a robot. The server's MaxSpeed is a wheel spin; the limits in m/s and of the yaw rate are those
+/// of aerial robots.
 struct RobotConfiguration {
     std::string robot_class{};
     VehicleKind kind = VehicleKind::Unknown;
@@ -28,32 +30,33 @@ struct RobotConfiguration {
     bool operator==(const RobotConfiguration&) const = default;
 };
 
-/// A joint of a mission package or an actuator; m instead of rad where it is prismatic. No limits at all where the
-/// server's smallest is above its largest.
+/// A joint of a mission package or an actuator; values are in m instead of rad if it is prismatic. `smallest` and
+/// `largest` are absent if the server's smallest value exceeds its largest.
 struct LinkConfiguration {
-    int link = 0;
+    int link = 0; ///< from 1; 0 if the server's number is invalid
     bool prismatic = false;
     std::optional<double> speed_limit{};  ///< rad/s or m/s
     std::optional<double> torque_limit{}; ///< N m or N
     std::optional<double> smallest{};     ///< rad or m
-    std::optional<double> largest{};
+    std::optional<double> largest{};      ///< rad or m
     bool operator==(const LinkConfiguration&) const = default;
 };
 
+/// The configuration of a mission package or an actuator, with its links in the server's order.
 struct PackageConfiguration {
     std::string name{};
     std::vector<LinkConfiguration> links{};
     bool operator==(const PackageConfiguration&) const = default;
 };
 
-/// Of a sensor of any type; what the type has not is absent.
+/// The configuration of a sensor of any type; settings that this type does not have are absent.
 struct SensorConfiguration {
     std::string type{};
     std::string name{};
     std::optional<double> range_max_m{};
     std::optional<double> range_min_m{};
     std::optional<double> beam_angle_rad{};
-    std::optional<double> resolution_rad{}; ///< of beams, or of an encoder's tick
+    std::optional<double> resolution_rad{}; ///< angle between beams, or of one encoder tick
     std::optional<double> fov_rad{};        ///< horizontal
     std::optional<double> vertical_fov_rad{};
     std::optional<Seconds> scan_interval{};
@@ -62,22 +65,22 @@ struct SensorConfiguration {
     bool operator==(const SensorConfiguration&) const = default;
 };
 
-/// UT2004 gives a camera's angles in radians, UDK in degrees, and only UDK its place in the picture; that is how the
-/// two are told apart.
+/// The configuration of a camera. UT2004 sends the angles in radians, UDK in degrees. Only UDK sends the camera's area
+/// in the picture, which is how the two are told apart.
 struct CameraConfiguration {
     std::string name{};
-    std::optional<double> fov_rad{}; ///< now; UDK only
+    std::optional<double> fov_rad{}; ///< current angle; UDK only
     std::optional<double> default_fov_rad{};
     std::optional<double> smallest_fov_rad{};
     std::optional<double> largest_fov_rad{};
-    std::optional<int> picture_x_px{};
+    std::optional<int> picture_x_px{}; ///< left edge of its area; this and the next three are UDK only
     std::optional<int> picture_y_px{};
     std::optional<int> picture_width_px{};
     std::optional<int> picture_height_px{};
     bool operator==(const CameraConfiguration&) const = default;
 };
 
-/// What an effecter can be told, with the range of the value where it takes one.
+/// A command that an effecter accepts, with the range of its value if it takes one.
 struct EffecterOpcode {
     std::string opcode{};
     std::optional<double> smallest{};
@@ -85,6 +88,7 @@ struct EffecterOpcode {
     bool operator==(const EffecterOpcode&) const = default;
 };
 
+/// The configuration of an effecter: all commands that it accepts.
 struct EffecterConfiguration {
     std::string type{};
     std::string name{};
@@ -92,13 +96,13 @@ struct EffecterConfiguration {
     bool operator==(const EffecterConfiguration&) const = default;
 };
 
-/// Nothing where the message is about something else.
+/// The configuration of a robot; nullopt if the message is not about a single robot.
 std::optional<RobotConfiguration> robotConfigurationOf(const ConfigurationInfo& info);
-/// Of MisPkg and Actuator; empty for everything else. The same holds below.
+/// Configurations of MisPkg and Actuator; empty for messages about anything else, like the functions below.
 std::vector<PackageConfiguration> packageConfigurationsOf(const ConfigurationInfo& info);
 std::vector<CameraConfiguration> cameraConfigurationsOf(const ConfigurationInfo& info);
 std::vector<EffecterConfiguration> effecterConfigurationsOf(const ConfigurationInfo& info);
-/// Of every type that is none of the others.
+/// Configurations of every type that none of the functions above covers.
 std::vector<SensorConfiguration> sensorConfigurationsOf(const ConfigurationInfo& info);
 
 } // namespace usar::protocol

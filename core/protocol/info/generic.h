@@ -1,4 +1,4 @@
-// A line whose type the tables do not know (yet): kept whole, shown, watched and recorded like any other.
+// A line whose type the tables do not know. It is kept whole, and displayed, watched and recorded like any other.
 #pragma once
 
 #include <string>
@@ -6,16 +6,18 @@
 
 namespace usar::protocol {
 
+/// A segment: its key and the trimmed text after it, both as sent.
 struct KeyValue {
     std::string key{};
     std::string value{};
     bool operator==(const KeyValue&) const = default;
 };
 
+/// All segments of the line in order, including Type and Name. Values are in the wire's frame and units.
 struct GenericMessage {
     std::string type_word{};
-    std::string type{}; ///< value of the Type segment, empty where there is none
-    std::string name{}; ///< first name of the line; of a grouped one (`{Name IR1 Range 0.5}`) the name alone
+    std::string type{}; ///< value of the Type segment, empty if there is none
+    std::string name{}; ///< first name on the line; only "IR1" if grouped, `{Name IR1 Range 0.5}`
     std::vector<KeyValue> segments{};
     bool operator==(const GenericMessage&) const = default;
 };

@@ -1,4 +1,4 @@
-// STA: the state of the robot this connection speaks for.
+// STA: the state of the robot that the connection controls.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,31 @@
 
 namespace usar::protocol {
 
+/// The kinds of vehicles by which STA, GEO and CONF classify robots; see vehicle_words.h for the words.
 enum class VehicleKind { Unknown, Ground, Aerial, Nautic, Legged, StaticPlatform };
 
+/// One joint and its angle, with the server's sign.
 struct JointAngle {
     std::string name{};
     double angle_rad = 0.0;
     bool operator==(const JointAngle&) const = default;
 };
 
-/// Both dialects and all kinds; what a kind does not have is absent. Steering angles are counter-clockwise positive.
+/// The state of a robot of any kind, in either dialect; values that a kind does not have are absent. Steering angles
+/// are counterclockwise positive.
+/// On the wire: `STA {Type AerialVehicle} {Time 268.50} {LightToggle False} {Battery 1180} {View -1}`.
 struct RobotState {
-    VehicleKind kind = VehicleKind::Unknown; ///< Unknown also for UDK's aerial vehicle, which sends no Type
+    VehicleKind kind = VehicleKind::Unknown; ///< also Unknown for a UDK aerial vehicle, which sends no Type
     std::optional<Seconds> time{};
-    std::optional<Seconds> battery_left{}; ///< a countdown; 99999 s from a UDK robot without a battery
+    std::optional<Seconds> battery_left{}; ///< counts down; 99999 s from a UDK robot without a battery
     std::optional<double> front_steer_rad{};
     std::optional<double> rear_steer_rad{};
     std::optional<bool> light_on{};
     std::optional<int> light_intensity_pct{};
-    std::optional<int> view{};
+    std::optional<int> view{};        ///< value of View as sent
     std::vector<JointAngle> joints{}; ///< flippers and legs, in the server's order and sign
-    /// What no field above holds, in the server's order: unknown keys, a Type that is no kind we know, a key once more.
+    /// Everything that no field above holds, in the server's order: unknown keys, a Type of an unknown kind, repeated
+    /// keys.
     std::vector<KeyValue> others{};
     bool operator==(const RobotState&) const = default;
 };

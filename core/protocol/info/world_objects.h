@@ -1,4 +1,4 @@
-// STA as the answer to CONTROL GetSTA: things that a world controller made.
+// STA as the answer to CONTROL GetSTA: the objects that world controllers have created.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,7 @@
 
 namespace usar::protocol {
 
+/// One object. `memory` is the free text that was stored with it when it was created.
 struct WorldObject {
     std::string name{};
     std::optional<Vec3> size_m{}; ///< along the object's own axes
@@ -17,7 +18,8 @@ struct WorldObject {
     bool operator==(const WorldObject&) const = default;
 };
 
-/// Empty when there is none.
+/// All objects of the answer; empty if there are none.
+/// On the wire: `STA {Name Box1} {Size 1,1,1} {Location 1,2,3} {Memory hi there} {Rotation 0,0,1.5}`.
 struct WorldObjects {
     std::vector<WorldObject> objects{};
     bool operator==(const WorldObjects&) const = default;

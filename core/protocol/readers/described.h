@@ -1,4 +1,4 @@
-// Reads any container that describes itself (core/protocol/schema.h).
+// Reads any message struct that describes itself (core/protocol/schema.h).
 #pragma once
 
 #include <algorithm>
@@ -17,23 +17,25 @@
 
 namespace usar::protocol {
 
+/// The segments of a line, or of one group, in order.
 using Pairs = std::span<const KeyedText>;
 
-/// Values that a container cannot do without.
+/// True for the types of members that must be on the line; members of other types may be missing.
 template <class Member>
 inline constexpr bool is_required = std::is_same_v<Member, double> || std::is_same_v<Member, long long> ||
                                     std::is_same_v<Member, Vec3> || std::is_same_v<Member, Pose>;
 
-/// What became of the items of one container. Nothing found is no news; something missing beside something found, or
-/// something damaged, leaves the line generic.
+/// The result of reading the items of one struct. A line without any item carries no data; if some items are there but
+/// a required one is missing or damaged, the line stays generic.
 struct ItemsFound {
     bool any = false;
     bool damaged = false;
-    std::string_view missing{};
+    std::string_view missing{}; ///< key of a required item that is not on the line; empty if there is none
 
     bool usable() const { return any && !damaged && missing.empty(); }
 };
 
+/// Reads one item; clears the member if the item is not among `pairs`.
 template <class Owner, class Member>
 void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Member>& item, ItemsFound& found) {
     Member& member = owner.*item.member;
@@ -48,6 +50,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Me
         found.missing = item.key;
 }
 
+/// Reads a pose, which is damaged if only one of its two segments is there.
 template <class Owner>
 void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner>& item, ItemsFound& found) {
     const KeyedText* const location = findPair(pairs, "Location");
@@ -67,6 +70,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner
     owner.*item.member = pose.value_or(Pose{});
 }
 
+/// Reads all items of one struct. Reports an error if only some of the required ones are there.
 template <class Owner>
 ItemsFound readItems(LineReading& line, Pairs pairs, Owner& owner) {
     ItemsFound found;
@@ -76,8 +80,8 @@ ItemsFound readItems(LineReading& line, Pairs pairs, Owner& owner) {
     return found;
 }
 
-/// Reads the groups of `pairs`, which begins with the first opening key, or with values of a group without one. False
-/// when one is damaged.
+/// Reads all groups in `pairs`, which begins with the first opening key, or with the values of a group that has no
+/// opening key. Groups without values are left out. False if a group is damaged.
 template <class Owner, class Element>
 bool readGroups(LineReading& line, Pairs pairs, Owner& owner, const Groups<Owner, Element>& groups) {
     Refill<Element> elements(owner.*groups.member);
@@ -105,8 +109,8 @@ bool readGroups(LineReading& line, Pairs pairs, Owner& owner, const Groups<Owner
     return good;
 }
 
-/// Fills all of `out`, which may hold an older reading. False when the line must stay a GenericMessage: without a
-/// diagnostic where it tells nothing (a bare head), with one where it is damaged.
+/// Fills all of `out`, which may hold an older reading. Returns false if the line must stay a GenericMessage: without a
+/// diagnostic if it has no data (only Time, Type and Name), with one if it is damaged.
 template <Described T>
 bool readDescribed(LineReading& line, T& out) {
     const Pairs pairs = line.pairs(NamedGroups<T>);
@@ -124,7 +128,7 @@ bool readDescribed(LineReading& line, T& out) {
                    (!groups.other_key.empty() && sameWord(pair.key, groups.other_key));
         });
         head = pairs.first(static_cast<std::size_t>(first - pairs.begin()));
-        // Sensors without a name: the values come before any.
+        // A sensor without a name: its values follow no opening key.
         const bool nameless = NamedGroups<T> && first == pairs.end();
         if (!readGroups(line, nameless ? pairs : pairs.subspan(head.size()), out, groups))
             return false;

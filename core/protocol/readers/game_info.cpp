@@ -10,7 +10,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// `name x,y,z r,p,y name …`: a fixed count of numbers behind each name, so that vectors may hold spaces (Gazebo).
+/// Reads `name x,y,z r,p,y name …`. Takes six numbers after each name, so that vectors may contain spaces (Gazebo).
 bool readTriplets(LineReading& line, std::string_view text, std::vector<StartPose>& poses) {
     for (std::string_view name = takeWord(text); !name.empty(); name = takeWord(text)) {
         std::array<double, 6> n;
@@ -23,7 +23,7 @@ bool readTriplets(LineReading& line, std::string_view text, std::vector<StartPos
     return true;
 }
 
-/// `Name UnitLoader1 Location … Orientation …`, as MOAST knows it.
+/// Reads `Name UnitLoader1 Location … Orientation …`, the form that MOAST expects.
 bool readNamed(LineReading& line, NamedPairs pairs, std::vector<StartPose>& poses) {
     std::string_view location;
     std::string_view orientation;
@@ -45,7 +45,8 @@ bool readNamed(LineReading& line, NamedPairs pairs, std::vector<StartPose>& pose
     return pose.has_value();
 }
 
-/// Everything but the count, which says how many `what` there should be.
+/// Reads all segments except the one with the count. Warns if the count differs from the number of places, which `what`
+/// names in the plural.
 bool readPlaces(LineReading& line, std::string_view count_key, std::string_view what, std::vector<StartPose>& poses) {
     poses.clear();
     const Segment* const count = line.segments().find(count_key);

@@ -10,7 +10,8 @@ namespace usar::protocol {
 
 namespace {
 
-/// Collects the items of a GEO while its segments go by, grouped or single, links of a mission package among them.
+/// Collects the items of a GEO from its segments in order: single items or groups, including the links of a mission
+/// package.
 class Items {
 public:
     Items(LineReading& line, std::vector<MountedItem>& items) : line_(line), items_(items) {}
@@ -39,7 +40,7 @@ public:
         base_mount_ = "HARD";
     }
 
-    /// False when an item was damaged.
+    /// Call it after the last segment. False if an item was damaged.
     bool finish() {
         close();
         return good_;
@@ -48,7 +49,7 @@ public:
 private:
     void openLink(std::string_view number) {
         if (name_ == group_ && !location_.empty())
-            base_mount_ = group_; // UDK's actuators have a base with a pose of its own
+            base_mount_ = group_; // the base of a UDK actuator has a pose of its own
         close();
         name_ = group_ + "_Link" + std::string(number);
     }
@@ -95,7 +96,7 @@ bool readItems(LineReading& line, std::vector<MountedItem>& items) {
     return collected.finish();
 }
 
-/// A vector that may be absent; false when it is there and damaged.
+/// Reads a vector that may be absent; false if it is there but damaged.
 bool readOptional(LineReading& line, std::string_view key, std::optional<Vec3>& vector) {
     const Segment* const segment = line.segments().find(key);
     if (segment)

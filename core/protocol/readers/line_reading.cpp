@@ -223,7 +223,7 @@ bool take(LineReading& line, std::string_view value, std::optional<Vec3>& member
     return take(line, value, member.emplace(Vec3::Zero()), crossing);
 }
 
-/// `x,y,theta` of a pose on the ground.
+/// Reads `x,y,theta`, a pose on the ground.
 bool take(LineReading& line, std::string_view value, std::optional<Pose>& member, Crossing) {
     const std::optional<Vec3> on_wire = line.threeNumbers(value);
     if (on_wire)

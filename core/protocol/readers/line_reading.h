@@ -1,4 +1,4 @@
-// What a reading function works on: one tokenised info line, and the list of what is wrong with it.
+// The input of the reading functions: one tokenized info line, and the list of its problems.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,25 @@
 
 namespace usar::protocol {
 
-/// A key and its value, out of a segment or out of several pairs in one.
+/// A key and its value, from a segment of its own or from one of several pairs in a segment. Views into the line.
 struct KeyedText {
     std::string_view key;
     std::string_view value;
 };
 
-/// The first pair with this key, or with the other one where it is not empty; nullptr without.
+/// The first pair with this key, or with `other_key` unless that is empty, ignoring case; nullptr if there is none.
 const KeyedText* findPair(std::span<const KeyedText> pairs, std::string_view key, std::string_view other_key = {});
 
-/// Larger numbers are garbage: nothing that is sensed comes near, and their squares are infinite.
+/// Numbers beyond this are garbage: no sensor value comes near, and the squares of very large numbers overflow.
 inline constexpr double largest_plausible = 1e15;
+/// False also for NaN.
 constexpr bool isPlausible(double value) {
     return value >= -largest_plausible && value <= largest_plausible;
 }
 
-/// Turns pieces of a line into values and complains about what is no value. A missing or damaged number is absent,
-/// never 0. Poses and positions come out in our frame. Lives as long as one line is read. `pairs` is room to be reused.
+/// Converts parts of a line to values and reports those that are invalid. A missing or damaged number is absent, never
+/// 0. Created for one line; refers to the caller's `segments`, `diagnostics` and `pairs`, of which the last is a buffer
+/// that the caller reuses from line to line.
 class LineReading {
 public:
     LineReading(const Segments& segments, Diagnostics& diagnostics, std::vector<KeyedText>& pairs)
@@ -41,25 +43,27 @@ public:
         , pairs_(pairs) {}
 
     const Segments& segments() const { return segments_; }
-    /// All segments in order but Type and Time. With `split_names`, `{Name F1 Range 4.5}` gives two pairs (1.4).
+    /// All segments in order, except Type and Time. With `split_names`, `{Name F1 Range 4.5}` gives two pairs (1.4).
+    /// The result is valid until the next call.
     std::span<const KeyedText> pairs(bool split_names);
-    /// `part` is a view into the line; it says where. Beyond `most_diagnostics` of a line nothing is added: a hostile
-    /// line must not cost more than an honest one.
+    /// Reports a problem; `part`, a view into the line, gives the place. Only the first `most_diagnostics` of a line
+    /// are kept, so that a hostile line costs no more than an honest one.
     void warn(std::string_view part, std::string message);
     void error(std::string_view part, std::string message);
 
-    /// The number of the first segment with this key. Absent without a word when the key is missing; with a warning
-    /// when its value is no finite number. Junk behind a number is a warning, as servers take the number (1.6).
+    /// The number of the first segment with this key. Absent if the key is missing, and, with a warning, if the value
+    /// is not a plausible number. Junk after a number only gives a warning, because servers accept the number (1.6).
     std::optional<double> number(std::string_view key);
-    /// The same for text that was found otherwise.
+    /// The same for a text that the caller has found; it must be a view into the line.
     std::optional<double> numberIn(std::string_view value);
+    /// The Time segment, on the server's clock.
     std::optional<Seconds> time();
-    /// True, False, 1, 0 in any case; a warning for anything else.
+    /// Reads True, False, 1 or 0, in any case. Absent if the key is missing, and, with a warning, for anything else.
     std::optional<bool> boolean(std::string_view key);
 
-    /// Exactly three finite numbers, as they are on the wire; else an error.
+    /// Reads exactly three plausible numbers, in the wire's frame; otherwise reports an error.
     std::optional<Vec3> threeNumbers(std::string_view value);
-    /// Location and orientation texts to a pose in our frame; else an error.
+    /// Converts the texts of a location and an orientation to a pose in our frame, or reports an error.
     std::optional<Pose> pose(std::string_view location, std::string_view orientation);
 
     static constexpr std::size_t most_diagnostics = 8;
@@ -72,8 +76,9 @@ private:
     std::vector<KeyedText>& pairs_;
 };
 
-/// Text to one member of a container, across the frames; false, with an error, when the line must stay generic. Absent
-/// values are made so by `clear`.
+/// Reads one member of a message struct from a text, converted to our frame. Returns false, with an error, if the line
+/// must stay generic. An invalid number becomes NaN in a double and absent in an optional, with a warning. Members that
+/// are not on the line are reset by `clear` instead.
 bool take(LineReading& line, std::string_view value, double& member, Crossing crossing);
 bool take(LineReading& line, std::string_view value, std::optional<double>& member, Crossing crossing);
 bool take(LineReading& line, std::string_view value, long long& member, Crossing);
@@ -89,6 +94,7 @@ bool take(LineReading& line, std::string_view value, std::optional<Vec3>& member
 bool take(LineReading& line, std::string_view value, std::optional<Pose>& member, Crossing);
 bool take(LineReading& line, std::string_view value, std::vector<double>& member, Crossing);
 
+/// Resets a member to absent, empty or zero, keeping the memory of texts and lists.
 template <class Member>
 void clear(Member& member) {
     if constexpr (requires { member.clear(); })
@@ -99,14 +105,16 @@ void clear(Member& member) {
         member = Member{};
 }
 
-/// Cuts the next number off a list separated by commas, spaces or both. NaN where the element is no number; the text
-/// behind it, up to the next separator, goes with it and makes `clean` false. False at the end of the list.
+/// Removes the next number from a list separated by commas, spaces or both; NaN if the element is not a number. Junk
+/// after the number, up to the next separator, is removed with it and makes `clean` false. False at the end of the
+/// list.
 bool takeNumber(std::string_view& list, double& value, bool& clean);
 
-/// Takes numbers off `text` until `numbers` is full; true when it is, and every one was clean and finite.
+/// Removes numbers from `text` until `numbers` is full. True if there were enough and all were clean and plausible; any
+/// that are missing keep their old values.
 bool takeNumbers(std::string_view& text, std::span<double> numbers);
 
-/// true, True, TRUE, 1 and their opposites.
+/// Accepts true and false in any case, 1 and 0; nullopt for anything else.
 std::optional<bool> readBoolean(std::string_view text);
 
 } // namespace usar::protocol

@@ -13,7 +13,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// An element that is no plain decimal, up to its comma.
+/// Reads an element that is not a plain decimal, up to its comma.
 double readOddElement(const char*& at, const char* end, std::size_t& doubtful) {
     const char* const stop = std::find(at, end, ',');
     const std::string_view element = trimmed({at, static_cast<std::size_t>(stop - at)});

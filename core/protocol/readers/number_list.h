@@ -1,4 +1,4 @@
-// Lists of numbers as scanners send them, at the speed of the plain decimals that they are.
+// A fast reader for the lists of numbers that scanners send.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace usar::protocol {
 
-/// Replaces what is in `numbers` by the list with commas in `text`; one more comma may follow the last element, as
-/// UDK's imagers send it. What is no number, is infinite, or is too large for any sensor is NaN. Gives how many
-/// elements were not clean.
+/// Replaces the content of `numbers` by the comma-separated list in `text`. A comma may follow the last element,
+/// because UDK's imagers send one. An element that is not a number, is infinite or is too large for any sensor becomes
+/// NaN. Returns how many elements were not clean numbers.
 std::size_t readNumberList(std::string_view text, std::vector<double>& numbers);
 
 } // namespace usar::protocol

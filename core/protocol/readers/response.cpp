@@ -6,7 +6,8 @@ namespace usar::protocol {
 
 namespace {
 
-/// A status belongs to the last thing before it; the first word of a thing begins it.
+/// Each Status belongs to the thing before it. A thing begins with the first key on the line or the first key after a
+/// Status, except ID and Mem.
 void readParts(LineReading& line, Response& out) {
     Refill<ResponsePart> parts(out.parts);
     ResponsePart* part = nullptr;

@@ -13,14 +13,14 @@ namespace usar::protocol {
 
 namespace {
 
-/// Keys of STA that have a field of their own, in either dialect.
+/// True for the keys of STA, in either dialect, that have a field of their own in RobotState.
 bool isOwnKey(std::string_view key) {
     static constexpr std::array<std::string_view, 8> keys = {"Type",        "Time",           "FrontSteer", "RearSteer",
                                                              "LightToggle", "LightIntensity", "Battery",    "View"};
     return std::ranges::any_of(keys, [key](std::string_view own) { return sameWord(own, key); });
 }
 
-/// A number that is no angle: the Gazebo server's rate of messages.
+/// True for the one key whose number is not a joint angle: the message rate that the Gazebo server sends.
 bool isNoJoint(std::string_view key) {
     return sameWord(key, "CountPer1sec");
 }
@@ -42,7 +42,7 @@ std::optional<double> steeringAngle(LineReading& line, std::string_view key) {
     return angle_rad ? std::optional(acrossWire(*angle_rad)) : std::nullopt;
 }
 
-/// The joints, and what no field holds: nothing that a server says is dropped.
+/// Reads the joints, and keeps everything else that has no field as text, so that nothing is dropped.
 void readRest(LineReading& line, RobotState& state) {
     Refill<JointAngle> joints(state.joints);
     Refill<KeyValue> others(state.others);

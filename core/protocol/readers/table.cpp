@@ -32,7 +32,7 @@ ReaderRow rowOf(std::string_view type_word, std::string_view type = {}, bool (*f
     return {type_word, type, fits, indexIn<T>(static_cast<const InfoMessage*>(nullptr)), readInto<T>};
 }
 
-/// A row for each of the words "IR|Range".
+/// Adds a row for each word in the sensor's `wire_types`, such as "IR|Range".
 template <class Sensor>
 void addSensor(std::vector<ReaderRow>& rows) {
     std::string_view left = Sensor::wire_types;
@@ -57,7 +57,7 @@ std::vector<ReaderRow> makeRows() {
         return readByShape(line, *std::get_if<RangeScan>(&message));
     };
     rows.push_back(by_shape);
-    // CONTROL GetSTA is answered with an STA of things in the world: each has a Name; a robot's state has none.
+    // The answer to CONTROL GetSTA is an STA about objects in the world: each has a Name; a robot's state has none.
     rows.push_back(rowOf<WorldObjects>(
         "STA", "", [](const Segments& s) { return s.all().empty() || s.find("Name") || s.find("Size"); }));
     rows.push_back(rowOf<RobotState>("STA"));

@@ -1,4 +1,4 @@
-// Which function reads which line: the table of sensors, and a row for everything else that a server says.
+// The table of reading functions: rows for all sensors, and for everything else that a server sends.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace usar::protocol {
 
-/// `type` is the value of the Type segment; empty takes any. Both are compared without regard to case. `fits`, where
-/// there is one, looks at the shape. `read` fills the alternative of number `kind`, which the message holds already;
-/// false leaves the line generic.
+/// One row. It applies to lines with this type word and this value of the Type segment (empty matches any), both
+/// compared ignoring case, for which `fits`, unless null, returns true. `read` fills the alternative of InfoMessage
+/// with the index `kind`, which the message must already hold; it returns false if the line must stay generic.
 struct ReaderRow {
     std::string_view type_word;
     std::string_view type;
@@ -21,7 +21,7 @@ struct ReaderRow {
     bool (*read)(LineReading& line, InfoMessage& message) = nullptr;
 };
 
-/// The first row that fits the line, or nullptr.
+/// The first row that applies to the line, or nullptr.
 const ReaderRow* readerRowFor(const Segments& segments);
 
 } // namespace usar::protocol

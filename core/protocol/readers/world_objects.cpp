@@ -7,8 +7,9 @@ namespace usar::protocol {
 
 namespace {
 
-/// The server's braces are broken: `{Location x,y,z {Memory {m} {Rotation r,p,y}` (usarsim-protocol 5.8). The
-/// tokeniser makes one segment of Location and Memory, which this takes apart again.
+/// Splits the value of a Location segment into location and memory. The server's braces are malformed: `{Location x,y,z
+/// {Memory {m} {Rotation r,p,y}` (usarsim-protocol 5.8), so that the tokenizer returns Location and Memory as one
+/// segment.
 std::pair<std::string_view, std::string_view> splitMemory(std::string_view location) {
     const std::size_t brace = location.find('{');
     if (brace == std::string_view::npos)

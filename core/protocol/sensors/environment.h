@@ -1,4 +1,5 @@
-// SEN of the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and the soccer ball's Helper.
+// SEN messages about the surroundings: Sound, Acoustic, CO2Sensor, MissionTime, ObjectSensor, and Helper, which sees
+// the soccer ball. `time` is on the server's clock; absent optionals were not on the line.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,13 @@
 
 namespace usar::protocol {
 
+/// The sound at the sensor's place.
+/// On the wire: `SEN {Time 1} {Type Sound} {Name S} {Loudness 12.5} {Duration 3.25}`.
 struct SoundReading {
     std::optional<Seconds> time{};
     std::string name{};
     double loudness_db = 0.0;
-    std::optional<Seconds> duration{};
+    std::optional<Seconds> duration{}; ///< length of the sound
 
     static constexpr std::string_view wire_types = "Sound";
     static constexpr auto items() {
@@ -25,12 +28,13 @@ struct SoundReading {
     bool operator==(const SoundReading&) const = default;
 };
 
-/// A sound that UDK's ears hear: too far to place, or with the unit vector toward it in the sensor's frame.
+/// A sound heard by UDK's acoustic sensor: too far away to be located, or with a unit vector toward it in the sensor's
+/// frame.
 struct HeardSound {
     Present far = Present::No;
-    std::optional<Vec3> direction{};
-    std::optional<double> volume{};
-    std::optional<Seconds> duration{};
+    std::optional<Vec3> direction{};   ///< absent if the sound is too far away
+    std::optional<double> volume{};    ///< as sent; no unit is known
+    std::optional<Seconds> duration{}; ///< length of the sound
     std::optional<Seconds> delay{};
 
     static constexpr auto items() {
@@ -43,7 +47,8 @@ struct HeardSound {
     bool operator==(const HeardSound&) const = default;
 };
 
-/// `silence` is the server's {None}.
+/// The sounds heard at one moment. `silence` is Yes if the server sent {None}.
+/// On the wire: `SEN {Time 1} {Type Acoustic} {Name A} {Direction 0,1,0} {Volume 0.5} {Duration 1.5} {Delay 0.25}`.
 struct AcousticReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -56,11 +61,12 @@ struct AcousticReading {
     bool operator==(const AcousticReading&) const = default;
 };
 
+/// On the wire: `SEN {Time 1} {Type CO2Sensor} {Name C} {Gas CO2} {Density 0.25}`.
 struct GasReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::string gas{};
-    double density = 0.0; ///< as sent; the unit is nowhere said
+    double density = 0.0; ///< as sent; no source gives its unit
 
     static constexpr std::string_view wire_types = "CO2Sensor";
     static constexpr auto items() {
@@ -70,8 +76,9 @@ struct GasReading {
     bool operator==(const GasReading&) const = default;
 };
 
-/// Where the camera of a soccer robot sees the ball (thesis 5.2). The picture's axes are the camera's own, so the three
-/// numbers stay as the wire has them.
+/// The place at which the camera of a soccer robot sees the ball (thesis 5.2). The axes are those of the camera's
+/// picture, so the three numbers stay as they are on the wire.
+/// On the wire: `SEN {Time 67.2} {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true}`.
 struct BallReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -86,6 +93,8 @@ struct BallReading {
     bool operator==(const BallReading&) const = default;
 };
 
+/// The mission's time in whole minutes.
+/// On the wire: `SEN {Time 33} {Type MissionTime} {Name c} {Minutes 2}`.
 struct MissionTimeReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -98,11 +107,12 @@ struct MissionTimeReading {
     bool operator==(const MissionTimeReading&) const = default;
 };
 
+/// One object seen by an ObjectSensor.
 struct SeenObject {
-    std::string tag{};
+    std::string tag{}; ///< value of Object
     Pose object_in_map{};
-    std::optional<Vec3> hit_in_map_m{};
-    std::string material{}; ///< "None" where it has none
+    std::optional<Vec3> hit_in_map_m{}; ///< point at which the sensor's ray hits the object
+    std::string material{};             ///< "None" if it has none
 
     static constexpr auto items() {
         return std::tuple(item("Object", &SeenObject::tag, "tag"), pose(&SeenObject::object_in_map),
@@ -112,6 +122,8 @@ struct SeenObject {
     bool operator==(const SeenObject&) const = default;
 };
 
+/// All objects that the sensor sees at one moment.
+/// On the wire: `SEN {Time 34} {Type ObjectSensor} {Name o} {Object Box1} {Location 3,1,1.5} {Orientation 0,0,1.5}`.
 struct ObjectsReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -14,7 +14,8 @@ namespace usar::protocol {
 
 namespace {
 
-/// `47,40.3323,N`: degrees, minutes, and the letter of `letters` that it points to, positive first.
+/// Reads an angle in rad from a text such as `47,40.3323,N`: degrees, minutes and one of the two `letters`, of which
+/// the first stands for positive angles. Absent, with a warning, if it is malformed.
 std::optional<double> readAngle(LineReading& line, std::string_view key, std::string_view letters) {
     const Segment* const segment = line.segments().find(key);
     if (!segment)
@@ -35,7 +36,8 @@ std::optional<double> readAngle(LineReading& line, std::string_view key, std::st
 
 void writeAngle(LineWriter& line, std::string_view key, double angle_rad, std::string_view letters) {
     const double angle_deg = degrees(std::abs(angle_rad));
-    // The fourth decimal of a minute is cut on the wire: half of the fifth keeps what was read from it.
+    // The wire truncates minutes after the fourth decimal; the small addition makes an angle that was read from the
+    // wire come out with the same digits.
     const double minutes = angle_deg * 60.0 + 5e-7;
     const double whole = std::floor(minutes / 60.0);
     line.open(key);

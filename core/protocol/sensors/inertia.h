@@ -1,4 +1,4 @@
-// SEN of what feels forces: Accel, AcceleroMeter, IMU (all UDK).
+// SEN messages of inertial sensors: Accel, AcceleroMeter and IMU (all UDK only).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace usar::protocol {
 
-/// Acceleration in the body's frame, without gravity.
+/// Acceleration in the body frame, without gravity.
+/// On the wire: `SEN {Time 32} {Type Accel} {Name a} {Acceleration 1,2,3}`.
 struct AccelerationReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -23,7 +24,8 @@ struct AccelerationReading {
     bool operator==(const AccelerationReading&) const = default;
 };
 
-/// What an accelerometer at rest really shows: acceleration with gravity, body frame.
+/// Proper acceleration in the body frame, as a real accelerometer measures it: including gravity, so not zero at rest.
+/// On the wire: `SEN {Time 32} {Type AcceleroMeter} {Name a} {ProperAcceleration 0,0,-9.8065}`.
 struct AccelerometerReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -37,7 +39,9 @@ struct AccelerometerReading {
     bool operator==(const AccelerometerReading&) const = default;
 };
 
-/// Body frame; vectors of turning point along their axis, counter-clockwise positive.
+/// Values in the body frame. Angular velocity and acceleration are vectors along the axis of rotation, counterclockwise
+/// positive.
+/// On the wire: `SEN {Time 1} {Type IMU} {Name I} {XYZAcceleration 1,2,3} {AngularVel 0,0,0.5} {Rotation 0,0,1}`.
 struct ImuReading {
     std::optional<Seconds> time{};
     std::string name{};

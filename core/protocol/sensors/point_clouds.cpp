@@ -15,12 +15,13 @@ namespace {
 
 constexpr double unreal_units_per_m = 250.0;
 
-/// Unreal's own frame is x forward, y right, z up.
+/// Converts between Unreal's own frame (x forward, y right, z up) and ours; its own inverse.
 Vec3 acrossUnreal(const Vec3& point) {
     return {point.x(), -point.y(), point.z()};
 }
 
-/// Points of three numbers each; `separators` stand between and around them.
+/// Reads points of three numbers each, which have `separators` between and around them. False, with an error, if one is
+/// damaged.
 bool readPoints(LineReading& line, std::string_view text, std::string_view separators, std::vector<Vec3>& points) {
     points.clear();
     const std::string_view all = text;
@@ -41,7 +42,7 @@ bool readPoints(LineReading& line, std::string_view text, std::string_view separ
     }
 }
 
-/// The extent of the points says more than the first of many thousand.
+/// Lists the number and the extent of the points, as many thousand points are too many to list.
 void listPoints(FieldList& fields, const std::vector<Vec3>& points_m) {
     fields.number("count", static_cast<double>(points_m.size()));
     if (points_m.empty())

@@ -1,4 +1,4 @@
-// SEN of the pose family: INS, INU, ground truth, odometry.
+// SEN messages about the robot's pose: INS, INU, ground truth and odometry.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace usar::protocol {
 
-/// The robot's own drifting estimate; no Time on the wire in either dialect.
+/// The robot's own estimate of its pose, which drifts. It has no Time on the wire in either dialect.
+/// On the wire: `SEN {Type INS} {Name INS} {Location 4.50,1.90,1.80} {Orientation 0.00,6.28,3.01}`.
 struct InsReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -20,11 +21,12 @@ struct InsReading {
     bool operator==(const InsReading&) const = default;
 };
 
-/// An older INS that tells attitude only.
+/// An older kind of INS that gives the attitude only.
+/// On the wire: `SEN {Type INU} {Name I} {Orientation 0.00,0.25,1.50}`.
 struct InuReading {
     std::optional<Seconds> time{};
     std::string name{};
-    Vec3 roll_pitch_yaw_rad = Vec3::Zero(); ///< of the base in the map
+    Vec3 roll_pitch_yaw_rad = Vec3::Zero(); ///< attitude of the base in the map frame
 
     static constexpr std::string_view wire_types = "INU";
     static constexpr auto items() {
@@ -34,7 +36,8 @@ struct InuReading {
     bool operator==(const InuReading&) const = default;
 };
 
-/// Exact.
+/// The exact pose of the robot.
+/// On the wire: `SEN {Time 395.3833} {Type GroundTruth} {Name GT} {Location 4.50,1.90,-1.85} {Orientation 0,0.25,6}`.
 struct GroundTruthReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -45,7 +48,8 @@ struct GroundTruthReading {
     bool operator==(const GroundTruthReading&) const = default;
 };
 
-/// Dead reckoning in the frame of the spawn pose. Absent values: the server sent a bare head.
+/// The pose by dead reckoning in the frame of the spawn pose. Only x, y and yaw are sent; z, roll and pitch are 0.
+/// On the wire: `SEN {Type Odometry} {Name Odometry} {Pose 0.0320,0.0014,0.0296}`.
 struct OdometryReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -1,4 +1,4 @@
-// SEN of scanners that see an area: RangeScanner3D, RangeImager.
+// SEN messages of scanners that cover an area: RangeScanner3D and RangeImager.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,17 @@
 
 namespace usar::protocol {
 
-/// A scanner that turns about two axes. `resolution_rad` and `fov_rad` are vertical and horizontal; ranges come row
-/// after row. No capture of it is known, so the order within a row is the wire's (usarsim-protocol 4.5).
+/// A scan by a scanner that turns about two axes. `resolution_rad` and `fov_rad` hold the vertical and then the
+/// horizontal value; ranges are in row-major order. No recording of this sensor is known, so the order within a row is
+/// kept as on the wire (usarsim-protocol 4.5).
+/// On the wire: `SEN {Time 1} {Type RangeScanner3D} {Name S} {Resolution 0.5,0.25} {FOV 1,0.5} {Range 1,2,3}`.
 struct Scan3d {
     std::optional<Seconds> time{};
     std::string name{};
     std::vector<double> resolution_rad{};
     std::vector<double> fov_rad{};
     std::vector<double> ranges_m{};
-    std::string type = "RangeScanner3D"; ///< on the wire
+    std::string type = "RangeScanner3D"; ///< value of Type on the wire
 
     static constexpr std::string_view wire_types = "RangeScanner3D|3DRangeScanner";
     static constexpr auto items() {
@@ -29,20 +31,21 @@ struct Scan3d {
     bool operator==(const Scan3d&) const = default;
 };
 
-/// A strip of a depth image (UDK's Kinect). Depths lie along the optical axis, rows top to bottom and, unlike scans,
-/// left to right. The image comes in `frames` strips; 0 while nothing was asked for. UDK prints a fraction without its
-/// leading zeros, so 2.05 arrives as 2.5; nothing can mend that here.
+/// A strip of a depth image (UDK's Kinect). Depths are measured along the optical axis; rows run from top to bottom
+/// and, unlike scans, from left to right. The image is sent in `frames` strips; 0 before the first request. UDK prints
+/// fractions without their leading zeros, so 2.05 arrives as 2.5, which cannot be corrected here.
+/// On the wire: `SEN {Type RangeImager} {Name k} {Resolution 2,1} {FOV 1.5,0.75} {Frames 2} {Frame 0} {Range 1,2}`.
 struct RangeImage {
     std::optional<Seconds> time{};
     std::string name{};
     std::vector<double> size_px{}; ///< width, height
     std::vector<double> fov_rad{}; ///< horizontal, vertical
     std::optional<long long> frames{};
-    std::optional<long long> frame{};
+    std::optional<long long> frame{}; ///< number of this strip
     std::vector<double> depths_m{};
 
     static constexpr std::string_view wire_types = "RangeImager";
-    /// MOAST calls a plain scanner by the same name; that one has a single resolution.
+    /// True if the line is a depth image. MOAST uses the same type for a plain scanner, which has a single resolution.
     static bool fits(const Segments& segments) { return segments.value("Resolution").find(',') != std::string::npos; }
     static constexpr auto items() {
         return std::tuple(item("Resolution", &RangeImage::size_px, "size", "px"),

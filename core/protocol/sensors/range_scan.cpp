@@ -10,7 +10,7 @@ namespace usar::protocol {
 
 namespace {
 
-/// One number alone; 3D scanners and imagers send two and are another shape.
+/// True for a single number; 3D scanners and imagers send two.
 bool holdsOneNumber(std::string_view value) {
     return readNumber(value).has_value();
 }

@@ -1,4 +1,4 @@
-// SEN RFID: radio tags in reach.
+// The SEN message of an RFID reader: the radio tags in reach.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace usar::protocol {
 
-/// Which parts there are beside the number depends on version and configuration of the server.
+/// One tag. The server's version and configuration decide which values it sends besides the id.
 struct SeenTag {
     long long id = 0;
-    std::optional<Vec3> tag_in_reader_m{};
-    std::optional<std::string> memory{}; ///< may hold spaces
+    std::optional<Vec3> tag_in_reader_m{}; ///< position in the reader's frame
+    std::optional<std::string> memory{};   ///< text stored in the tag; may contain spaces
 
     static constexpr auto items() {
         return std::tuple(item("ID", &SeenTag::id, "id"),
@@ -24,12 +24,13 @@ struct SeenTag {
     bool operator==(const SeenTag&) const = default;
 };
 
-/// Sent when the list changes.
+/// All tags in reach. Sent when the list changes.
+/// On the wire: `SEN {Time 8} {Type RFID} {Name R} {ID 21} {Location 3,4.5,0.25} {Mem seen by robot 2} {ID 22}`.
 struct RfidReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::vector<SeenTag> tags{};
-    std::string type = "RFID"; ///< on the wire
+    std::string type = "RFID"; ///< value of Type on the wire
 
     static constexpr std::string_view wire_types = "RFID|RFIDTag";
     static constexpr auto groups() { return protocol::groups("ID", &RfidReading::tags); }

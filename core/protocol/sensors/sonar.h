@@ -1,4 +1,4 @@
-// SEN Sonar.
+// SEN messages of sensors that measure a single range: Sonar, IR and Range.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace usar::protocol {
 
-/// One range; NaN where the server sent no number.
+/// The range measured by one sensor; NaN if the server sent no number.
 struct NamedRange {
     std::string name{};
     double range_m = 0.0;
@@ -19,7 +19,8 @@ struct NamedRange {
     bool operator==(const NamedRange&) const = default;
 };
 
-/// All sonars of a tick (UT2004) or one of them (UDK). The reading saturates at the maximum range.
+/// All sonars of one tick (UT2004), or a single one (UDK). A sonar that hears no echo gives its maximum range.
+/// On the wire: `SEN {Time 395.6055} {Type Sonar} {Name F1 Range 4.5604} {Name F2 Range 2.4576}`.
 struct SonarReadings {
     std::optional<Seconds> time{};
     std::vector<NamedRange> ranges{};
@@ -29,11 +30,12 @@ struct SonarReadings {
     bool operator==(const SonarReadings&) const = default;
 };
 
-/// Single rays, IR and UDK's Range, as sonars.
+/// Sensors that measure along a single ray (IR, and UDK's Range), grouped like sonars.
+/// On the wire: `SEN {Time 1.5} {Type IR} {Name A Range 0.5122} {Name B Range 0.8}`.
 struct RangeReadings {
     std::optional<Seconds> time{};
     std::vector<NamedRange> ranges{};
-    std::string type = "IR"; ///< on the wire
+    std::string type = "IR"; ///< value of Type on the wire
 
     static constexpr std::string_view wire_types = "IR|Range";
     static constexpr auto groups() { return protocol::groups("Name", &RangeReadings::ranges); }

@@ -1,5 +1,5 @@
-// The table of sensors. A new one is a file beside this and a row here: reading, writing, panels, plots, recording and
-// modules follow from the row.
+// The table of sensors. A new sensor takes a file in this folder and a row here; reading, writing, panels, plots,
+// recording and modules follow from the row.
 #pragma once
 
 #include "core/protocol/schema.h"
@@ -19,7 +19,7 @@
 
 namespace usar::protocol {
 
-/// Most frequent first, for the reader looks from the top.
+/// The types of all sensor messages, most frequent first, because the reader searches from the top.
 using SensorTypes = TypeList<SonarReadings,        //
                              RangeScan,            //
                              InsReading,           //

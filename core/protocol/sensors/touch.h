@@ -1,4 +1,4 @@
-// SEN Touch and TouchArray.
+// SEN messages of touch sensors: Touch and TouchArray.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@
 
 namespace usar::protocol {
 
+/// The state of one touch sensor.
 struct NamedTouch {
     std::string name{};
     bool touched = false;
@@ -18,11 +19,12 @@ struct NamedTouch {
     bool operator==(const NamedTouch&) const = default;
 };
 
-/// All touch sensors of a tick (UT2004) or one of them, or a ring of bumpers (UDK).
+/// All touch sensors of one tick (UT2004), or a single one or a ring of bumpers (UDK).
+/// On the wire: `SEN {Type Touch} {Name L Touch False} {Name R Touch True}`.
 struct TouchReadings {
     std::optional<Seconds> time{};
     std::vector<NamedTouch> touches{};
-    std::string type = "Touch"; ///< on the wire
+    std::string type = "Touch"; ///< value of Type on the wire
 
     static constexpr std::string_view wire_types = "Touch|TouchArray";
     static constexpr auto groups() { return protocol::groups("Name", &TouchReadings::touches); }

@@ -1,4 +1,4 @@
-// SEN that look for people: VictSensor, VictRFID, HumanMotion, GroundTruthPlayers.
+// SEN messages of sensors that detect people: VictSensor, VictRFID, HumanMotion and GroundTruthPlayers.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace usar::protocol {
 
-/// Head, Arm, Hand, Chest, Pelvis, Leg or Foot; there are false alarms.
+/// A detected body part: Head, Arm, Hand, Chest, Pelvis, Leg or Foot. May be a false alarm.
 struct SeenPart {
     std::string part{};
-    std::optional<Vec3> part_in_sensor_m{};
+    std::optional<Vec3> part_in_sensor_m{}; ///< position in the sensor's frame
 
     static constexpr auto items() {
         return std::tuple(item("PartName", &SeenPart::part, "part"), item("Location", &SeenPart::part_in_sensor_m, "",
@@ -22,7 +22,9 @@ struct SeenPart {
     bool operator==(const SeenPart&) const = default;
 };
 
-/// Every fourth tick. Without victims it has a status instead (NoVictims), and at times no name.
+/// The body parts in view, sent every fourth tick. Without victims it has a status instead ("NoVictims"), and sometimes
+/// no name.
+/// On the wire: `SEN {Time 1} {Type VictSensor} {Name V} {PartName Leg} {Location 2,0.25,0.5}`.
 struct VictimReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -35,12 +37,12 @@ struct VictimReading {
     bool operator==(const VictimReading&) const = default;
 };
 
-/// `id` is text, and "None" when the tag is too far to be read.
+/// A victim with a radio tag. `id` is text; "None" if the tag is too far away to be read.
 struct TaggedVictim {
     std::string id{};
-    std::string victim_name{}; ///< some versions only
+    std::string victim_name{}; ///< sent by some versions only
     std::string status{};
-    std::optional<Vec3> victim_in_reader_m{};
+    std::optional<Vec3> victim_in_reader_m{}; ///< position in the reader's frame
 
     static constexpr auto items() {
         return std::tuple(
@@ -52,6 +54,8 @@ struct TaggedVictim {
     bool operator==(const TaggedVictim&) const = default;
 };
 
+/// All tagged victims in reach of the reader.
+/// On the wire: `SEN {Time 1} {Type VictRFID} {Name V} {ID Becky} {Status ok} {Location 3,2,-1}`.
 struct VictimTagReading {
     std::optional<Seconds> time{};
     std::string name{};
@@ -62,10 +66,12 @@ struct VictimTagReading {
     bool operator==(const VictimTagReading&) const = default;
 };
 
+/// The probability that a person moves within the sensor's view.
+/// On the wire: `SEN {Time 1} {Type HumanMotion} {Name H} {Prob 0.25}`.
 struct HumanMotionReading {
     std::optional<Seconds> time{};
     std::string name{};
-    double probability = 0.0; ///< 0 .. 1
+    double probability = 0.0; ///< 0..1
 
     static constexpr std::string_view wire_types = "HumanMotion";
     static constexpr auto items() {
@@ -75,7 +81,7 @@ struct HumanMotionReading {
     bool operator==(const HumanMotionReading&) const = default;
 };
 
-/// `position_uu` is Unreal's own, in Unreal units.
+/// One player of the game. `position_uu` is its position in Unreal's own frame and units.
 struct Player {
     long long number = 0;
     std::string anchor{};
@@ -93,6 +99,8 @@ struct Player {
     bool operator==(const Player&) const = default;
 };
 
+/// All players of the game; `count` is the number that the server announced.
+/// On the wire: `SEN {Type GroundTruthPlayers} {Name P} {Players 1} {PlayerNum 4} {Anchor None} {IsPlayer True}`.
 struct PlayersReading {
     std::optional<Seconds> time{};
     std::string name{};

@@ -1,4 +1,4 @@
-// SEN that tell one figure of where the robot is: AltitudeSensor, MagneticCompass (both UDK).
+// SEN messages with a single figure about the robot's pose: AltitudeSensor and MagneticCompass (both UDK only).
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 
 namespace usar::protocol {
 
-/// Up positive, in the wire's frame as in ours.
+/// Altitudes; up is positive, on the wire as in our frame.
+/// On the wire: `SEN {Time 32.1} {Type AltitudeSensor} {Name a} {relativeAltitude 1.25} {absoluteAltitude 141.25}`.
 struct AltitudeReading {
     std::optional<Seconds> time{};
     std::string name{};
-    std::optional<double> above_start_m{};
-    std::optional<double> above_sea_m{};
+    std::optional<double> above_start_m{}; ///< the server's relative altitude
+    std::optional<double> above_sea_m{};   ///< the server's absolute altitude
 
     static constexpr std::string_view wire_types = "AltitudeSensor";
     static constexpr auto items() {
@@ -24,7 +25,9 @@ struct AltitudeReading {
     bool operator==(const AltitudeReading&) const = default;
 };
 
-/// As sent, without a unit: the server cuts the angle to an int and converts it twice (usarsim-protocol 4.5).
+/// The heading as sent, without a unit: the server truncates the angle to an int and converts it twice
+/// (usarsim-protocol 4.5).
+/// On the wire: `SEN {Time 1} {Type MagneticCompass} {Name c} {MagneticAngle 2}`.
 struct CompassReading {
     std::optional<Seconds> time{};
     std::string name{};
