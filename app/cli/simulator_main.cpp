@@ -11,12 +11,12 @@
 #include "app/host/simulator_channels.h"
 #include "app/host/simulator_files.h"
 #include "core/base/numbers.h"
-#include "core/link/simulator_server.h"
+#include "core/server/simulator_server.h"
 #include "core/sim/simulation.h"
 
 namespace {
 
-using usar::link::Pace;
+using usar::server::Pace;
 
 constexpr int bad_use = 2;
 const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // as link::ImageType
@@ -25,7 +25,7 @@ struct Settings {
     QString world;
     quint16 port = 3000;
     usar::app::ChannelPorts channels;
-    usar::link::ImageServerOptions images;
+    usar::server::ImageServerOptions images;
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
     double factor = 1.0;
@@ -177,8 +177,8 @@ int main(int argc, char** argv) {
         return complain(simulation.error());
     const std::string level = (*simulation)->world().name;
 
-    usar::link::SimulatorServer server(std::move(*simulation));
-    QObject::connect(&server, &usar::link::SimulatorServer::logged,
+    usar::server::SimulatorServer server(std::move(*simulation));
+    QObject::connect(&server, &usar::server::SimulatorServer::logged,
                      [](const QString& sentence) { std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData()); });
     const auto port = server.listen(settings->port);
     if (!port)

@@ -50,7 +50,7 @@ void TimeDesk::wire() {
     connect(desk_.views.time, &widgets::TimeBar::stepRequested, this, &TimeDesk::step);
     connect(desk_.views.time, &widgets::TimeBar::speedRequested, this, &TimeDesk::setSpeed);
     connect(&desk_.control.simulator(), &SimulatorHost::figuresChanged, this,
-            [this](const link::SimulatorFigures& figures) {
+            [this](const server::SimulatorFigures& figures) {
                 desk_.views.time->setRealTimeFactor(figures.real_time_factor);
                 server_now_ = figures.now;
                 showClock();
@@ -81,7 +81,7 @@ void TimeDesk::pause(bool paused) {
     desk_.views.time->setPaused(paused);
     emit pausedChanged(paused);
     if (paused)
-        desk_.control.setPace(link::Pace::Paused, 1.0);
+        desk_.control.setPace(server::Pace::Paused, 1.0);
     else
         setSpeed(desk_.views.time->speed());
     desk_.commands.refresh();
@@ -97,7 +97,7 @@ void TimeDesk::hold(bool hold) {
     } else if (!hold && held_by_plan_) {
         pause(false);
     } else if (paused) {
-        desk_.control.setPace(link::Pace::Paused, 1.0); // a step is over
+        desk_.control.setPace(server::Pace::Paused, 1.0); // a step is over
     }
 }
 
@@ -112,13 +112,13 @@ void TimeDesk::runOneCycle() {
     if (!desk_.views.time->paused())
         return;
     const double speed = desk_.views.time->speed();
-    desk_.control.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
+    desk_.control.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
 }
 
 void TimeDesk::setSpeed(double speed) {
     desk_.views.time->setSpeed(speed);
     if (!desk_.views.time->paused())
-        desk_.control.setPace(std::isinf(speed) ? link::Pace::Fast : link::Pace::Factor, speed);
+        desk_.control.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
 }
 
 void TimeDesk::slowDown() {

@@ -89,7 +89,7 @@ void WorldEditor::wire() {
     connect(views_.world, &widgets::WorldPanel::removeRequested, this, &WorldEditor::remove);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
     connect(&control_.simulator(), &SimulatorHost::figuresChanged, this,
-            [this](const link::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
+            [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
     wireMap();
     showState();
 }

@@ -34,10 +34,10 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     host->thread_.start();
     Result<quint16> port;
     const auto serve = [&] { // sockets and timers are made in the thread that they live in
-        host->server_ = new link::SimulatorServer(*std::move(simulation), host->worker_);
+        host->server_ = new server::SimulatorServer(*std::move(simulation), host->worker_);
         port = host->server_->listen(0);
         host->server_->setTimeBeginsWithRobots(true);
-        host->server_->setPace(spec.speed_x ? link::Pace::Factor : link::Pace::Fast, spec.speed_x.value_or(1.0));
+        host->server_->setPace(spec.speed_x ? server::Pace::Factor : server::Pace::Fast, spec.speed_x.value_or(1.0));
     };
     link::postAndWait(host->worker_, serve);
     if (!port)
@@ -54,7 +54,7 @@ HeadlessSimulator::~HeadlessSimulator() {
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
-    link::connectAcross(server_, &link::SimulatorServer::faultTurned, context, tell);
+    link::connectAcross(server_, &server::SimulatorServer::faultTurned, context, tell);
 }
 
 Rectangle HeadlessSimulator::extent() const {

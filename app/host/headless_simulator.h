@@ -12,7 +12,7 @@
 #include <QThread>
 
 #include "core/base/result.h"
-#include "core/link/simulator_server.h"
+#include "core/server/simulator_server.h"
 #include "core/mission/mission_score.h"
 #include "core/mission/run_summary.h"
 #include "core/sim/ray_caster.h"
@@ -49,7 +49,7 @@ private:
 
     QThread thread_;
     QObject* worker_ = new QObject; ///< lives in thread_, owns the server, is deleted there
-    link::SimulatorServer* server_ = nullptr;
+    server::SimulatorServer* server_ = nullptr;
     const sim::Simulation* simulation_ =
         nullptr; ///< the server's; touched from its thread only, but for the still world
     std::unique_ptr<sim::RayCaster> rays_;

@@ -121,9 +121,9 @@ std::vector<agent::RobotDescription> MissionControl::robotsToSpawn() const {
     return robots;
 }
 
-void MissionControl::setPace(link::Pace pace, double factor) {
+void MissionControl::setPace(server::Pace pace, double factor) {
     simulator_.setPace(pace, std::isinf(factor) ? 1.0 : factor);
-    time_stopped_ = simulator_.running() && pace == link::Pace::Paused;
+    time_stopped_ = simulator_.running() && pace == server::Pace::Paused;
     for (const auto& [id, robot] : robots_)
         robot->expectSilence(time_stopped_);
     if (next_)

@@ -65,7 +65,7 @@ public:
     /// "R1": the name that the next robot gets when the person gives none.
     QString nextRobotName() const;
     /// Of the embedded simulator; a real server's time cannot be steered.
-    void setPace(link::Pace pace, double factor);
+    void setPace(server::Pace pace, double factor);
     /// Next free key 1-9; an error where all are taken or there is no link.
     Result<int> spawn(mission::SpawnRequest request);
     Robot* robot(int id) const;

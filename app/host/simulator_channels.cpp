@@ -1,9 +1,9 @@
 #include "app/host/simulator_channels.h"
 
-#include "core/link/com_interface.h"
-#include "core/link/com_server.h"
-#include "core/link/radio_relay.h"
-#include "core/link/wireless_server.h"
+#include "core/server/com_interface.h"
+#include "core/server/com_server.h"
+#include "core/server/radio_relay.h"
+#include "core/server/wireless_server.h"
 
 namespace usar::app {
 
@@ -25,15 +25,15 @@ quint16 listen(Server& server, quint16 wanted, const QString& name, QStringList&
     return port.value_or(0);
 }
 
-void openRadio(link::SimulatorServer& server, const ChannelPorts& wanted, OpenChannels& open) {
-    auto* relay = new link::RadioRelay(server.simulation(), &server);
-    auto* wireless = new link::WirelessServer(*relay, relay);
-    auto* comserver = new link::ComServer(*relay, relay);
-    auto* cominterface = new link::ComInterface(server.simulation(), relay->field(), relay);
+void openRadio(server::SimulatorServer& server, const ChannelPorts& wanted, OpenChannels& open) {
+    auto* relay = new server::RadioRelay(server.simulation(), &server);
+    auto* wireless = new server::WirelessServer(*relay, relay);
+    auto* comserver = new server::ComServer(*relay, relay);
+    auto* cominterface = new server::ComInterface(server.simulation(), relay->field(), relay);
     // While time stands still robots come and go all the same.
-    QObject::connect(&server, &link::SimulatorServer::ticked, relay, &link::RadioRelay::look);
-    QObject::connect(&server, &link::SimulatorServer::figuresChanged, relay, &link::RadioRelay::look);
-    QObject::connect(relay, &link::RadioRelay::logged, &server, &link::SimulatorServer::logged);
+    QObject::connect(&server, &server::SimulatorServer::ticked, relay, &server::RadioRelay::look);
+    QObject::connect(&server, &server::SimulatorServer::figuresChanged, relay, &server::RadioRelay::look);
+    QObject::connect(relay, &server::RadioRelay::logged, &server, &server::SimulatorServer::logged);
     open.ports.wireless = listen(*wireless, wanted.wireless, QObject::tr("wireless server"), open.sentences);
     open.ports.comserver = listen(*comserver, wanted.comserver, QObject::tr("ComServer"), open.sentences);
     open.ports.cominterface =
@@ -42,10 +42,10 @@ void openRadio(link::SimulatorServer& server, const ChannelPorts& wanted, OpenCh
 
 } // namespace
 
-OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted,
-                          const link::ImageServerOptions& images) {
+OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
+                          const server::ImageServerOptions& images) {
     OpenChannels open;
-    auto* image = new link::ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
+    auto* image = new server::ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
     open.ports.image = listen(*image, wanted.image, QObject::tr("image server"), open.sentences);
     openRadio(server, wanted, open);
     return open;

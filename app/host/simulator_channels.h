@@ -4,8 +4,8 @@
 #include <QMetaType>
 #include <QStringList>
 
-#include "core/link/image_server.h"
-#include "core/link/simulator_server.h"
+#include "core/server/image_server.h"
+#include "core/server/simulator_server.h"
 
 namespace usar::app {
 
@@ -28,8 +28,8 @@ struct OpenChannels {
 
 /// Opens them as children of `server`, in its thread; they end with it. A port in use is no failure: another one is
 /// taken, and said.
-OpenChannels openChannels(link::SimulatorServer& server, const ChannelPorts& wanted,
-                          const link::ImageServerOptions& images = {});
+OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
+                          const server::ImageServerOptions& images = {});
 
 } // namespace usar::app
 

@@ -71,7 +71,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     picture.robot_classes = loaded->robot_classes;
     picture.camera_classes = loaded->camera_classes;
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
-    auto* server = new link::SimulatorServer(std::move(loaded->simulation), worker);
+    auto* server = new server::SimulatorServer(std::move(loaded->simulation), worker);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
         port = server->listen(0);
@@ -96,8 +96,8 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     });
 }
 
-void SimulatorHost::wire(const link::SimulatorServer& server) {
-    using Server = link::SimulatorServer;
+void SimulatorHost::wire(const server::SimulatorServer& server) {
+    using Server = server::SimulatorServer;
     link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
@@ -118,7 +118,7 @@ void SimulatorHost::learn(const QString& robot_file) {
     });
 }
 
-void SimulatorHost::setPace(link::Pace pace, double factor) {
+void SimulatorHost::setPace(server::Pace pace, double factor) {
     if (server_)
         link::post(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
 }

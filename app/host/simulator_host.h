@@ -10,7 +10,7 @@
 #include "app/host/simulation_loader.h"
 #include "app/host/world_picture.h"
 #include "core/base/geometry.h"
-#include "core/link/simulator_server.h"
+#include "core/server/simulator_server.h"
 
 namespace usar::app {
 
@@ -26,7 +26,7 @@ public:
     void stop();
     bool running() const { return server_ != nullptr; }
 
-    void setPace(link::Pace pace, double factor);
+    void setPace(server::Pace pace, double factor);
     void stepOnce();
     /// Their times count from now.
     void addFaults(const std::vector<sim::Fault>& faults);
@@ -54,7 +54,7 @@ signals:
     void movedPort(const QString& sentence);
     /// Before `ready`: where its further channels listen.
     void channelsOpened(const usar::app::ChannelPorts& ports);
-    void figuresChanged(const usar::link::SimulatorFigures& figures);
+    void figuresChanged(const usar::server::SimulatorFigures& figures);
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
@@ -62,13 +62,13 @@ signals:
 
 private:
     void serve(const SimulatorSpec& spec, QObject* worker);
-    void wire(const link::SimulatorServer& server);
+    void wire(const server::SimulatorServer& server);
     void launch(const SimulatorSpec& spec);
     void retire();
 
     QThread* thread_ = nullptr;               ///< of the simulator that runs; deletes itself when it has ended
     QObject* worker_ = nullptr;               ///< lives in thread_: context of what runs there
-    link::SimulatorServer* server_ = nullptr; ///< lives in thread_, owned by worker_
+    server::SimulatorServer* server_ = nullptr; ///< lives in thread_, owned by worker_
     std::optional<SimulatorSpec> next_;       ///< starts when the one before has let go of its port
 };
 

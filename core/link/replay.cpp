@@ -227,5 +227,3 @@ void Replayer::arm() {
 }
 
 } // namespace usar::link
-
-#include "moc_replay.cpp"

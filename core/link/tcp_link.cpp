@@ -204,5 +204,3 @@ void TcpLink::setStatus(LinkState state, const QString& trouble, Seconds retry_i
 }
 
 } // namespace usar::link
-
-#include "moc_tcp_link.cpp" // Included here, so that programs that link only a client need no simulator.

@@ -222,5 +222,3 @@ void WirelessClient::showStatus() {
 }
 
 } // namespace usar::link
-
-#include "moc_wireless_client.cpp"

@@ -279,5 +279,3 @@ const QJsonObject& MissionRunner::summary() const {
 }
 
 } // namespace usar::mission
-
-#include "moc_mission_runner.cpp"

@@ -135,5 +135,3 @@ QJsonObject refusedReplay(const QString& file, const std::string& reason) {
 }
 
 } // namespace usar::mission
-
-#include "moc_replay_runner.cpp"

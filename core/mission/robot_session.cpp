@@ -213,5 +213,3 @@ void RobotSession::clearRecord() {
 }
 
 } // namespace usar::mission
-
-#include "moc_robot_session.cpp"

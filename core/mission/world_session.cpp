@@ -254,5 +254,3 @@ void WorldSession::tell() {
 }
 
 } // namespace usar::mission
-
-#include "moc_world_session.cpp"

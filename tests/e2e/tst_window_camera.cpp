@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <QTest>
 
-#include "core/link/image_server.h"
+#include "core/server/image_server.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"

@@ -63,7 +63,7 @@ public:
     Seconds robotTime() const { return page_.robot(1)->figures.now; }
     /// As the simulator said last.
     Seconds simulatorTime() const {
-        return clock_.isEmpty() ? Seconds{0.0} : clock_.last().at(0).value<link::SimulatorFigures>().now;
+        return clock_.isEmpty() ? Seconds{0.0} : clock_.last().at(0).value<server::SimulatorFigures>().now;
     }
     QString banner() const { return panel_.haltBar().isVisible() ? panel_.haltBar().text() : QString(); }
     const widgets::PlanTime& time() const { return panel_.timeBar().time(); }

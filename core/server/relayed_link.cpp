@@ -1,0 +1,109 @@
+#include "core/server/relayed_link.h"
+
+#include <utility>
+
+#include <QHostAddress>
+#include <QNetworkProxy>
+#include <QTimer>
+
+namespace usar::server {
+
+namespace {
+
+constexpr qint64 most_held_bytes = 64 << 10;
+constexpr int farewell_ms = 5000; ///< time that an end has to read the last bytes
+
+} // namespace
+
+QTcpSocket* callLoopback(quint16 port) {
+    auto* socket = new QTcpSocket;
+    socket->setProxy(QNetworkProxy::NoProxy);
+    socket->bind(QHostAddress::LocalHost, 0);
+    socket->connectToHost(QHostAddress::LocalHost, port);
+    return socket;
+}
+
+RelayedLink::RelayedLink(std::string from, std::string to, QTcpSocket* near_end, QTcpSocket* far_end, LinkWords words,
+                         QObject* parent)
+    : QObject(parent)
+    , from_(std::move(from))
+    , to_(std::move(to))
+    , near_(near_end)
+    , far_(far_end)
+    , caller_port_(far_end->localPort()) {
+    if (words == LinkWords::Sends)
+        frames_.emplace();
+    for (QTcpSocket* const socket : {near_, far_}) {
+        socket->setParent(this);
+        socket->setReadBufferSize(most_held_bytes);
+        socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    }
+    join(*near_, *far_, 0);
+    join(*far_, *near_, 1);
+    // Queued, so that the owner can connect to ended() before it may be emitted.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            carry(*near_, *far_, 0);
+            carry(*far_, *near_, 1);
+        },
+        Qt::QueuedConnection);
+}
+
+RelayedLink::~RelayedLink() {
+    near_->disconnect(this);
+    far_->disconnect(this);
+}
+
+void RelayedLink::join(QTcpSocket& in, QTcpSocket& out, std::size_t way) {
+    connect(&in, &QTcpSocket::readyRead, this, [this, &in, &out, way] { carry(in, out, way); });
+    connect(&out, &QTcpSocket::bytesWritten, this, [this, &in, &out, way] { carry(in, out, way); });
+    // Queued, because a socket may emit these in the middle of carry(). A socket that never connected emits only an
+    // error.
+    connect(
+        &in, &QTcpSocket::errorOccurred, this, [this, &in, &out, way] { finish(in, out, way); }, Qt::QueuedConnection);
+    connect(
+        &in, &QTcpSocket::disconnected, this, [this, &in, &out, way] { finish(in, out, way); }, Qt::QueuedConnection);
+}
+
+void RelayedLink::carry(QTcpSocket& in, QTcpSocket& out, std::size_t way) {
+    while (!ended_ && in.bytesAvailable() > 0 && out.bytesToWrite() < most_held_bytes) {
+        const QByteArray bytes = in.read(most_held_bytes);
+        if (!frames_) {
+            out.write(bytes);
+            continue;
+        }
+        const std::string_view said(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+        const bool open = (*frames_)[way].feed(
+            said, [&](std::string_view payload) { out.write(payload.data(), static_cast<qint64>(payload.size())); });
+        if (!open)
+            in.disconnectFromHost();
+    }
+    if (!ended_ && in.state() == QAbstractSocket::UnconnectedState && in.bytesAvailable() == 0)
+        out.disconnectFromHost();
+}
+
+void RelayedLink::finish(QTcpSocket& gone, QTcpSocket& other, std::size_t way) {
+    if (gone.state() != QAbstractSocket::UnconnectedState)
+        return;
+    carry(gone, other, way);
+    if (other.state() == QAbstractSocket::UnconnectedState)
+        end();
+    else
+        QTimer::singleShot(farewell_ms, this, &RelayedLink::drop);
+}
+
+void RelayedLink::drop() {
+    for (QTcpSocket* const socket : {near_, far_}) {
+        socket->disconnect(this);
+        socket->abort();
+    }
+    end();
+}
+
+void RelayedLink::end() {
+    if (!std::exchange(ended_, true))
+        emit ended();
+}
+
+} // namespace usar::server

@@ -1,0 +1,58 @@
+// One radio link between two robots: two sockets, with the bytes of each carried to the other.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QTcpSocket>
+
+#include "core/server/com_frames.h"
+
+namespace usar::server {
+
+enum class LinkWords { None, Sends }; ///< Sends: robots wrap their data as "SEND len data;"
+
+/// Buffers at most about 128 KiB each way; while one end does not read, the other is not read from. When one end
+/// closes, the data that it had sent still reaches the other, which is then closed, too. Owns its sockets; runs in its
+/// owner's thread.
+class RelayedLink : public QObject {
+    Q_OBJECT
+public:
+    /// `near_end` is the socket to robot `from`, `far_end` the one to robot `to`; both may still be connecting.
+    RelayedLink(std::string from, std::string to, QTcpSocket* near_end, QTcpSocket* far_end, LinkWords words,
+                QObject* parent = nullptr);
+    ~RelayedLink() override;
+
+    const std::string& from() const { return from_; }
+    const std::string& to() const { return to_; }
+    /// Port from which the far robot sees the call come.
+    quint16 callerPort() const { return caller_port_; }
+    /// Ends the link at once; the robots only see their sockets close.
+    void drop();
+
+signals:
+    /// Emitted once. The link's owner then deletes it.
+    void ended();
+
+private:
+    void join(QTcpSocket& in, QTcpSocket& out, std::size_t way);
+    void carry(QTcpSocket& in, QTcpSocket& out, std::size_t way);
+    void finish(QTcpSocket& gone, QTcpSocket& other, std::size_t way);
+    void end();
+
+    std::string from_;
+    std::string to_;
+    QTcpSocket* near_;
+    QTcpSocket* far_;
+    std::optional<std::array<ComFrames, 2>> frames_; ///< by direction; only with LinkWords::Sends
+    quint16 caller_port_;
+    bool ended_ = false;
+};
+
+/// Starts connecting to a port of this machine. The new socket's own port is known before the call is answered. The
+/// caller owns the socket.
+QTcpSocket* callLoopback(quint16 port);
+
+} // namespace usar::server

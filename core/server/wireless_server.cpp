@@ -1,0 +1,144 @@
+#include "core/server/wireless_server.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/protocol/segments.h"
+
+namespace usar::server {
+
+namespace {
+
+constexpr int written_decimals = 4;
+
+std::string error(std::string_view reason) {
+    return "ERROR {Reason " + std::string(reason) + "}";
+}
+
+/// Reads a port number; nullopt if it is none. Nobody listens on port 0, which stands for any port.
+std::optional<quint16> readPort(std::string_view text) {
+    const auto port = readInteger(trimmed(text));
+    if (!port || *port < 0 || *port > 65535)
+        return std::nullopt;
+    return static_cast<quint16>(*port);
+}
+
+/// Reads a list such as "5000, 5001"; an empty one is valid, because a robot may only call.
+std::optional<std::vector<quint16>> readPorts(std::string_view text) {
+    std::vector<quint16> ports;
+    while (!trimmed(text).empty()) {
+        const std::size_t comma = text.find(',');
+        const auto port = readPort(text.substr(0, comma));
+        if (!port)
+            return std::nullopt;
+        ports.push_back(*port);
+        text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+    }
+    return ports;
+}
+
+} // namespace
+
+WirelessServer::WirelessServer(RadioRelay& relay, QObject* parent)
+    : QObject(parent)
+    , relay_(relay)
+    , server_(
+          "\r\n", [this](int client, std::string_view line) { return answer(client, line) + "\r\n"; }, this) {
+    server_.setGone([this](int client) { leave(client); });
+}
+
+std::string WirelessServer::answer(int client, std::string_view line) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(line, diagnostics);
+    const std::string_view word = segments.typeWord();
+    const std::string robot(segments.value("Robot"));
+    const auto own = members_.find(client);
+    if (own == members_.end())
+        return sameWord(word, "INIT") ? init(client, robot, segments.value("Port"))
+                                      : error("Must.Use.INIT.Method.First");
+    if (sameWord(word, "REVERSEDNS"))
+        return caller(own->second.robot, segments.value("Port"));
+    const bool asks_strength = sameWord(word, "GETSS");
+    if (!asks_strength && !sameWord(word, "DNS"))
+        return error("Method.Unknown.Or.Can.INIT.only.once");
+    if (!asks_strength && segments.find("Port") && !readPort(segments.value("Port")))
+        return error("Port.Must.Be.Integer");
+    if (robot.empty())
+        return error("Robot.Name.Must.Not.Be.Empty");
+    if (!asks_strength)
+        return door(own->second.robot, robot, segments.value("Port"));
+    const std::string from(segments.value("From"));
+    return from.empty() ? strength(own->second.robot, robot) : strengthBetween(from, robot);
+}
+
+std::string WirelessServer::init(int client, std::string_view robot, std::string_view ports_text) {
+    const auto ports = readPorts(ports_text);
+    if (!ports)
+        return error("Ports.List.Must.Be.Integer");
+    if (robot.empty())
+        return error("Robot.Name.Must.Not.Be.Empty");
+    if (member(robot))
+        return error("Robot.Alread.Exists"); // Spelled like this by every server.
+    members_[client] = {std::string(robot), *ports};
+    return "INITREPLY {Status OK}";
+}
+
+std::string WirelessServer::strength(const std::string& own, const std::string& other) {
+    const std::string head = "SS {Robot " + other + "} {Strength ";
+    if (other == own)
+        return head + "INF} {Error SS.To.Self}";
+    if (!member(other))
+        return head + "NaN} {Error Robot.Does.Not.Exist}";
+    const auto strength_dbm = relay_.field().strength_dbm(own, other);
+    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
+                        : head + "NaN} {Error Model.Returned.NaN}";
+}
+
+std::string WirelessServer::strengthBetween(const std::string& from, const std::string& to) {
+    const std::string head = "SS {Robot " + to + "} {From " + from + "} {Strength ";
+    if (from == to)
+        return head + "INF} {Error SS.To.Self}";
+    const auto strength_dbm = relay_.field().strength_dbm(from, to);
+    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
+                        : head + "NaN} {Error Robot.Does.Not.Exist}";
+}
+
+std::string WirelessServer::door(const std::string& own, const std::string& other, std::string_view port) {
+    const std::string head = "DNSREPLY {Robot " + other + "} {Port ";
+    const Member* const called = member(other);
+    if (!called || other == own)
+        return head + "-1} {Error NoSuchRobot}";
+    const quint16 wanted = readPort(port).value_or(0);
+    const bool any = wanted == 0;
+    if (any ? called->ports.empty() : !std::ranges::count(called->ports, wanted))
+        return head + "-1} {Error RobotDoesNotListenOnThisPort}";
+    const quint16 door = relay_.door(own, other, any ? called->ports.front() : wanted);
+    return door == 0 ? error("Could.Not.Allocate.Port") : head + std::to_string(door) + "}";
+}
+
+std::string WirelessServer::caller(const std::string& own, std::string_view port_text) {
+    const auto port = readPort(port_text);
+    if (!port)
+        return error("Port.Must.Be.Integer");
+    const std::string head = "REVERSEDNSREPLY {Port " + std::to_string(*port) + "} {";
+    const std::string from = relay_.callerOf(own, *port);
+    return from.empty() ? head + "Error UnknownOrIllegalPort}" : head + "Robot " + from + "}";
+}
+
+const WirelessServer::Member* WirelessServer::member(std::string_view robot) const {
+    const auto found = std::ranges::find_if(members_, [&](const auto& one) { return one.second.robot == robot; });
+    return found == members_.end() ? nullptr : &found->second;
+}
+
+void WirelessServer::leave(int client) {
+    const auto own = members_.find(client);
+    if (own == members_.end())
+        return;
+    relay_.closeDoorsOf(own->second.robot);
+    members_.erase(own);
+}
+
+} // namespace usar::server

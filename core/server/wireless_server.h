@@ -1,0 +1,56 @@
+// The wireless simulation server, WSS (usarsim-protocol 6.2): reports signal strengths, and ports through which other
+// robots are reached.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QObject>
+
+#include "core/server/radio_relay.h"
+#include "core/server/request_server.h"
+
+namespace usar::server {
+
+/// Answers INIT, GETSS, DNS and REVERSEDNS as the original does, with its dotted reasons to the letter. A name belongs
+/// to the connection that sent INIT until that closes. Unlike the original it waits for a robot that is not there yet
+/// instead of hanging up. In addition, for observers, `GETSS {Robot b} {From a}` is answered with `SS {Robot b} {From
+/// a} {Strength s}` for any two robots in the world, whoever asks. Runs in the simulator's thread; `relay` must outlive
+/// it.
+class WirelessServer : public QObject {
+    Q_OBJECT
+public:
+    static constexpr quint16 usual_port = 50000;
+
+    explicit WirelessServer(RadioRelay& relay, QObject* parent = nullptr);
+
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names
+    /// --wireless-port.
+    Result<quint16> listen(quint16 port) { return server_.listen(port, "--wireless-port"); }
+    quint16 port() const { return server_.port(); }
+    void setMostClients(std::size_t count) { server_.setMostClients(count); }
+
+private:
+    /// A connection that has sent INIT.
+    struct Member {
+        std::string robot;
+        std::vector<quint16> ports; ///< on which the robot listens
+    };
+
+    std::string answer(int client, std::string_view line);
+    std::string init(int client, std::string_view robot, std::string_view ports);
+    std::string strength(const std::string& own, const std::string& other);
+    std::string strengthBetween(const std::string& from, const std::string& to);
+    std::string door(const std::string& own, const std::string& other, std::string_view port);
+    std::string caller(const std::string& own, std::string_view port);
+    const Member* member(std::string_view robot) const;
+    void leave(int client);
+
+    RadioRelay& relay_;
+    RequestServer server_;
+    std::map<int, Member> members_; ///< by client id
+};
+
+} // namespace usar::server
