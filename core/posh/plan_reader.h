@@ -13,8 +13,7 @@ namespace usar::posh {
 /// plan.
 struct PlanReading {
     Plan plan;
-    Findings
-        findings; ///< first those of characters and grammar, then those of checkPlan, each in the order of the text
+    Findings findings; ///< those of characters and grammar, then those of checkPlan, each in the order of the text
 };
 
 /// Reads a plan from UTF-8 text and checks it as far as possible without a robot (see plan_check.h). Accepts any bytes
