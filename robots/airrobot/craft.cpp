@@ -10,7 +10,7 @@ namespace {
 /// An object whose top is farther than this below the robot's base passes below the robot.
 constexpr double level_margin_m = 1.2;
 constexpr double look_around_m = 8.0;
-/// Tolerance for the top of a trunk as the scanner's level rays and the sonars see it.
+/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
 constexpr double trunk_margin_m = 0.3;
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;

@@ -23,7 +23,7 @@ struct EvasionDecision {
     EvasionMode mode = EvasionMode::None;
     Vec2 diversion_m = Vec2::Zero(); ///< map frame; only for Divert
     double flee_bearing_rad = 0.0;   ///< map frame; only for Flee
-    bool new_low_risk = false;       ///< these three are true in the first tick only, for a mark on the map
+    bool new_low_risk = false;       ///< new in this tick and worth a mark on the map, like the two below
     bool new_high_risk = false;
     bool new_diversion = false;
 };
