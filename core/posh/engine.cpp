@@ -43,7 +43,7 @@ void Engine::load() {
 
 Outcome Engine::cycle(Milliseconds now) {
     const std::int64_t begin_ns = profiler_.now();
-    const bool is_first = tracer_.cycle() == 0; // a clock may start below zero
+    const bool is_first = tracer_.cycle() == 0; // A clock may start below zero
     tracer_.setCycle(tracer_.cycle() + 1, is_first ? now : std::max(now, tracer_.now()));
     tracer_.note(TraceEvent::CycleBegin, 0);
     acts_ = 0;

@@ -58,7 +58,7 @@ bool readDriveTail(TokenCursor& cursor, Drive& drive) {
     if (cursor.at(TokenKind::Open) && !opensFrequency()) {
         const bool bare = cursor.at(TokenKind::Name, 1) && !isLiteral(cursor.keyword(1));
         if (bare && cursor.atNumber(2))
-            return readInterval(cursor, true, drive.frequency); // reports the unknown unit
+            return readInterval(cursor, true, drive.frequency); // Reports the unknown unit
         if (!readArguments(cursor, drive.action.arguments))
             return false;
     }

@@ -45,7 +45,7 @@ public:
         if constexpr (requires { wanted.levels; }) {
             return levelled(old, wanted);
         } else {
-            wanted.remarks = {}; // they are outside the form
+            wanted.remarks = {}; // They are outside the form
             if (!splice(old.at.offset, endOf(old.at), writeForm(std::move(wanted))))
                 return std::nullopt;
             return spliced(text_, chunk_.begin, chunk_.end, splices_);
@@ -96,7 +96,7 @@ private:
             const auto opener = indexAt(level.front().at.offset) - 1;
             const auto closer = indexAt(endOf(level.back().at));
             if (chunks_.empty())
-                begin = lineRest(text_, endOf((opener - 1)->at)); // after the list's keyword
+                begin = lineRest(text_, endOf((opener - 1)->at)); // After the list's keyword
             const std::size_t end = endOf(closer->at);
             chunks_.push_back({begin, opener->at.offset, end, lineRest(text_, end)});
             begin = chunks_.back().end;

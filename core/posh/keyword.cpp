@@ -15,7 +15,7 @@ struct KeywordName {
 };
 
 constexpr std::array keywords{
-    KeywordName{"trigger", Keyword::Trigger}, // by far the most frequent keyword
+    KeywordName{"trigger", Keyword::Trigger}, // By far the most frequent keyword
     KeywordName{"goal", Keyword::Goal},
     KeywordName{"C", Keyword::C},
     KeywordName{"AP", Keyword::Ap},

@@ -166,7 +166,7 @@ std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
     const Plan again = readPlan(kept).plan;
     if (sayTheSame(again, plan))
         return kept;
-    std::string canonical = writePlan(plan); // gives a spelling to literals that the edit left without one
+    std::string canonical = writePlan(plan); // Gives a spelling to literals that the edit left without one
     return sayTheSame(again, readPlan(canonical).plan) ? kept : canonical;
 }
 

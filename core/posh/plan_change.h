@@ -40,7 +40,7 @@ inline tl::unexpected<Error> noSuchPart() {
 
 /// Returns the call of a sense or an action for changing it. The part must have one.
 inline Call& callIn(Plan& plan, const PlanPart& part) {
-    return const_cast<Call&>(*callOf(plan, part)); // the caller owns the plan and may change it
+    return const_cast<Call&>(*callOf(plan, part)); // The caller owns the plan and may change it
 }
 
 /// Prepares moving `call` from `form` into a new form. Appends the parameters of `form` that the call uses, with their

@@ -358,7 +358,7 @@ void Comparer::compareOrder(const std::vector<std::pair<MemberView, MemberView>>
             tell(ChangeKind::Moved, was.part, is.part,
                  whose + " moved from place " + std::to_string(was.place) + " to place " + std::to_string(is.place));
     }
-    for (std::size_t i = 1; i < pairs.size(); ++i) { // has each member joined or left the level of the one before it?
+    for (std::size_t i = 1; i < pairs.size(); ++i) { // Has each member joined or left the level of the one before it?
         const bool were_equal = pairs[i - 1].first.level == pairs[i].first.level;
         const bool are_equal = pairs[i - 1].second.level == pairs[i].second.level;
         if (were_equal != are_equal)

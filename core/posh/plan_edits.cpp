@@ -53,7 +53,7 @@ Result<void> checkRename(const Plan& plan, const PlanPart& part, std::string_vie
         part.kind == PartKind::Whole && std::holds_alternative<Collection>(plan.forms[part.form]);
     if (is_collection || is_sense)
         return {};
-    if (is_primitive) // an act may get the name of another act
+    if (is_primitive) // An act may get the name of another act
         return FormIndex(plan).find(name)
                    ? failure("a form of the plan has this name", inQuotes(name), "choose another name")
                    : Result<void>();

@@ -97,7 +97,7 @@ private:
         }
     }
     void details(Adopt& adopt) {
-        if (isYaposh() && adopt.goal.empty()) // a goal that is never satisfied, as yaPOSH writes it
+        if (isYaposh() && adopt.goal.empty()) // A goal that is never satisfied, as yaPOSH writes it
             adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail", {}}, {}}, {}, {}});
     }
     void details(Collection& collection) {
@@ -156,7 +156,7 @@ private:
         const Value value = isYaposh() ? yaposhValue(literal.value) : classicValue(literal.value);
         if (value == literal.value) {
             if (isYaposh() && std::holds_alternative<Symbol>(value))
-                literal.spelling = spelled(value); // adds the quote
+                literal.spelling = spelled(value); // Adds the quote
             return;
         }
         lose(literal.at, "value " + inQuotes(spelled(literal.value)) + "; it becomes " + inQuotes(spelled(value)));

@@ -160,7 +160,7 @@ void FixFinder::fixUnknownName() {
     if (is_sense)
         return add("Take this sense away", removePart(text_, *part));
     add("Do nothing here", replaceCall(text_, *part, doNothing()));
-    if (!name.empty()) // only calls use the name, and they are meant to call the new pattern
+    if (!name.empty()) // Only calls use the name, and they are meant to call the new pattern
         add("Make a pattern " + name, changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
                 plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part->form),
                                   Pattern{{name, {}}, {}, std::nullopt, {doNothing()}, std::nullopt, Remarks(), {}});

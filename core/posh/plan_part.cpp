@@ -107,7 +107,7 @@ std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset) {
         if (holds(candidate.name->at, offset) && candidate.name->at.line > 0)
             return candidate.part;
         if (candidate.whole && candidate.whole->line > 0 && holds(*candidate.whole, offset))
-            around = candidate.part; // a member comes after its form, so the innermost part is last
+            around = candidate.part; // A member comes after its form, so the innermost part is last
     }
     return around;
 }

@@ -174,7 +174,7 @@ bool PlanReader::unknownForm() {
 
 bool PlanReader::beginsFormAt(std::size_t index) const {
     const auto& tokens = list_->tokens;
-    const std::size_t ahead = index - cursor_.index(); // may wrap around, but then the sum in the cursor wraps back
+    const std::size_t ahead = index - cursor_.index(); // May wrap around, but then the sum in the cursor wraps back
     return index + 2 < tokens.size() && tokens[index].first_on_line && beginsForm(cursor_.keyword(ahead + 1)) &&
            (tokens[index + 2].kind == TokenKind::Name || tokens[index + 2].kind == TokenKind::String);
 }

@@ -120,7 +120,7 @@ void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Finding
         const Spot at = plan.forms.empty() ? Spot{1, 1, 0, 0} : nameOf(plan.forms.front()).at;
         add(findings, Code::Fragment, at,
             "the plan has no drive collection and cannot run; add (DC name (drives ((name action))))");
-        return; // the forms of a fragment are used elsewhere
+        return; // The forms of a fragment are used elsewhere
     }
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Name& name = nameOf(plan.forms[i]);

@@ -60,11 +60,11 @@ void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t
 template <class Form>
 void appendLevels(std::string& out, const Form& form) {
     const std::size_t width = nameWidth(form.levels);
-    const Remarks start; // the line with the list's keyword ends like that of a member
+    const Remarks start; // The line with the list's keyword ends like that of a member
     const Remarks* last = form.levels.empty() ? nullptr : &start;
     for (const auto& level : form.levels)
         appendLevel(out, level, width, last);
-    out += form.comment ? ")" : "))"; // closes the list, and also the form unless a comment follows
+    out += form.comment ? ")" : "))"; // Closes the list, and also the form unless a comment follows
     if (form.comment) {
         appendBeside(out, last ? *last : start);
         out += "   ";

@@ -194,7 +194,7 @@ void Builder::addCollection(const Collection& collection) {
             addDrive(drive, number);
         program_->levels.push_back({{first, static_cast<Index>(program_->drives.size())}});
     }
-    std::ranges::reverse(waiting_); // the first drive's form is expanded first
+    std::ranges::reverse(waiting_); // The first drive's form is expanded first
 }
 
 void Builder::addDrive(const Drive& drive, Index level) {

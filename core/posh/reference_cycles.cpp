@@ -24,7 +24,7 @@ public:
 
     void run(Findings& findings) {
         for (std::size_t form = 0; form < states_.size(); ++form) {
-            const bool is_root = std::holds_alternative<Collection>(plan_->forms[form]); // nothing can refer to it
+            const bool is_root = std::holds_alternative<Collection>(plan_->forms[form]); // Nothing can refer to it
             if (states_[form] == State::New && !is_root)
                 enter(form);
             while (!path_.empty())

@@ -47,7 +47,7 @@ std::vector<Holder> holdersOf(Plan& plan) {
 
 void putBeside(Remarks& remarks, std::string_view comment) {
     if (comment.empty())
-        return; // a blank line inside a part has no meaning
+        return; // A blank line inside a part has no meaning
     if (!remarks.beside.empty())
         remarks.beside += ' ';
     remarks.beside += comment;

@@ -94,7 +94,7 @@ void RunActivity::take(const TraceRecord& record, std::string_view text) {
     case TraceEvent::SenseEval:
         return answer(place, record, text);
     case TraceEvent::DriveSkipped:
-        if (program_->places[record.place].kind == PlaceKind::Drive) // a damaged trace may say otherwise
+        if (program_->places[record.place].kind == PlaceKind::Drive) // A damaged trace may say otherwise
             holdBack(record.place, frequencyText(*program_, record));
         return;
     case TraceEvent::Blackboard:

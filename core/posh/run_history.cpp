@@ -141,7 +141,7 @@ std::vector<std::size_t> RunHistory::epochEnds(const TracedCycle& cycle) {
 }
 
 std::size_t RunHistory::epochCount(std::size_t moment) const {
-    TraceFile::Cursor cursor = cursorAt(moment); // owns the cycle
+    TraceFile::Cursor cursor = cursorAt(moment); // Owns the cycle
     const TracedCycle* const cycle = cursor.next();
     return cycle ? epochEnds(*cycle).size() : 1;
 }

@@ -239,7 +239,7 @@ void FixFinder::fixUnexpected() {
         for (const char* const keyword : {"C", "AP", "AD", "DC"})
             replace(std::string("Write ") + keyword, beginOf(here_), endOf(here_), keyword);
     closeBeforeNextForm();
-    if (here_ > 0) { // perhaps a list was meant where there is a single item
+    if (here_ > 0) { // Perhaps a list was meant where there is a single item
         const std::size_t open = opening(here_);
         add("Put parentheses around it",
             {{beginOf(open), beginOf(open), "("}, {endOf(closing(open)), endOf(closing(open)), ")"}});
@@ -294,7 +294,7 @@ void FixFinder::fixTextAfterPlan() {
     const std::size_t last = tokens_.tokens.size() - 1;
     if (token(here_).kind == TokenKind::Close && here_ + 1 == last)
         takeOut(here_, here_);
-    if (here_ > 0) { // one of the closing parentheses before it may be superfluous
+    if (here_ > 0) { // One of the closing parentheses before it may be superfluous
         std::size_t first = here_ - 1;
         while (first > 0 && token(first - 1).kind == TokenKind::Close)
             --first;

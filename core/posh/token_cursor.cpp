@@ -69,7 +69,7 @@ bool TokenCursor::fail(Code code, std::string message) {
     if (token.kind != TokenKind::End)
         return failAt(code, token.at, std::move(message));
     if (!findings_.empty() && findings_.back().code == Code::EndOfFile)
-        return false; // report the end of the text only once
+        return false; // Report the end of the text only once
     if (openers_.empty())
         message = "the text has no plan in it; write one, as ((DC name (drives ((name action)))))";
     else if (code != Code::UnexpectedToken)

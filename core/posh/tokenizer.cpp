@@ -48,7 +48,7 @@ constexpr std::size_t most_warnings = 100;
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : text_(text) {
-        list_.tokens.reserve(text.size() / 2 + 16); // enough for a dense plan, so that the list need not grow
+        list_.tokens.reserve(text.size() / 2 + 16); // Enough for a dense plan, so that the list need not grow
         if (text.starts_with("\xEF\xBB\xBF"))
             at_ = line_start_ = 3;
     }
@@ -344,7 +344,7 @@ void Tokenizer::quoted(char mark) {
     if (kind.error)
         return addBad(*kind.error, begin, bad);
     if (mark == '$' && kind.kind != TokenKind::Name)
-        return addBad(lone, begin, begin); // a number cannot be a name
+        return addBad(lone, begin, begin); // A number cannot be a name
     const Spot whole = add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
     if (kind.starts_with_digit)
         warn(Code::NameStartsWithDigit, whole,

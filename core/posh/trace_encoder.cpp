@@ -99,7 +99,7 @@ void TraceEncoder::encodeCycle() {
 }
 
 void TraceEncoder::encodeDifference() {
-    std::size_t at = 0; // index in the previous cycle
+    std::size_t at = 0; // Index in the previous cycle
     for (const Entry& entry : now_) {
         const std::size_t found = findBefore(entry, at);
         if (found == before_.size()) {

@@ -149,7 +149,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
         keyed_plan_ = plan_;
     } else {
         if (keyed_plan_ != plan_)
-            return false; // the previous cycle has places of another plan
+            return false; // The previous cycle has places of another plan
         ++cycle_.number;
         step_ms_ = static_cast<std::int64_t>(static_cast<std::uint64_t>(step_ms_) +
                                              static_cast<std::uint64_t>(unzigzag(bytes.varint())));
@@ -167,7 +167,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
 }
 
 bool TraceFile::Cursor::readEvents(Bytes& bytes, std::vector<Entry>& events) {
-    std::size_t at = 0; // index in the previous cycle
+    std::size_t at = 0; // Index in the previous cycle
     while (!bytes.empty() && !bytes.failed()) {
         const std::uint64_t word = bytes.varint();
         const std::uint64_t count = word / 4;
@@ -238,7 +238,7 @@ void TraceFile::Cursor::readBehind() {
         Bytes bytes(frame->body);
         std::vector<Entry> events;
         if (!readEvents(bytes, events))
-            break; // drop a damaged frame as a whole
+            break; // Drop a damaged frame as a whole
         cycle_.behind.insert(cycle_.behind.end(), events.begin(), events.end());
         at_ = frame->end;
     }
@@ -256,7 +256,7 @@ void TraceFile::Cursor::recallAnswers() {
             continue;
         const Place& place = program->places[entry.record.place];
         if (place.kind != PlaceKind::Sense && place.kind != PlaceKind::SenseStep)
-            continue; // the trace is damaged
+            continue; // The trace is damaged
         Entry& answer = answers_[program->tests[place.item].call];
         if (entry.record.flags & trace_cached) {
             entry.record.payload = answer.record.payload;

@@ -38,7 +38,7 @@ void TraceRing::read(std::vector<Entry>& out) {
         if (readSlot(read_, entry))
             out.push_back(std::move(entry));
         else
-            ++dropped_; // overwritten while it was read
+            ++dropped_; // Overwritten while it was read
     }
 }
 

@@ -134,7 +134,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
     if (!climb_forbidden_)
         return motion;
-    state = FlightState::Evading; // waits until it backs away and climbs where there is room
+    state = FlightState::Evading; // Waits until it backs away and climbs where there is room
     Motion waiting = holding(senses, here_m);
     waiting.yaw_rate_rad_s = motion.yaw_rate_rad_s;
     return waiting;

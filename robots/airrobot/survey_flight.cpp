@@ -156,7 +156,7 @@ void SurveyFlight::setOut() {
 
 bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     if (!take_off_m_) {
-        take_off_m_ = craft_.senses.position_m(); // not earlier, because the INS was set only a tick ago
+        take_off_m_ = craft_.senses.position_m(); // Not earlier, because the INS was set only a tick ago
         const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
         if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
             base_in_map_ = craft_.senses.base_in_map;

@@ -47,7 +47,7 @@ void Kicker::lookForBall() {
         bow_rad_ = std::max(0.0, bow_rad_ - rise_rad);
         return;
     }
-    const Vec3& ball = *newest->value.position; // forward, right, down
+    const Vec3& ball = *newest->value.position; // Forward, right, down
     seen_ = ImagePlace{ball.y() / ball.x(), ball.z() / ball.x()};
     last_on_the_right_ = seen_->right > 0.0;
     bow_rad_ = std::clamp(bow_rad_ + bow_per_rad * std::atan(seen_->down), 0.0, deepest_bow_rad);

@@ -54,7 +54,7 @@ void Explorer::hear(const protocol::InfoLine& line) {
         scan_ = *scan;
         scan_is_new_ = true;
     } else if (const auto* sonars = std::get_if<protocol::SonarReadings>(&line.message)) {
-        for (const protocol::NamedRange& echo : sonars->ranges) { // a line has one sonar or all of them
+        for (const protocol::NamedRange& echo : sonars->ranges) { // A line has one sonar or all of them
             const auto known = std::ranges::find(sonars_, echo.name, &protocol::NamedRange::name);
             (known == sonars_.end() ? sonars_.emplace_back() : *known) = echo;
         }
@@ -228,7 +228,7 @@ protocol::SkidDrive Explorer::halt() {
 protocol::SkidDrive Explorer::reverse() {
     if (maneuver_ == Maneuver::None)
         backAway();
-    if (maneuver_ == Maneuver::Turning) // no known ground behind the robot
+    if (maneuver_ == Maneuver::Turning) // No known ground behind the robot
         return turnAway();
     const double lead_m_s = turns_left_ ? backing_lead_m_s : -backing_lead_m_s;
     return drive(-backing_speed_m_s - lead_m_s, -backing_speed_m_s + lead_m_s, Motion::Back, "backing away");

@@ -7,7 +7,7 @@
 
 namespace usar::p2dx {
 
-extern const char explorer_plan_text[]; // contents of resources/plans/p2dx.lap
+extern const char explorer_plan_text[]; // Contents of resources/plans/p2dx.lap
 
 namespace {
 

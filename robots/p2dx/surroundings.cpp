@@ -82,7 +82,7 @@ Surroundings look(const protocol::RangeScan& scan, const std::vector<protocol::N
     for (std::size_t beam = 0; beam < beams; ++beam) {
         const double angle_rad = scan.beamAngle_rad(beam);
         const double range_m = std::min(scan.ranges_m[beam], fence.distance_m(angle_rad));
-        if (!(range_m >= 0.0)) // also skips NaN
+        if (!(range_m >= 0.0)) // Also skips NaN
             continue;
         const std::size_t third = std::min<std::size_t>(2, 3 * beam / beams);
         around.mean_m[third] += range_m;

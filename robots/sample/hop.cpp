@@ -41,7 +41,7 @@ std::vector<agent::ParameterSpec> hopParameters() {
 void Hop::tick(const agent::Tick& tick, agent::CommandPort& port) {
     const auto* const ins = tick.robot.sensors.ins();
     if (!ins || state_ == State::Done)
-        return; // no reading yet, or nothing left to do
+        return; // No reading yet, or nothing left to do
     const Pose& base_in_map = ins->value.base_in_map;
     if (!started_) {
         started_ = tick.now;

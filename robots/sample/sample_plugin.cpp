@@ -14,7 +14,7 @@ class SamplePlugin : public QObject, public agent::RobotPlugin {
 public:
     agent::RobotDescription description() const override {
         agent::BehaviorDescription hop;
-        hop.id = "sample/hop"; // must be the same as in sample.json
+        hop.id = "sample/hop"; // Must be the same as in sample.json
         hop.name = "Hop (sample)";
         hop.help = "Climbs, flies forward, lands.";
         hop.parameters = hopParameters();

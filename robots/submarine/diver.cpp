@@ -68,7 +68,7 @@ void Diver::reckon(Seconds dt, const modules::StateModule& state) {
 void Diver::takeReadings() {
     for (const auto& reading : readings_.takeAll<protocol::RangeReadings>()) {
         const double range_m = reading.value.range_m;
-        if (!(range_m > 0.0)) // also skips NaN
+        if (!(range_m > 0.0)) // Also skips NaN
             continue;
         const double pitch_rad = hull_.pitch_rad();
         const double reach_m = limits_ ? limits_->ray_reach_m : Limits{}.ray_reach_m;
@@ -231,7 +231,7 @@ protocol::NauticDrive Diver::backOff() {
 protocol::NauticDrive Diver::goBack() {
     const double plane_rad = hull_.planeFor_rad(returning_pitch_rad);
     const double right = std::clamp(-trail_.bearingOf_rad(*back_to_m_) / steers_at_rad, -1.0, 1.0);
-    const double rudder = hull_.speed_m_s() < 0.0 ? -right : right; // the rudder works the other way backward
+    const double rudder = hull_.speed_m_s() < 0.0 ? -right : right; // The rudder works the other way backward
     return drive(1.0, rudder, echoes_.present_m ? this->plane_rad() : plane_rad, "going back");
 }
 

@@ -20,7 +20,7 @@ void DiverBehavior::moveCamera(const agent::Tick& tick, agent::CommandPort& port
     for (const protocol::Response& response : tick.robot.responses.takeAll()) {
         if (response.ok || zoom_refused_ || !sameWord(response.type, "Camera"))
             continue;
-        zoom_refused_ = true; // tell the user only once, because the sweep keeps trying
+        zoom_refused_ = true; // Tell the user only once, because the sweep keeps trying
         port.publish(agent::BehaviorEvent{Severity::Note, "The camera does not zoom as it is told."});
     }
     if (auto command = camera_.next(tick.now, Seconds(diver_.settings().sweep_s), questions_.limits()))
