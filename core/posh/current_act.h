@@ -44,7 +44,7 @@ private:
     const Tracer& tracer_;
     Profiler& profiler_;
     const Program* program_ = nullptr;
-    std::vector<char> does_nothing_; ///< by act call: whether it is the built-in `doNothing`
+    std::vector<char> does_nothing_; ///< for each act call: whether it is the built-in `doNothing`
     Index act_ = nowhere;
     std::uint64_t last_run_ = 0; ///< number of the cycle in which an act was last run
 };

@@ -63,7 +63,7 @@ private:
 
     const Parts parts_;
     const Program* program_ = nullptr;
-    std::vector<Frame> frames_; ///< by form
+    std::vector<Frame> frames_; ///< indexed by form
     Index drive_ = nowhere;     ///< the drive of the current step
     DriveState* state_ = nullptr;
     std::optional<ActResult> result_;

@@ -11,7 +11,7 @@ namespace usar::posh {
 struct DriveState {
     bool in_progress = false;
     bool ever_started = false;
-    bool switched_off = false;  ///< by the user; never ready then
+    bool switched_off = false;  ///< the user has switched it off, so it is never ready
     Milliseconds last_start{0}; ///< host time; meaningful only if ever_started
     std::uint64_t last_start_cycle = 0;
     std::uint64_t last_barren_cycle = 0; ///< last cycle that it won and in which no act ran at all
@@ -49,7 +49,7 @@ private:
     const Tracer& tracer_;
     const Program* program_ = nullptr;
     std::vector<DriveState> states_;
-    std::vector<Index> last_ended_; ///< by level
+    std::vector<Index> last_ended_; ///< indexed by level
 };
 
 } // namespace usar::posh

@@ -42,8 +42,8 @@ private:
 
     const Tracer& tracer_;
     const Program* program_ = nullptr;
-    std::vector<State> states_;         ///< by form
-    std::vector<std::uint64_t> starts_; ///< by element
+    std::vector<State> states_;         ///< indexed by form
+    std::vector<std::uint64_t> starts_; ///< indexed by element
     std::vector<Index> engaged_;        ///< forms with an engagement
 };
 

@@ -47,8 +47,8 @@ public:
     /// Stops, then continues with another program. Call it between cycles. The cycle number keeps counting.
     void replace(std::shared_ptr<const Program> program);
 
-    /// Continues where it is with a program of the same shape, which is a precondition (see sameShape). Call it between
-    /// cycles.
+    /// Replaces the program by one of the same shape (a precondition, see sameShape) and keeps all progress. Call it
+    /// between cycles.
     void retune(std::shared_ptr<const Program> program);
 
     /// Sets the observer of the trace, which must outlive the engine; nullptr removes it.

@@ -1,4 +1,5 @@
-// The keywords of the plan language. Case does not matter; where only a name is possible, a keyword is a name.
+// The keywords of the plan language. Case does not matter. In a place where only a name is possible, a keyword is read
+// as a name.
 #pragma once
 
 #include <cstdint>

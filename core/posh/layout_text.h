@@ -11,7 +11,7 @@ namespace usar::posh {
 /// line. All fields are byte offsets; ends are exclusive.
 struct Chunk {
     std::size_t begin = 0;
-    std::size_t body = 0; ///< where the part itself begins
+    std::size_t body = 0; ///< start of the part itself
     std::size_t body_end = 0;
     std::size_t end = 0;
 

@@ -47,8 +47,8 @@ private:
     const Program* program_ = nullptr;
     std::map<std::string, Value, std::less<>> senses_;
     std::map<std::string, ActResult, std::less<>> acts_;
-    std::vector<const Value*> pinned_senses_;              ///< by sense call; nullptr if not pinned
-    std::vector<std::optional<ActResult>> pinned_results_; ///< by act call; nullopt if not pinned
+    std::vector<const Value*> pinned_senses_;              ///< indexed by sense call; nullptr if not pinned
+    std::vector<std::optional<ActResult>> pinned_results_; ///< indexed by act call; nullopt if not pinned
     bool begun_ = false;                                   ///< whether the current act was started on the robot
     bool acted_ = false;
 };

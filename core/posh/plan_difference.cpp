@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_steps_compared = 2000;
 
-/// What drives and elements have in common, with their parts as text.
+/// The common view of drives and elements, with their parts as text.
 struct MemberView {
     PlanPart part;
     const Name* name = nullptr;

@@ -15,7 +15,7 @@ enum class Dialect {
 
 /// A feature that the dialect does not have.
 struct Loss {
-    Spot at;             ///< where the original plan uses it; line 0 if the plan was not read from a text
+    Spot at;             ///< place in the original plan; line 0 if the plan was not read from a text
     std::string message; ///< what the dialect lacks and what replaces it
     bool operator==(const Loss&) const = default;
 };

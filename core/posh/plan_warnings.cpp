@@ -65,8 +65,8 @@ void warnOfNeverReached(const std::vector<DriveLevel>& levels, Findings& finding
     }
 }
 
-/// Warns of a competence that may find no ready element and then fails. One with a goal, or with a last element that
-/// has no trigger, is fine.
+/// Warns of a competence that may find no ready element and then fails. A goal, or a last element without a trigger,
+/// prevents that.
 void warnOfFindingNothing(const Competence& competence, Findings& findings) {
     if (competence.levels.empty() || competence.levels.back().empty() || !competence.goal.empty())
         return;

@@ -112,7 +112,7 @@ private:
     NumberTable names_;
     NumberTable sense_calls_;
     NumberTable act_calls_;
-    std::vector<Scope> scopes_; ///< by form of the program
+    std::vector<Scope> scopes_; ///< indexed by form of the program
     std::vector<Waiting> waiting_;
     std::string call_text_;
     std::vector<const Value*> call_values_;

@@ -1,4 +1,4 @@
-// A report of conspicuous things in the runs of a plan: parts that never ran, senses that never changed, drives that
+// A report of suspicious behavior in the runs of a plan: parts that never ran, senses that never changed, drives that
 // kept alternating.
 #pragma once
 

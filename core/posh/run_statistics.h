@@ -73,7 +73,7 @@ private:
     void beginCycle(std::int64_t now_ms);
 
     std::shared_ptr<const Program> program_;
-    std::vector<PlaceCounts> counts_; ///< by place
+    std::vector<PlaceCounts> counts_; ///< indexed by place
     std::uint64_t cycles_ = 0;
     std::map<std::pair<Index, Index>, Alternation> alternations_;
     std::map<Index, std::uint64_t> starved_;

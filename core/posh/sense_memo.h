@@ -53,8 +53,8 @@ private:
     Profiler& profiler_;
     const Program* program_ = nullptr;
     std::uint64_t epoch_ = 0;
-    std::vector<Answer> answers_; ///< by sense call
-    std::vector<char> warned_;    ///< by test: whether it has warned of types without an order
+    std::vector<Answer> answers_; ///< indexed by sense call
+    std::vector<char> warned_;    ///< for each test: whether it has warned of types without an order
 };
 
 } // namespace usar::posh

@@ -1,4 +1,4 @@
-// The trace of an engine: records of fixed size, in the order in which things happen.
+// The trace of an engine: records of fixed size, in the order in which they happen.
 #pragma once
 
 #include <bit>

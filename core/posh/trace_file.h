@@ -84,7 +84,7 @@ private:
     /// A key frame.
     struct Key {
         std::uint64_t cycle = 0;
-        std::size_t offset = 0; ///< of the frame, in bytes
+        std::size_t offset = 0; ///< byte offset of the frame
         std::size_t plan = 0;   ///< number of plans before it
     };
     struct RecordedPlan {

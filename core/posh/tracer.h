@@ -17,7 +17,8 @@ class Tracer {
 public:
     /// Returns whether there is an observer; check it before computing an expensive text.
     bool watched() const { return observer_ != nullptr; }
-    /// Sets the observer and tells it the program. nullptr removes the observer, which must outlive its use here.
+    /// Sets the observer, which must stay valid until it is replaced, and announces the program to it. nullptr removes
+    /// it.
     void watch(TraceObserver* observer, const std::shared_ptr<const Program>& program) {
         observer_ = observer;
         announce(program);

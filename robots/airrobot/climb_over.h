@@ -14,7 +14,7 @@ namespace usar::airrobot {
 /// The state of a climb. Over: the robot is high enough to cross. Failed: it has reached the maximum height.
 enum class ClimbState { Inactive, Backing, Climbing, Over, Failed };
 
-/// What to do in one tick.
+/// The instructions for one tick.
 struct ClimbStep {
     ClimbState state = ClimbState::Inactive;
     Vec2 place_m = Vec2::Zero(); ///< place to go to (Backing) or to stay at (Climbing), map frame

@@ -19,7 +19,7 @@ class LaunchChecklist {
 public:
     /// Failed means that a sensor has sent nothing for 10 s after all questions were settled.
     LaunchState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port);
-    /// What is known so far; the stock robot's values for the rest.
+    /// The values known so far, with those of the stock robot for the rest.
     const SensorLayout& layout() const { return layout_; }
     /// Whether the question for the robot's configuration is settled, with or without an answer.
     bool configurationKnown() const { return question_ > 0; }

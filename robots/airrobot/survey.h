@@ -8,7 +8,7 @@
 
 namespace usar::airrobot {
 
-/// What happened when a goal was completed. QuadrantDone: the next lane is in another quadrant.
+/// The result of completing a goal. QuadrantDone: the next lane is in another quadrant.
 enum class SurveyEvent { None, LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
 
 /// Follows a coverage plan. A lane is entered at its start, or where it was interrupted, and is divided into goals at
@@ -74,7 +74,7 @@ private:
     std::size_t lane_ = 0;
     double finished_lanes_m_ = 0.0;
     bool on_lane_ = false;
-    double entry_along_m_ = 0.0; ///< where the lane is entered; all of these are distances along the lane
+    double entry_along_m_ = 0.0; ///< entry point; this and the next two are distances along the lane
     double piece_start_m_ = 0.0; ///< everything before it was flown or given up
     double reached_m_ = 0.0;     ///< farthest point that was flown
     int goals_given_up_ = 0;

@@ -13,7 +13,7 @@
 
 namespace usar::airrobot {
 
-/// What the robot is doing. The functions below set it.
+/// The phase of the mission. The functions below set it.
 enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
 /// In each tick, call `perceive` first, then the functions that were decided on (only one of them commands the robot);

@@ -33,7 +33,7 @@ public:
     void order(agent::Order order) { run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
     const Settings& settings() const { return settings_; }
-    /// What the robot is doing, in words.
+    /// The current activity, in words.
     const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
     /// The newest pose from the INS; nullopt before the first reading.

@@ -17,7 +17,7 @@ public:
     void tick(const agent::Tick& tick, agent::CommandPort& port) override;
     void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { kicker_.setParameters(parameters); }
-    /// Puts all paws where the robot stands still.
+    /// Puts all paws down so that the robot stands still.
     protocol::Command safeCommand() const override;
 
 private:

@@ -59,7 +59,7 @@ public:
     /// Always true: the order was handled.
     bool order(agent::Order order) { return run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
-    /// What the robot is doing, in words.
+    /// The current activity, in words.
     const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
     agent::PoseEstimate pose() const { return {run_.now, track_.base_in_map()}; }

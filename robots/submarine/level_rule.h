@@ -22,7 +22,7 @@ struct Echoes {
     }
 };
 
-/// What to do about the height.
+/// The required change of height.
 enum class Level { Descend, Keep, Ascend };
 
 /// Compares the present height with that in the settings. Without an echo the bottom counts as far below.
