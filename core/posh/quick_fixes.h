@@ -27,8 +27,9 @@ struct QuickFix {
 using PlanCheck = std::function<Findings(std::string_view text)>;
 
 /// Returns at most eight fixes, the likeliest first. Each has been tried: it removes the finding and causes no new
-/// error. The finding must be one that `check`, or readPlan if `check` is empty, returned for this text. Reads the text
-/// again for each fix that is considered, about a dozen times.
+/// error, although a form that becomes readable may show errors that it already had. The finding must be one that
+/// `check`, or readPlan if `check` is empty, returned for this text. Reads the text again for each fix that is
+/// considered, about a dozen times.
 std::vector<QuickFix> quickFixes(std::string_view text, const Finding& finding, const Vocabulary& vocabulary = {},
                                  const PlanCheck& check = {});
 

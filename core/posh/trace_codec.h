@@ -61,8 +61,8 @@ void appendVarint(std::string& out, std::uint64_t number);
 /// the numbers of omitted bytes: at the high end in its upper half, at the low end in its lower half.
 void appendBits(std::string& out, std::uint64_t bits);
 
-/// Reads values from untrusted bytes. A value that is missing or malformed reads as 0 or empty and sets failed(), which
-/// stays set; check it before using the values.
+/// Reads values from untrusted bytes. A missing or malformed value sets failed(), which stays set; the value itself is
+/// then meaningless, so check failed() before using the values.
 class Bytes {
 public:
     /// The bytes must outlive this object.
