@@ -7,7 +7,8 @@ namespace {
 constexpr std::string_view key_end = ": ";
 constexpr std::string_view arrow = " -> ";
 
-/// Behind a value, which may be a text with anything in it.
+/// Returns the offset just after the value at the start of `text`, or npos. A quoted value may contain the arrow
+/// itself.
 std::size_t endOfValue(std::string_view text) {
     if (!text.starts_with('"'))
         return text.find(arrow);

@@ -46,7 +46,7 @@ void Breakpoints::remove(std::size_t number) {
     watches_.erase(number);
 }
 
-/// As the trigger of a plan of its own.
+/// Compiles the condition as the trigger of a plan that has nothing else in it.
 Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::string& text) {
     const PlanReading reading = readPlan("((DC condition (drives ((it (trigger (\n" + text + "\n)) doNothing)))))");
     const Collection* const collection = collectionOf(reading.plan);

@@ -1,4 +1,4 @@
-// Where a person wants a run to stop: on any element, on what happens to it, and on conditions.
+// Breakpoints for a running plan: they stop it at a place of the plan, at an event there, and under a condition.
 #pragma once
 
 #include <cstdint>
@@ -13,54 +13,60 @@
 
 namespace usar::posh {
 
+/// The event at the breakpoint's place that triggers it.
 enum class BreakOn {
-    Before,        ///< a drive starts, an element is selected, a form is entered, an act begins, a sense is asked
-    After,         ///< a drive's activation, a form or an act is over
-    Result,        ///< an act answers with `result`
-    VerdictChange, ///< a sense holds that did not, or the reverse
+    Before,        ///< a drive starts, an element is selected, a form is entered, an act begins, a sense is evaluated
+    After,         ///< a drive's activation, a form or an act has ended
+    Result,        ///< an act returns `result`
+    VerdictChange, ///< a sense starts or stops holding
     Interruption,  ///< a drive or an act is interrupted
-    Written,       ///< an act writes another value onto the blackboard, under `key`
+    Written,       ///< an act changes the value of `key` on the blackboard
 };
 
-/// Kept with a plan: paths are repaired by the names when the plan has changed.
+/// One breakpoint, stored along with a plan. If the plan has changed, the place is found again by its names and the
+/// path is updated.
 struct Breakpoint {
-    std::string path;  ///< "/P:0/DC:0/DE:1": see pathOf
-    std::string names; ///< "robot ▸ work": see namePathOf
+    std::string path;  ///< "/P:0/DC:0/DE:1", as pathOf returns it
+    std::string names; ///< "robot ▸ work", as namePathOf returns it
     BreakOn on = BreakOn::Before;
-    ActResult result = ActResult::Failed; ///< for BreakOn::Result
-    std::string key{};                    ///< for BreakOn::Written; the place is that of the whole plan
-    std::string condition;                ///< senses as in a trigger: "(distance 0.3 <) (bumped)"; empty: always.
-                                          ///< Keys of the blackboard can be asked for as senses can: "(lane 3 >=)"
-    std::uint64_t skip = 0;               ///< so many hits are passed over first
-    bool once = false;                    ///< is switched off by its hit
+    ActResult result = ActResult::Failed; ///< used by BreakOn::Result only
+    std::string key{};                    ///< used by BreakOn::Written only; the place is then that of the whole plan
+    std::string condition; ///< senses as in a trigger, "(distance 0.3 <) (bumped)"; empty means always. Blackboard keys
+                           ///< can be tested like senses: "(lane 3 >=)"
+    std::uint64_t skip = 0; ///< number of hits to ignore first
+    bool once = false;      ///< the first hit disables the breakpoint
     bool enabled = true;
     bool operator==(const Breakpoint&) const = default;
 };
 
+/// One hit of a breakpoint, with the event that caused it.
 struct BreakHit {
-    std::size_t breakpoint = 0; ///< its number
+    std::size_t breakpoint = 0; ///< the number that Breakpoints::add returned
     TraceRecord record;
-    std::string text{}; ///< beside the record
+    std::string text{}; ///< text that came with the record; empty if none
     bool operator==(const BreakHit&) const = default;
 };
 
-/// Watches a run and collects hits; whoever runs the cycles looks for them after each and stops. Conditions are of the
-/// newest answers that the run itself has got: nothing is asked for them, and a sense that was never asked does not
-/// hold.
+/// Watches a run in the engine's thread and collects hits. It cannot stop the engine itself: the caller of
+/// Engine::cycle checks takeHits after each cycle and stops running cycles. Conditions use the newest answers that the
+/// run itself received: no sense is evaluated for their sake, and a sense that was never evaluated does not hold.
 class Breakpoints final : public TraceObserver {
 public:
-    /// The number of the breakpoint. A condition that is no list of senses is an error; a place that the plan has not
-    /// is none, as another plan may have it.
+    /// Adds a breakpoint and returns its number. Fails if the condition is not a list of senses. A place that the
+    /// current plan does not have is accepted, because a later plan may have it.
     Result<std::size_t> add(Breakpoint breakpoint);
-    /// Whether it is a list of senses, or empty.
+    /// Succeeds for a list of senses and for an empty text.
     static Result<void> checkCondition(const std::string& text);
+    /// Does nothing if there is no breakpoint with this number. Numbers are never reused.
     void remove(std::size_t number);
-    /// By number; removed ones are missing.
+    /// The existing breakpoints by number.
     const std::map<std::size_t, Breakpoint>& all() const { return breakpoints_; }
+    /// The breakpoint must exist.
     void enable(std::size_t number, bool enabled) { breakpoints_.at(number).enabled = enabled; }
-    /// Where it stands in the plan that runs; nowhere if that has no such place.
+    /// Returns the place in the running plan, or `nowhere` if that plan has no such place. The breakpoint must exist.
     Index placeOf(std::size_t number) const { return watches_.at(number).place; }
 
+    /// Returns the hits since the last call, oldest first.
     std::vector<BreakHit> takeHits();
 
     void takeProgram(const std::shared_ptr<const Program>& program) override;
@@ -69,9 +75,10 @@ public:
 private:
     struct Watch {
         Index place = nowhere;
-        std::shared_ptr<const Program> condition; ///< its one drive's trigger; none: always
-        std::uint64_t hits = 0;
-        std::optional<bool> verdict;
+        /// A program whose only drive has the condition as its trigger; nullptr if there is no condition.
+        std::shared_ptr<const Program> condition;
+        std::uint64_t hits = 0;      ///< including the skipped ones
+        std::optional<bool> verdict; ///< newest verdict of the sense; nullopt before the first
     };
     static Result<std::shared_ptr<const Program>> readCondition(const std::string& text);
     Index find(const Breakpoint& breakpoint) const;
@@ -82,7 +89,7 @@ private:
     std::shared_ptr<const Program> program_;
     std::map<std::size_t, Breakpoint> breakpoints_;
     std::map<std::size_t, Watch> watches_;
-    std::map<std::string, Value, std::less<>> answers_; ///< newest, by call
+    std::map<std::string, Value, std::less<>> answers_; ///< newest answers by call text, and blackboard values by key
     std::vector<BreakHit> hits_;
     std::size_t next_number_ = 0;
 };

@@ -36,7 +36,8 @@ bool setNumber(std::optional<Number> number, Value& value) {
     return number.has_value();
 }
 
-/// False where a number is beyond all bounds. Values are made in place: most of a plan is made of them.
+/// Sets the value of the current token. Returns false if a number does not fit into 64 bits. Constructs the value in
+/// place, because a plan consists mostly of values.
 bool setValue(const TokenCursor& cursor, Value& value) {
     const std::string_view word = cursor.word();
     switch (cursor.peek().kind) {
@@ -63,7 +64,7 @@ bool setValue(const TokenCursor& cursor, Value& value) {
     return true;
 }
 
-/// Takes a token that is a value, or a bare word, which is a symbol.
+/// Takes the current token as a value; a bare word becomes a symbol.
 bool takeValue(TokenCursor& cursor, Literal& literal) {
     if (!setValue(cursor, literal.value))
         return cursor.fail(Code::MalformedNumber, "the number " + inQuotes(cursor.word()) +
@@ -80,7 +81,7 @@ bool bareName(TokenCursor& cursor) {
                                                   word + "\" for a text or $" + word + " for a parameter");
 }
 
-/// A value or a variable: what an argument is made of.
+/// Reads the value or variable of an argument.
 bool readArgumentValue(TokenCursor& cursor, std::variant<Literal, Variable>& value) {
     if (cursor.at(TokenKind::Variable)) {
         takeVariable(cursor, value.emplace<Variable>());
@@ -123,7 +124,7 @@ bool checkAmount(TokenCursor& cursor, Unit unit) {
     if (!cursor.atNumber())
         return cursor.fail(Code::NumberMissing, "a number is missing behind the unit " + inQuotes(toText(unit)) +
                                                     "; write one, as (" + std::string(toText(unit)) + " 2)");
-    const double amount = floatOf(cursor.word()).value_or(1.0); // beyond all bounds is said by takeValue
+    const double amount = floatOf(cursor.word()).value_or(1.0); // takeValue reports a number that is too large
     const bool is_rate = unit == Unit::Hz || unit == Unit::PerMinute;
     if (amount < 0.0 || (is_rate && amount == 0.0))
         return cursor.fail(Code::NumberOutOfRange, amount < 0.0 ? "a time cannot be negative; write a number from 0 up"
@@ -131,7 +132,7 @@ bool checkAmount(TokenCursor& cursor, Unit unit) {
     return true;
 }
 
-/// Senses that are called by these words have a name of their own.
+/// Returns the advice for a keyword that is used as a name. The built-in senses `true` and `false` have proper names.
 const char* otherNameFor(Keyword keyword) {
     if (keyword == Keyword::True)
         return "write succeed";

@@ -1,5 +1,5 @@
-// Reads the small parts of a form: names, values, calls, senses, intervals. Each function begins at the present token
-// and returns false, the complaint made, where the text is wrong.
+// Reads the small parts of a form: names, values, calls, senses, intervals. Each read function begins at the current
+// token and moves past what it reads. If the text is wrong it adds a finding to the cursor and returns false.
 #pragma once
 
 #include <optional>
@@ -10,32 +10,33 @@
 
 namespace usar::posh {
 
-/// `whose`: "of the drive", for the complaint.
+/// Reads a name. `whose` completes the error message: "of the drive".
 bool readName(TokenCursor& cursor, std::string_view whose, Name& name);
 
-/// Whether a value (not a bare name) stands here.
+/// Returns whether the current token is a value. A bare name is not.
 bool atValue(const TokenCursor& cursor);
 bool readValue(TokenCursor& cursor, Literal& literal);
 
-/// A trailing comment string, if one stands here.
+/// Reads a trailing comment string, if there is one.
 bool readComment(TokenCursor& cursor, std::optional<Literal>& comment);
 
-/// From `vars` on, if it stands here.
+/// Reads `vars($name=value)`, if the current token is `vars`.
 bool readFormals(TokenCursor& cursor, std::vector<Formal>& formals);
 
-/// From the opening parenthesis on.
+/// Reads arguments, beginning at the opening parenthesis.
 bool readArguments(TokenCursor& cursor, std::vector<Argument>& arguments);
-/// A name, and arguments where a parenthesis follows.
+/// Reads a name, and arguments if a parenthesis follows it.
 bool readCall(TokenCursor& cursor, std::string_view whose, Call& call);
 
-/// `(sense value predicate)`, from the opening parenthesis on.
+/// Reads `(sense value predicate)`, beginning at the opening parenthesis.
 bool readSenseTest(TokenCursor& cursor, SenseTest& test);
-/// `nil` or a list in parentheses.
+/// Reads `nil` or a list of senses in parentheses.
 bool readSenses(TokenCursor& cursor, Senses& senses);
-/// `(goal …)`, from the opening parenthesis on.
+/// Reads `(goal …)`, beginning at the opening parenthesis.
 bool readGoal(TokenCursor& cursor, Senses& goal);
 
-/// `(unit number)`, from the opening parenthesis on; hz, pm and ticks only where rates are allowed.
+/// Reads `(unit number)`, beginning at the opening parenthesis. The units hz, pm and ticks are errors unless rates are
+/// allowed.
 bool readInterval(TokenCursor& cursor, bool rates_allowed, std::optional<Interval>& interval);
 
 } // namespace usar::posh

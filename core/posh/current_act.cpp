@@ -14,7 +14,7 @@ void CurrentAct::load(const Program& program) {
     }
 }
 
-/// False when the host threw.
+/// Calls the host; traces an exception as an error and then returns false.
 template <class Call>
 bool CurrentAct::guarded(Index place, Call&& call) {
     const Profiler::Span span(profiler_, place);

@@ -1,4 +1,4 @@
-// The one act that an engine runs at a time: init once, run once per cycle or more, done exactly once.
+// The act that an engine is running.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,30 @@
 
 namespace usar::posh {
 
+/// Runs at most one act at a time. For each act the host gets one init, then run at least once unless init throws, then
+/// exactly one done. The built-in act `doNothing` never reaches the host, unless the host has an act of that name.
 class CurrentAct {
 public:
+    /// All three must outlive this object.
     CurrentAct(Host& host, const Tracer& tracer, Profiler& profiler)
         : host_(host)
         , tracer_(tracer)
         , profiler_(profiler) {}
 
-    /// There must be no act.
+    /// Prepares for another program. No act may be current; call end first.
     void load(const Program& program);
-    /// Keeps what it knows; the program has the same shape.
+    /// Switches to a program of the same shape; the current act continues.
     void retune(const Program& program) { program_ = &program; }
 
-    /// In `acts`; nowhere for none.
+    /// The current act as an index in Program::acts; `nowhere` if there is none.
     Index index() const { return act_; }
+    /// Returns whether that is the last cycle in which an act was run.
     bool ranIn(std::uint64_t cycle) const { return last_run_ == cycle; }
 
-    /// Continues the act, or ends the one before (interrupted) and begins this. Unless the answer is Running, the act
-    /// is over when this returns. What the host throws is a failure.
+    /// Continues the act if it is the current one; otherwise ends the current one as interrupted and begins this one.
+    /// Unless the result is Running, the act has ended when this returns. An exception from the host counts as Failed.
     ActResult run(Index act);
-    /// Nothing without an act.
+    /// Ends the current act. Does nothing if there is none.
     void end(DoneReason reason);
 
 private:
@@ -40,9 +44,9 @@ private:
     const Tracer& tracer_;
     Profiler& profiler_;
     const Program* program_ = nullptr;
-    std::vector<char> does_nothing_; ///< by act call: built in
+    std::vector<char> does_nothing_; ///< for each act call: whether it is the built-in `doNothing`
     Index act_ = nowhere;
-    std::uint64_t last_run_ = 0;
+    std::uint64_t last_run_ = 0; ///< number of the cycle in which an act was last run
 };
 
 } // namespace usar::posh

@@ -20,7 +20,7 @@ std::optional<ActResult> Descent::step(Index drive) {
     return result_;
 }
 
-/// Goals and limits of the open forms, from the outermost in.
+/// Checks goals and time limits of the open forms, from the outermost to the innermost.
 Descent::Next Descent::checkFrames() {
     for (std::size_t depth = 0; depth < state_->stack.size(); ++depth) {
         const Index form = state_->stack[depth];
@@ -58,7 +58,7 @@ Descent::Next Descent::timeOut(std::size_t depth) {
     return fail();
 }
 
-/// Removes the form at that depth and all above it.
+/// Removes the form at this depth and all forms inside it from the stack.
 void Descent::leave(std::size_t depth) {
     const Index form = state_->stack[depth];
     parts_.act.end(DoneReason::Interrupted);
@@ -122,7 +122,7 @@ Index Descent::select(Index form) {
     return nowhere;
 }
 
-/// Whether the current act stands below the element: however long it takes, it is one start.
+/// Returns whether the current act is below the element. An act that runs for many cycles is one start of its element.
 bool Descent::continues(const ProgramElement& element) const {
     const Index act = parts_.act.index();
     if (act == nowhere)
@@ -168,7 +168,8 @@ Descent::Next Descent::runAct(Index act) {
     return Next::Over;
 }
 
-/// Competences succeed with their element, a pattern takes its next step, an adopt stays.
+/// Moves up after a success: competences succeed with their element, a pattern goes to its next step, and an adopt
+/// stays on the stack.
 Descent::Next Descent::succeed() {
     while (!state_->stack.empty() && top() != PlaceKind::Adopt) {
         const Index form = state_->stack.back();
@@ -181,7 +182,7 @@ Descent::Next Descent::succeed() {
     return Next::Over;
 }
 
-/// Back to the innermost adopt, which tries again in the next cycle.
+/// Moves up after a failure to the innermost adopt, which tries again in the next cycle; without one the drive fails.
 Descent::Next Descent::fail() {
     while (!state_->stack.empty() && top() != PlaceKind::Adopt)
         parts_.drives.pop(*state_);

@@ -1,4 +1,4 @@
-// One step of a drive: from where it stands down to an act, and what success and failure do on the way up.
+// One step of a drive: from its innermost open form down to an act, and back up after success or failure.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,11 @@
 
 namespace usar::posh {
 
+/// Executes the forms of a drive on the drive's own stack, without recursion. A step first checks the goals and time
+/// limits of the open forms, then continues in the innermost one until an act has run or the step is over.
 class Descent {
 public:
+    /// All of these must outlive the Descent.
     struct Parts {
         const Tracer& tracer;
         SenseMemo& senses;
@@ -23,16 +26,17 @@ public:
     explicit Descent(const Parts& parts) : parts_(parts) {}
 
     void load(const Program& program);
-    /// Keeps what it knows; the program has the same shape.
+    /// Switches to a program of the same shape and keeps the state of the open forms.
     void retune(const Program& program) { program_ = &program; }
-    /// What the act answered that the step ran; nothing if it ran none. The drive must be in progress.
+    /// Runs one step of a drive, which must be in progress. Returns the result of the act that it ran, or nullopt if it
+    /// ran none.
     std::optional<ActResult> step(Index drive);
 
 private:
-    enum class Next { GoOn, Over };
+    enum class Next { GoOn, Over }; ///< whether the step continues
     struct Frame {
-        Milliseconds pushed{0}; ///< of a pattern
-        Index next_step = 0;    ///< of a pattern, in `steps`
+        Milliseconds pushed{0}; ///< time at which a pattern was entered
+        Index next_step = 0;    ///< a pattern's next step, as an index in Program::steps
     };
 
     Next checkFrames();
@@ -45,6 +49,7 @@ private:
     Next advance();
     Next advancePattern(Index form);
     Next advanceCompetence(Index form);
+    /// Returns the first ready element of a competence, or `nowhere`.
     Index select(Index form);
     bool continues(const ProgramElement& element) const;
     Next enter(const Target& target);
@@ -58,8 +63,8 @@ private:
 
     const Parts parts_;
     const Program* program_ = nullptr;
-    std::vector<Frame> frames_; ///< by form
-    Index drive_ = nowhere;     ///< that is stepped
+    std::vector<Frame> frames_; ///< indexed by form
+    Index drive_ = nowhere;     ///< the drive of the current step
     DriveState* state_ = nullptr;
     std::optional<ActResult> result_;
 };

@@ -10,7 +10,7 @@ namespace usar::posh {
 
 namespace {
 
-/// Whatever is no letter or digit becomes a hyphen.
+/// Replaces everything except letters, digits and underscores by hyphens.
 std::string asSymbol(std::string_view text) {
     std::string word(text);
     std::replace_if(

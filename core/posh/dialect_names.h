@@ -1,4 +1,4 @@
-// Names, values and texts as other dialects allow them. Each function gives back what is fine as it is.
+// Names, values and texts converted to what other dialects of POSH allow. Each function returns valid input unchanged.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace usar::posh {
 
-/// Without dots, and not starting with a digit.
+/// Returns a name without dots and without a digit at the start.
 std::string classicName(std::string_view name);
-/// Not starting with a digit.
+/// Returns a name without a digit at the start.
 std::string yaposhName(std::string_view name);
 
-/// Constants (symbols with dots) without hyphens.
+/// Replaces hyphens in constants (symbols with dots) by underscores.
 Value yaposhValue(const Value& value);
-/// Numbers and symbols without dots only: truth becomes 1 or 0, a text a symbol of its words, a constant its last part.
+/// Converts everything but nil to numbers and symbols without dots: a boolean becomes 1 or 0, a text becomes a symbol,
+/// and a constant becomes its last part.
 Value classicValue(const Value& value);
 
-/// On one line, without quotes, backslashes, ; and #.
+/// Returns the text on one line, with double quotes, backslashes, ; and # replaced by similar characters.
 std::string classicText(std::string_view text);
 
 } // namespace usar::posh

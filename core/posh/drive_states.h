@@ -1,4 +1,4 @@
-// Where each drive is: in progress or not, when it last started, and the forms that are open below it.
+// The run-time state of all drives: whether they are in progress, when they started, and which forms are open.
 #pragma once
 
 #include <vector>
@@ -7,44 +7,49 @@
 
 namespace usar::posh {
 
+/// The state of one drive.
 struct DriveState {
     bool in_progress = false;
     bool ever_started = false;
-    bool switched_off = false;
-    Milliseconds last_start{0};
+    bool switched_off = false;  ///< the user has switched it off, so it is never ready
+    Milliseconds last_start{0}; ///< host time; meaningful only if ever_started
     std::uint64_t last_start_cycle = 0;
-    std::uint64_t last_barren_cycle = 0; ///< its step ran no act, and no act had run before
-    int barren_cycles = 0;               ///< in a row
-    std::vector<Index> stack;            ///< forms, outermost first; never outgrows its capacity
+    std::uint64_t last_barren_cycle = 0; ///< last cycle that it won and in which no act ran at all
+    int barren_cycles = 0;               ///< number of such cycles in a row
+    std::vector<Index> stack;            ///< open forms, outermost first; never outgrows its reserved capacity
 };
 
-/// Starts and ends activations. Keeps, for each level, whose turn it was.
+/// Starts and ends activations of drives. Remembers for each level which drive ended last.
 class DriveStates {
 public:
+    /// The tracer must outlive this object.
     explicit DriveStates(const Tracer& tracer) : tracer_(tracer) {}
 
+    /// Resets everything and reserves all memory that a run needs.
     void load(const Program& program);
-    /// Keeps what it knows; the program has the same shape.
+    /// Switches to a program of the same shape and keeps all states.
     void retune(const Program& program) { program_ = &program; }
     DriveState& operator[](Index drive) { return states_[drive]; }
     const DriveState& operator[](Index drive) const { return states_[drive]; }
-    /// The drive of the level whose activation ended last; nowhere when none has.
+    /// The drive of the level whose activation ended last; `nowhere` if none has ended yet.
     Index lastEnded(Index level) const { return last_ended_[level]; }
 
     void start(Index drive);
-    /// With DriveSucceeded or DriveFailed. The stack is empty by then.
+    /// Ends an activation; `how` is DriveSucceeded or DriveFailed. The stack must be empty.
     void end(Index drive, TraceEvent how);
-    /// Cuts the stack back to the innermost adopt; without one the activation is over. `winner` may be nowhere.
+    /// Cuts the stack back to the innermost adopt; without one the activation ends. `winner` is the drive that takes
+    /// over, or `nowhere`.
     void interrupt(Index drive, Index winner);
+    /// Closes the innermost form. The stack must not be empty.
     void pop(DriveState& state);
-    /// All activations, silently.
+    /// Ends all activations without tracing anything.
     void clear();
 
 private:
     const Tracer& tracer_;
     const Program* program_ = nullptr;
     std::vector<DriveState> states_;
-    std::vector<Index> last_ended_; ///< by level
+    std::vector<Index> last_ended_; ///< indexed by level
 };
 
 } // namespace usar::posh

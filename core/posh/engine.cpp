@@ -8,7 +8,7 @@ namespace usar::posh {
 
 namespace {
 
-constexpr int starving_after = 10; ///< cycles in a row whose step ran no act
+constexpr int starving_after = 10; ///< number of cycles in a row in which the winning drive ran no act
 
 } // namespace
 
@@ -43,7 +43,7 @@ void Engine::load() {
 
 Outcome Engine::cycle(Milliseconds now) {
     const std::int64_t begin_ns = profiler_.now();
-    const bool is_first = tracer_.cycle() == 0; // a clock may begin below zero
+    const bool is_first = tracer_.cycle() == 0; // A clock may start below zero
     tracer_.setCycle(tracer_.cycle() + 1, is_first ? now : std::max(now, tracer_.now()));
     tracer_.note(TraceEvent::CycleBegin, 0);
     acts_ = 0;

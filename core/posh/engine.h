@@ -1,4 +1,4 @@
-// Runs a program: each cycle decides anew what to do, by the data of the host and the time it passes.
+// Runs a program: each cycle decides again what to do, based on the host's senses and the time that is passed in.
 #pragma once
 
 #include <memory>
@@ -15,50 +15,57 @@
 
 namespace usar::posh {
 
-/// What a satisfied goal of the collection does: end the plan for good, or suspend it while the goal holds.
+/// The effect of a satisfied goal of the collection: it ends the plan for good, or suspends it while the goal holds.
 enum class OnGoal { Stop, Hold };
 
 struct EngineOptions {
-    int most_acts = 16; ///< per cycle (the budget); at least one runs
+    int most_acts = 16; ///< budget of acts per cycle; at least one runs even if this is smaller
     OnGoal on_goal = OnGoal::Stop;
-    ProfileClock* clock = nullptr; ///< measures durations, if there is one; must outlive the engine
-    Milliseconds slow{20};         ///< a call of the host that takes longer is warned of
+    ProfileClock* clock = nullptr; ///< measures durations; nullptr turns measuring off; must outlive the engine
+    Milliseconds slow{20};         ///< a call of the host that takes longer causes a warning; needs a clock
 };
 
-/// Equal programs, options, times and answers of the host give equal traces. After loading, a cycle allocates nothing
-/// (the host may) and its work is bounded. Nothing that the host throws leaves it. Not to be called by host or observer
-/// during a cycle, but for `note` and `site`. On one thread.
+/// Equal programs, options, times and answers of the host give equal traces. After loading, a cycle allocates no memory
+/// (the host may) and its work is bounded. Exceptions from the host are traced and never leave the engine. All calls
+/// must come from one thread. During a cycle, the host and the observer must not call the engine, except that the host
+/// may call `note`.
 class Engine {
 public:
-    /// `host` must outlive the engine.
+    /// Loads the program and binds the host to it. `host` must outlive the engine; `program` must not be null.
     Engine(Host& host, std::shared_ptr<const Program> program, EngineOptions options = {});
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
-    /// Stops, so that every init has its done.
+    /// Stops first, so that every init of an act has its done.
     ~Engine();
 
-    /// One cycle at that time of a clock that never goes back (an earlier time counts as the last).
+    /// Runs one cycle. `now` is the time of a clock with any starting point that never runs backward; an earlier time
+    /// than in the last cycle counts as that one.
     Outcome cycle(Milliseconds now);
-    /// Ends the current act (stopped) and forgets all progress; a later cycle begins anew.
+    /// Ends the current act as stopped and forgets all progress, including a reached goal; a later cycle starts from
+    /// the beginning.
     void stop();
-    /// Between cycles: stops, then goes on with another program. Cycles count on.
+    /// Stops, then continues with another program. Call it between cycles. The cycle number keeps counting.
     void replace(std::shared_ptr<const Program> program);
 
-    /// Between cycles: goes on where it is, with a program of the same shape (see sameShape).
+    /// Replaces the program by one of the same shape (a precondition, see sameShape) and keeps all progress. Call it
+    /// between cycles.
     void retune(std::shared_ptr<const Program> program);
 
-    /// Nothing: nobody watches.
+    /// Sets the observer of the trace, which must outlive the engine; nullptr removes it.
     void watch(TraceObserver* observer) { tracer_.watch(observer, program_); }
     bool watched() const { return tracer_.watched(); }
-    /// For the host, during its calls: what it wrote or sent, put into the trace at the place of that call.
+    /// Adds to the trace what the host wrote or sent. For the host, during one of its calls, with the place of that
+    /// call.
     void note(TraceEvent event, Index place, std::string_view text) { tracer_.noteText(event, place, text); }
-    /// A drive that is switched off is never ready.
+    /// Switches a drive (an index in Program::drives) on or off. A drive that is off is never ready.
     void switchDrive(Index drive, bool on) { drives_[drive].switched_off = !on; }
 
     const std::shared_ptr<const Program>& program() const { return program_; }
+    /// The number of the last cycle, counting from 1; 0 before the first.
     std::uint64_t cycleNumber() const { return tracer_.cycle(); }
-    /// In `acts` of the program; nowhere for none.
+    /// The current act as an index in Program::acts; `nowhere` if there is none.
     Index currentAct() const { return act_.index(); }
+    /// Whether the goal of the collection ended the plan for good (OnGoal::Stop).
     bool won() const { return won_; }
 
 private:
@@ -74,7 +81,7 @@ private:
     EngineOptions options_;
     Host& host_;
     std::shared_ptr<const Program> program_;
-    std::shared_ptr<const Program> bound_; ///< that the host knows: calls of this and `program_` are the same
+    std::shared_ptr<const Program> bound_; ///< the program that the host was bound to; has the same calls as `program_`
     Tracer tracer_;
     Profiler profiler_;
     SenseMemo senses_;
@@ -84,7 +91,7 @@ private:
     Arbitration arbitration_;
     Descent descent_;
     Index active_ = nowhere; ///< the drive that won last
-    int acts_ = 0;           ///< run in this cycle
+    int acts_ = 0;           ///< number of acts run in this cycle
     bool won_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What a reader or a check has to say about a plan: a code, a place and a sentence with the mend.
+// Errors and warnings about a plan: a code, a place and a sentence that says how to fix it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace usar::posh {
 
-/// Errors of the text (1xx characters, 2xx grammar), of the plan as a whole (3xx), and warnings (4xx).
+/// Errors in the text (1xx for characters, 2xx for grammar), errors in the plan as a whole (3xx), and warnings (4xx).
 enum class Code : std::uint16_t {
     IllegalCharacter = 101,
     StringNeverClosed = 102,
@@ -42,8 +42,8 @@ enum class Code : std::uint16_t {
     FractionalRetries = 219,
     DuplicateName = 301,
     ReferenceCycle = 302,
-    NoCollection = 303,     ///< at binding: a fragment cannot run
-    UnknownPrimitive = 304, ///< at binding, as the next and 307
+    NoCollection = 303,     ///< found when binding to a robot: a fragment cannot run
+    UnknownPrimitive = 304, ///< found when binding to a robot, like 305 and 307
     PrimitiveNamedAsForm = 305,
     FreeVariable = 306,
     WrongUse = 307,
@@ -65,27 +65,29 @@ enum class Code : std::uint16_t {
 /// "E203", "W405".
 std::string toText(Code code);
 Severity severityOf(Code code);
-/// Of characters or grammar: where it stands, a form is missing from the plan.
+/// Returns whether the code is an error in characters or grammar. The form that has such an error is missing from the
+/// plan.
 bool isUnreadable(Code code);
 
+/// One error or warning about a plan.
 struct Finding {
     Code code = Code::UnexpectedToken;
     Spot at;
-    std::string message;        ///< one sentence: what is wrong; what to write
-    std::optional<Spot> opener; ///< where the parenthesis stands that was never closed
+    std::string message;        ///< one sentence, "<problem>; <what to write>"
+    std::optional<Spot> opener; ///< place of the parenthesis that was never closed; only for Code::EndOfFile
     bool operator==(const Finding&) const = default;
 };
 
 using Findings = std::vector<Finding>;
 
-/// A word of the plan as a message names it: in quotes, and shortened, for a name may be as long as a plan.
+/// Formats a word of the plan for a message: in quotes, cut after about 40 bytes, control characters as blanks.
 std::string inQuotes(std::string_view word);
 
 bool hasErrors(const Findings& findings);
-/// No form is missing from the plan.
+/// Returns whether all forms of the text are in the plan.
 bool isReadable(const Findings& findings);
 
-/// "3:14: error E202: expected …; write … (the parenthesis at 1:1 is open)".
+/// Formats a finding: "3:14: error E202: expected …; write … (the parenthesis at 1:1 is open)".
 std::string toText(const Finding& finding);
 
 } // namespace usar::posh

@@ -1,4 +1,4 @@
-// Which name means which competence, pattern or adopt of a plan, and who calls them.
+// An index of a plan: its competences, patterns and adopts by name, their calls, and the variables in use.
 #pragma once
 
 #include <cstddef>
@@ -15,27 +15,29 @@ namespace usar::posh {
 /// A call of a competence, pattern or adopt.
 struct Reference {
     const Call* call = nullptr;
-    std::size_t form = 0; ///< where it stands, as an index in Plan::forms
-    std::size_t target = 0;
+    std::size_t form = 0;   ///< the form that contains the call, as an index in Plan::forms
+    std::size_t target = 0; ///< the form that is called, as an index in Plan::forms
 };
 
 /// A variable among the arguments of a call.
 struct VariableUse {
     const Variable* variable = nullptr;
-    std::size_t form = 0; ///< where it stands
+    std::size_t form = 0; ///< the form that contains it, as an index in Plan::forms
 };
 
-/// The plan must outlive it. Of two forms with one name the first counts.
+/// The plan must outlive the index and must not change meanwhile. If two forms have the same name, the first one
+/// counts.
 class FormIndex {
 public:
     explicit FormIndex(const Plan& plan);
 
-    /// Index in Plan::forms; nothing for primitives and for the collection.
+    /// Returns an index in Plan::forms; nullopt for the name of a primitive or of the collection.
     std::optional<std::size_t> find(std::string_view name) const;
-    /// In the order of the text.
+    /// All calls of forms, in the order of the text.
     const std::vector<Reference>& references() const { return references_; }
-    /// Likewise, whether declared or not.
+    /// All uses of variables, declared or not, in the order of the text.
     const std::vector<VariableUse>& variables() const { return variables_; }
+    /// Returns whether the form has a parameter of that name (without the dollar sign).
     bool declares(std::size_t form, std::string_view parameter) const { return formals_[form].contains(parameter); }
     const std::unordered_set<std::string_view>& formals(std::size_t form) const { return formals_[form]; }
 

@@ -10,7 +10,7 @@ namespace usar::posh {
 
 namespace {
 
-/// Takes the last parenthesis of a thing and notes how far it reaches.
+/// Takes the closing parenthesis of a part and stores the extent of the part in `whole`.
 bool close(TokenCursor& cursor, const Spot& begin, std::string_view expected, Spot& whole) {
     if (!cursor.take(TokenKind::Close, expected, ")"))
         return false;
@@ -37,7 +37,7 @@ bool readOptionalGoal(TokenCursor& cursor, Senses& goal) {
     return takeNil(cursor) || !opensGoal(cursor) || readGoal(cursor, goal);
 }
 
-/// In a drive or an element only a trigger can be opened behind the name.
+/// Reads the optional trigger of a drive or an element. A parenthesis after the name can only begin a trigger.
 bool readTrigger(TokenCursor& cursor, Senses& trigger) {
     if (takeNil(cursor) || !cursor.at(TokenKind::Open))
         return true;
@@ -51,13 +51,14 @@ bool readTrigger(TokenCursor& cursor, Senses& trigger) {
     return readSenses(cursor, trigger) && cursor.take(TokenKind::Close, "the end of the trigger", ")");
 }
 
-/// Behind the name of what a drive does a parenthesis opens a frequency or, once, arguments.
+/// Reads what follows the name of a drive's action. A parenthesis there begins either arguments or the frequency; a
+/// frequency may follow the arguments.
 bool readDriveTail(TokenCursor& cursor, Drive& drive) {
     const auto opensFrequency = [&cursor] { return opensUnit(cursor) && cursor.atNumber(2); };
     if (cursor.at(TokenKind::Open) && !opensFrequency()) {
         const bool bare = cursor.at(TokenKind::Name, 1) && !isLiteral(cursor.keyword(1));
         if (bare && cursor.atNumber(2))
-            return readInterval(cursor, true, drive.frequency); // says that the unit is unknown
+            return readInterval(cursor, true, drive.frequency); // Reports the unknown unit
         if (!readArguments(cursor, drive.action.arguments))
             return false;
     }
@@ -97,7 +98,7 @@ bool readElement(TokenCursor& cursor, Element& element) {
            readComment(cursor, element.comment) && close(cursor, begin, "the end of the element", element.at);
 }
 
-/// Levels up to the parenthesis that closes the list, which is taken too.
+/// Reads levels up to and including the parenthesis that closes their list.
 template <class Member>
 bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, std::string_view expected,
                 bool (*read)(TokenCursor&, Member&)) {
@@ -136,7 +137,8 @@ bool readDrives(TokenCursor& cursor, std::vector<DriveLevel>& levels) {
     return readLevels(cursor, levels, "a level of drives", &readDrive);
 }
 
-/// `(seconds …)` may be steps that begin with one of that name, so a pattern's time must be whole.
+/// Reads a pattern's optional time limit. Only a complete `(seconds 2)` is one: otherwise `(seconds …)` is the list of
+/// steps, and the first step is called "seconds".
 bool readPatternTime(TokenCursor& cursor, std::optional<Interval>& limit) {
     if (takeNil(cursor) || !opensUnit(cursor))
         return true;
@@ -144,7 +146,8 @@ bool readPatternTime(TokenCursor& cursor, std::optional<Interval>& limit) {
     return !is_time || readInterval(cursor, false, limit);
 }
 
-/// Behind a step's name, a parenthesis with a bare word is the next step: a sense.
+/// Reads one step. If a parenthesis with a bare name follows the name of a step, it is the next step, a sense, and not
+/// arguments.
 bool readStep(TokenCursor& cursor, std::vector<Step>& steps) {
     if (cursor.at(TokenKind::Open))
         return readSenseTest(cursor, std::get<SenseTest>(steps.emplace_back(SenseTest{})));

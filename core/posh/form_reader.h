@@ -1,5 +1,5 @@
-// Reads one form of a plan, each from behind its keyword to its closing parenthesis. False, the complaint made, where
-// the text is wrong. `begin` is the opening parenthesis.
+// Reads one form of a plan, from the token after its keyword to its closing parenthesis. `begin` is the place of the
+// opening parenthesis. If the text is wrong, each function adds a finding to the cursor and returns false.
 #pragma once
 
 #include "core/posh/token_cursor.h"
@@ -10,7 +10,7 @@ bool readDocumentation(TokenCursor& cursor, const Spot& begin, Documentation& do
 bool readCompetence(TokenCursor& cursor, const Spot& begin, Competence& competence);
 bool readPattern(TokenCursor& cursor, const Spot& begin, Pattern& pattern);
 bool readAdopt(TokenCursor& cursor, const Spot& begin, Adopt& adopt);
-/// `kind` and `keyword` are set already.
+/// The caller has already set `kind` and `keyword` of the collection.
 bool readCollection(TokenCursor& cursor, const Spot& begin, Collection& collection);
 
 } // namespace usar::posh

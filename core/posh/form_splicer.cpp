@@ -45,7 +45,7 @@ public:
         if constexpr (requires { wanted.levels; }) {
             return levelled(old, wanted);
         } else {
-            wanted.remarks = {}; // they stand outside of the form
+            wanted.remarks = {}; // They are outside the form
             if (!splice(old.at.offset, endOf(old.at), writeForm(std::move(wanted))))
                 return std::nullopt;
             return spliced(text_, chunk_.begin, chunk_.end, splices_);
@@ -82,7 +82,8 @@ private:
         return out + spliced(text_, chunks_.back().end, chunk_.end, splices_);
     }
 
-    /// A level reaches from the parenthesis before its first member to the one behind its last.
+    /// Finds the chunks of the old levels. A level extends from the parenthesis before its first member to the one
+    /// after its last.
     template <class Levels>
     void makeChunks(const Levels& levels) {
         const auto& all = tokens_->tokens;
@@ -95,14 +96,15 @@ private:
             const auto opener = indexAt(level.front().at.offset) - 1;
             const auto closer = indexAt(endOf(level.back().at));
             if (chunks_.empty())
-                begin = lineRest(text_, endOf((opener - 1)->at)); // behind the list's keyword
+                begin = lineRest(text_, endOf((opener - 1)->at)); // After the list's keyword
             const std::size_t end = endOf(closer->at);
             chunks_.push_back({begin, opener->at.offset, end, lineRest(text_, end)});
             begin = chunks_.back().end;
         }
     }
 
-    /// The old level with just these members, in their places; one past the last where there is none.
+    /// Returns the index of the old level that has exactly these members, in this order, or the number of levels if
+    /// there is none.
     template <class Levels>
     std::size_t oldLevelOf(const Levels& levels, const typename Levels::value_type& wanted) const {
         const auto sameMember = [](const auto& a, const auto& b) {
@@ -137,7 +139,8 @@ private:
         ends_in_comment_ = !wanted[index].empty() && !wanted[index].back().remarks.beside.empty();
     }
 
-    /// False where a member's comments changed, or stand in the way.
+    /// Collects the splices that change the members of a level. Returns false if a member's comments changed or are in
+    /// the way.
     template <class Level>
     bool spliceMembers(const Level& old, const Level& wanted) {
         for (std::size_t i = 0; i < old.size(); ++i) {
@@ -151,7 +154,8 @@ private:
         return true;
     }
 
-    /// What closes the form stands where it stood: behind the last level, or on a line of its own.
+    /// Keeps the parentheses that close the form where they were: directly after the last level, or on a line of their
+    /// own.
     void endLevels(std::string& out) const {
         const Chunk& last = chunks_.back();
         if (last.end != last.body_end && !out.ends_with('\n'))
@@ -163,7 +167,7 @@ private:
     std::string_view text_;
     const TokenList* tokens_;
     Chunk chunk_;
-    std::vector<Chunk> chunks_; ///< of the old levels
+    std::vector<Chunk> chunks_; ///< chunks of the old levels
     std::vector<Splice> splices_;
     std::size_t last_source_ = static_cast<std::size_t>(-1);
     bool ends_in_comment_ = false;

@@ -1,4 +1,4 @@
-// Puts an edited form in the place of the old one in a text, with as few other bytes as possible.
+// Replaces a form in a text by its edited version and changes as few bytes as possible.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,9 @@
 
 namespace usar::posh {
 
-/// The chunk of the old form with the wanted one, which is of the same kind. Nothing where it must be written anew: its
-/// own remarks changed, a comment stands where words change, or nothing is left of its levels.
+/// Returns the text of `chunk`, which holds the form `old`, changed so that it holds `wanted`. Both forms must be of
+/// the same kind; `tokens` are those of the whole `text`. Returns nullopt if the form must be rewritten as a whole: its
+/// own remarks changed, a comment is in the middle of what changes, or one of the two forms has no levels.
 std::optional<std::string> spliceForm(std::string_view text, const TokenList& tokens, const Chunk& chunk,
                                       const Form& old, const Form& wanted);
 

@@ -15,7 +15,7 @@ struct KeywordName {
 };
 
 constexpr std::array keywords{
-    KeywordName{"trigger", Keyword::Trigger}, // by far the most frequent one
+    KeywordName{"trigger", Keyword::Trigger}, // By far the most frequent keyword
     KeywordName{"goal", Keyword::Goal},
     KeywordName{"C", Keyword::C},
     KeywordName{"AP", Keyword::Ap},
@@ -40,7 +40,8 @@ constexpr std::array keywords{
     KeywordName{"ticks", Keyword::Ticks},
 };
 
-/// Which lengths the keywords that begin with a character have, a bit each: nearly every name is told by it.
+/// For each first character, a bit set of the lengths of the keywords that begin with it. It rules out nearly every
+/// ordinary name without comparing it.
 constexpr std::array<std::uint16_t, 256> lengthsByFirst() {
     std::array<std::uint16_t, 256> table{};
     for (const KeywordName& known : keywords) {

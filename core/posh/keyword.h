@@ -1,4 +1,5 @@
-// The words with a meaning of their own, in any case; where only a name can stand they are names.
+// The keywords of the plan language. Case does not matter. In a place where only a name is possible, a keyword is read
+// as a name.
 #pragma once
 
 #include <cstdint>
@@ -36,23 +37,24 @@ enum class Keyword : std::uint8_t {
     Ticks,
 };
 
+/// Returns Keyword::None for a word that is not a keyword.
 Keyword keywordOf(std::string_view word);
 
-/// DC, RDC, SDC or SRDC.
+/// Returns the kind for DC, RDC, SDC and SRDC, and nullopt for other keywords.
 std::optional<CollectionKind> collectionKind(Keyword keyword);
 
-/// Of a time limit or a frequency.
+/// Returns the unit of a time limit or a frequency, or nullopt for other keywords.
 std::optional<Unit> unitOf(Keyword keyword);
 
-/// Hours, minutes, seconds and none.
+/// Returns true for hours, minutes, seconds and none, which are units of time, and false for rates and ticks.
 bool isTimeUnit(Unit unit);
 
-/// `nil`, `true` and `false`.
+/// Returns whether the keyword is a value: `nil`, `true` or `false`.
 constexpr bool isLiteral(Keyword keyword) {
     return keyword == Keyword::Nil || keyword == Keyword::True || keyword == Keyword::False;
 }
 
-/// C, AP, AD, a collection or documentation.
+/// Returns whether the keyword begins a form: C, AP, AD, one of the collections, or documentation.
 constexpr bool beginsForm(Keyword keyword) {
     return keyword >= Keyword::C && keyword <= Keyword::Documentation;
 }

@@ -45,7 +45,8 @@ public:
     }
 
 private:
-    /// In the canonical layout, on lines of its own. What stood before it stays, if the remarks are the same.
+    /// Returns a part in the canonical layout, on lines of its own. What precedes it in the text stays if the remarks
+    /// above it did not change.
     std::string rewritten(const std::string& words, const std::vector<std::string>& above, const Chunk* chunk,
                           bool same_above, const std::string& before) const {
         std::string result;
@@ -71,7 +72,8 @@ private:
         return rewritten(writeDocumentation(wanted), wanted.remarks.above, &chunks_.front(), same_above, before);
     }
 
-    /// Of the old form that stood where this one was read; one past the last where there is none.
+    /// Returns the index of the old form that was read from the same place as this one, or the number of old forms if
+    /// there is none.
     std::size_t oldIndexOf(const Form& form) const {
         const Spot& at = spotOf(form);
         const auto found = std::lower_bound(
@@ -122,7 +124,7 @@ void forEachRemarks(AnyPlan& plan, Visit&& visit) {
             form);
 }
 
-/// Takes all comments out of the plan and gives how many letters they have.
+/// Removes all comments from the plan and returns how many characters other than blanks they have.
 std::size_t takeComments(Plan& plan) {
     std::size_t letters = 0;
     const auto count = [&letters](const std::string& words) {
@@ -142,7 +144,8 @@ std::size_t takeComments(Plan& plan) {
     return letters;
 }
 
-/// Whether the texts hold the same plan, and all comments, though a moved form may leave one to its neighbor.
+/// Returns whether both plans are the same and the same amount of comment text is in them. A comment may belong to
+/// another part, because a moved form can leave one with its neighbor.
 bool sayTheSame(Plan a, Plan b) {
     return takeComments(a) == takeComments(b) && a == b;
 }
@@ -158,11 +161,12 @@ std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
     if (old.plan == plan)
         return std::string(text);
     std::string kept = LayoutKeeper(text, old.plan, plan).run();
-    // Comments may stand where nobody thought of; what a person meant goes before how it looked.
+    // A comment in an unforeseen place could spoil the result; keeping the meaning of the plan is more important than
+    // keeping its layout.
     const Plan again = readPlan(kept).plan;
     if (sayTheSame(again, plan))
         return kept;
-    std::string canonical = writePlan(plan); // literals that the edit left without a spelling have one now
+    std::string canonical = writePlan(plan); // Gives a spelling to literals that the edit left without one
     return sayTheSame(again, readPlan(canonical).plan) ? kept : canonical;
 }
 

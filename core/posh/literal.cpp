@@ -48,7 +48,7 @@ private:
             const std::size_t second_at = at_;
             const char32_t second = pair ? hexEscape() : 0;
             if (pair && !isSurrogate(second, 0xDC00))
-                at_ = second_at; // half a pair, and then something else
+                at_ = second_at; // A high surrogate without its low surrogate; read the second escape again on its own
             const bool whole = pair && isSurrogate(second, 0xDC00);
             appendUtf8(out_, whole ? 0x10000 + ((first - 0xD800) << 10U) + (second - 0xDC00) : first);
         } else {
@@ -84,7 +84,7 @@ private:
 std::string spelledFloat(double value) {
     std::string text;
     appendShortest(text, value);
-    const bool is_whole = text.find_first_of(".en") == std::string::npos; // inf and nan have an n
+    const bool is_whole = text.find_first_of(".en") == std::string::npos; // inf and nan contain an n
     return is_whole ? text + ".0" : text;
 }
 

@@ -1,4 +1,4 @@
-// Values as they are spelled, and spellings of values.
+// Conversion between values and their spelling in a plan.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace usar::posh {
 
-/// What stands between the quotes of a well-formed string, with its escapes resolved; bytes that are no UTF-8 become
-/// U+FFFD.
+/// Resolves the escapes of a string. `between_quotes` must be the inside of a well-formed string; bytes that are not
+/// valid UTF-8 become U+FFFD.
 std::string unescaped(std::string_view between_quotes);
 
-/// "…" with escapes for what a string cannot hold as it is.
+/// Returns the text in double quotes, with escapes where a string needs them.
 std::string quoted(std::string_view text);
 
-/// Nothing where no 64-bit integer holds it. `word` must be an INT.
+/// Returns nullopt if the number does not fit into 64 bits. `word` must be a token of kind Integer.
 std::optional<std::int64_t> integerOf(std::string_view word);
-/// Nothing where no double holds it. `word` must be a FLOAT or INT.
+/// Returns nullopt if the number is too large for a double. `word` must be a token of kind Float or Integer.
 std::optional<double> floatOf(std::string_view word);
 
-/// As a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`. Reads back to the same value. A symbol with dots
-/// and hyphens, which only a sense can be compared with, has no quote.
+/// Returns the value as a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`. Reading it back gives the same
+/// value. A symbol with dots and hyphens gets no quote; it can only be the operand of a sense.
 std::string spelled(const Value& value);
 
 } // namespace usar::posh

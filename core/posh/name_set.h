@@ -1,4 +1,4 @@
-// Names seen so far: nearly always a handful, but never slow when there are many.
+// A set of names that is fast for the usual handful of names and not slow for many.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,11 @@
 
 namespace usar::posh {
 
-/// Keeps views: the text must outlive it.
+/// Stores views, so the text that they point into must outlive the set. The first 16 names are in an array; more go
+/// into a hash set.
 class NameSet {
 public:
-    /// False where the name was there already.
+    /// Adds a name; returns false if it is already in the set.
     bool insert(std::string_view name) {
         if (!many_.empty())
             return many_.insert(name).second;

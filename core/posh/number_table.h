@@ -1,5 +1,5 @@
-// Which number a name has: a table that keeps numbers only, and asks whoever has the names for them. Several times
-// faster than std::unordered_map for the short names of plans, which are looked up tens of thousands of times.
+// A hash table from names to numbers that stores only the numbers and asks its caller for the names. It is several
+// times faster than std::unordered_map for the short names of plans, which are looked up tens of thousands of times.
 #pragma once
 
 #include <bit>
@@ -13,25 +13,26 @@
 
 namespace usar::posh {
 
-/// `name_of(number)` in the functions below gives the name that was noted under that number: always the same.
+/// Uses open addressing. In the functions below, `name_of(number)` returns the name that was stored with that number;
+/// it must always return the same name. Names cannot be removed.
 class NumberTable {
 public:
     using Number = std::uint32_t;
-    static constexpr Number none = std::numeric_limits<Number>::max();
+    static constexpr Number none = std::numeric_limits<Number>::max(); ///< never a name's number
 
-    /// Room for as many names without growing.
+    /// Makes room for this many names without growing again.
     void reserve(std::size_t names) {
         if (2 * names > slots_.size())
             grow(std::bit_ceil(2 * names));
     }
 
-    /// `none` where the name was never noted.
+    /// Returns the number of a name, or `none` if the name is not in the table.
     template <class NameOf>
     Number find(std::string_view name, NameOf&& name_of) const {
         return slots_.empty() ? none : slots_[slotOf(name, hashOf(name), name_of)].number;
     }
 
-    /// The number that the name has already; else `fresh`, which it has from now on.
+    /// Returns the number of a name. If the name is not in the table yet, it is stored with the number `fresh`.
     template <class NameOf>
     Number findOrNote(std::string_view name, Number fresh, NameOf&& name_of) {
         reserve(count_ + 1);
@@ -50,7 +51,7 @@ private:
         Number number = none;
     };
 
-    /// Eight bytes at a time; the last ones overlap those before.
+    /// Mixes eight bytes at a time; the last eight may overlap the ones before them.
     static std::uint32_t hashOf(std::string_view name) {
         std::uint64_t hash = name.size();
         const auto mix = [&hash](std::uint64_t part) {
@@ -77,7 +78,8 @@ private:
         return word;
     }
 
-    /// Where the name is, or would be; there is always a free slot.
+    /// Returns the slot of a name, or the free slot where it would go. The search ends because at least half of the
+    /// slots are free.
     template <class NameOf>
     std::size_t slotOf(std::string_view name, std::uint32_t hash, NameOf& name_of) const {
         const std::size_t mask = slots_.size() - 1;
@@ -87,6 +89,7 @@ private:
                 return at;
         }
     }
+    /// `size` must be a power of two; the table has at least 16 slots.
     void grow(std::size_t size) {
         std::vector<Slot> larger(size < 16 ? 16 : size);
         for (const Slot& slot : slots_) {
@@ -100,7 +103,7 @@ private:
         slots_ = std::move(larger);
     }
 
-    std::vector<Slot> slots_; ///< as many as a power of two, at least half of them free
+    std::vector<Slot> slots_; ///< a power of two in number, at least half of them free
     std::size_t count_ = 0;
 };
 

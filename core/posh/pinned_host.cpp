@@ -66,7 +66,7 @@ ActResult PinnedHost::run(CallSite site) {
         acted_ = true;
         return *pinned;
     }
-    if (!std::exchange(begun_, true)) // released in the middle
+    if (!std::exchange(begun_, true)) // The pin was released while the act was running
         host_.init(site);
     return host_.run(site);
 }

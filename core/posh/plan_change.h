@@ -1,4 +1,5 @@
-// What every edit of a plan's text does: read, change, write back with the layout kept, and look whether it is sound.
+// The steps that all edits of a plan's text share: read it, change the plan, write it back with its layout kept, and
+// check the result.
 #pragma once
 
 #include <string>
@@ -12,13 +13,14 @@
 
 namespace usar::posh {
 
-/// Nothing is read from what has an error of characters or grammar; then no edit may touch it.
+/// Reads a text that is to be edited. Fails if it has an error in characters or grammar, because an edit would lose the
+/// forms that have the errors.
 Result<PlanReading> readForEdit(std::string_view text);
 
-/// The outcome, if the new text has no error that the old one had not.
+/// Returns the edit, or fails if the new text has more errors of any kind than the old one.
 Result<PlanEdit> checkedEdit(const PlanReading& before, std::string text, const PlanPart& part);
 
-/// `change(Plan&)` gives a Result<PlanPart>: what to look at afterwards.
+/// Edits a text. `change(Plan&)` changes the plan and returns a Result<PlanPart>: the part to select after the edit.
 template <class Change>
 Result<PlanEdit> changePlan(std::string_view text, Change&& change) {
     auto before = readForEdit(text);
@@ -31,19 +33,22 @@ Result<PlanEdit> changePlan(std::string_view text, Change&& change) {
     return checkedEdit(*before, writeKeepingLayout(text, plan), *part);
 }
 
-/// The same of a part that must be there.
+/// The error for an edit of a part that does not exist.
 inline tl::unexpected<Error> noSuchPart() {
     return failure("the plan has no such part", "", "choose another one");
 }
 
+/// Returns the call of a sense or an action for changing it. The part must have one.
 inline Call& callIn(Plan& plan, const PlanPart& part) {
-    return const_cast<Call&>(*callOf(plan, part)); // the plan is ours to change
+    return const_cast<Call&>(*callOf(plan, part)); // The caller owns the plan and may change it
 }
 
-/// The parameters that a call in `form` hands on are `needed` by a form that takes it over, with the defaults that
-/// they have; `reference` calls that form and passes them.
+/// Prepares moving `call` from `form` into a new form. Appends the parameters of `form` that the call uses, with their
+/// defaults, to `needed` (the parameters of the new form), and appends arguments that pass them on to `reference` (the
+/// call of the new form).
 void handOn(const Call& call, const Form& form, Call& reference, std::vector<Formal>& needed);
 
+/// Returns a call without arguments.
 inline Call callNamed(std::string name) {
     return {{std::move(name), {}}, {}};
 }

@@ -25,7 +25,7 @@ void checkNames(const Plan& plan, const FormIndex& index, Findings& findings) {
     }
 }
 
-/// Comparing costs the product of the lengths, so what is long or one of very many has no neighbor.
+/// Limits for the search of a similar name: comparing two names costs the product of their lengths.
 constexpr std::size_t longest_compared = 40;
 constexpr std::size_t most_compared = 50;
 

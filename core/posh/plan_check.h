@@ -1,4 +1,4 @@
-// What can be said of a plan without knowing its robot: names, references, parameters, and what looks like a mistake.
+// Checks of a plan that do not depend on the robot: names, references, parameters, and likely mistakes.
 #pragma once
 
 #include "core/posh/finding.h"
@@ -6,8 +6,9 @@
 
 namespace usar::posh {
 
-/// Errors E301, E302, E306 and the warnings of the plan as a whole, in no particular order. Where the text had errors
-/// the plan is not whole (`is_whole` false): what is missing is then not complained of.
+/// Returns the errors E301, E302 and E306 and the warnings about the plan as a whole, in no particular order. If the
+/// text had errors, forms are missing from the plan; pass `is_whole` as false then to suppress findings about missing
+/// and unused forms.
 Findings checkPlan(const Plan& plan, bool is_whole = true);
 
 } // namespace usar::posh

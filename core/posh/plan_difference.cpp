@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_steps_compared = 2000;
 
-/// A drive or an element, as far as they are alike, with its texts.
+/// The common view of drives and elements, with their parts as text.
 struct MemberView {
     PlanPart part;
     const Name* name = nullptr;
@@ -23,8 +23,8 @@ struct MemberView {
     std::string action;
     std::string limit; ///< frequency or retries
     std::string comment;
-    std::size_t place = 0; ///< in the order of priority, from 1
-    std::size_t level = 0; ///< from 1
+    std::size_t place = 0; ///< position in order of priority, counting from 1
+    std::size_t level = 0; ///< counting from 1
 
     std::string content() const { return trigger + '\n' + action + '\n' + limit; }
 };
@@ -106,7 +106,7 @@ std::vector<MemberView> membersOf(const Form& form, std::size_t number) {
     return found;
 }
 
-/// Where a longest rising row runs through the numbers: true for what belongs to it.
+/// Finds a longest increasing subsequence; the result is true for each number that belongs to it.
 std::vector<bool> risingRow(const std::vector<std::size_t>& numbers) {
     std::vector<std::size_t> ends;
     std::vector<std::size_t> before(numbers.size(), numbers.size());
@@ -169,7 +169,8 @@ private:
         old_of_new_[after] = before;
     }
 
-    /// By kind and name; then what is left by kind and content, the only collection by being it.
+    /// Pairs the forms of both plans by kind and name, and those left over by kind and content. Two collections always
+    /// match, because a plan has only one.
     void matchForms() {
         new_of_old_.assign(old_.forms.size(), std::nullopt);
         old_of_new_.assign(new_.forms.size(), std::nullopt);
@@ -205,7 +206,7 @@ private:
         return bareWords(a) == bareWords(b);
     }
 
-    /// So that a reference to a renamed form is no change of its own.
+    /// Renames the calls of renamed forms, so that such a call does not count as a change itself.
     void renameCalls() {
         std::unordered_map<std::string, std::string> names;
         for (std::size_t i = 0; i < old_.forms.size(); ++i)
@@ -286,11 +287,11 @@ private:
 
     const Plan& old_;
     const Plan& new_;
-    Plan renamed_; ///< the old plan with the calls of renamed forms as the new one has them
+    Plan renamed_; ///< the old plan, in which calls of renamed forms have the new names
     std::vector<std::optional<std::size_t>> new_of_old_;
     std::vector<std::optional<std::size_t>> old_of_new_;
-    std::vector<Loose> gone_; ///< members that their form has no longer
-    std::vector<Loose> come_;
+    std::vector<Loose> gone_; ///< members that are no longer in their form
+    std::vector<Loose> come_; ///< members that are new in their form
     std::vector<PlanChange> changes_;
 };
 
@@ -300,7 +301,8 @@ std::string memberText(const Form& form, const MemberView& member) {
                     : "element " + inQuotes(member.name->text) + " of " + inQuotes(nameOf(form).text);
 }
 
-/// The steps that both have in one order stay; of the rest, what is on both sides moved.
+/// Compares the steps of two patterns. Of the steps that both have, those in the same relative order stayed and the
+/// others moved.
 void Comparer::compareSteps(const std::vector<Step>& before, const std::vector<Step>& after, std::size_t old_form,
                             std::size_t new_form) {
     std::map<std::string, std::vector<std::size_t>> places;
@@ -356,7 +358,7 @@ void Comparer::compareOrder(const std::vector<std::pair<MemberView, MemberView>>
             tell(ChangeKind::Moved, was.part, is.part,
                  whose + " moved from place " + std::to_string(was.place) + " to place " + std::to_string(is.place));
     }
-    for (std::size_t i = 1; i < pairs.size(); ++i) { // who stands in one level with the one before it
+    for (std::size_t i = 1; i < pairs.size(); ++i) { // Has each member joined or left the level of the one before it?
         const bool were_equal = pairs[i - 1].first.level == pairs[i].first.level;
         const bool are_equal = pairs[i - 1].second.level == pairs[i].second.level;
         if (were_equal != are_equal)
@@ -407,7 +409,8 @@ void Comparer::compareMembers(std::size_t before, std::size_t after) {
     compareOrder(pairs, form);
 }
 
-/// What went from one form and came to another one with its name moved.
+/// Reports members that were added or removed. A member that left one form and appears in another with the same name
+/// and action has moved.
 void Comparer::tellMembers() {
     for (const Loose& member : come_) {
         const auto from = std::find_if(gone_.begin(), gone_.end(), [&member](const Loose& other) {

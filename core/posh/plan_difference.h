@@ -1,5 +1,4 @@
-// What became of a plan between two versions of it: parts added, removed, moved, renamed or changed, whatever the
-// layout.
+// The difference between two versions of a plan: parts added, removed, moved, renamed or changed, regardless of layout.
 #pragma once
 
 #include <optional>
@@ -13,22 +12,23 @@ namespace usar::posh {
 
 enum class ChangeKind { Added, Removed, Moved, Renamed, Changed };
 
+/// One difference. For the documentation both parts are nullopt.
 struct PlanChange {
     ChangeKind kind = ChangeKind::Changed;
-    std::optional<PlanPart>
-        before;                    ///< of the old plan; nothing for what was added. Of the documentation there is none.
-    std::optional<PlanPart> after; ///< of the new plan; nothing for what was removed
-    Spot before_at;                ///< in the old text; line 0: nowhere
-    Spot after_at;                 ///< in the new one
-    std::string line;              ///< "drive "work": trigger was ((a)), is ((b))"
+    std::optional<PlanPart> before; ///< the part in the old plan; nullopt if it was added
+    std::optional<PlanPart> after;  ///< the part in the new plan; nullopt if it was removed
+    Spot before_at;                 ///< place in the old text; line 0 if there is none
+    Spot after_at;                  ///< place in the new text; line 0 if there is none
+    std::string line;               ///< "drive "work": trigger was ((a)), is ((b))"
     bool operator==(const PlanChange&) const = default;
 };
 
-/// Empty for plans that mean the same. Layout, `;` comments and the order of the forms in the file do not count. A
-/// rename or a move is reported as such if the part is otherwise unchanged, or if its parent kept its name.
+/// Returns all differences; an empty list means that both plans have the same meaning. Layout, `;` comments and the
+/// order of forms in the file do not count. A rename or a move is reported as such if the part is otherwise unchanged,
+/// or if its parent kept its name.
 std::vector<PlanChange> planDifference(const Plan& before, const Plan& after);
 
-/// "1 added, 2 changed"; "no difference".
+/// Summarizes the differences: "1 added, 2 changed", or "no difference".
 std::string summaryOf(const std::vector<PlanChange>& changes);
 
 } // namespace usar::posh

@@ -24,8 +24,8 @@ std::string placeOf(const Finding& finding) {
     return "line " + std::to_string(finding.at.line);
 }
 
-/// A form's name must not be that of an act already used, nor an act's that of a form: calls would change their
-/// meaning.
+/// Fails if a form or an act of the plan has this name. Calls would change their meaning if a form got the name of an
+/// act that is in use, or an act the name of a form.
 Result<void> checkMeaning(const Plan& plan, std::string_view name) {
     for (const NamedPart& other : partsOf(plan)) {
         if (other.name->text != name)
@@ -53,14 +53,14 @@ Result<void> checkRename(const Plan& plan, const PlanPart& part, std::string_vie
         part.kind == PartKind::Whole && std::holds_alternative<Collection>(plan.forms[part.form]);
     if (is_collection || is_sense)
         return {};
-    if (is_primitive) // two acts may become one
+    if (is_primitive) // An act may get the name of another act
         return FormIndex(plan).find(name)
                    ? failure("a form of the plan has this name", inQuotes(name), "choose another name")
                    : Result<void>();
     return checkMeaning(plan, name);
 }
 
-/// What two parts have in common that can be exchanged.
+/// Swaps two parts of the same kind and returns the new place of the first.
 Result<PlanPart> swapIn(Plan& plan, const PlanPart& a, const PlanPart& b) {
     if (isStep(plan, a) && isStep(plan, b)) {
         auto& from = std::get<Pattern>(plan.forms[a.form]).steps;

@@ -1,5 +1,5 @@
-// Changes to a plan as a person makes them in a drawing of it. Each takes the plan's text and gives another one: the
-// text is the only truth, and what was not changed keeps its comments, order and layout.
+// Edits of a plan as a user makes them in its drawing. Each takes the plan's text and returns a new text, because the
+// text is the only source of truth. Parts that are not edited keep their comments, order and layout.
 #pragma once
 
 #include <optional>
@@ -12,70 +12,77 @@
 
 namespace usar::posh {
 
-/// The text afterwards, and what to look at in it. A text that cannot be read is never the outcome: an edit that would
-/// bring an error (a circle of references, a parameter that is not declared) fails and says which. The parts are those
-/// of the plan read from the given text, which must be readable itself.
+/// The result of an edit. The text given to an edit must be readable, and its parts are those of the plan read from it.
+/// An edit that would introduce an error (such as a reference cycle or an undeclared parameter) fails and names the
+/// error.
 struct PlanEdit {
     std::string text;
-    PlanPart part;
+    PlanPart part; ///< the part to select in the new text
 };
 
-/// A form with every call of it, a drive, an element, or a sense or act of the robot wherever the plan uses it.
+/// Renames a form together with all its calls, a drive, an element, or a sense or act of the robot everywhere in the
+/// plan.
 Result<PlanEdit> renamePart(std::string_view text, const PlanPart& part, std::string_view name);
 
-/// Two members of one kind, two acts, two senses, two steps or two forms change places.
+/// Swaps two drives, two elements, two acts, two senses, two steps or two forms.
 Result<PlanEdit> swapParts(std::string_view text, const PlanPart& a, const PlanPart& b);
 
-/// Before the level `level` in a level of its own; with `beside`, in that level before its member of that number, so
-/// that they are equals. One past the last stands for the end.
+/// A place for a drive or an element. Without `beside` it is a new level before level `level`; with `beside` it is in
+/// that level, before the member with that index. Anything past the last index means the end.
 struct MemberPlace {
     std::size_t form = 0;
     std::size_t level = 0;
     std::optional<std::size_t> beside = std::nullopt;
 };
-/// Also into another competence; a drive becomes an element and the other way round. The place counts as if the member
-/// still stood where it is.
+/// Moves a drive or an element, possibly into another form; a drive becomes an element there and vice versa. The
+/// indices of the place are those before the move.
 Result<PlanEdit> moveMember(std::string_view text, const PlanPart& part, const MemberPlace& to);
+/// Moves a step before the step `index` of the pattern `form`; both are indices before the move.
 Result<PlanEdit> moveStep(std::string_view text, const PlanPart& part, std::size_t form, std::size_t index);
-/// Earlier (-1) or later (1) by one place: a member out of its level or past the next one, a step, a sense among those
-/// of its trigger, a form in the file.
+/// Moves a part one place earlier (-1) or later (1): a member out of its level or past the next level, a step within
+/// its pattern, a sense within its trigger or goal, a form within the file.
 Result<PlanEdit> shiftPart(std::string_view text, const PlanPart& part, int by);
-/// A member becomes an equal of those of the level before (-1) or behind (1) its own.
+/// Moves a member into the level before (-1) or after (1) its own, so that it has the same priority.
 Result<PlanEdit> joinLevel(std::string_view text, const PlanPart& part, int by);
 
-/// Without a name it gets one from what it does.
+/// Adds a drive or an element. An empty name is replaced by the name of the action; a name in use gets a number.
 Result<PlanEdit> addMember(std::string_view text, const MemberPlace& to, const Call& action, const Senses& trigger,
                            std::string name = {});
+/// Adds a step before the step `index` of the pattern `form`, or at the end if there is none.
 Result<PlanEdit> addStep(std::string_view text, std::size_t form, std::size_t index, const Step& step);
-/// To the trigger of a member or the goal of a form, as its last.
+/// Adds a sense at the end of a member's trigger or a form's goal.
 Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const SenseTest& test);
+/// The kinds of forms, named by their keywords.
 enum class FormKind { C, Ap, Ad, Dc };
-/// With one element, step or drive that does `content`. Stands before the collection; a collection at the end.
+/// Adds a form with one element, step or drive that does `content`. A collection goes to the end, another form before
+/// the collection.
 Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string& name, const Call& content);
-/// Beside itself, under another name.
+/// Copies a form, a member or a step next to the original; a form or a member gets a new name.
 Result<PlanEdit> duplicatePart(std::string_view text, const PlanPart& part);
-/// What a member or an adopt does cannot be absent: it becomes `doNothing`. A form that is still called stays.
+/// Removes a part. The action of a member or an adopt becomes `doNothing` instead, because it cannot be absent. Fails
+/// for a form that is still called, the last drive of the plan and the last step of a pattern.
 Result<PlanEdit> removePart(std::string_view text, const PlanPart& part);
 
 Result<PlanEdit> replaceCall(std::string_view text, const PlanPart& part, const Call& call);
 Result<PlanEdit> replaceSense(std::string_view text, const PlanPart& part, const SenseTest& test);
-/// The trigger of a member, the goal of a form; none takes it away.
+/// Replaces the trigger of a member or the goal of a form; an empty list removes it.
 Result<PlanEdit> setSenses(std::string_view text, const PlanPart& owner, const Senses& senses);
-/// As typed: retries of an element ("3"), frequency of a drive ("seconds 2"), time of a competence or pattern; nothing
-/// takes it away.
+/// Sets the retries of an element ("3"), the frequency of a drive ("seconds 2") or the time limit of a competence or
+/// pattern, as the user typed it; an empty text removes it.
 Result<PlanEdit> setLimit(std::string_view text, const PlanPart& owner, std::string_view words);
-/// The string at the end of a member, competence, pattern or collection; empty takes it away.
+/// Sets the comment string of a member, competence, pattern or collection; an empty text removes it.
 Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::string_view words);
 
-/// A call becomes the only content of a new competence, pattern or adopt that is called in its place, with the
-/// parameters it needs. Without a name it gets one from the call.
+/// Moves a call into a new competence, pattern or adopt and calls that instead, with the parameters that it needs. An
+/// empty name is replaced by one made from the call.
 Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind kind, std::string name = {});
-/// All steps of a pattern, or all levels of drives or elements, from one part to another become one new pattern or
-/// competence that is called in their place. What was taken out keeps its triggers; the new element has none.
+/// Moves the steps of a pattern, or the levels of drives or elements, from one part to another into a new pattern or
+/// competence and calls that instead. The moved members keep their triggers; the new member that calls the form has
+/// none.
 Result<PlanEdit> wrapParts(std::string_view text, const PlanPart& first, const PlanPart& last, FormKind kind,
                            std::string name = {});
-/// The other way round: the steps of a pattern, or the only thing that a form does, in the place of its call. The form
-/// goes when nothing else calls it and nothing is remarked about it.
+/// The reverse of wrapping: replaces the call of a form by the steps of the pattern or by the only thing that the form
+/// does. Removes the form if nothing else calls it and it has no comments.
 Result<PlanEdit> inlineCall(std::string_view text, const PlanPart& part);
 
 } // namespace usar::posh

@@ -84,7 +84,8 @@ private:
             if (auto* const test = std::get_if<SenseTest>(&step))
                 operand(*test);
     }
-    /// Names are still those of the source.
+    /// Reports calls of forms that the classic dialect does not allow as steps. Call it before the names of the pattern
+    /// are converted.
     void tellOfNestedForms(const Pattern& pattern) {
         for (const Step& step : pattern.steps) {
             const auto* const call = std::get_if<Call>(&step);
@@ -96,7 +97,7 @@ private:
         }
     }
     void details(Adopt& adopt) {
-        if (isYaposh() && adopt.goal.empty()) // never satisfied, in its words
+        if (isYaposh() && adopt.goal.empty()) // A goal that is never satisfied, as yaPOSH writes it
             adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail", {}}, {}}, {}, {}});
     }
     void details(Collection& collection) {
@@ -155,7 +156,7 @@ private:
         const Value value = isYaposh() ? yaposhValue(literal.value) : classicValue(literal.value);
         if (value == literal.value) {
             if (isYaposh() && std::holds_alternative<Symbol>(value))
-                literal.spelling = spelled(value); // with its quote
+                literal.spelling = spelled(value); // Adds the quote
             return;
         }
         lose(literal.at, "value " + inQuotes(spelled(literal.value)) + "; it becomes " + inQuotes(spelled(value)));
@@ -183,7 +184,7 @@ private:
         literal.value = std::move(plain);
     }
 
-    /// A pattern of senses alone keeps its meaning only as a pattern that does nothing.
+    /// Removes the senses among the steps. A pattern that has only senses becomes one that does nothing.
     void dropSenseSteps(Pattern& pattern) {
         std::vector<Step> kept;
         for (Step& step : pattern.steps) {
@@ -196,7 +197,8 @@ private:
             kept.emplace_back(Call{{"doNothing", {}}, {}});
         pattern.steps = std::move(kept);
     }
-    /// The nearest there is: it keeps on until the goal holds, but loses its place when interrupted.
+    /// Converts an adopt to a competence, which also continues until the goal holds, but loses its place when it is
+    /// interrupted.
     Competence asCompetence(Adopt adopt) {
         lose(adopt.name.at, "adopt; it becomes a competence, which loses its place when it is interrupted");
         Element element{{adopt.name.text, {}}, {}, std::move(adopt.adopted), {}, {}, {}, {}};
@@ -234,7 +236,7 @@ private:
 
     const Plan source_;
     Plan plan_;
-    FormIndex index_; ///< of the source
+    FormIndex index_; ///< index of `source_`
     Dialect dialect_;
     std::vector<Loss> losses_;
 };

@@ -1,4 +1,4 @@
-// Plans for the other readers of POSH, and what those cannot express.
+// Export of plans to other dialects of POSH, with a list of what those cannot express.
 #pragma once
 
 #include <string>
@@ -13,21 +13,22 @@ enum class Dialect {
     Yaposh,  ///< Pogamut 3
 };
 
-/// What the dialect lacks, where the plan has it, and what stands there now.
+/// A feature that the dialect does not have.
 struct Loss {
-    Spot at;
-    std::string message;
+    Spot at;             ///< place in the original plan; line 0 if the plan was not read from a text
+    std::string message; ///< what the dialect lacks and what replaces it
     bool operator==(const Loss&) const = default;
 };
 
 struct PlanExport {
-    std::string text; ///< in the canonical layout
-    std::vector<Loss> losses;
+    std::string text;         ///< in the canonical layout
+    std::vector<Loss> losses; ///< in the order of the text
 };
 
-/// What has another spelling in the dialect gets it without a word; what it lacks is replaced by the nearest it has, or
-/// left out, and told. An export exported again loses nothing more. DC and RDC become SDC and SRDC for Classic, whose
-/// engines run no others and treat them alike.
+/// Converts a plan. A part that is only spelled differently in the dialect is converted without a message. A feature
+/// that the dialect lacks is replaced by the nearest one, or left out, and reported as a loss. Exporting the result
+/// again loses nothing more. For Classic, DC and RDC become SDC and SRDC, because its engines run only those and treat
+/// them alike.
 PlanExport exportPlan(const Plan& plan, Dialect dialect);
 
 } // namespace usar::posh

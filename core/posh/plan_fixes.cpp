@@ -1,4 +1,4 @@
-// Mends for a plan that can be read and yet is not sound, or does not fit its robot.
+// Quick fixes for a plan that can be read but has other errors or warnings, or does not fit its robot.
 #include <algorithm>
 
 #include "core/posh/fix_finder.h"
@@ -14,7 +14,7 @@ Call doNothing() {
     return callNamed("doNothing");
 }
 
-/// The argument that begins at this byte goes.
+/// Removes the argument that begins at this byte of the text. Returns false if there is none.
 bool eraseArgument(Plan& plan, std::size_t offset) {
     bool erased = false;
     for (Form& form : plan.forms)
@@ -37,7 +37,7 @@ std::vector<Formal>* formalsIn(Form& form) {
     return found;
 }
 
-/// The form gets a parameter with this name; its callers give none, so that the default counts.
+/// Adds a parameter with this name and default to a form.
 Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::string& name, const Literal& value) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         std::vector<Formal>* const formals = formalsIn(plan.forms[form]);
@@ -48,7 +48,7 @@ Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::str
     });
 }
 
-/// What is called here and nowhere else becomes the work of a new collection.
+/// Returns the call for the drive of a new collection: the first form that no other form calls, or `doNothing`.
 Call mainCallOf(const Plan& plan) {
     const FormIndex index(plan);
     for (std::size_t i = 0; i < plan.forms.size(); ++i) {
@@ -136,7 +136,7 @@ void FixFinder::fixDuplicate() {
     add("Take it away", removePart(text_, *part));
 }
 
-/// A name that the robot has not: one that it has, or a form that has the name.
+/// Fixes a name that the robot does not have: by a similar one that exists, or by a new pattern with that name.
 void FixFinder::fixUnknownName() {
     const auto part = partAt(reading_.plan, finding_.at.offset);
     if (!part || !callOf(reading_.plan, *part))
@@ -160,7 +160,7 @@ void FixFinder::fixUnknownName() {
     if (is_sense)
         return add("Take this sense away", removePart(text_, *part));
     add("Do nothing here", replaceCall(text_, *part, doNothing()));
-    if (!name.empty()) // the name is free but for its calls, which are meant
+    if (!name.empty()) // Only calls use the name, and they are meant to call the new pattern
         add("Make a pattern " + name, changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
                 plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part->form),
                                   Pattern{{name, {}}, {}, std::nullopt, {doNothing()}, std::nullopt, Remarks(), {}});
@@ -251,7 +251,7 @@ void FixFinder::fixFindingNothing() {
         setSenses(text_, formPart(part->form), {{callNamed("fail"), std::nullopt, std::nullopt}}));
 }
 
-/// A name that is allowed but misleads, or is the robot's own.
+/// Renames a form or member whose name is misleading or also a name of the robot.
 void FixFinder::fixName() {
     const auto part = partAt(reading_.plan, finding_.at.offset);
     const std::string old(found());

@@ -1,4 +1,4 @@
-// Edits that make, take away and change parts of a plan.
+// Edits that add, remove and change parts of a plan.
 #include <algorithm>
 
 #include "core/posh/form_index.h"
@@ -19,7 +19,7 @@ SenseTest never() {
     return {callNamed("fail"), std::nullopt, std::nullopt};
 }
 
-/// The senses of a member's trigger or a form's goal; nullptr where there can be none.
+/// Returns the trigger of a member or the goal of a form; nullptr if the part cannot have one.
 Senses* sensesIn(Plan& plan, const PlanPart& owner) {
     Senses* found = nullptr;
     std::visit(
@@ -77,7 +77,7 @@ Form madeForm(FormKind kind, const std::string& name, std::vector<Formal> formal
     return made;
 }
 
-/// Before the collection, so that what is called stands before what calls it.
+/// Returns the index before the collection, so that the new form precedes its caller, or the end if there is none.
 std::size_t placeForNewForm(const Plan& plan) {
     const auto found = std::find_if(plan.forms.begin(), plan.forms.end(),
                                     [](const Form& form) { return std::holds_alternative<Collection>(form); });
@@ -149,7 +149,7 @@ Result<PlanPart> removeFrom(Plan& plan, const PlanPart& part) {
     return ownerOf(part);
 }
 
-/// A copy stands nowhere yet, and what was remarked is remarked of the original.
+/// Returns a copy that is not in the text yet and has no comments; those belong to the original.
 template <class Kind>
 Kind copyNamed(const Kind& original, std::string name) {
     Kind copy = original;
@@ -216,7 +216,7 @@ Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words
     return owner;
 }
 
-/// What a form comes to when it is written where it is called; nothing where that would be another plan.
+/// Returns the steps that can replace a call of the form; nullopt if that would change the meaning of the plan.
 std::optional<std::vector<Step>> contentOf(const Form& form) {
     if (!formalsOf(form).empty())
         return std::nullopt;

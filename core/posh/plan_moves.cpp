@@ -1,4 +1,4 @@
-// Edits that change where a part of a plan stands.
+// Edits that move parts of a plan, and those that add a member or a step at a given place.
 #include <algorithm>
 #include <variant>
 
@@ -68,7 +68,7 @@ Result<PlanPart> put(Plan& plan, const MemberPlace& to, Member member) {
     return failure("only a collection and a competence have such parts", nameOf(form).text, "choose another place");
 }
 
-/// Takes it out and corrects the place it is to go to.
+/// Removes a member from its levels and corrects the indices of the place where it will be inserted.
 template <class Levels>
 Member takeFrom(Levels& levels, const PlanPart& part, MemberPlace& to) {
     auto& level = levels[part.level];
@@ -103,7 +103,7 @@ Result<Member> take(Plan& plan, const PlanPart& part, MemberPlace& to) {
     return takeFrom(levels, part, to);
 }
 
-/// It would stand as it stands.
+/// Returns whether moving the member to this place would change nothing.
 bool staysWhereItIs(std::size_t members_of_level, const PlanPart& part, const MemberPlace& to) {
     if (to.form != part.form)
         return false;
@@ -113,12 +113,12 @@ bool staysWhereItIs(std::size_t members_of_level, const PlanPart& part, const Me
 }
 
 struct LevelSizes {
-    std::size_t levels = 0;
-    std::size_t own = 0;
-    std::size_t before = 0;
+    std::size_t levels = 0; ///< number of levels
+    std::size_t own = 0;    ///< members in the level itself
+    std::size_t before = 0; ///< members in the level before it; 0 if there is none
 };
 
-/// Of the levels around a member.
+/// Returns the sizes of a member's level and of the one before it.
 LevelSizes sizesAround(const Plan& plan, const PlanPart& part) {
     LevelSizes sizes;
     std::visit(
@@ -135,7 +135,7 @@ tl::unexpected<Error> atTheEnd(const Plan& plan, const PlanPart& part, int by) {
     return failure(by < 0 ? "it is the first already" : "it is the last already", describe(plan, part));
 }
 
-/// A sense among those of its goal or trigger, or nothing where there is no other.
+/// Swaps a sense with its neighbor in the goal or trigger; fails at the first or last one.
 Result<PlanPart> shiftSense(Plan& plan, const PlanPart& part, int by) {
     PlanPart other = part;
     if (by < 0 && part.index == 0)

@@ -62,7 +62,7 @@ private:
     std::size_t form_ = 0;
 };
 
-/// Calls `use` with the member; false where the plan has none there.
+/// Calls `use` with the member of a part; returns false if the plan has no such member.
 template <class Use>
 bool withMember(const Plan& plan, const PlanPart& part, Use&& use) {
     if (part.form >= plan.forms.size())
@@ -107,7 +107,7 @@ std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset) {
         if (holds(candidate.name->at, offset) && candidate.name->at.line > 0)
             return candidate.part;
         if (candidate.whole && candidate.whole->line > 0 && holds(*candidate.whole, offset))
-            around = candidate.part; // members come behind their form
+            around = candidate.part; // A member comes after its form, so the innermost part is last
     }
     return around;
 }

@@ -1,4 +1,4 @@
-// A part of a plan by its place in the plan's structure: what edits change, and what a cursor or a drawing points at.
+// Addresses of the parts of a plan by their place in its structure, as used by edits, the text cursor and the drawing.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,19 @@ namespace usar::posh {
 enum class PartKind {
     Whole,  ///< a competence, pattern, adopt or collection
     Member, ///< a drive or an element
-    Action, ///< what a member does, a step of a pattern that is no sense, or what is adopted
-    Sense,  ///< of a goal or a trigger, or a step
+    Action, ///< the call of a member, of an adopt, or of a step of a pattern
+    Sense,  ///< a sense of a goal or a trigger, or as a step of a pattern
 };
 
-/// Indices are those of the plan it was found in and mean nothing in another one.
+/// The address of a part. The indices belong to the plan in which the part was found and have no meaning in another
+/// plan.
 struct PlanPart {
     PartKind kind = PartKind::Whole;
-    std::size_t form = 0;  ///< in Plan::forms
-    std::size_t level = 0; ///< of a member and of what stands in one
-    std::size_t member = 0;
-    std::size_t index = 0;  ///< of a sense in its goal or trigger; of a step in its pattern
-    bool in_member = false; ///< a call or sense of a drive or element, else of its form
+    std::size_t form = 0;   ///< index in Plan::forms
+    std::size_t level = 0;  ///< level of a member; 0 for parts that are not in a member
+    std::size_t member = 0; ///< index in its level; 0 for parts that are not in a member
+    std::size_t index = 0;  ///< index of a sense in its goal or trigger, or of a step in its pattern
+    bool in_member = false; ///< whether an Action or Sense belongs to a member and not directly to the form
     bool operator==(const PlanPart&) const = default;
 };
 
@@ -34,43 +35,47 @@ inline PlanPart formPart(std::size_t form) {
 inline PlanPart memberPart(std::size_t form, std::size_t level, std::size_t member) {
     return {PartKind::Member, form, level, member};
 }
-/// What a member does.
+/// The call of a member.
 inline PlanPart actionPart(std::size_t form, std::size_t level, std::size_t member) {
     return {PartKind::Action, form, level, member, 0, true};
 }
-/// The form or, for what stands in a member, the member.
+/// Returns the member that contains the call or sense, otherwise the form.
 PlanPart ownerOf(const PlanPart& part);
 
+/// A part with its name. The pointers point into the plan.
 struct NamedPart {
     PlanPart part;
-    const Name* name = nullptr;  ///< of the plan
-    const Spot* whole = nullptr; ///< of a form or member; nullptr for others
+    const Name* name = nullptr;  ///< never nullptr
+    const Spot* whole = nullptr; ///< the extent of a form or member; nullptr for other parts
 };
 
-/// All parts, each before what stands in it.
+/// Returns all parts; a form or member precedes the parts inside it.
 std::vector<NamedPart> partsOf(const Plan& plan);
 
-/// What has its name at this byte of the text, else the innermost form or member around it.
+/// Returns the part whose name is at this byte of the text, otherwise the innermost form or member around it; nullopt
+/// outside of all forms.
 std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset);
 
-/// nullptr where the plan has no such part.
+/// The name of a part; nullptr if the plan has no such part.
 const Name* nameOf(const Plan& plan, const PlanPart& part);
-/// Of a call or a sense.
+/// The call of an Action or a Sense; nullptr for other parts.
 const Call* callOf(const Plan& plan, const PlanPart& part);
+/// The test of a Sense; nullptr for other parts.
 const SenseTest* senseOf(const Plan& plan, const PlanPart& part);
-/// The part is a step of a pattern.
+/// Returns whether the part is a step of a pattern.
 bool isStep(const Plan& plan, const PlanPart& part);
 
-/// All parts with the same meaning: of a form (or a call of one) the form and every call of it, of a primitive each of
-/// its uses in the same kind; of a member and of the collection only themselves. In the order of the text.
+/// Returns all parts with the same meaning, in the order of the text. For a form or a call of it, they are the form and
+/// all its calls; for a sense or act of the robot, all its uses. A member and the collection have only themselves.
 std::vector<PlanPart> usagesOf(const Plan& plan, const PlanPart& part);
 
-/// A name beginning with `wanted` that no form of the plan, and no act that it calls, has yet.
+/// Returns `wanted`, with a number appended if a form of the plan or a sense or act that it calls already has that
+/// name.
 std::string freeFormName(const Plan& plan, const std::string& wanted);
-/// … that no drive or element of the form has yet.
+/// Returns `wanted`, with a number appended if a drive or element of the form already has that name.
 std::string freeMemberName(const Form& form, const std::string& wanted);
 
-/// "the drive safety", "the sense Bumped": for messages.
+/// Describes a part for messages: `the drive "safety"`, `the sense "Bumped"`.
 std::string describe(const Plan& plan, const PlanPart& part);
 
 } // namespace usar::posh

@@ -12,7 +12,7 @@ namespace usar::posh {
 
 namespace {
 
-/// The plan in which a phrase was put, if it is sound and has no more in it than one element or drive.
+/// Reads a phrase inside the text of a plan. Fails if the plan then has errors or more than one element or drive.
 Result<Plan> readAround(std::string_view words, std::string_view before, std::string_view after) {
     const std::string text = std::string(before) + std::string(words) + "\n" + std::string(after);
     PlanReading reading = readPlan(text);

@@ -1,4 +1,4 @@
-// Small parts of a plan from what a person typed for them: into a box of the drawing, into a table.
+// Parses and formats small parts of a plan, as the user types them into the drawing or a table.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,28 @@
 
 namespace usar::posh {
 
-/// `Distance 0.3 <` or `(Distance 0.3 <)`.
+/// Reads `Distance 0.3 <` or `(Distance 0.3 <)`.
 Result<SenseTest> readSensePhrase(std::string_view words);
-/// `(Distance 0.3 <) (Loaded false)`; `nil` or nothing at all: none.
+/// Reads `(Distance 0.3 <) (Loaded false)`. `nil` and an empty text give an empty list.
 Result<Senses> readSensesPhrase(std::string_view words);
-/// `DriveTo("depot", $speed=1.5)`.
+/// Reads `DriveTo("depot", $speed=1.5)`.
 Result<Call> readCallPhrase(std::string_view words);
-/// `3`; nothing: no limit.
+/// Reads a whole number, `3`. An empty text gives nullopt: no limit.
 Result<std::optional<Literal>> readRetriesPhrase(std::string_view words);
-/// `seconds 2` or `(seconds 2)`, with `rates_allowed` also `hz 5`, `pm 3` and `ticks 4`; nothing: no limit.
+/// Reads `seconds 2` or `(seconds 2)`, with `rates_allowed` also `hz 5`, `pm 3` and `ticks 4`. An empty text gives
+/// nullopt: no limit.
 Result<std::optional<Interval>> readIntervalPhrase(std::string_view words, bool rates_allowed);
 
-/// The other way round: `Distance 0.3 <`.
+/// Formats a sense as readSensePhrase reads it: `Distance 0.3 <`.
 std::string phraseOf(const SenseTest& test);
-/// Of the trigger of a member or the goal of a form: `(Distance 0.3 <) (Loaded false)`; empty for none.
+/// Formats the trigger of a member or the goal of a form: `(Distance 0.3 <) (Loaded false)`; empty if it has no senses.
 std::string sensesPhrase(const Plan& plan, const PlanPart& owner);
-/// Retries, frequency or time, as the functions above read them; empty for none.
+/// Formats the retries, frequency or time limit of a part as the functions above read them; empty if it has none.
 std::string limitPhrase(const Plan& plan, const PlanPart& owner);
 
-/// Whether a form, a drive or an element can have this name.
+/// Fails if a form, a drive or an element cannot have this name.
 Result<void> checkNewName(std::string_view name);
-/// Whether a sense or an act can: theirs may have dots.
+/// Fails if a sense or an act cannot have this name; unlike other names it may have dots.
 Result<void> checkPrimitiveName(std::string_view name);
 
 } // namespace usar::posh

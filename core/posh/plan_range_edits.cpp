@@ -1,4 +1,4 @@
-// Edits of several parts at once.
+// Edits of several neighboring parts at once.
 #include <algorithm>
 
 #include "core/posh/plan_change.h"
@@ -26,7 +26,7 @@ struct Stretch {
     std::size_t end = 0; ///< one past the last
 };
 
-/// Taken out of a list; one `instead` stands where they were.
+/// Replaces a stretch of a list by the single item `instead` and returns the removed items.
 template <class T>
 std::vector<T> replaceStretch(std::vector<T>& list, const Stretch& stretch, T instead) {
     const auto begin = list.begin() + static_cast<std::ptrdiff_t>(stretch.begin);

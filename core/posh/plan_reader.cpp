@@ -31,7 +31,7 @@ public:
         return std::move(plan_);
     }
     Findings takeFindings() { return cursor_.takeFindings(); }
-    /// Where the parenthesis stands that closes the plan.
+    /// Returns the byte offset of the parenthesis that closes the plan; npos if it is missing.
     std::size_t closing() const { return closing_; }
 
 private:
@@ -58,7 +58,7 @@ private:
     bool saw_text_after_ = false;
 };
 
-/// At the depth of forms: a form, the end of the plan, or what should not be there.
+/// Reads what comes next outside of all forms: a form, the end of the plan, or text that does not belong there.
 void PlanReader::next() {
     if (!is_open_ && !saw_text_after_)
         afterPlan();
@@ -81,7 +81,8 @@ void PlanReader::next() {
     skipJunk();
 }
 
-/// Forms behind the plan are read all the same: nearly always a parenthesis was closed too early.
+/// Reports text after the end of the plan. Forms there are still read, because the cause is nearly always a closing
+/// parenthesis too early.
 void PlanReader::afterPlan() {
     saw_text_after_ = true;
     cursor_.fail(Code::TextAfterPlan, "the plan has ended before " + inQuotes(cursor_.word()) +
@@ -93,7 +94,8 @@ void PlanReader::skipJunk() {
         cursor_.advance();
 }
 
-/// The present token is the form's parenthesis or, where that is missing and said to be so, its keyword.
+/// Reads a form. The current token is its opening parenthesis, or its keyword if the parenthesis is missing and that
+/// has been reported.
 void PlanReader::form() {
     const std::size_t begin_index = cursor_.index();
     const bool is_whole = cursor_.at(TokenKind::Open);
@@ -172,13 +174,13 @@ bool PlanReader::unknownForm() {
 
 bool PlanReader::beginsFormAt(std::size_t index) const {
     const auto& tokens = list_->tokens;
-    const std::size_t ahead = index - cursor_.index(); // may wrap around, as does the sum
+    const std::size_t ahead = index - cursor_.index(); // May wrap around, but then the sum in the cursor wraps back
     return index + 2 < tokens.size() && tokens[index].first_on_line && beginsForm(cursor_.keyword(ahead + 1)) &&
            (tokens[index + 2].kind == TokenKind::Name || tokens[index + 2].kind == TokenKind::String);
 }
 
-/// Where reading goes on: behind the parenthesis that closes the form, or, should one be missing, at the next line that
-/// begins a form no deeper than this one.
+/// Returns the token at which reading continues after an error: the one after the parenthesis that closes the form, or,
+/// if a parenthesis is missing, the next line that begins a form and is indented no deeper than this one.
 std::size_t PlanReader::endOfBadForm(std::size_t begin) const {
     const auto& tokens = list_->tokens;
     std::size_t depth = tokens[begin].kind == TokenKind::Open ? 0 : 1;

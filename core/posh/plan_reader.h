@@ -9,18 +9,20 @@
 
 namespace usar::posh {
 
-/// What could be read, and what is wrong with the text. A form with an error is left out of the plan.
+/// The forms that could be read, and the errors and warnings of the text. A form with an error is missing from the
+/// plan.
 struct PlanReading {
     Plan plan;
-    Findings findings; ///< those of the text in its order, then those of the plan as a whole in the order of the text
+    Findings findings; ///< those of characters and grammar, then those of checkPlan, each in the order of the text
 };
 
-/// UTF-8; any bytes are allowed, and no depth of nesting is too great. Linear in the length of the text. Includes the
-/// static checks that need no robot (see plan_check.h).
+/// Reads a plan from UTF-8 text and checks it as far as possible without a robot (see plan_check.h). Accepts any bytes
+/// and any depth of nesting. Takes time linear in the length of the text. A text longer than longest_plan_bytes gives
+/// an empty plan and an error.
 PlanReading readPlan(std::string_view text);
 
-/// The value of a sense's operand, as a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`, `red`. Nothing
-/// where it is none, or more than one.
+/// Reads the operand of a sense, as a plan writes it: `nil`, `true`, `7`, `2.0`, `"text"`, `'red`, `red`. Returns
+/// nullopt if the text is not exactly one value.
 std::optional<Value> readValue(std::string_view text);
 
 } // namespace usar::posh

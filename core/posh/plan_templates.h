@@ -1,4 +1,4 @@
-// Plans to begin with: each binds to any robot and runs at once.
+// Templates for new plans: each binds to any robot and runs immediately.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@ namespace usar::posh {
 
 struct PlanTemplate {
     std::string title; ///< "Watch and work"
-    std::string help;  ///< one sentence
-    std::string text;
+    std::string help;  ///< one sentence that describes the template
+    std::string text;  ///< the plan itself
 };
 
-/// They use nothing but what the engine has itself (`succeed`, `fail`, `doNothing`); the first is the smallest.
+/// Returns all templates. They use only the senses and acts of the engine itself (`succeed`, `fail`, `doNothing`); the
+/// first template is the smallest.
 const std::vector<PlanTemplate>& planTemplates();
 
 } // namespace usar::posh

@@ -30,7 +30,7 @@ void appendStart(std::string& out, const Member& member, std::size_t name_width)
         appendSenses(out, member.trigger);
         out += ") ";
     } else if (keywordOf(member.action.name.text) == Keyword::Nil) {
-        out += "nil "; // or the action would be read as the absent trigger
+        out += "nil "; // Without it, the action `nil` would be read as the absent trigger
     }
     appendCall(out, member.action);
 }

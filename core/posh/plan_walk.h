@@ -1,4 +1,4 @@
-// Every call of a form, in the order of the text.
+// Visits every call of a form, in the order of the text.
 #pragma once
 
 #include <variant>
@@ -7,8 +7,8 @@
 
 namespace usar::posh {
 
-/// Calls `visit(call, is_sense)` for each call of a form: senses of goals, triggers and pattern steps, and what drives,
-/// elements, steps and adopts do. `AnyForm` and its calls may be const.
+/// Calls `visit(call, is_sense)` for each call of a form: the senses of goals, triggers and steps, and the actions of
+/// drives, elements, steps and adopts. `AnyForm` may be const; the calls are then const, too.
 template <class AnyForm, class Visit>
 void forEachCall(AnyForm& form, Visit&& visit) {
     const auto visitSenses = [&visit](auto& senses) {

@@ -37,7 +37,7 @@ void warnOfNeverReached(const Name& name, const Name& always, Findings& findings
             " before it is always ready; give that a trigger, or move it to the end");
 }
 
-/// Elements are asked in their order, also within a level.
+/// Warns of elements after one that is always ready. Elements are tried in their order, even within a level.
 void warnOfNeverReached(const std::vector<ElementLevel>& levels, Findings& findings) {
     const Name* always = nullptr;
     for (const ElementLevel& level : levels)
@@ -49,7 +49,8 @@ void warnOfNeverReached(const std::vector<ElementLevel>& levels, Findings& findi
         }
 }
 
-/// Drives of one level take turns, so that only a higher level keeps a drive from its turn.
+/// Warns of drives below a level with one that is always ready. Drives in one level take turns, so only a drive in a
+/// higher level can keep another from ever running.
 void warnOfNeverReached(const std::vector<DriveLevel>& levels, Findings& findings) {
     const Name* always = nullptr;
     for (const DriveLevel& level : levels) {
@@ -64,7 +65,8 @@ void warnOfNeverReached(const std::vector<DriveLevel>& levels, Findings& finding
     }
 }
 
-/// A goal ends a competence before it finds nothing, and so does an element that is always ready.
+/// Warns of a competence that may find no ready element and then fails. A goal, or a last element without a trigger,
+/// prevents that.
 void warnOfFindingNothing(const Competence& competence, Findings& findings) {
     if (competence.levels.empty() || competence.levels.back().empty() || !competence.goal.empty())
         return;
@@ -118,7 +120,7 @@ void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Finding
         const Spot at = plan.forms.empty() ? Spot{1, 1, 0, 0} : nameOf(plan.forms.front()).at;
         add(findings, Code::Fragment, at,
             "the plan has no drive collection and cannot run; add (DC name (drives ((name action))))");
-        return; // whoever uses the forms is elsewhere
+        return; // The forms of a fragment are used elsewhere
     }
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Name& name = nameOf(plan.forms[i]);

@@ -1,4 +1,4 @@
-// What is allowed in a plan and yet is nearly always a mistake.
+// Warnings about a plan: what is allowed but nearly always a mistake.
 #pragma once
 
 #include "core/posh/finding.h"
@@ -7,7 +7,8 @@
 
 namespace usar::posh {
 
-/// Warnings W401 to W404 and W410 to W412.
+/// Appends the warnings W401 to W404 and W410 to W412. `index` must be that of the plan. If `is_whole` is false, forms
+/// are missing from the plan, and the warnings W401 and W404 are left out.
 void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Findings& findings);
 
 } // namespace usar::posh

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t line_length = 120;
 
-/// Names longer than this do not push the others' column away.
+/// Longer names do not move the column after the names.
 constexpr std::size_t widest_name = 24;
 
 void appendBeside(std::string& out, const Remarks& remarks) {
@@ -26,7 +26,8 @@ void appendAbove(std::string& out, const std::vector<std::string>& lines, std::s
         out += line.empty() ? "\n" : std::string(indent, ' ') + commentText(line) + '\n';
 }
 
-/// Of the longest name with a blank; in a level of several, members stand one column farther in.
+/// Returns the width of the longest name plus a blank. In a level with several members, these are one column farther
+/// in.
 template <class Levels>
 std::size_t nameWidth(const Levels& levels) {
     std::size_t widest = 0;
@@ -37,7 +38,8 @@ std::size_t nameWidth(const Levels& levels) {
     return widest;
 }
 
-/// The members of one level; `last` are the remarks of the member written last, whose line is not ended yet.
+/// Appends the members of one level. `last` points to the comments of the member written last, whose line has not been
+/// ended yet; nullptr if there is none.
 template <class Member>
 void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t width, const Remarks*& last) {
     const bool alone = level.size() == 1;
@@ -54,15 +56,15 @@ void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t
         out += ')';
 }
 
-/// The levels, the parentheses that close the list and the form, and the comment string.
+/// Appends the levels, the parentheses that close their list and the form, and the comment string.
 template <class Form>
 void appendLevels(std::string& out, const Form& form) {
     const std::size_t width = nameWidth(form.levels);
-    const Remarks start; // the line with the list's keyword is ended like a member's
+    const Remarks start; // The line with the list's keyword ends like that of a member
     const Remarks* last = form.levels.empty() ? nullptr : &start;
     for (const auto& level : form.levels)
         appendLevel(out, level, width, last);
-    out += form.comment ? ")" : "))"; // of the list, and of the form unless a comment follows
+    out += form.comment ? ")" : "))"; // Closes the list, and also the form unless a comment follows
     if (form.comment) {
         appendBeside(out, last ? *last : start);
         out += "   ";
@@ -103,7 +105,7 @@ std::string text(const Collection& collection) {
     return out;
 }
 
-/// Wraps the steps where the form would be too long for a line.
+/// Returns the text of a pattern; the steps are wrapped if the form is too long for one line.
 std::string text(const Pattern& pattern) {
     std::string out = "(AP " + pattern.name.text;
     appendFormals(out, pattern.formals);

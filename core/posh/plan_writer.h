@@ -1,4 +1,4 @@
-// Plans as text: in the canonical layout, or in the layout of the text they were read from.
+// Writes plans as text: in the canonical layout, or in the layout of the text that they were read from.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,24 @@
 
 namespace usar::posh {
 
-/// Canonical: forms in their order, two blanks of indent, a drive or element a line, what follows their names in one
-/// column, comments and blank lines where they belong. Reads back to an equal plan, and then writes the same text.
+/// Writes a plan in the canonical layout: forms in their order, an indent of two blanks, one drive or element per line,
+/// the text after their names aligned in one column, and comments and blank lines with the part they belong to. Reading
+/// the text back gives an equal plan, which is then written as the same text.
 std::string writePlan(const Plan& plan);
 
-/// One form or the documentation as writePlan has it, without the remarks above it. Lines but the first are indented.
+/// These write one form or the documentation like writePlan, without the comments above it. All lines but the first are
+/// indented.
 std::string writeForm(const Form& form);
 std::string writeDocumentation(const Documentation& documentation);
 
-/// The lines of one level, as they stand in its form.
+/// These write the lines of one level as writePlan does within its form, with a line end.
 std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index);
 std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index);
 
-/// `plan` was read from `text` and then edited. Keeps every byte of what was not edited: the other forms, and of an
-/// edited one the levels that are as they were; within what changed, the words around the change. Where `text` cannot
-/// be read, or nothing of it remains, this is writePlan.
+/// Writes a `plan` that was read from `text` and then edited. Keeps every byte that was not edited: the other forms,
+/// the unchanged levels of an edited form, and the words around a change. Falls back to writePlan if `text` has errors
+/// in characters or grammar, if the comments of the whole plan changed, or if keeping the layout would change the
+/// plan's meaning or lose comments.
 std::string writeKeepingLayout(std::string_view text, const Plan& plan);
 
 } // namespace usar::posh

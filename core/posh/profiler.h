@@ -1,20 +1,24 @@
-// Times what the host does, where somebody measures, and warns of what is slow.
+// Measures how long calls of the host take and warns of slow ones.
 #pragma once
 
 #include "core/posh/tracer.h"
 
 namespace usar::posh {
 
+/// Without a clock nothing is measured and nothing is slow.
 class Profiler {
 public:
+    /// `tracer` and `clock` must outlive this object; `clock` may be nullptr. A call that takes longer than `slow`
+    /// causes a warning.
     Profiler(const Tracer& tracer, ProfileClock* clock, Milliseconds slow)
         : tracer_(tracer)
         , clock_(clock)
         , slow_ns_(std::chrono::nanoseconds(slow).count()) {}
 
+    /// The time in nanoseconds since an arbitrary moment; 0 without a clock.
     std::int64_t now() const { return clock_ ? clock_->nanoseconds() : 0; }
 
-    /// One call of the host, from making to destruction.
+    /// Measures one call of the host, from construction to destruction. `place` is the place of the call in the plan.
     class Span {
     public:
         Span(Profiler& profiler, Index place) : profiler_(profiler), place_(place), begin_ns_(profiler.now()) {}
@@ -24,6 +28,7 @@ public:
         }
         Span(const Span&) = delete;
         Span& operator=(const Span&) = delete;
+        /// Nanoseconds since construction; 0 without a clock.
         std::int64_t elapsed() const { return profiler_.now() - begin_ns_; }
 
     private:

@@ -1,4 +1,5 @@
-// Expands a plan into a program. Forms wait on a stack, not in recursion: no plan is too deep.
+// Expands a plan into a program. Forms that are yet to be expanded are on an explicit stack instead of in recursion, so
+// that a plan can have any depth.
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -11,7 +12,7 @@ namespace usar::posh {
 
 namespace {
 
-/// A form's parameters at one place. Values belong to the plan.
+/// The values of a form's parameters at one place. The values are owned by the plan.
 struct Scope {
     Index outer = nowhere;
     Index depth = 1;
@@ -20,20 +21,20 @@ struct Scope {
 
 enum class Slot { Drive, Element, Step };
 
-/// A reference whose form is yet to be expanded, and where its number is wanted.
+/// A reference whose form is yet to be expanded, and the place where the index of that form must be stored.
 struct Waiting {
     const Form* form = nullptr;
-    Index position = 0; ///< among the forms of its kind
+    Index position = 0; ///< number among the forms of its kind
     const Call* call = nullptr;
-    Index place = 0;     ///< that it hangs below
-    Index reference = 0; ///< number of the way to it
-    Index caller = nowhere;
-    Slot slot = Slot::Drive;
-    Index slot_index = 0;
-    Index drive = 0;
+    Index place = 0;         ///< its parent place
+    Index reference = 0;     ///< see Place::reference
+    Index caller = nowhere;  ///< form that contains the call; `nowhere` directly below a drive
+    Slot slot = Slot::Drive; ///< array whose entry refers to the form
+    Index slot_index = 0;    ///< index of that entry
+    Index drive = 0;         ///< drive that the form is below
 };
 
-/// The place and name of what the builder stopped at.
+/// The error that stopped the builder.
 struct Trouble {
     std::string what;
     Spot at;
@@ -61,7 +62,8 @@ double millisecondsOf(const Interval& interval) {
     return 0.0;
 }
 
-/// `(none 0)` is no limit; `(seconds 0)` is one that is always over.
+/// Returns a time limit in milliseconds. `(none 0)` means no limit, while `(seconds 0)` is a limit that is always
+/// exceeded.
 std::optional<double> limitOf(const std::optional<Interval>& interval) {
     if (!interval || (interval->unit == Unit::None && numberOf(interval->amount.value) == 0.0))
         return std::nullopt;
@@ -105,16 +107,16 @@ private:
 
     const Plan& plan_;
     std::shared_ptr<Program> program_ = std::make_shared<Program>();
-    std::vector<std::pair<const Form*, Index>> forms_; ///< with their numbers among those of their kind
-    NumberTable form_names_;                           ///< of forms_; the first of equal names
+    std::vector<std::pair<const Form*, Index>> forms_; ///< each form with its number among the forms of its kind
+    NumberTable form_names_;                           ///< indices in forms_; the first of equal names
     NumberTable names_;
     NumberTable sense_calls_;
     NumberTable act_calls_;
-    std::vector<Scope> scopes_; ///< one for each form of the program
+    std::vector<Scope> scopes_; ///< indexed by form of the program
     std::vector<Waiting> waiting_;
     std::string call_text_;
     std::vector<const Value*> call_values_;
-    Index scope_ = nowhere; ///< of what is being read
+    Index scope_ = nowhere; ///< form that is being expanded; `nowhere` for the collection
     Index drive_ = 0;
     bool failed_ = false;
     Trouble trouble_;
@@ -141,7 +143,7 @@ void Builder::findForms() {
     }
 }
 
-/// As much as the plan comes to where each form is called once, which is not far from the usual.
+/// Reserves the memory that the program needs if each form is called once, which is usually close.
 void Builder::reserve() {
     std::size_t members = 0;
     std::size_t senses = 0;
@@ -192,7 +194,7 @@ void Builder::addCollection(const Collection& collection) {
             addDrive(drive, number);
         program_->levels.push_back({{first, static_cast<Index>(program_->drives.size())}});
     }
-    std::ranges::reverse(waiting_); // the first drive's form is expanded first
+    std::ranges::reverse(waiting_); // The first drive's form is expanded first
 }
 
 void Builder::addDrive(const Drive& drive, Index level) {
@@ -249,7 +251,8 @@ Index Builder::addTest(const SenseTest& test, Index place) {
     return static_cast<Index>(program_->tests.size() - 1);
 }
 
-/// As traces print it, until the next call; nothing where the builder has failed. Fills call_values_.
+/// Returns a call as traces print it, or nullopt if a variable has no value. The text is valid until the next call of
+/// this function. Also fills call_values_.
 std::optional<std::string_view> Builder::textOf(const Call& call) {
     call_values_.clear();
     if (call.arguments.empty())
@@ -269,7 +272,8 @@ std::optional<std::string_view> Builder::textOf(const Call& call) {
     return call_text_;
 }
 
-/// Equal calls print alike, and unlike ones do not. Most calls of a large plan are known already.
+/// Returns the index of a call in `calls` and adds it if necessary. Two calls are equal exactly if their texts are.
+/// Most calls of a large plan exist already.
 Index Builder::addCall(std::vector<ProgramCall>& calls, NumberTable& known, const Call& call) {
     const auto text = textOf(call);
     if (!text)
@@ -315,7 +319,8 @@ Target Builder::refer(const Call& call, Waiting waiting) {
     return {true, act};
 }
 
-/// Arguments by position and name, defaults for the rest. Names that the form does not declare are passed down.
+/// Binds the parameters of a form to the arguments of its call by position and name, and the rest to their defaults.
+/// Named arguments that the form does not declare are passed down to the forms below.
 Scope Builder::scopeOf(const Waiting& waiting) {
     Scope scope{.outer = waiting.caller, .values = {}};
     scope.depth = waiting.caller == nowhere ? 1 : scopes_[waiting.caller].depth + 1;
@@ -441,7 +446,7 @@ void Builder::addStep(Index form, const Step& step, Index position) {
     program_->steps.push_back({addTest(*test, addPlace(place, test->call.name)), {}});
 }
 
-/// The call must be the plan's own: it is looked at again when it is expanded.
+/// `call` must be part of the plan, because it is used again when its form is expanded.
 void Builder::addReference(Index form, const Call& call, Index position) {
     const Index index = static_cast<Index>(program_->steps.size());
     const Index parent = program_->forms[form].place;
@@ -450,7 +455,7 @@ void Builder::addReference(Index form, const Call& call, Index position) {
     program_->steps.push_back({nowhere, target});
 }
 
-/// Forms are in preorder: what is below one follows it directly.
+/// Sets below_end of all forms. They are in preorder, so the forms below one follow it directly.
 void Builder::finish() {
     for (std::size_t i = program_->forms.size(); i-- > 0;) {
         const ProgramForm& form = program_->forms[i];

@@ -14,7 +14,7 @@ constexpr std::size_t most_fixes = 8;
 struct Count {
     long unreadable = 0;
     long errors = 0;
-    long same = 0; ///< what says the same as the finding
+    long same = 0; ///< findings with the same code and message as the wanted one
 };
 
 Count count(const Findings& findings, const Finding& wanted) {
@@ -27,7 +27,8 @@ Count count(const Findings& findings, const Finding& wanted) {
     return counted;
 }
 
-/// A form that can be read again may have errors of its own; they were there before, unseen.
+/// Returns whether a fix helps. If it makes a form readable again, that form may have errors of its own, which do not
+/// count because they existed before.
 bool helps(const Count& before, const Count& after, const Finding& finding) {
     if (after.same >= before.same || after.unreadable > before.unreadable)
         return false;

@@ -1,4 +1,4 @@
-// Mends for what is wrong with a plan, ready to be put into its text.
+// Quick fixes for errors and warnings in a plan, ready to be applied to its text.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,33 @@
 
 namespace usar::posh {
 
-/// What the robot offers to plans; empty where it is not known.
+/// The names that the robot offers to plans; empty if they are not known.
 struct Vocabulary {
     std::vector<std::string> senses;
     std::vector<std::string> acts;
 };
 
 struct QuickFix {
-    std::string title;         ///< what it does: "Write trigger", "Close 2 parentheses"
-    std::vector<Splice> edits; ///< of the text that was checked, in order and apart
+    std::string title;         ///< describes the fix: "Write trigger", "Close 2 parentheses"
+    std::vector<Splice> edits; ///< changes of the text that was checked, in order and without overlap
 };
 
-/// All that is wrong with a text; with binding to a robot it says more than the reader.
+/// Returns all errors and warnings of a text. A check that also binds the plan to a robot finds more than readPlan
+/// does.
 using PlanCheck = std::function<Findings(std::string_view text)>;
 
-/// The likeliest first, at most eight. Each was tried: the finding is gone with it, and no other error has come. The
-/// finding is one of those that `check` (without one: the reader) says of this text. Costs a reading for each mend that
-/// is thought of: a dozen or so.
+/// Returns at most eight fixes, the likeliest first. Each has been tried: it removes the finding and causes no new
+/// error, although a form that becomes readable may show errors that it already had. The finding must be one that
+/// `check`, or readPlan if `check` is empty, returned for this text. Reads the text again for each fix that is
+/// considered, about a dozen times.
 std::vector<QuickFix> quickFixes(std::string_view text, const Finding& finding, const Vocabulary& vocabulary = {},
                                  const PlanCheck& check = {});
 
+/// Applies a fix to the text that it was made for.
 std::string withFix(std::string_view text, const QuickFix& fix);
 
-/// What changes one text into the other: one piece, as short as may be, beginning and ending between characters. Empty
-/// for equal texts.
+/// Returns the shortest single splice that turns one text into the other and does not split a UTF-8 character; an empty
+/// list for equal texts.
 std::vector<Splice> difference(std::string_view before, std::string_view after);
 
 } // namespace usar::posh

@@ -8,7 +8,7 @@ namespace usar::posh {
 
 namespace {
 
-/// Depth first with a stack of its own: a plan may be nested as deep as it is long.
+/// A depth-first search with an explicit stack, because a plan can be nested too deeply for recursion.
 class CycleSearch {
 public:
     CycleSearch(const Plan& plan, const FormIndex& index)
@@ -24,7 +24,7 @@ public:
 
     void run(Findings& findings) {
         for (std::size_t form = 0; form < states_.size(); ++form) {
-            const bool is_root = std::holds_alternative<Collection>(plan_->forms[form]); // nothing refers to it
+            const bool is_root = std::holds_alternative<Collection>(plan_->forms[form]); // Nothing can refer to it
             if (states_[form] == State::New && !is_root)
                 enter(form);
             while (!path_.empty())
@@ -36,7 +36,7 @@ private:
     enum class State { New, OnPath, Done };
     struct Visit {
         std::size_t form = 0;
-        std::size_t next = 0; ///< of the references
+        std::size_t next = 0; ///< index of the next reference to follow
     };
 
     void enter(std::size_t form) {
@@ -72,7 +72,7 @@ private:
 
     const Plan* plan_;
     const std::vector<Reference>& references_;
-    std::vector<std::size_t> first_; ///< reference of each form
+    std::vector<std::size_t> first_; ///< index of each form's first reference, and the number of references at the end
     std::vector<State> states_;
     std::vector<Visit> path_;
 };

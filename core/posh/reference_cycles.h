@@ -1,4 +1,4 @@
-// Competences, patterns and adopts that contain themselves.
+// The search for competences, patterns and adopts that contain themselves.
 #pragma once
 
 #include "core/posh/finding.h"
@@ -7,7 +7,8 @@
 
 namespace usar::posh {
 
-/// One E302 for each reference that closes a cycle, reachable or not.
+/// Appends an error E302 for each reference that closes a cycle, even if the collection never reaches it. `index` must
+/// be that of the plan.
 void checkReferenceCycles(const Plan& plan, const FormIndex& index, Findings& findings);
 
 } // namespace usar::posh

@@ -7,7 +7,8 @@ namespace usar::posh {
 
 namespace {
 
-/// What can have remarks, in the order of the text. `end` is where its one piece ends: at once for what has parts.
+/// A part that can have remarks, with byte offsets. Comments between `begin` and `end` are inside the part; for a form
+/// with levels `end` equals `begin`, because its members have remarks of their own.
 struct Holder {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -46,13 +47,13 @@ std::vector<Holder> holdersOf(Plan& plan) {
 
 void putBeside(Remarks& remarks, std::string_view comment) {
     if (comment.empty())
-        return; // a blank line inside of something says nothing
+        return; // A blank line inside a part has no meaning
     if (!remarks.beside.empty())
         remarks.beside += ' ';
     remarks.beside += comment;
 }
 
-/// No two blank lines in a row, which comments that went elsewhere may have left.
+/// Adds a line. Skips a second blank line in a row, which can result if the comment between them went to another part.
 void putAbove(std::vector<std::string>& above, std::string_view comment) {
     if (!comment.empty() || above.empty() || !above.back().empty())
         above.emplace_back(comment);

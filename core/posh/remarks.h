@@ -1,4 +1,4 @@
-// Gives the comments and blank lines of a text to the parts of the plan they belong to.
+// Assigns the comments and blank lines of a text to the parts of the plan that they belong to.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,10 @@
 
 namespace usar::posh {
 
-/// A comment on a line of its own belongs to what begins next, one behind something to what began last; inside of a
-/// drive or an element, and of any form that is written in one piece, it belongs to that. From `closing` on, where the
-/// plan ends, comments belong to the plan.
+/// Fills the remarks of all parts of `plan`, which was read from `text`. A comment on a line of its own belongs to the
+/// part that begins next, and one after other text to the part that began last. A comment inside a drive, an element,
+/// or a form without levels belongs to that part. Comments after `closing`, the byte offset of the plan's closing
+/// parenthesis, belong to the plan.
 void attachRemarks(std::string_view text, const TokenList& tokens, std::size_t closing, Plan& plan);
 
 } // namespace usar::posh

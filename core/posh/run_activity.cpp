@@ -10,7 +10,7 @@ namespace usar::posh {
 
 namespace {
 
-/// "its frequency: 1.2 s left"
+/// Says what holds a drive back: "its frequency: 1.2 s left".
 std::string frequencyText(const Program& program, const TraceRecord& record) {
     if (record.skip() == SkipReason::SwitchedOff)
         return "switched off by hand";
@@ -94,7 +94,7 @@ void RunActivity::take(const TraceRecord& record, std::string_view text) {
     case TraceEvent::SenseEval:
         return answer(place, record, text);
     case TraceEvent::DriveSkipped:
-        if (program_->places[record.place].kind == PlaceKind::Drive) // a trace may come from a damaged file
+        if (program_->places[record.place].kind == PlaceKind::Drive) // A damaged trace may say otherwise
             holdBack(record.place, frequencyText(*program_, record));
         return;
     case TraceEvent::Blackboard:

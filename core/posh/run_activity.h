@@ -1,4 +1,5 @@
-// What each place of a running plan does and has done, folded from its trace: for live views and "why not?".
+// The present and past activity of each place of a running plan, computed from its trace. Live views and the
+// explanation why a part does not run use it.
 #pragma once
 
 #include <cstdint>
@@ -12,61 +13,67 @@
 
 namespace usar::posh {
 
-/// The newest answer of a sense at one place of the plan. Times are those of the engine.
+/// The newest answer of a sense at one place of the plan. Times are in milliseconds of the engine's time.
 struct PlaceAnswer {
     Value value;
-    bool holds = false;        ///< after the comparison
-    std::int64_t since_ms = 0; ///< the verdict has been this one
-    std::int64_t asked_ms = 0; ///< last
+    bool holds = false;        ///< the verdict, after the comparison with the operand
+    std::int64_t since_ms = 0; ///< time since which the verdict has been the same
+    std::int64_t asked_ms = 0; ///< time of the newest answer
     bool operator==(const PlaceAnswer&) const = default;
 };
 
+/// The activity of one place. The counts are those of RunStatistics.
 struct PlaceActivity {
-    bool running = false; ///< on the way from the root to what was done in the newest cycle
-    std::optional<std::int64_t> last_active_ms;
-    std::uint64_t started = 0; ///< this and the next three as RunStatistics counts them
+    bool running = false;                       ///< was active in the newest cycle, itself or through a part below it
+    std::optional<std::int64_t> last_active_ms; ///< nullopt if it was never active
+    std::uint64_t started = 0;
     std::uint64_t succeeded = 0;
-    std::uint64_t failed = 0;  ///< and interrupted
-    std::uint64_t skipped = 0; ///< held back by its frequency, its retries or by hand
-    std::string hold_back;     ///< why in the newest cycle: "its frequency: 1.2 s left"; empty where nothing does
-    std::optional<PlaceAnswer> answer;
+    std::uint64_t failed = 0;  ///< including interruptions
+    std::uint64_t skipped = 0; ///< how often its frequency, its retries or the user held it back
+    std::string hold_back; ///< what holds it back in the newest cycle: "its frequency: 1.2 s left"; empty if nothing
+    std::optional<PlaceAnswer> answer; ///< for a sense; nullopt before the first answer
     bool operator==(const PlaceActivity&) const = default;
 };
 
-/// A key of the plan's blackboard. Values are spelled as traces print them.
+/// The history of one key of the plan's blackboard. Values are spelled as traces print them.
 struct BoardEntry {
     struct Written {
         std::string value;
-        std::int64_t time_ms = 0;
-        Index writer = 0; ///< the place of the act
+        std::int64_t time_ms = 0; ///< in the engine's time
+        Index writer = 0;         ///< place of the act that wrote it
         bool operator==(const Written&) const = default;
     };
     std::string key;
-    std::vector<Written> values; ///< the newest last, `most_values` at most
-    std::uint64_t writes = 0;    ///< of other values than it had
+    std::vector<Written> values; ///< at most `most_values`, the newest last
+    std::uint64_t writes = 0;    ///< number of times that the value changed
     bool operator==(const BoardEntry&) const = default;
 
     static constexpr std::size_t most_values = 8;
 };
 
-/// Fed with every record in order; each costs the depth of its place at most.
+/// Must receive every record of the run in order. The cost of a record is at most proportional to the depth of its
+/// place.
 class RunActivity {
 public:
-    /// A program begins to run: nothing has happened yet.
+    /// Resets the activity for a program that begins to run; nullptr means that none runs. Keeps the blackboard if one
+    /// program replaces another.
     void start(std::shared_ptr<const Program> program);
-    /// It goes on with a program of the same shape (see sameShape).
+    /// Continues with a program of the same shape (see sameShape).
     void retune(const std::shared_ptr<const Program>& program) {
         program_ = program;
         statistics_.retune(program);
     }
     void take(const TraceRecord& record, std::string_view text);
 
+    /// The running program; nullptr before the first start.
     const std::shared_ptr<const Program>& program() const { return program_; }
+    /// By index of the place in the program.
     const std::vector<PlaceActivity>& places() const { return places_; }
-    /// Of this run, for its report.
+    /// The statistics of the run of this program.
     const RunStatistics& statistics() const { return statistics_; }
+    /// The engine's time at the beginning of the newest cycle.
     std::int64_t now_ms() const { return now_ms_; }
-    /// By key; it outlives a program that is replaced, as the blackboard does.
+    /// The blackboard, sorted by key. Like the blackboard itself it survives the replacement of the program.
     const std::vector<BoardEntry>& board() const { return board_; }
 
 private:
@@ -79,8 +86,8 @@ private:
     std::shared_ptr<const Program> program_;
     RunStatistics statistics_;
     std::vector<PlaceActivity> places_;
-    std::vector<Index> running_; ///< places marked in this cycle
-    std::vector<Index> held_;
+    std::vector<Index> running_; ///< places marked as running in this cycle
+    std::vector<Index> held_;    ///< places held back in this cycle
     std::vector<BoardEntry> board_;
     std::int64_t now_ms_ = 0;
 };

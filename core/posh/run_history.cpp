@@ -7,10 +7,10 @@ namespace usar::posh {
 
 namespace {
 
-constexpr std::size_t places_kept = 250'000; ///< remembered, in all: tens of megabytes
+constexpr std::size_t places_kept = 250'000; ///< total number of stored places, which takes tens of megabytes
 constexpr std::size_t first_every = 256;
 
-/// What may follow an act in its own epoch.
+/// Returns whether the event can follow an act in the same epoch.
 bool followsAct(TraceEvent event) {
     switch (event) {
     case TraceEvent::ActDone:
@@ -64,7 +64,7 @@ void RunHistory::readOn() {
     }
 }
 
-/// Half of them go when there are too many.
+/// Stores the newest activity; drops every other stored one when there are too many.
 void RunHistory::remember() {
     remembered_.push_back({moments_.size(), newest_});
     const std::size_t places = std::max<std::size_t>(1, newest_.places().size());
@@ -141,7 +141,7 @@ std::vector<std::size_t> RunHistory::epochEnds(const TracedCycle& cycle) {
 }
 
 std::size_t RunHistory::epochCount(std::size_t moment) const {
-    TraceFile::Cursor cursor = cursorAt(moment); // it owns the cycle
+    TraceFile::Cursor cursor = cursorAt(moment); // Owns the cycle
     const TracedCycle* const cycle = cursor.next();
     return cycle ? epochEnds(*cycle).size() : 1;
 }

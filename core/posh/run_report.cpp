@@ -64,7 +64,7 @@ void Reporter::lookAtSense(Index place, const PlaceCounts& counts) {
     const std::string& name = program_.sense_calls[program_.tests[program_.places[place].item].call].name;
     const bool by_name = name == "succeed" || name == "fail" || name == "true" || name == "false";
     if (by_name)
-        return; // they are meant so
+        return; // These always give the same answer on purpose
     if (counts.asked > 0 && counts.held == 0)
         say(RunRemark::NeverTrue, place, "was asked " + times(counts.asked) + " and never held");
     else if (counts.asked >= often_asked && counts.held == counts.asked)

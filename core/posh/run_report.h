@@ -1,4 +1,5 @@
-// What runs of a plan say against it: what never happened, what never was otherwise, what could not settle.
+// A report of suspicious behavior in the runs of a plan: parts that never ran, senses that never changed, drives that
+// kept alternating.
 #pragma once
 
 #include <string>
@@ -9,30 +10,32 @@
 
 namespace usar::posh {
 
+/// The kinds of entries in the report.
 enum class RunRemark {
-    NeverSelected, ///< a drive that never started, an element that never was chosen though its competence was entered
-    NeverTrue,     ///< a sense that was asked and never held
-    AlwaysTrue,    ///< a sense that was asked at least `often_asked` times and always held
+    NeverSelected, ///< a drive that never started, or an element never selected though its competence was entered
+    NeverTrue,     ///< a sense that was evaluated and never held
+    AlwaysTrue,    ///< a sense that was evaluated at least `often_asked` times and always held
     Oscillation,   ///< two drives that took turns more than `most_switches` times in ten seconds
-    Starving,      ///< a drive that won and for ten cycles found nothing to do
-    Spinning,      ///< a drive that used up the budget of acts
+    Starving,      ///< a drive that won but found nothing to do for ten cycles
+    Spinning,      ///< a drive that used up the budget of acts of a cycle
 };
 
-/// "never-selected": for lists that machines read.
+/// Returns the identifier for machine-readable output: "never-selected".
 std::string_view toText(RunRemark remark);
 
+/// One entry of the report.
 struct RunFinding {
     RunRemark remark = RunRemark::NeverSelected;
-    Index place = 0;
-    std::string message; ///< one sentence with the path by names, and figures
+    Index place = 0;     ///< for Oscillation: that of the first of the two drives
+    std::string message; ///< one sentence with the names of the place and figures
     bool operator==(const RunFinding&) const = default;
 };
 
-/// From here on, "always" says something.
-constexpr std::uint64_t often_asked = 50;
-constexpr int most_switches = 6;
+constexpr std::uint64_t often_asked = 50; ///< with fewer evaluations, "always held" has no significance
+constexpr int most_switches = 6;          ///< more switches within ten seconds are an oscillation
 
-/// In the order of places. Elements and senses that nothing led to are not spoken of: what stands above them is.
+/// Returns the report in the order of places; empty if there was no cycle. Elements and senses that were never reached
+/// are left out, because the part above them is reported.
 std::vector<RunFinding> reportOn(const RunStatistics& statistics);
 
 } // namespace usar::posh

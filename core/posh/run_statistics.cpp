@@ -6,7 +6,7 @@ namespace usar::posh {
 
 namespace {
 
-/// Whether the numbers of places mean the same in both.
+/// Returns whether the indices of places have the same meaning in both programs.
 bool samePlaces(const Program& a, const Program& b) {
     return std::ranges::equal(a.places, b.places, [&](const Place& x, const Place& y) {
         return x.kind == y.kind && x.parent == y.parent && x.position == y.position && x.reference == y.reference &&
@@ -90,7 +90,7 @@ void RunStatistics::countDrive(const TraceRecord& record, PlaceCounts& counts) {
     }
 }
 
-/// The act that ran last in a cycle is what went on until the next.
+/// Counts the time since the last cycle for the act that was run last in it.
 void RunStatistics::beginCycle(std::int64_t now_ms) {
     ++cycles_;
     const std::int64_t passed_ms = now_ms - std::exchange(now_ms_, now_ms);
@@ -121,7 +121,7 @@ void RunStatistics::countWarning(const TraceRecord& record) {
         ++spun_[record.place];
 }
 
-/// A drive that starts after another is a switch between the two.
+/// Counts a switch if another drive started than the last time.
 void RunStatistics::noteWinner(const TraceRecord& record) {
     const Index before = std::exchange(winner_, record.place);
     if (before == nowhere || before == record.place)

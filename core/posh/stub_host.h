@@ -1,4 +1,4 @@
-// A host without a robot: senses answer and acts do what a person or a test sets.
+// A host without a robot, whose answers and results the user or a test sets.
 #pragma once
 
 #include <map>
@@ -9,13 +9,16 @@
 
 namespace usar::posh {
 
-/// Knows every name; a sense that was not set answers nil (or as the built-in of its name), an act RunningOnce. Senses
-/// with arguments answer by name.
+/// Accepts every name. A sense that was not set answers nil, or like the built-in sense of that name; an act that was
+/// not set returns RunningOnce. Names ignore arguments: all calls of a sense get the same answer. Set built-in names
+/// before the program is loaded into the engine.
 class StubHost : public Host {
 public:
+    /// Sets the answer of a sense from now on.
     void setSense(const std::string& name, Value answer) { answers_[name] = std::move(answer); }
+    /// Sets the result of an act from now on.
     void setResult(const std::string& name, ActResult result) { results_[name] = result; }
-    /// What is not set as a result, from here on.
+    /// Returns all acts to RunningOnce.
     void clearResults() { results_.clear(); }
 
     bool hasSense(std::string_view name) const override { return answers_.contains(name); }

@@ -1,4 +1,4 @@
-// Mends for errors of characters and grammar.
+// Quick fixes for errors in characters and grammar.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace usar::posh {
 
 namespace {
 
-/// Comparing costs the product of the lengths.
+/// Longer words are not compared, because comparing two words costs the product of their lengths.
 constexpr std::size_t longest_word = 60;
 
 bool belongsToName(char c) {
     return isLetter(c) || isDigit(c) || c == '_' || c == '-';
 }
 
-/// The letters of a word that a name may have, in their order, without empty parts between dots.
+/// Returns the word without the characters that a name must not have and without empty parts between dots.
 std::string cleaned(std::string_view word) {
     std::string name;
     for (const char c : word) {
@@ -176,7 +176,7 @@ std::size_t FixFinder::opening(std::size_t inside) const {
     return 0;
 }
 
-/// One character that is wrong: out with it, or another in its place.
+/// Fixes one wrong character by removing or replacing it.
 void FixFinder::fixCharacters() {
     const std::size_t at = finding_.at.offset;
     const std::size_t length = at < text_.size() ? codePointAt(text_, at).length : 0;
@@ -200,7 +200,8 @@ void FixFinder::fixCharacters() {
     }
 }
 
-/// A string that is not closed was nearly always meant to end with its line, before the parentheses there.
+/// Fixes a string that is not closed. It was nearly always meant to end on its line, before the parentheses at the end
+/// of it.
 void FixFinder::fixOpenString() {
     const std::size_t at = finding_.at.offset;
     const std::size_t line_end = std::min(text_.find('\n', at), text_.size());
@@ -238,7 +239,7 @@ void FixFinder::fixUnexpected() {
         for (const char* const keyword : {"C", "AP", "AD", "DC"})
             replace(std::string("Write ") + keyword, beginOf(here_), endOf(here_), keyword);
     closeBeforeNextForm();
-    if (here_ > 0) { // a list was meant where one thing stands
+    if (here_ > 0) { // Perhaps a list was meant where there is a single item
         const std::size_t open = opening(here_);
         add("Put parentheses around it",
             {{beginOf(open), beginOf(open), "("}, {endOf(closing(open)), endOf(closing(open)), ")"}});
@@ -253,7 +254,7 @@ void FixFinder::fixUnexpected() {
     fixParentheses();
 }
 
-/// Where a form begins on a line of its own and another one is still open, that one was not closed.
+/// Closes the form before the first one that begins on a line of its own while that form is still open.
 void FixFinder::closeBeforeNextForm() {
     std::size_t depth = 0;
     for (std::size_t i = 0; i + 1 < tokens_.tokens.size(); ++i) {
@@ -293,7 +294,7 @@ void FixFinder::fixTextAfterPlan() {
     const std::size_t last = tokens_.tokens.size() - 1;
     if (token(here_).kind == TokenKind::Close && here_ + 1 == last)
         takeOut(here_, here_);
-    if (here_ > 0) { // the parenthesis before it may stand too early, as may any of that row
+    if (here_ > 0) { // One of the closing parentheses before it may be superfluous
         std::size_t first = here_ - 1;
         while (first > 0 && token(first - 1).kind == TokenKind::Close)
             --first;
@@ -377,7 +378,7 @@ void FixFinder::fixBareName() {
         replace("Take out the argument", beginOf(here_ - 1), endOf(here_ + 1), "");
 }
 
-/// `, $name=value` or `, value` before this place.
+/// Moves or removes an argument, together with the comma before it: `, $name=value` or `, value`.
 void FixFinder::fixArgumentPlace() {
     const bool is_named = token(here_ + 1).kind == TokenKind::Predicate;
     const std::size_t last = is_named ? here_ + 2 : here_;

@@ -1,4 +1,5 @@
-// The words of a plan, with their places. Malformed ones are tokens as well, so that their errors come in turn.
+// The tokens of a plan's text, with their places. Malformed words are tokens, too, so that all errors are reported in
+// order.
 #pragma once
 
 #include <cstddef>
@@ -17,49 +18,50 @@ enum class TokenKind : std::uint8_t {
     Comma,
     Predicate,
     String,
-    Variable, ///< with its `$`
-    Symbol,   ///< with its `'`
+    Variable, ///< including the `$`
+    Symbol,   ///< including the `'`
     Integer,
     Float,
     Name,
-    Bad, ///< see TokenList::errors
-    End, ///< one past the last character
+    Bad, ///< malformed, see TokenList::errors
+    End, ///< has no characters; its place is after the last character of the text
 };
 
 struct Token {
     TokenKind kind = TokenKind::End;
-    Keyword keyword = Keyword::None; ///< of a name
+    Keyword keyword = Keyword::None; ///< set for names only
     bool first_on_line = false;
     Spot at;
 };
 
-/// What is wrong with a Bad token, and where: not always at its start.
+/// The error of a Bad token. Its place is not always the start of the token.
 struct LexicalError {
     Code code = Code::IllegalCharacter;
     Spot at;
 };
 
-/// A comment with its mark and without the line end; length 0 is one or more blank lines.
+/// A comment including its mark and without the line end. If the length is 0, it stands for one or more blank lines.
 struct Comment {
-    std::uint32_t offset = 0;
+    std::uint32_t offset = 0; ///< in bytes, like the length
     std::uint32_t length = 0;
-    bool whole_line = false; ///< nothing else stands before it on its line
+    bool whole_line = false; ///< no token precedes it on its line
 };
 
+/// The result of tokenize.
 struct TokenList {
-    std::vector<Token> tokens;        ///< the last one is End
+    std::vector<Token> tokens;        ///< never empty; the last one is End
     std::vector<LexicalError> errors; ///< one for each Bad token, in their order
     std::vector<Comment> comments;    ///< in the order of the text
-    Findings warnings;                ///< bad bytes, odd spaces, names that start with a digit
+    Findings warnings;                ///< bytes that are not UTF-8, odd spaces, names that start with a digit
 };
 
-/// The longest text that is read; what is longer is no plan.
+/// The length limit of a plan, 64 MiB; longer texts are rejected.
 constexpr std::size_t longest_plan_bytes = std::size_t{64} << 20U;
 
-/// `text` must not be longer than longest_plan_bytes.
+/// Splits a text into tokens. Accepts any bytes; `text` must not be longer than longest_plan_bytes.
 TokenList tokenize(std::string_view text);
 
-/// The bytes at a spot.
+/// Returns the bytes at a spot of the text.
 inline std::string_view textOf(std::string_view text, const Spot& at) {
     return text.substr(at.offset, at.length);
 }

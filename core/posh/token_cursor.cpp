@@ -51,7 +51,7 @@ bool TokenCursor::takeKeyword(Keyword wanted, std::string_view expected, std::st
 bool TokenCursor::unexpected(std::string_view expected, std::string_view mend) {
     std::string message = "expected ";
     message += expected;
-    if (at(TokenKind::End)) // fail() knows what to say
+    if (at(TokenKind::End)) // fail() completes the message
         message += ", found the end of the text";
     else
         message += ", found " + inQuotes(word());
@@ -69,7 +69,7 @@ bool TokenCursor::fail(Code code, std::string message) {
     if (token.kind != TokenKind::End)
         return failAt(code, token.at, std::move(message));
     if (!findings_.empty() && findings_.back().code == Code::EndOfFile)
-        return false; // the text ends once
+        return false; // Report the end of the text only once
     if (openers_.empty())
         message = "the text has no plan in it; write one, as ((DC name (drives ((name action)))))";
     else if (code != Code::UnexpectedToken)

@@ -1,4 +1,4 @@
-// Goes through the words of a plan, one error at a time: knows which parentheses are open and words the complaints.
+// Moves through the tokens of a plan, keeps track of open parentheses and collects findings.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace usar::posh {
 
-/// `text` and `tokens` must outlive it. Complaints return false, so that a reading function can return them.
+/// `text` and `tokens` must outlive the cursor. The functions that report an error return false, so that a reading
+/// function can return their result.
 class TokenCursor {
 public:
     TokenCursor(std::string_view text, const TokenList& tokens)
@@ -22,16 +23,18 @@ public:
         openers_.reserve(32);
     }
 
+    /// The current token.
     const Token& peek() const { return tokens_[index_]; }
-    /// The last token (End) for all that lies beyond it.
+    /// Returns the token `ahead` tokens after the current one, or the last token (End) beyond it.
     const Token& peek(std::size_t ahead) const { return tokens_[index_ + ahead < last_ ? index_ + ahead : last_]; }
     bool at(TokenKind kind) const { return peek().kind == kind; }
     bool at(TokenKind kind, std::size_t ahead) const { return peek(ahead).kind == kind; }
     bool atNumber(std::size_t ahead = 0) const { return at(TokenKind::Integer, ahead) || at(TokenKind::Float, ahead); }
     std::string_view word(std::size_t ahead = 0) const { return textOf(text_, peek(ahead).at); }
-    /// None for what is no name.
+    /// The keyword of the current token; Keyword::None if it is not a name or not a keyword.
     Keyword keyword() const { return peek().keyword; }
     Keyword keyword(std::size_t ahead) const { return peek(ahead).keyword; }
+    /// Moves to the next token; stays at End.
     void advance() {
         const TokenKind kind = peek().kind;
         if (kind == TokenKind::End)
@@ -45,18 +48,21 @@ public:
         ++index_;
     }
 
-    /// As if a parenthesis stood before the present token.
+    /// Acts as if there were an opening parenthesis before the current token.
     void pretendOpen() { openers_.push_back(index_); }
 
+    /// The index of the current token.
     std::size_t index() const { return index_; }
-    /// Goes on at a token that lies outside of every parenthesis opened after the first `depth`.
+    /// Moves forward to a token after an error and treats all but the outermost `depth` parentheses as closed.
     void resumeAt(std::size_t index, std::size_t depth);
+    /// The number of open parentheses.
     std::size_t depth() const { return openers_.size(); }
 
-    /// From the first byte of `begin` to the end of the token that was passed last.
+    /// Returns the spot from the first byte of `begin` to the end of the token before the current one.
     Spot spotSince(const Spot& begin) const;
 
-    /// Takes one token of the kind, or says what was expected: "the ( of a drive".
+    /// Takes one token of this kind, or reports that `expected` was expected ("the ( of a drive") and advises to write
+    /// `mend`.
     bool take(TokenKind kind, std::string_view expected, std::string_view mend) {
         if (!at(kind))
             return unexpected(expected, mend);
@@ -65,24 +71,25 @@ public:
     }
     bool takeKeyword(Keyword keyword, std::string_view expected, std::string_view mend);
 
-    /// E202 at the present token.
+    /// Reports E202 at the current token.
     bool unexpected(std::string_view expected, std::string_view mend);
-    /// Any error at the present token. A token that is malformed is complained of as such, and where the text has ended
-    /// that is the error, whatever was expected.
+    /// Reports an error at the current token. If that token is malformed, its own error is reported instead; at the end
+    /// of the text, the error is E203 (at most once in a row).
     bool fail(Code code, std::string message);
     bool failAt(Code code, const Spot& at, std::string message);
     void warn(Code code, const Spot& at, std::string message);
 
+    /// Moves the findings out of the cursor, in the order in which they were reported.
     Findings takeFindings() { return std::move(findings_); }
 
 private:
     std::string_view text_;
     const TokenList* list_;
-    const Token* tokens_; ///< of the list
-    std::size_t last_;    ///< of them
+    const Token* tokens_; ///< the tokens of the list
+    std::size_t last_;    ///< index of the last token
     std::size_t index_ = 0;
-    std::size_t errors_passed_ = 0;    ///< Bad tokens before index_
-    std::vector<std::size_t> openers_; ///< which tokens opened what is not closed yet
+    std::size_t errors_passed_ = 0;    ///< number of Bad tokens before index_
+    std::vector<std::size_t> openers_; ///< indices of the parentheses that are open
     Findings findings_;
 };
 

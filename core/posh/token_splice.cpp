@@ -14,7 +14,7 @@ std::size_t endOf(const Token& token) {
     return token.at.offset + token.at.length;
 }
 
-/// Words of the language are the same in any case.
+/// Returns whether two tokens mean the same. Keywords may differ in case.
 bool same(std::string_view a_text, const Token& a, std::string_view b_text, const Token& b) {
     const std::string_view a_word = textOf(a_text, a.at);
     const std::string_view b_word = textOf(b_text, b.at);
@@ -35,7 +35,7 @@ bool hasCommentWithin(const TokenList& tokens, std::size_t begin, std::size_t en
     auto at = std::lower_bound(tokens.comments.begin(), tokens.comments.end(), begin,
                                [](const Comment& comment, std::size_t offset) { return comment.offset < offset; });
     while (at != tokens.comments.end() && at->offset < end && at->length == 0)
-        ++at; // blank lines
+        ++at; // Skip blank lines
     return at != tokens.comments.end() && at->offset < end;
 }
 
@@ -58,12 +58,12 @@ std::optional<Splice> spliceTokens(std::string_view text, const TokenList& token
     while (back < shorter - front && same(text, old[old.size() - 1 - back], wanted, all[all.size() - 1 - back]))
         ++back;
     if (front == 0 || back == 0)
-        return std::nullopt; // not even the parentheses around it
+        return std::nullopt; // Not even the outer parentheses agree
     std::size_t old_end = old.size() - back;
     std::size_t new_end = all.size() - back;
     const bool inserts_end_of_list = front == old_end && front > 1 && front < new_end &&
                                      old[front - 1].kind == TokenKind::Open && all[new_end - 1].kind == TokenKind::Open;
-    if (inserts_end_of_list) { // a whole list before the one that stands there, not into its parenthesis
+    if (inserts_end_of_list) { // Insert a whole list before the existing one, not inside its parenthesis
         --front;
         --old_end;
         --new_end;
@@ -78,7 +78,7 @@ std::optional<Splice> spliceTokens(std::string_view text, const TokenList& token
     }
     const Token& before_rest = front < new_end ? all[new_end - 1] : old[front - 1];
     if (!replaces && splice.end == old[old_end].at.offset && isWord(old[old_end]) && isWord(before_rest))
-        splice.text += ' '; // or two words would become one
+        splice.text += ' '; // Otherwise two words would become one
     if (hasCommentWithin(tokens, splice.begin, splice.end))
         return std::nullopt;
     return splice;

@@ -1,4 +1,4 @@
-// Changes a piece of a plan's text into another with as few bytes as possible.
+// Small changes of a plan's text.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,21 @@
 
 namespace usar::posh {
 
-/// Bytes [begin, end) of a text are replaced.
+/// A replacement of the bytes [begin, end) of a text by `text`.
 struct Splice {
     std::size_t begin = 0;
     std::size_t end = 0;
     std::string text;
 };
 
-/// What to replace in bytes [begin, end) of `text`, so that its words become those of `wanted`: what lies between the
-/// words that both begin and end with. `tokens` are those of the whole text. Nothing where a comment would be lost.
+/// Returns the smallest replacement after which bytes [begin, end) of `text` have the same tokens as `wanted`; the
+/// tokens that both have at their beginning and end stay. `tokens` are those of the whole text. Returns nullopt if a
+/// comment would be lost, or if not even the first and the last token agree.
 std::optional<Splice> spliceTokens(std::string_view text, const TokenList& tokens, std::size_t begin, std::size_t end,
                                    std::string_view wanted);
 
-/// Bytes [begin, end) of the text with the splices inside of them, which must be in order and apart.
+/// Returns bytes [begin, end) of the text after the splices. These must be in order and must not overlap; splices that
+/// are not inside the range are ignored.
 std::string spliced(std::string_view text, std::size_t begin, std::size_t end, const std::vector<Splice>& splices);
 
 } // namespace usar::posh

@@ -11,7 +11,8 @@ namespace usar::posh {
 
 namespace {
 
-/// NameStart and NamePart make up ordinary names; Word is what else can stand in a word, sound or not.
+/// The classes of characters. NameStart and NamePart make up ordinary names; Word is any other ASCII character that can
+/// be in a word, valid or not. High is any byte that is not ASCII.
 enum class Class : std::uint8_t { Word, NameStart, NamePart, Blank, LineEnd, Open, Close, Delimiter, High };
 
 constexpr std::array<Class, 256> classTable() {
@@ -41,13 +42,13 @@ Class classOf(char c) {
     return classes[static_cast<unsigned char>(c)];
 }
 
-/// More warnings about single characters than a person reads say nothing more.
+/// Nobody reads more warnings about single characters than this.
 constexpr std::size_t most_warnings = 100;
 
 class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : text_(text) {
-        list_.tokens.reserve(text.size() / 2 + 16); // a dense plan has that many; growing would copy them all
+        list_.tokens.reserve(text.size() / 2 + 16); // Enough for a dense plan, so that the list need not grow
         if (text.starts_with("\xEF\xBB\xBF"))
             at_ = line_start_ = 3;
     }
@@ -75,7 +76,7 @@ private:
     void quoted(char mark);
     std::size_t wordEnd(std::size_t from) const;
 
-    /// Counts lines and code points over what begins at at_, and moves on.
+    /// Moves past the character at at_ and keeps the line and column counts.
     void passCharacter();
     void passTo(std::size_t end) {
         while (at_ < end)
@@ -88,13 +89,13 @@ private:
         return {line_, static_cast<std::uint32_t>(begin - line_start_ - extra_bytes_ + 1),
                 static_cast<std::uint32_t>(begin), 0};
     }
-    /// From `at` to at_; gives the whole of it.
+    /// Adds a token from `at` to at_ and returns its whole spot.
     Spot add(TokenKind kind, Spot at) {
         at.length = static_cast<std::uint32_t>(at_ - at.offset);
         push(kind, kind == TokenKind::Name ? keywordOf(textOf(text_, at)) : Keyword::None, at);
         return at;
     }
-    /// What has no character of more than one byte, from at_ to `end`.
+    /// Adds a token from at_ to `end` that consists of single-byte characters only.
     void addPlain(TokenKind kind, Keyword keyword, std::size_t end) {
         Spot at = spotFrom(at_);
         at.length = static_cast<std::uint32_t>(end - at_);
@@ -112,7 +113,7 @@ private:
         free_ = chunk_.data();
     }
     Class classAt(std::size_t at) const { return at < text_.size() ? classOf(text_[at]) : Class::Blank; }
-    /// A Bad token from `begin` to at_, whose error sits at `error_at`.
+    /// Adds a Bad token from `begin` to at_ whose error is at `error_at`.
     void addBad(Code code, const Spot& begin, Spot error_at) {
         if (error_at.length == 0)
             error_at.length = 1;
@@ -123,16 +124,16 @@ private:
 
     std::string_view text_;
     TokenList list_;
-    std::array<Token, 128> chunk_; ///< the last tokens, on their way to the list: a vector asks more of each
+    std::array<Token, 128> chunk_; ///< buffer for the newest tokens, cheaper than appending each one to the list
     Token* free_ = chunk_.data();
     std::size_t at_ = 0;
     std::size_t line_start_ = 0;
-    std::size_t extra_bytes_ = 0; ///< bytes of this line, up to at_, that begin no code point
+    std::size_t extra_bytes_ = 0; ///< continuation bytes of multi-byte characters on this line, up to at_
     std::uint32_t line_ = 1;
     bool line_is_empty_ = true;         ///< no token on this line yet
-    bool line_is_blank_ = false;        ///< nor a comment; the first line ends what is no line
-    bool string_runs_to_end_ = false;   ///< a quote was never closed, so no later one is
-    std::size_t odd_spaces_end_ = ~0UL; ///< neighbors are one finding
+    bool line_is_blank_ = false;        ///< the line before was blank and has been recorded as a comment
+    bool string_runs_to_end_ = false;   ///< a string was never closed, so there is no later closing quote either
+    std::size_t odd_spaces_end_ = ~0UL; ///< end of the last odd space; adjacent ones cause one warning only
 };
 
 void Tokenizer::next() {
@@ -199,7 +200,7 @@ void Tokenizer::passCharacter() {
 }
 
 void Tokenizer::lineEnd() {
-    // A line end on an empty line makes it a blank one; several count as one.
+    // A line without tokens and comments is blank; several blank lines count as one.
     const bool has_comment = !list_.comments.empty() && list_.comments.back().offset >= line_start_;
     if (line_is_empty_ && !has_comment && !line_is_blank_) {
         list_.comments.push_back({static_cast<std::uint32_t>(line_start_), 0, true});
@@ -282,7 +283,7 @@ std::size_t Tokenizer::wordEnd(std::size_t from) const {
     return end;
 }
 
-/// The usual word: letters, digits, _ and - only.
+/// Reads an ordinary name of letters, digits, _ and -; passes any other word on to word().
 void Tokenizer::name() {
     std::size_t end = at_ + 1;
     while (classAt(end) == Class::NameStart || classAt(end) == Class::NamePart)
@@ -292,8 +293,8 @@ void Tokenizer::name() {
     addPlain(TokenKind::Name, keywordOf(text_.substr(at_, end - at_)), end);
 }
 
-/// The usual number: digits with a point among them or without, perhaps behind a minus. What begins like one and is
-/// none is a word like others.
+/// Reads an ordinary number: digits, with at most one decimal point and an optional minus. Passes any other word on to
+/// word().
 void Tokenizer::number() {
     std::size_t end = at_ + (text_[at_] == '-' ? 1 : 0);
     const auto digits = [&] {
@@ -343,14 +344,14 @@ void Tokenizer::quoted(char mark) {
     if (kind.error)
         return addBad(*kind.error, begin, bad);
     if (mark == '$' && kind.kind != TokenKind::Name)
-        return addBad(lone, begin, begin); // a number is no name
+        return addBad(lone, begin, begin); // A number cannot be a name
     const Spot whole = add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
     if (kind.starts_with_digit)
         warn(Code::NameStartsWithDigit, whole,
              "the name starts with a digit, which other readers refuse; begin it with a letter");
 }
 
-/// Of the escape whose backslash stands at `at`; 0 where it is none.
+/// Returns the length of the escape whose backslash is at `at`, or 0 if it is not a valid escape.
 std::size_t Tokenizer::escapeLength(std::size_t at, std::size_t limit) const {
     const auto charAt = [&](std::size_t i) { return i < limit ? text_[i] : '\0'; };
     const auto isOctal = [](char c) { return c >= '0' && c <= '7'; };
@@ -376,13 +377,13 @@ std::size_t Tokenizer::escapeLength(std::size_t at, std::size_t limit) const {
     return end + 4 - at;
 }
 
-/// The string that begins here: String, or Bad with its first error. One that is never closed ends with its line, so
-/// that the rest of the plan can be read.
+/// Reads a string: adds a String token, or a Bad one with its first error. A string that is never closed ends with its
+/// line, so that the rest of the plan can be read.
 void Tokenizer::string() {
     const Spot begin = spotFrom(at_);
     const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());
     const std::size_t limit = string_runs_to_end_ ? line_end : text_.size();
-    // First where it ends, then its lines and columns.
+    // First find the end of the string, then count its lines and columns.
     std::size_t end = at_ + 1;
     std::size_t wrong = 0;
     while (end < limit && text_[end] != '"') {

@@ -8,7 +8,7 @@ using namespace trace_codec;
 
 namespace {
 
-/// How far behind an event of the cycle before may stand to be taken for the same.
+/// Number of events of the previous cycle to search for the same event.
 constexpr std::size_t look_ahead = 64;
 
 std::uint64_t operation(Operation kind, std::uint64_t count = 0) {
@@ -19,13 +19,13 @@ bool sameSubject(const Entry& a, const Entry& b) {
     return a.record.event == b.record.event && a.record.place == b.record.place;
 }
 
-/// But for cycle and time, which belong to the frame.
+/// Compares everything except cycle and time, which belong to the frame.
 bool same(const Entry& a, const Entry& b) {
     return sameSubject(a, b) && a.record.payload == b.record.payload && a.record.detail == b.record.detail &&
            a.record.flags == b.record.flags && a.record.value == b.record.value && a.text == b.text;
 }
 
-/// A remembered answer is that of the event that asked: the reader finds it there.
+/// Removes a cached answer; the reader finds it in the event in which the sense was evaluated.
 Entry withoutAnswer(TraceRecord record) {
     record.payload = 0;
     record.value = ValueKind::Nil;
@@ -99,7 +99,7 @@ void TraceEncoder::encodeCycle() {
 }
 
 void TraceEncoder::encodeDifference() {
-    std::size_t at = 0; // in the cycle before
+    std::size_t at = 0; // Index in the previous cycle
     for (const Entry& entry : now_) {
         const std::size_t found = findBefore(entry, at);
         if (found == before_.size()) {
@@ -168,7 +168,7 @@ void TraceEncoder::appendNew(const Entry& entry) {
     appendText(entry.text);
 }
 
-/// A text follows its number where it is met first.
+/// Appends the number of a text, followed by the text itself the first time.
 void TraceEncoder::appendText(std::uint32_t number) {
     appendVarint(body_, number);
     if (number <= texts_written_)

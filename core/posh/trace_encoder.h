@@ -1,4 +1,4 @@
-// Turns a run into the bytes of a trace file while it happens: a cycle that is as the one before costs a few bytes.
+// Encodes a run as the bytes of a trace file while it happens. A cycle like the one before takes only a few bytes.
 #pragma once
 
 #include <string>
@@ -10,26 +10,29 @@
 
 namespace usar::posh {
 
-/// Watches one engine. Whoever owns the file takes the bytes, as often as it likes, and appends them to it; every frame
-/// is whole once the file holds its last byte.
+/// Watches one engine, in its thread. The owner of the file calls takeBytes as often as it likes and appends the result
+/// to the file. takeBytes never splits a frame.
 class TraceEncoder final : public TraceObserver {
 public:
-    /// The text that the engine's program was read from.
+    /// `plan_text` is the text that the engine's program was read from.
     explicit TraceEncoder(std::string plan_text) : plan_text_(std::move(plan_text)) {}
-    /// Before the engine is given another program: the text of that.
+    /// Sets the text of the next program; call it before the engine gets that program.
     void setPlanText(std::string plan_text) { plan_text_ = std::move(plan_text); }
 
     void takeProgram(const std::shared_ptr<const Program>& program) override;
     void take(const TraceRecord& record, std::string_view text) override;
-    /// What came since the last call; after the end of the run, what happened behind its last cycle as well.
+    /// Returns the bytes since the last call; the first ones begin with the magic. Between cycles they include the
+    /// events after the last cycle.
     std::string takeBytes();
 
 private:
     using Entry = trace_codec::Entry;
 
+    /// Returns the number of a text and numbers a new one.
     std::uint32_t numberOf(std::string_view text);
     void encodeCycle();
     void encodeDifference();
+    /// Returns the index of the same event in the previous cycle, searching from `from`, or the number of its events.
     std::size_t findBefore(const Entry& entry, std::size_t from) const;
     void appendRun();
     void appendChange(const Entry& before, const Entry& now);
@@ -41,16 +44,16 @@ private:
 
     std::string plan_text_;
     std::string bytes_{trace_codec::magic};
-    std::string body_; ///< of the frame that is made
-    std::vector<Entry> now_;
-    std::vector<Entry> before_;
+    std::string body_;          ///< body of the frame that is being made
+    std::vector<Entry> now_;    ///< events of the current cycle, or after the last one
+    std::vector<Entry> before_; ///< events of the previous cycle
     std::unordered_map<std::string, std::uint32_t> numbers_;
     std::vector<std::string> texts_;
     std::size_t texts_written_ = 0;
-    std::uint64_t run_ = 0; ///< events that are as before and not yet written
-    int until_key_ = 0;
-    std::int64_t time_ms_ = 0;
-    std::int64_t step_ms_ = 0;
+    std::uint64_t run_ = 0;    ///< number of unchanged events that are not yet written
+    int until_key_ = 0;        ///< number of cycles before the next key frame
+    std::int64_t time_ms_ = 0; ///< time of the previous cycle
+    std::int64_t step_ms_ = 0; ///< time between the two previous cycles
     bool in_cycle_ = false;
 };
 

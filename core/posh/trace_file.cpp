@@ -10,7 +10,7 @@ using namespace trace_codec;
 
 namespace {
 
-/// Whether a record from a file says something that an engine can say.
+/// Returns whether the fields of a record from a file are within the ranges that an engine writes.
 bool isSound(const TraceRecord& record) {
     std::uint8_t most_detail = 0;
     switch (record.event) {
@@ -149,7 +149,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
         keyed_plan_ = plan_;
     } else {
         if (keyed_plan_ != plan_)
-            return false; // places of another plan
+            return false; // The previous cycle has places of another plan
         ++cycle_.number;
         step_ms_ = static_cast<std::int64_t>(static_cast<std::uint64_t>(step_ms_) +
                                              static_cast<std::uint64_t>(unzigzag(bytes.varint())));
@@ -167,7 +167,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
 }
 
 bool TraceFile::Cursor::readEvents(Bytes& bytes, std::vector<Entry>& events) {
-    std::size_t at = 0; // in the cycle before
+    std::size_t at = 0; // Index in the previous cycle
     while (!bytes.empty() && !bytes.failed()) {
         const std::uint64_t word = bytes.varint();
         const std::uint64_t count = word / 4;
@@ -230,7 +230,7 @@ bool TraceFile::Cursor::readText(Bytes& bytes, std::uint32_t& number) {
     return !bytes.failed();
 }
 
-/// Frames between this cycle and the next belong to it.
+/// Reads the frames between this cycle and the next, which belong to this one.
 void TraceFile::Cursor::readBehind() {
     cycle_.behind.clear();
     for (auto frame = file_->frameAt(at_); frame && frame->kind == Frame::Between && at_ < file_->indexed_;
@@ -238,14 +238,14 @@ void TraceFile::Cursor::readBehind() {
         Bytes bytes(frame->body);
         std::vector<Entry> events;
         if (!readEvents(bytes, events))
-            break; // of a damaged frame nothing is kept
+            break; // Drop a damaged frame as a whole
         cycle_.behind.insert(cycle_.behind.end(), events.begin(), events.end());
         at_ = frame->end;
     }
     stamp(cycle_.behind);
 }
 
-/// Remembered answers are those of the event that asked.
+/// Restores cached answers from the events in which the senses were evaluated.
 void TraceFile::Cursor::recallAnswers() {
     const Program* const program = cycle_.program.get();
     if (!program)
@@ -256,7 +256,7 @@ void TraceFile::Cursor::recallAnswers() {
             continue;
         const Place& place = program->places[entry.record.place];
         if (place.kind != PlaceKind::Sense && place.kind != PlaceKind::SenseStep)
-            continue; // damaged
+            continue; // The trace is damaged
         Entry& answer = answers_[program->tests[place.item].call];
         if (entry.record.flags & trace_cached) {
             entry.record.payload = answer.record.payload;

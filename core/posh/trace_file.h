@@ -1,4 +1,4 @@
-// Reads what TraceEncoder wrote: any cycle of a long run, also while it is being written.
+// Reads what TraceEncoder wrote: any cycle of a long run, even while the file is still being written.
 #pragma once
 
 #include <memory>
@@ -12,41 +12,45 @@
 
 namespace usar::posh {
 
-/// One cycle as it was, with what happened between it and the next.
+/// One cycle of a recorded run, with the events between it and the next cycle.
 struct TracedCycle {
     std::uint64_t number = 0;
-    std::int64_t time_ms = 0;
-    std::shared_ptr<const Program> program; ///< none where the plan in the file cannot be read
-    std::size_t plan = 0;                   ///< its number in the file
+    std::int64_t time_ms = 0;               ///< in the engine's time
+    std::shared_ptr<const Program> program; ///< nullptr if the plan in the file cannot be compiled
+    std::size_t plan = 0;                   ///< index of the plan among those in the file
     std::vector<trace_codec::Entry> events;
-    std::vector<trace_codec::Entry> behind; ///< after its end: a stop, a replacement
-    std::vector<std::string> texts;         ///< by number, from 1
+    std::vector<trace_codec::Entry> behind; ///< events after the end of the cycle, such as a stop or a replacement
+    std::vector<std::string> texts;         ///< the text with number n is at index n - 1
 
     std::string_view textOf(const trace_codec::Entry& entry) const {
         return entry.text == 0 ? std::string_view() : std::string_view(texts[entry.text - 1]);
     }
 };
 
-/// An index over the bytes of a file, which it does not own. Bytes are untrusted: what is damaged ends the trace there,
-/// and `damage` says so.
+/// An index over the bytes of a trace file. It does not own the bytes; they must outlive it. The bytes need not be
+/// trustworthy: at a damaged frame the trace ends.
 class TraceFile {
 public:
-    /// An error when the bytes do not begin as a trace of this version.
+    /// Indexes the bytes. Fails if they do not begin with the magic of this version.
     static Result<TraceFile> open(std::string_view bytes);
 
-    /// The file has grown: `bytes` begin with those known already. A frame that is not whole yet is left for later.
+    /// Continues with a file that has grown: `bytes` must begin with the bytes already known, but may be at another
+    /// address. A frame that is not complete yet is left for later.
     void extend(std::string_view bytes);
 
     std::size_t cycleCount() const { return cycle_count_; }
+    /// The number of the first recorded cycle; 0 if there is none.
     std::uint64_t firstCycle() const { return keys_.empty() ? 0 : keys_.front().cycle; }
+    /// Describes where a frame of unknown kind ended the trace; empty if there was none.
     const std::string& damage() const { return damage_; }
     const std::string& planText(std::size_t plan) const { return plans_[plan].text; }
     std::size_t planCount() const { return plans_.size(); }
 
-    /// Reads cycles one after another. Must not outlive the file or its bytes.
+    /// Reads one cycle after the other. Must not outlive the file or its bytes.
     class Cursor {
     public:
-        /// The next cycle, valid until the next call; nothing behind the last.
+        /// Returns the next cycle, which is valid until the next call; nullptr after the last cycle and at a damaged
+        /// one.
         const TracedCycle* next();
 
     private:
@@ -64,23 +68,24 @@ public:
 
         const TraceFile* file_;
         std::size_t at_;
-        std::size_t plan_;                      ///< number of plans that stand before `at_`
+        std::size_t plan_;                      ///< number of plans before `at_`
         std::optional<std::size_t> keyed_plan_; ///< `plan_` at the last key frame
-        std::int64_t step_ms_ = 0;
+        std::int64_t step_ms_ = 0;              ///< time between the two previous cycles
         TracedCycle cycle_;
-        std::vector<trace_codec::Entry> before_; ///< as coded
-        std::vector<trace_codec::Entry> now_;
-        std::vector<trace_codec::Entry> answers_; ///< newest, by sense call
+        std::vector<trace_codec::Entry> before_;  ///< events of the previous cycle as coded, without cached answers
+        std::vector<trace_codec::Entry> now_;     ///< the same for the current cycle
+        std::vector<trace_codec::Entry> answers_; ///< newest answers by sense call
     };
     Cursor begin() const { return {*this, trace_codec::magic.size(), 0}; }
-    /// The next of the cursor is that cycle, or the first behind it that was recorded.
+    /// Returns a cursor whose next cycle is this one, or the first recorded cycle after it.
     Cursor seek(std::uint64_t cycle) const;
 
 private:
+    /// A key frame.
     struct Key {
         std::uint64_t cycle = 0;
-        std::size_t offset = 0;
-        std::size_t plan = 0;
+        std::size_t offset = 0; ///< byte offset of the frame
+        std::size_t plan = 0;   ///< number of plans before it
     };
     struct RecordedPlan {
         std::string text;
@@ -89,14 +94,14 @@ private:
     struct FrameView {
         trace_codec::Frame kind = trace_codec::Frame::Plan;
         std::string_view body;
-        std::size_t end = 0;
+        std::size_t end = 0; ///< byte offset of the next frame
     };
-    /// Nothing where no whole frame stands.
+    /// Returns the frame at a byte offset; nullopt if there is no complete one.
     std::optional<FrameView> frameAt(std::size_t offset) const;
     void index(const FrameView& frame, std::size_t offset);
 
     std::string_view bytes_;
-    std::size_t indexed_ = 0; ///< bytes
+    std::size_t indexed_ = 0; ///< number of bytes that are indexed
     std::size_t cycle_count_ = 0;
     std::vector<Key> keys_;
     std::vector<RecordedPlan> plans_;

@@ -13,7 +13,7 @@ void TraceRing::take(const TraceRecord& record, std::string_view text) {
     Slot& slot = slots_[number & (slots_.size() - 1)];
     slot.turn.store(2 * number + 1, std::memory_order_relaxed);
     const auto words = std::bit_cast<std::array<std::uint64_t, Slot::record_words>>(record);
-    // each store releases, so that none is seen before the odd turn
+    // Each store has release order, so that the reader cannot see it before the odd turn.
     for (std::size_t i = 0; i < words.size(); ++i)
         slot.words[i].store(words[i], std::memory_order_release);
     const std::size_t length = std::min(text.size(), longest_text);
@@ -38,7 +38,7 @@ void TraceRing::read(std::vector<Entry>& out) {
         if (readSlot(read_, entry))
             out.push_back(std::move(entry));
         else
-            ++dropped_; // overwritten while we looked
+            ++dropped_; // Overwritten while it was read
     }
 }
 

@@ -1,5 +1,5 @@
-// Carries a run from the engine's thread to one reader without ever making the engine wait: what the reader is too slow
-// for is dropped, oldest first, and counted.
+// A lock-free ring buffer that passes a run from the engine's thread to one reader. The engine never waits: if the
+// reader is too slow, the oldest records are dropped and counted.
 #pragma once
 
 #include <array>
@@ -11,43 +11,45 @@
 
 namespace usar::posh {
 
-/// One writer (the engine), one reader; no locks, no allocation when writing.
+/// For one writer (the engine's thread) and one reader in any thread. Writing neither locks nor allocates memory.
 class TraceRing final : public TraceObserver {
 public:
-    static constexpr std::size_t longest_text = 80; ///< bytes; longer ones are cut
+    static constexpr std::size_t longest_text = 80; ///< in bytes; longer texts are cut, possibly inside a character
 
     struct Entry {
         TraceRecord record;
-        std::uint32_t program = 0; ///< how many programs were put in before it
+        std::uint32_t program = 0; ///< number of programs loaded before the record
         std::string text;
     };
 
-    /// `capacity` in records, rounded up to a power of two.
+    /// `capacity` is the number of records, rounded up to a power of two.
     explicit TraceRing(std::size_t capacity = 1 << 14);
 
     void takeProgram(const std::shared_ptr<const Program>&) override { ++programs_; }
     void take(const TraceRecord& record, std::string_view text) override;
 
-    /// For the reader: appends what came since the last call, oldest first.
+    /// For the reader: appends the records since the last call, oldest first.
     void read(std::vector<Entry>& out);
-    /// For the reader: records that it never saw, in all.
+    /// For the reader: the total number of records that were dropped before it could read them.
     std::uint64_t dropped() const { return dropped_; }
 
 private:
-    /// `turn` is odd while the slot is written. All words are atomic: the reader may look at any time.
+    /// A record in the ring, protected by a sequence lock: `turn` is odd while the slot is being written. All words are
+    /// atomic, because the reader may read them at any time.
     struct Slot {
         static constexpr std::size_t record_words = sizeof(TraceRecord) / 8;
         static constexpr std::size_t text_words = longest_text / 8;
         std::atomic<std::uint64_t> turn{0};
         std::array<std::atomic<std::uint64_t>, record_words + 1 + text_words> words{};
     };
+    /// Returns false if the record with this number has been overwritten.
     bool readSlot(std::uint64_t number, Entry& entry) const;
 
     std::vector<Slot> slots_;
-    std::atomic<std::uint64_t> written_{0};
-    std::uint32_t programs_ = 0; ///< writer's
-    std::uint64_t read_ = 0;     ///< reader's, as the next
-    std::uint64_t dropped_ = 0;
+    std::atomic<std::uint64_t> written_{0}; ///< number of records written
+    std::uint32_t programs_ = 0;            ///< used by the writer only
+    std::uint64_t read_ = 0;                ///< number of records read or dropped; used by the reader only
+    std::uint64_t dropped_ = 0;             ///< used by the reader only
 };
 
 } // namespace usar::posh

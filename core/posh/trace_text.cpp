@@ -8,15 +8,15 @@ namespace usar::posh {
 
 namespace {
 
-/// How an event is written: a word, the path, then what `Tail` says.
+/// The format of an event's line: a word, the path of the place, then the item given by `Tail`.
 enum class Tail { Nothing, Name, Call, Text };
 struct Wording {
     std::string_view word;
     Tail tail = Tail::Nothing;
-    bool plain = true; ///< part of the plain form
+    bool plain = true; ///< whether TraceDetail::Plain includes the event
 };
 
-/// By event, from SenseEval to Error.
+/// Indexed by event, from SenseEval to Error.
 constexpr std::array<Wording, 21> wordings{{
     {"sense", Tail::Call},          {"skip", Tail::Nothing},
     {"start", Tail::Name},          {"succeeded", Tail::Name},

@@ -1,4 +1,4 @@
-// A trace as text, a line an event: what golden traces, reports and people read.
+// A trace as text with one line per event, for golden traces, reports and users.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@
 
 namespace usar::posh {
 
-/// Plain: decisions and acts only, the form that traces of different engines are compared in. Full: pushes and pops,
-/// warnings, errors, blackboard and commands too.
+/// The level of detail. Plain: only senses, decisions and acts, for comparing traces of different engines. Full: also
+/// pushes and pops, warnings, errors, blackboard changes and commands.
 enum class TraceDetail { Plain, Full };
 
-/// Appends the lines of one record, each with its line end; nothing for what the detail leaves out.
+/// Appends the line of one record with its line end, or nothing if the level of detail leaves the event out.
 void appendLine(std::string& out, const Program& program, const TraceRecord& record, std::string_view text,
                 TraceDetail detail = TraceDetail::Plain);
 
+/// These return the words used in traces: "Fired", "RunningOnce", "interrupted".
 std::string_view toText(Outcome outcome);
 std::string_view toText(ActResult result);
 std::string_view toText(DoneReason reason);
 
-/// Writes down a run as it happens.
+/// Collects the text of a run while it happens.
 class TraceText final : public TraceObserver {
 public:
     explicit TraceText(TraceDetail detail = TraceDetail::Plain) : detail_(detail) {}

@@ -4,7 +4,7 @@ namespace usar::posh {
 
 namespace {
 
-/// Bytes that the first byte announces; 0 where it begins no sequence.
+/// Returns the length of a sequence from its first byte, or 0 if no sequence can begin with that byte.
 std::size_t announcedLength(unsigned char first) {
     if (first < 0x80)
         return 1;
@@ -17,7 +17,7 @@ std::size_t announcedLength(unsigned char first) {
     return first < 0xF5 ? 4 : 0;
 }
 
-/// Overlong forms, surrogates and values beyond the last code point are no characters.
+/// Returns false for overlong forms, surrogates and values beyond the last code point.
 bool isCharacter(char32_t value, std::size_t length) {
     if (length == 3)
         return value >= 0x800 && !(value >= 0xD800 && value <= 0xDFFF);

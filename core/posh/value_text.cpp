@@ -8,8 +8,8 @@ namespace usar::posh {
 
 namespace {
 
-/// The numbers that people write, as 0.5 and 2.25, without the search for the shortest digits: these are they. False
-/// for all others.
+/// Appends a number with at most three decimals, such as 0.5 or 2.25. For these, no search for the shortest digits is
+/// needed. Returns false and appends nothing for all other numbers.
 bool appendThousandths(std::string& out, double number) {
     constexpr double most = 1e12;
     const double scaled = number * 1000.0;
@@ -34,7 +34,7 @@ bool appendThousandths(std::string& out, double number) {
     return true;
 }
 
-/// Without exponent where people would write none.
+/// Appends the shortest digits that give the number; with an exponent only if it is very small or very large.
 void appendReal(std::string& out, double number) {
     if (appendThousandths(out, number))
         return;

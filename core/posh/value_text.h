@@ -1,4 +1,4 @@
-// Values as traces and reports print them.
+// Formats values as traces and reports print them.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace usar::posh {
 
-/// nil, true, 5, 2.0 (whole floats keep one decimal), "text" in JSON quotes, 'symbol.
+/// Appends nil, true, 5, 2.0 (whole floats keep one decimal), "text" (quoted as in JSON) or 'symbol.
 void appendValue(std::string& out, const Value& value);
 std::string toText(const Value& value);
-/// With quotes, escaped as JSON asks; letters beyond ASCII stay as they are.
+/// Appends the text in quotes, escaped as in JSON; characters beyond ASCII are not escaped.
 void appendQuoted(std::string& out, std::string_view text);
 
 } // namespace usar::posh

@@ -23,7 +23,7 @@ std::size_t digitsAt(std::string_view word, std::size_t at) {
     return end - at;
 }
 
-/// Integer, Float, or nothing where the whole word is neither.
+/// Returns Integer or Float, or nullopt if the whole word is neither.
 std::optional<TokenKind> numberKind(std::string_view word) {
     std::size_t at = !word.empty() && isSign(word[0]) ? 1 : 0;
     const std::size_t whole = digitsAt(word, at);
@@ -47,8 +47,8 @@ std::optional<TokenKind> numberKind(std::string_view word) {
     return exponent > 0 && at + exponent == word.size() ? std::optional(TokenKind::Float) : std::nullopt;
 }
 
-/// Parts joined by dots, each of which starts as a name does. Gives the place of the first wrong character, which may
-/// be a dot behind which a part is missing.
+/// Checks a word that must consist of names joined by dots. Returns the offset of the first wrong character, or nullopt
+/// if there is none. A dot is wrong if no name follows it.
 std::optional<std::size_t> wrongInParts(std::string_view word, bool hyphens) {
     bool starts_part = true;
     for (std::size_t i = 0; i < word.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a run of characters is: a number, a name, or neither.
+// Classifies words: a number, a name, or neither.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,19 @@
 
 namespace usar::posh {
 
-/// `bad` is where in the word the error sits.
+/// The kind of a word.
 struct WordKind {
     TokenKind kind = TokenKind::Name;
-    bool starts_with_digit = false; ///< a name that does
-    std::optional<Code> error = std::nullopt;
-    std::size_t bad = 0;
+    bool starts_with_digit = false;           ///< it is a name, but starts with a digit
+    std::optional<Code> error = std::nullopt; ///< set exactly if the kind is Bad
+    std::size_t bad = 0;                      ///< byte offset of the error in the word
 };
 
-/// A word outside quotes and without `$` or `'`.
+/// Classifies a word that is not quoted and does not include a leading `$` or `'`. The result is Integer, Float, Name
+/// or Bad.
 WordKind classifyWord(std::string_view word);
 
-/// What stands behind the `'`: a name, or an enumeration constant where it has dots.
+/// Classifies the word after a `'`: a name, or an enumeration constant if it has dots. The result is Symbol or Bad.
 WordKind classifySymbol(std::string_view word);
 
 } // namespace usar::posh

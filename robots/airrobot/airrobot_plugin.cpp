@@ -1,4 +1,4 @@
-// The door of the AirRobot plugin: what it offers, and its behaviors.
+// The entry point of the AirRobot plugin.
 #include <QObject>
 
 #include "robots/airrobot/descriptions.h"

@@ -13,11 +13,11 @@ constexpr double way_ahead_s = 4.0;
 constexpr double gain_per_s = 0.8;
 constexpr double start_moving_m = 0.35;
 constexpr double stop_moving_m = 0.1;
-/// Slope of the lower rim of a sonar's 15 degree beam.
+/// Slope of the lower edge of a sonar's 15 degree beam.
 constexpr double sonar_slope = 0.12;
 constexpr double known_enough = 0.85;
-/// What ends no lower than this is beside us, not under us, and may be a trunk below its crown: no reason to climb
-/// here.
+/// An object whose top is less than this below the robot, or above it, is beside the robot and not under it. It may be
+/// a trunk below its crown, so it is no reason to climb here.
 constexpr double beside_m = 0.3;
 constexpr double standing_m_s = 0.15;
 

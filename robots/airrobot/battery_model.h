@@ -1,4 +1,4 @@
-// The simulated battery of the thesis (4.1): the simulator cannot charge, so capacity is a distance of our own.
+// The simulated battery of the thesis (4.1). The simulator cannot charge batteries, so the capacity is a distance.
 #pragma once
 
 #include "core/base/geometry.h"
@@ -6,20 +6,25 @@
 
 namespace usar::airrobot {
 
-/// Counts the way flown since the last charge, by the INS. Owned by one robot.
+/// Adds up the distance flown since the last charge, according to the INS. Owned by one robot.
 class BatteryModel {
 public:
-    /// Moves shorter than the wire's centimetre noise while standing still add nothing.
+    /// Adds the distance from the last position. Ignores moves of a few centimeters, which are noise of the protocol
+    /// while the robot stands still.
     void moveTo(const Vec3& position_in_map_m);
-    /// The estimate has jumped: the next move starts at the new place.
+    /// Makes the next move start at its own position, because the position estimate has jumped.
     void forgetPosition() { has_position_ = false; }
     void recharge();
 
     double flownSinceCharge_m() const { return since_charge_m_; }
+    /// The total distance flown.
     double flown_m() const { return total_m_; }
+    /// The number of recharges.
     int charges() const { return charges_; }
+    /// The used share of the battery's range, 0 to 100.
     double used_pct(const Settings& settings) const;
-    /// Before the reserve is touched: range - reserve - flown - beeline home. Negative: too late to turn back calmly.
+    /// Returns the distance that can be flown before the reserve is needed: range - reserve - flown - beeline home.
+    /// Negative means that the way home already needs the reserve.
     double rangeLeft_m(double beeline_home_m, const Settings& settings) const;
 
 private:

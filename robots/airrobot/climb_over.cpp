@@ -17,7 +17,7 @@ constexpr double free_way_m = 6.0;
 constexpr double free_half_width_m = 1.5;
 constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
-/// Climbed on after the way is free, so that the belly passes the top with room to spare.
+/// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
 
 } // namespace

@@ -7,9 +7,9 @@ namespace usar::airrobot {
 
 namespace {
 
-/// (1.1 degrees)^2 per right angle.
+/// Growth of the variance per radian of turn, which is (1.1 degrees)^2 per right angle.
 constexpr double turn_variance_rad = 2.4e-4;
-/// 5 % of each step sideways, and what the autopilot leaves.
+/// Variance of the course of one step: 5 % of the step sideways, plus what the autopilot does not correct.
 constexpr double course_variance_rad2 = 0.0036;
 constexpr double steady_m_s = 0.12;
 constexpr Seconds shortest_interval{0.15};
@@ -17,7 +17,7 @@ constexpr int steady_ticks_needed = 6;
 constexpr double slowest_m_s = 0.5;
 constexpr double straight_rad = 0.02;
 constexpr double shortest_step_m = 0.05;
-/// More than this is no drift but something that holds the robot.
+/// A larger error is not drift; something is holding the robot.
 constexpr double outlier_rad = 0.5;
 constexpr double limit_rad = 0.4;
 

@@ -7,20 +7,20 @@ namespace usar::airrobot {
 
 namespace {
 
-/// What rises to less than this under the base passes below it.
+/// An object whose top is farther than this below the robot's base passes below the robot.
 constexpr double level_margin_m = 1.2;
 constexpr double look_around_m = 8.0;
-/// What the scanner's level rays and the sonars saw of a trunk ends about here.
+/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
 constexpr double trunk_margin_m = 0.3;
-/// As long as no more climb than this is wanting, flight goes on past an overhang on the same level.
+/// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
-/// A climb over something ends this far beyond the place of the climb.
+/// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
 constexpr double rise_tolerance_m = 0.3;
 constexpr double hold_still_m = 0.5;
 
-/// What the robot cannot do is not commanded: the course filter and the stopping distance believe the command.
+/// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
     for (double* speed : {&settings.scan_speed_m_s, &settings.transit_speed_m_s, &settings.evasion_speed_m_s})
         *speed = std::min(*speed, layout.maximum_speed_m_s);
@@ -134,7 +134,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
     if (!climb_forbidden_)
         return motion;
-    state = FlightState::Evading; // waits here, until it backs away and climbs where there is room
+    state = FlightState::Evading; // Waits until it backs away and climbs where there is room
     Motion waiting = holding(senses, here_m);
     waiting.yaw_rate_rad_s = motion.yaw_rate_rad_s;
     return waiting;

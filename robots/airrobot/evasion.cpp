@@ -137,7 +137,7 @@ EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& pictu
 void Evasion::calm(Seconds now, const Settings& settings) {
     if (!calm_since_ || now < *calm_since_)
         calm_since_ = now;
-    // This tick counts too, and printed times are rounded.
+    // Adds one tick, because this one counts too, and a quarter, because printed times are rounded.
     const Seconds calm_for = now - *calm_since_ + 1.25 * usual_tick;
     if (calm_for >= static_cast<double>(settings.calm_cycles) * usual_tick || mode_ == EvasionMode::Flee ||
         mode_ == EvasionMode::Enclosed)

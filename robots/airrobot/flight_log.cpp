@@ -9,7 +9,7 @@ namespace {
 constexpr double path_step_m = 1.0;
 constexpr double goal_step_m = 0.5;
 constexpr double lowest_scan_m = 2.0;
-constexpr double reach_m = 20.0; ///< nothing below within the scanner's reach: high, not low
+constexpr double reach_m = 20.0; ///< height to assume if nothing below is within the scanner's reach
 } // namespace
 
 bool goodForMap(const Senses& senses, bool airborne, const Settings& settings) {

@@ -1,4 +1,4 @@
-// The marks on the height map (thesis figure 4.4) and the values that the map and the status strip live on.
+// Publishes the marks on the height map (thesis figure 4.4) and the values that the map and the status strip show.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,23 @@
 
 namespace usar::airrobot {
 
-/// A scan may be written into the map while the robot is level, not turning quickly, and high enough that the rays are
-/// not nearly horizontal. Transit is as good as a lane; only the ground is not.
+/// Returns whether the scan may be written into the map: the robot must be level, not turn quickly, and be high enough
+/// that the rays are not nearly horizontal. Scans in transit are as good as those on a lane; scans on the ground are
+/// not used.
 bool goodForMap(const Senses& senses, bool airborne, const Settings& settings);
 
-/// Publishes what changed. Owned by one robot.
+/// Publishes only what changed. Owned by one robot.
 class FlightLog {
 public:
     void mark(agent::MarkKind kind, const Vec3& position_in_map_m, const Senses& senses,
               agent::CommandPort& port) const;
-    /// Pose, the path's marks every metre, the scan if it is good for the map.
+    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map.
     void tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
+    /// Marks new risks and diversions.
     void risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const;
+    /// Publishes a goal that differs from the last one; nullopt means that there is no goal.
     void goal(std::optional<Vec3> goal_in_map_m, agent::CommandPort& port);
-    /// The estimate has jumped; the path goes on from the new place.
+    /// Makes the path continue from the next position, because the position estimate has jumped.
     void forgetPath() { last_path_m_.reset(); }
 
 private:

@@ -1,4 +1,4 @@
-// Sets the INS from ground truth while the robot lies on the ground: the only place that looks at ground truth.
+// Sets the INS from ground truth while the robot is on the ground. No other code of the robot uses ground truth.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,18 @@
 
 namespace usar::airrobot {
 
+/// The state of a reset. Resting: the robot must not move for some seconds. Waiting: for the server's answer.
 enum class ResetState { Idle, Resting, Waiting, Done, Failed };
 
-/// Thesis 4.1: after several seconds at rest, SET INS POSE with the values of ground truth; RES says OK. Asked again
-/// after 2 s without OK. A server that sends no RES (UDK) counts as obedient when the INS then agrees with the truth.
-/// Owned by one robot; stepped once a tick.
+/// Follows the thesis (4.1): after several seconds at rest it sends SET INS POSE with the pose from ground truth, and
+/// the server answers with RES OK. Without an OK it repeats the command after 2 s. For a server that sends no RES
+/// (UDK), the reset has succeeded if the INS then agrees with ground truth. Owned by one robot; call `step` once per
+/// tick.
 class InsReset {
 public:
     void start(Seconds now);
     void cancel() { state_ = ResetState::Idle; }
+    /// Returns Failed if there is no ground truth, or after `reset_attempts` commands without success.
     ResetState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port, const Settings& settings);
     ResetState state() const { return state_; }
 
@@ -25,9 +28,9 @@ private:
     bool confirmed(modules::RobotModules& robot) const;
 
     ResetState state_ = ResetState::Idle;
-    Seconds since_{0.0};
-    Seconds sent_{0.0};
-    std::optional<Pose> rest_pose_;
+    Seconds since_{0.0};            ///< start of the rest
+    Seconds sent_{0.0};             ///< time of the last command
+    std::optional<Pose> rest_pose_; ///< pose in which the robot rests, from ground truth
     long long attempts_ = 0;
 };
 

@@ -12,7 +12,7 @@ constexpr double even_m = 0.5;
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
 constexpr double still_m_s = 0.06;
-/// A second, less what the printed times are rounded by.
+/// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
 

@@ -1,4 +1,4 @@
-// Where and how to come down, and how to know that one is down.
+// Finds a place to land, controls the descent and detects the ground.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,18 @@
 
 namespace usar::airrobot {
 
-/// The even place nearest to `wanted_m`, within `radius_m`, as far as the scanner knows the ground; `wanted_m` itself
-/// where nothing better is known.
+/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has seen the ground;
+/// `wanted_m` itself if it is even enough or no better place is known.
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m);
 
-/// Sinks fast, then slowly, and notices the touch: told to sink and not sinking for a second. Owned by one robot.
+/// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
+/// for about a second. Owned by one robot.
 class Touchdown {
 public:
     void start() { still_since_.reset(); }
+    /// Returns the rate of descent, positive downward.
     double sinkRate_m_s(const Senses& senses, const Settings& settings) const;
-    /// Once a tick while sinking.
+    /// Returns whether the robot has landed. Call it once per tick while sinking.
     bool touched(const Senses& senses);
 
 private:

@@ -1,4 +1,4 @@
-// What must be known before the rotors turn: the thesis's RobotLaunch (4.3).
+// Collects what must be known before the rotors start: the thesis's RobotLaunch (4.3).
 #pragma once
 
 #include <optional>
@@ -12,28 +12,33 @@ namespace usar::airrobot {
 
 enum class LaunchState { Waiting, Ready, Failed };
 
-/// Asks for the robot's configuration, then sonars, then scanner, each once the one before was answered; then waits
-/// for a first reading of INS, sonars and scanner. What the server does not answer is taken from the stock robot, with
-/// a warning. Owned by one behavior; stepped once a tick.
+/// Asks for the configuration of the robot, then for geometry and limits of the sonars and of the scanner, one after
+/// the other. Then it waits for a first reading of INS, sonars and scanner. If the server does not answer a question,
+/// the value of the stock robot is used, with a warning. Owned by one behavior; call `step` once per tick.
 class LaunchChecklist {
 public:
+    /// Failed means that a sensor has sent nothing for 10 s after all questions were settled.
     LaunchState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port);
+    /// The values known so far, with those of the stock robot for the rest.
     const SensorLayout& layout() const { return layout_; }
-    /// The robot's configuration was answered for, one way or the other; then all geometry and limits; then there was
-    /// a first reading of every sensor.
+    /// Whether the question for the robot's configuration is settled, with or without an answer.
     bool configurationKnown() const { return question_ > 0; }
+    /// Whether all questions are settled.
     bool geometryKnown() const;
+    /// Whether every sensor has also sent a first reading.
     bool ready() const { return ready_; }
-    /// What is waited for, or what failed: "waiting for sonar geometry".
+    /// Says what it is waiting for or what failed: "waiting for Sonar geometry".
     const std::string& words() const { return words_; }
 
 private:
+    /// Continues with the questions; returns whether all are settled.
     bool answered(modules::RobotModules& robot, agent::CommandPort& port);
+    /// Returns the first sensor without a reading; empty if there is none.
     std::string missingSensor(const modules::RobotModules& robot) const;
 
     SensorLayout layout_ = stockLayout();
-    std::size_t question_ = 0;
-    std::optional<Seconds> asked_all_;
+    std::size_t question_ = 0;         ///< number of settled questions
+    std::optional<Seconds> asked_all_; ///< time at which the last question was settled
     bool ready_ = false;
     std::string words_ = "starting";
 };

@@ -64,7 +64,8 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {
     const Vec2 ray_m = (echo.center_in_map_m - echo.origin_in_map_m).head<2>();
     const double range_m = std::max(0.01, ray_m.norm());
-    // What the beam passed is not there; the cone's middle only, for its rim may have gone by on either side.
+    // Removes echoes that the beam has passed through. Only the middle of the cone counts, because its edge may have
+    // passed the obstacle on either side.
     std::erase_if(echoes_, [&](const Echo& old) {
         const Vec2 offset_m = old.at_m.head<2>() - echo.origin_in_map_m.head<2>();
         const double along_m = offset_m.dot(ray_m) / range_m;

@@ -7,7 +7,7 @@ namespace usar::airrobot {
 
 namespace {
 
-/// A gap in the messages is no time to gather speed in.
+/// Limit of the ramp's time, so that the robot does not accelerate abruptly after a gap in the messages.
 constexpr Seconds longest_ramp = 2 * usual_tick;
 constexpr double turn_gain_per_s = 1.4;
 constexpr double stop_to_turn_rad = 0.6;

@@ -8,7 +8,7 @@ namespace usar::airrobot {
 namespace {
 
 constexpr Seconds never{1e9};
-/// Readings this close to the maximum are no echo ([SD]: more than 4.99 of 5 m is free).
+/// Readings this close to the maximum are not echoes ([SD]: more than 4.99 m of 5 m is free).
 constexpr double echo_tolerance_m = 0.02;
 constexpr std::size_t middle_rays = 10;
 
@@ -42,7 +42,8 @@ std::vector<Vec3> hitsOf(const protocol::RangeScan& scan, const Pose& scanner_in
     return hits;
 }
 
-/// Mean height of the hits that lie nearest to straight below, which shifts the window of rays by the roll.
+/// Returns the mean height of the hits nearest to straight below; nullopt if there are fewer than three. When the robot
+/// rolls, these come from other rays than when it is level.
 std::optional<double> groundBelow(std::vector<Vec3> hits, const Vec3& base_m) {
     const auto offset = [&](const Vec3& hit) {
         const Vec3 ray = hit - base_m;

@@ -1,4 +1,4 @@
-// Where the AirRobot's sensors sit and how far they see, from the server's answers.
+// The mounting and the reach of the AirRobot's sensors, from the server's answers.
 #pragma once
 
 #include <string>
@@ -9,31 +9,33 @@
 
 namespace usar::airrobot {
 
-/// One sonar; it looks along its own x axis. `beam_rad` is the full cone.
+/// One sonar, which looks along its own x axis.
 struct SonarMount {
     std::string name;
     Pose sonar_in_base;
-    double maximum_m = 5.0;
-    double beam_rad = radians(15.0);
+    double maximum_m = 5.0;          ///< reach
+    double beam_rad = radians(15.0); ///< full angle of the cone
     bool operator==(const SonarMount&) const = default;
 };
 
+/// The sensors and the limits of a robot.
 struct SensorLayout {
     std::vector<SonarMount> sonars; ///< left to right
-    std::string scanner_name;       ///< empty: the first one that speaks
+    std::string scanner_name;       ///< empty means the first scanner that sends readings
     Pose scanner_in_base;
-    double scanner_maximum_m = 20.0;
-    double maximum_speed_m_s = 2.0;
-    double maximum_climb_m_s = 2.0;
+    double scanner_maximum_m = 20.0; ///< reach of the scanner
+    double maximum_speed_m_s = 2.0;  ///< horizontal speed
+    double maximum_climb_m_s = 2.0;  ///< vertical speed, up and down
     double maximum_turn_rad_s = radians(100.0);
     bool operator==(const SensorLayout&) const = default;
 };
 
-/// The stock AirRobot of robots-and-worlds 3.1: nine sonars every 18 degrees on a ring of 0.5 m, the scanner under the
-/// belly looking straight down across the track.
+/// Returns the stock AirRobot of robots-and-worlds 3.1: nine sonars, every 18 degrees on a ring with a radius of 0.5 m,
+/// and the scanner under the belly, which looks straight down across the direction of flight.
 SensorLayout stockLayout();
 
-/// Each takes what the answer knows and leaves the rest of `layout` as it is; false where it knew nothing of use.
+/// Each of these stores the values of an answer in `layout` and leaves the rest unchanged. Returns false if the answer
+/// has no usable value.
 bool takeSonarGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
 bool takeSonarLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
 bool takeScannerGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);

@@ -1,4 +1,4 @@
-// Every constant of the AirRobot's flight as one value, and the parameters that people set it by.
+// The settings of the AirRobot's flight, and the parameters through which the user sets them.
 #pragma once
 
 #include <vector>
@@ -8,34 +8,35 @@
 
 namespace usar::airrobot {
 
-/// SI units. [T] is the thesis (4.1, robots-and-worlds 3.1), [SD] the later client built on it; what has no mark was
-/// tuned on tall_test. Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units. [T] marks values from the thesis (4.1, robots-and-worlds 3.1) and [SD] those from the
+/// later client built on it; the others were tuned in the world tall_test. Copied by value: new parameters take effect
+/// at the next tick. parameterSpecs has the limits and a help text for each.
 struct Settings {
-    double scan_altitude_m = 6.0; ///< [T] over the ground below
-    double floor_level_m = -25.0; ///< [T] map z that it never sinks below but to land
-    double clearance_m = 2.5;
-    double footprint_radius_m = 1.8;
-    double maximum_height_m = 19.0; ///< at most the scanner's reach
+    double scan_altitude_m = 6.0;    ///< [T] height over the ground below
+    double floor_level_m = -25.0;    ///< [T] map z below which the robot never sinks, except to land
+    double clearance_m = 2.5;        ///< height over the highest known object below and ahead
+    double footprint_radius_m = 1.8; ///< radius within which objects count as below the robot
+    double maximum_height_m = 19.0;  ///< greatest height over ground; at most the scanner's reach
     double scan_speed_m_s = 1.0;
     double transit_speed_m_s = 1.6;
     double climb_speed_m_s = 1.0;
     double descent_speed_m_s = 0.6;
     double turn_rate_rad_s = radians(34.0);
     double acceleration_m_s2 = 0.8;
-    double braking_m_s2 = 1.0;
-    double safety_margin_m = 0.9;
+    double braking_m_s2 = 1.0;    ///< deceleration with which safe speeds are computed
+    double safety_margin_m = 0.9; ///< distance from the robot's center to an obstacle at which it must stand
 
     double lane_spacing_m = 9.0;
-    double quadrant_limit_m = 150.0; ///< [T]
-    double goal_distance_m = 20.0;
-    double goal_reached_m = 1.5;
-    double lookahead_m = 5.0;
-    double most_left_out_pct = 10.0;
+    double quadrant_limit_m = 150.0; ///< [T] an area with a longer side is divided into quadrants
+    double goal_distance_m = 20.0;   ///< greatest distance between goals on a lane
+    double goal_reached_m = 1.5;     ///< distance at which a goal is reached
+    double lookahead_m = 5.0;        ///< distance ahead on the lane at which the robot aims
+    double most_left_out_pct = 10.0; ///< share of the lanes that may be given up in a successful survey
     double maximum_scan_tilt_rad = 0.2;
     double maximum_scan_turn_rad_s = 0.3;
 
-    /// [T] gives the zones as a drawing only: long in front, short at the sides. Index = steps of 18 degrees off the
-    /// nose: M0, L1 R1 … L4 R4.
+    /// Ranges below which an echo is a risk. [T] shows the zones only as a drawing: long in front, short at the sides.
+    /// The index is the direction of the sonar in steps of 18 degrees from the nose: M0, L1 R1 … L4 R4.
     double low_risk_0_m = 4.5;
     double low_risk_1_m = 4.2;
     double low_risk_2_m = 3.4;
@@ -47,38 +48,39 @@ struct Settings {
     double high_risk_3_m = 1.3;
     double high_risk_4_m = 1.1;
 
-    double evasion_speed_m_s = 0.8; ///< [SD] 40 % of the maximum
+    double evasion_speed_m_s = 0.8; ///< [SD] 40 % of the maximum speed
     double diversion_distance_m = 4.0;
-    long long calm_cycles = 6; ///< [SD]
-    double side_clearance_m = 2.4;
+    long long calm_cycles = 6;     ///< [SD] time without a risk before the robot continues, in usual ticks
+    double side_clearance_m = 2.4; ///< half the width of the free way that a diversion needs
     bool climb_over = true;
     double climb_over_after_s = 3.0;
-    double climb_standoff_m = 3.2;
-    double give_up_after_s = 90.0;
+    double climb_standoff_m = 3.2; ///< wanted distance to all obstacles during a climb
+    double give_up_after_s = 90.0; ///< time without progress after which a goal is given up
     double scan_memory_s = 600.0;
     double sonar_memory_s = 20.0;
 
-    double battery_range_m = 1000.0;
-    double battery_reserve_pct = 15.0; ///< [T]
-    double recharge_time_s = 30.0;
-    double robot_battery_reserve_s = 60.0;
+    double battery_range_m = 1000.0;       ///< distance that the simulated battery lasts
+    double battery_reserve_pct = 15.0;     ///< [T]
+    double recharge_time_s = 30.0;         ///< time on the ground for a charge
+    double robot_battery_reserve_s = 60.0; ///< reserve of the robot's own battery, beyond the way home
 
     double landing_speed_m_s = 0.3;
-    double landing_slow_below_m = 3.0;
-    double landing_radius_m = 4.0;
-    bool correct_heading = true;
-    double rest_time_s = 4.0; ///< [T] "several seconds"
+    double landing_slow_below_m = 3.0; ///< height over ground
+    double landing_radius_m = 4.0;     ///< distance from the base within which to look for an even place
+    bool correct_heading = true;       ///< use the CourseFilter
+    double rest_time_s = 4.0;          ///< [T] "several seconds"
     long long reset_attempts = 5;
-    double sensor_timeout_s = 1.5;
+    double sensor_timeout_s = 1.5; ///< the robot hovers if a sensor is silent for longer than this
 
+    /// The risk ranges by ring (see ringOf), which must be 0 to 4.
     double lowRisk_m(std::size_t ring) const;
     double highRisk_m(std::size_t ring) const;
     bool operator==(const Settings&) const = default;
 };
 
-/// What a form shows; defaults are those of `Settings`.
+/// The parameters that the user can set; their defaults are those of `Settings`.
 const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` were made from `parameterSpecs`.
+/// `parameters` must have been made from `parameterSpecs`.
 Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::airrobot

@@ -1,4 +1,4 @@
-// Notices that a goal does not come nearer: the thesis's stuckWatch (4.3).
+// Notices when the robot makes no progress toward its goal: the thesis's stuckWatch (4.3).
 #pragma once
 
 #include <optional>
@@ -8,25 +8,26 @@
 
 namespace usar::airrobot {
 
-/// Owned by one robot; told once a tick.
+/// Owned by one robot; call `update` or `wait` once per tick. Positions are in the map frame.
 class StuckWatch {
 public:
-    /// `hindered`: evading, enclosed or without a way. Another goal, or a metre of progress, starts anew.
+    /// `hindered` means that the robot is evading, enclosed or has no open direction. Another goal, or progress of one
+    /// meter, restarts both times.
     void update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered);
     void reset();
-    /// In place of `update` while the robot waits because it was told to: that time counts for nothing.
+    /// Replaces `update` while the robot waits on purpose; this time does not count.
     void wait(Seconds now);
-    /// Something was done about it; progress is still to be made.
+    /// Restarts only the hindered time, because a maneuver may have solved the problem.
     void clearHindered() { hindered_ = Seconds(0.0); }
 
-    /// Since the last progress.
+    /// Time since the last progress.
     Seconds withoutProgress() const { return now_ - progress_at_; }
-    /// Hindered time since the last progress.
+    /// Time since the last progress during which the robot was hindered.
     Seconds hindered() const { return hindered_; }
 
 private:
     std::optional<Vec2> goal_m_;
-    double best_m_ = 0.0;
+    double best_m_ = 0.0; ///< distance to the goal at the last progress
     Seconds now_{0.0};
     Seconds progress_at_{0.0};
     Seconds hindered_{0.0};

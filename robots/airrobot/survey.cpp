@@ -6,7 +6,7 @@
 namespace usar::airrobot {
 
 namespace {
-/// A goal within a lane is passed, not touched: this far to its side still counts.
+/// A goal within a lane counts as reached if the robot passes it no farther to the side than this.
 constexpr double passing_m = 8.0;
 constexpr double end_passing_m = 3.0;
 constexpr double resume_back_m = 1.0;

@@ -1,4 +1,4 @@
-// Progress over the lanes: what is the goal now, what was done, where to resume.
+// Progress over the lanes of a survey: the current goal, what is done, and where to resume.
 #pragma once
 
 #include <vector>
@@ -8,53 +8,60 @@
 
 namespace usar::airrobot {
 
+/// The result of completing a goal. QuadrantDone: the next lane is in another quadrant.
 enum class SurveyEvent { None, LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
 
-/// Walks a coverage plan. A lane is entered at its start, or where it was interrupted, and flown in goals of at most
-/// `goal_distance_m`; a goal given up costs only that piece. Map frame. Owned by one behavior; told the position once
-/// a tick.
+/// Follows a coverage plan. A lane is entered at its start, or where it was interrupted, and is divided into goals at
+/// most `goal_distance_m` apart, so that giving up a goal loses only that piece. Works in the map frame. Owned by one
+/// behavior; needs the position once per tick.
 class Survey {
 public:
     Survey() = default;
     explicit Survey(mapping::CoveragePlan plan) : plan_(std::move(plan)) {}
 
     bool done() const { return lane_ >= plan_.lanes.size(); }
+    /// Whether the robot flies along the lane; false on its way there.
     bool onLane() const { return on_lane_; }
+    /// The lane that is being flown or approached, counting from 0; laneCount() if all are done.
     std::size_t laneIndex() const { return lane_; }
     std::size_t laneCount() const { return plan_.lanes.size(); }
     const mapping::CoveragePlan& plan() const { return plan_; }
     int goalsGivenUp() const { return goals_given_up_; }
-    /// Length of lane that was left out with the goals given up.
+    /// The length of the lanes that was left out by giving up goals.
     double givenUp_m() const { return given_up_m_; }
+    /// The same as a share of the length of all lanes.
     double givenUp_pct() const { return totalLength_m() > 0.0 ? 100.0 * given_up_m_ / totalLength_m() : 0.0; }
 
-    /// Point to reach next: where the lane is entered, or the end of its present piece.
+    /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
+    /// done.
     Vec2 goal_m(const Settings& settings) const;
-    /// Point to steer at: on the lane ahead of the robot, so that it comes back to the lane after a detour.
+    /// The point to steer at: on the lane ahead of the robot, so that it returns to the lane after a detour. The survey
+    /// must not be done.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;
 
-    /// Once a tick: how far along the lane it has come.
+    /// Records how far along the lane the robot has flown. Call it once per tick.
     void note(const Vec2& position_m);
-    /// The present goal is reached: where the lane is entered, or the end of its piece. Not when all is done.
+    /// Returns whether the present goal (see goal_m) is reached; false if the survey is done.
     bool goalReached(const Vec2& position_m, const Settings& settings) const;
-    /// Goes on to the goal after one that was reached.
+    /// Moves on to the next goal after the present one was reached.
     SurveyEvent next(const Settings& settings);
-    /// All three.
+    /// Calls note and goalReached, and next if the goal is reached.
     SurveyEvent update(const Vec2& position_m, const Settings& settings);
-    /// The next goal after one that cannot be reached.
+    /// Moves on to the next goal because the present one cannot be reached.
     SurveyEvent giveUp(const Settings& settings);
-    /// The robot leaves (battery): later the lane is entered where it is left now.
+    /// Records that the robot leaves the lane (for the battery). The lane will be entered again at this point.
     void interrupt();
 
+    /// The length of the lanes that is finished, including parts that were given up.
     double doneLength_m() const;
     double totalLength_m() const { return plan_.lane_length_m; }
-    /// All lane ends in flying order.
+    /// The start and end of each lane, in the order of the flight.
     std::vector<Vec2> corners_m() const;
 
 private:
     struct Place {
-        double along_m = 0.0; ///< the lane, from its start
-        double aside_m = 0.0;
+        double along_m = 0.0; ///< distance along the lane from its start
+        double aside_m = 0.0; ///< distance from the lane, never negative
     };
     Place placeOf(const Vec2& position_m) const;
     double length_m() const;
@@ -67,9 +74,9 @@ private:
     std::size_t lane_ = 0;
     double finished_lanes_m_ = 0.0;
     bool on_lane_ = false;
-    double entry_along_m_ = 0.0;
+    double entry_along_m_ = 0.0; ///< entry point; this and the next two are distances along the lane
     double piece_start_m_ = 0.0; ///< everything before it was flown or given up
-    double reached_m_ = 0.0;     ///< farthest point of the lane flown
+    double reached_m_ = 0.0;     ///< farthest point that was flown
     int goals_given_up_ = 0;
     double given_up_m_ = 0.0;
 };

@@ -10,7 +10,7 @@ namespace {
 using agent::PoshArguments;
 using posh::ActResult;
 
-/// Takes no time.
+/// Registers an act that takes no time, so that the cycle continues.
 template <class Do>
 void addNote(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
     primitives
@@ -22,13 +22,13 @@ void addNote(SurveyPrimitives& primitives, std::string name, std::string help, D
         .describe(std::move(help));
 }
 
-/// A step of control each cycle, decided anew at the next.
+/// Registers an act that commands the robot for one tick and is complete after the cycle.
 template <class Do>
 void addStep(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
     primitives.act(std::move(name), [act](SurveyBody& body) { body.with(act); }).describe(std::move(help));
 }
 
-/// Goes on until the flight is where it should be.
+/// Registers an act that runs in each cycle until `act` returns true.
 template <class Do>
 agent::PoshRegistry::Entry addTask(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
     return primitives
@@ -37,7 +37,7 @@ agent::PoshRegistry::Entry addTask(SurveyPrimitives& primitives, std::string nam
         .describe(std::move(help));
 }
 
-/// Steps the launch checklist until it is past this point of it.
+/// Registers an act that steps the launch checklist until `known(checklist)` holds.
 template <class Known>
 void addQuery(SurveyPrimitives& primitives, std::string name, std::string help, Known known) {
     primitives

@@ -47,7 +47,8 @@ void SurveyBody::passOn() {
         noteState();
 }
 
-/// So that people see what the acts have agreed on, and can stop the plan where it changes.
+/// Writes the state that the acts share to the blackboard, so that the user can see it and set breakpoints on its
+/// changes.
 void SurveyBody::noteState() {
     write("phase", posh::Symbol{wordOf(flight_.phase())});
     write("lane", static_cast<std::int64_t>(flight_.lane()));

@@ -1,4 +1,4 @@
-// What the senses and acts of an AirRobot on a survey share: the flight, and the tick that it is in.
+// The state that the senses and acts of a surveying AirRobot share: the flight and the current tick.
 #pragma once
 
 #include "core/agent/posh_registry.h"
@@ -6,18 +6,19 @@
 
 namespace usar::airrobot {
 
-/// Owned by one behavior.
+/// Connects a SurveyFlight to a plan's engine. Owned by one behavior.
 class SurveyBody final : public agent::PoshBody {
 public:
     explicit SurveyBody(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
     const SurveyFlight& flight() const { return flight_; }
-    /// Has the flight do something: `act(flight, port)`.
+    /// Calls `act(flight, port)` and passes on what the flight sends and publishes. Returns the result of `act`.
     template <class Act>
     auto with(Act&& act) {
         const Forward forward(*this);
         return act(flight_, port_);
     }
+    /// The current tick; valid only between begin and end.
     const agent::Tick& tick() const { return *tick_; }
 
     void begin(const agent::Tick& tick) override;
@@ -29,7 +30,7 @@ public:
     protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
 
 private:
-    /// Passes on what the flight sent and published, at the place of the act that had it do so.
+    /// Passes on what the flight sent and published when the act that caused it returns.
     struct Forward {
         explicit Forward(SurveyBody& owner) : body(owner) {}
         ~Forward() { body.passOn(); }
@@ -37,17 +38,19 @@ private:
         Forward& operator=(const Forward&) = delete;
         SurveyBody& body;
     };
+    /// Moves the commands and published values from `port_` to the engine.
     void passOn();
     void noteState();
 
     SurveyFlight flight_;
-    agent::CommandPort port_; ///< emptied after each act; what an order said waits here for the next tick
-    const agent::Tick* tick_ = nullptr;
-    bool acting_ = false; ///< acts are at work, and what is written is traced
+    agent::CommandPort port_; ///< emptied after each act; the output of an order stays here until the next tick
+    const agent::Tick* tick_ = nullptr; ///< nullptr outside of ticks
+    bool acting_ = false;               ///< acts are running, so the state is written to the blackboard
 };
 
 using SurveyPrimitives = agent::PoshPrimitives<SurveyBody>;
 
+// These register all senses and all acts.
 void addSurveySenses(SurveyPrimitives& primitives);
 void addSurveyActs(SurveyPrimitives& primitives);
 

@@ -10,11 +10,12 @@ namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
-/// A robot that stands this far from its start pose was put there, as the place was taken; farther away it was flown.
+/// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
+/// farther away was flown there.
 constexpr double beside_start_m = 1.0;
 constexpr double away_from_start_m = 6.0;
 
-/// "sonars" for all of them, else "sonar L4" or "sonars L4, L3".
+/// Names the silent sonars: "sonars" if all are silent, otherwise "sonar L4" or "sonars L4, L3".
 std::string silentSonars(const Senses& senses) {
     if (senses.sonars.empty())
         return "sonars";
@@ -155,7 +156,7 @@ void SurveyFlight::setOut() {
 
 bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     if (!take_off_m_) {
-        take_off_m_ = craft_.senses.position_m(); // not before: the INS was set a tick ago
+        take_off_m_ = craft_.senses.position_m(); // Not earlier, because the INS was set only a tick ago
         const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
         if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
             base_in_map_ = craft_.senses.base_in_map;

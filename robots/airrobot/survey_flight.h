@@ -1,5 +1,5 @@
-// What a survey remembers, and what it can do in a tick. Who decides stands on it: the state machine in C++ and the
-// POSH plan do the same things by the same code (the thesis's Context, 4.3).
+// The memory of a survey and what it can do in a tick. The C++ state machine and the POSH plan both use this class, so
+// they do the same things with the same code (the thesis's Context, 4.3).
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace usar::airrobot {
 
-/// What the robot is doing; acts set it.
+/// The phase of the mission. The functions below set it.
 enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
-/// Owned by one behavior. Each tick: `perceive`, then the acts that were decided on (one of them commands the robot),
-/// and at its end `status` and `ending` are to be published.
+/// In each tick, call `perceive` first, then the functions that were decided on (only one of them commands the robot);
+/// at the end, publish `status` and `ending`. Owned by one behavior.
 class SurveyFlight {
 public:
     explicit SurveyFlight(agent::BehaviorContext context);
@@ -25,92 +25,96 @@ public:
     void perceive(const agent::Tick& tick, agent::CommandPort& port);
     agent::BehaviorStatus status() const;
     void setParameters(const agent::ParameterSet& parameters);
-    /// Pause and resume are remembered; for LandNow the place to land is here.
+    /// Remembers a pause until Resume. LandNow makes the robot land at its present place.
     void order(agent::Order order, agent::CommandPort& port);
 
     Phase phase() const { return phase_; }
     bool finished() const { return ending_.has_value(); }
-    /// The last word.
+    /// How the survey ended; nullopt while it runs.
     const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     bool paused() const { return paused_; }
     bool inTheAir() const;
-    /// A sensor that the flight needs has been silent for longer than its time-out.
+    /// Whether a sensor that the flight needs has been silent for longer than the timeout.
     bool sensorsSilent() const { return silent_; }
-    /// The lanes are known.
+    /// Whether the lanes are known.
     bool planned() const { return survey_.laneCount() > 0; }
-    /// The one that is being scanned or flown to, from 1.
+    /// The number of the lane that is being scanned or approached, counting from 1.
     std::size_t lane() const { return survey_.laneIndex() + 1; }
-    /// It has left the launch behind.
+    /// Whether the launch is complete.
     bool launched() const { return launched_; }
-    /// The scan altitude was reached, and it has not landed since.
+    /// Whether the scan altitude has been reached since the last landing.
     bool atWork() const { return at_work_; }
-    /// From the choice of a landing place until it goes on.
+    /// True from the choice of a landing place until the robot takes off again.
     bool landing() const { return landing_m_.has_value(); }
-    /// The base is the goal.
+    /// Whether the base is the goal.
     bool returning() const;
-    /// Over the base, or where it is to land instead.
+    /// Whether the robot is over the base, or where it is to land instead.
     bool atBase() const;
     bool goalReached() const { return survey_.goalReached(craft_.senses.position2_m(), craft_.settings); }
-    /// No goals are left, or none that could be reached.
+    /// Whether no goals are left, or the survey was given up.
     bool scanOver() const { return errand_ == Errand::Done || errand_ == Errand::GivenUp; }
-    /// Part of the simulated capacity that is left beyond the beeline home and the reserve; negative: too late.
+    /// The share of the simulated battery that is left beyond the beeline home and the reserve; negative if it is too
+    /// late.
     double batteryMargin() const;
-    /// The robot's own battery lasts for the way home only; the simulator cannot charge it.
+    /// Whether the robot's own battery, which the simulator cannot charge, lasts only for the way home.
     bool robotBatteryLow() const;
-    /// False from a recharge until a lane is flown: running low in between means that the place is out of reach.
+    /// False from a recharge until a lane is flown. If the battery runs low in between, the lane is out of reach.
     bool resumedGoalReached() const { return had_lane_since_charge_; }
-    /// On the ground for as long as charging takes.
+    /// Whether the robot has been on the ground for as long as charging takes.
     bool charged() const;
     const Craft& craft() const { return craft_; }
     const LaunchChecklist& checklist() const { return checklist_; }
 
     // Before the start.
     LaunchState checkLaunch(const agent::Tick& tick, agent::CommandPort& port);
-    /// The lanes over the area; ends the flight where there are none.
+    /// Plans the lanes over the area; ends the flight if that fails.
     void planSurvey(agent::CommandPort& port);
     void beginReset();
     ResetState stepReset(const agent::Tick& tick, agent::CommandPort& port);
-    /// From the ground, after the launch or a charge: everything known of places belongs to the old estimate.
+    /// Starts from the ground, after the launch or a charge. Forgets all known places, which belong to the old
+    /// estimate.
     void setOut();
 
     // In the air.
-    /// Straight up to `altitude_m` over where it stood; true when it is reached.
+    /// Climbs straight up to `altitude_m` over the place of the take-off; returns true when it is reached.
     bool climb(double altitude_m, agent::CommandPort& port);
     void beginWork();
-    /// Looks along the present leg, for `Craft`'s judgment of threats and for `perform`.
+    /// Looks along the present leg (see Craft::look).
     void look() { craft_.look(leg()); }
-    /// Decides about the threats looked at; see Craft.
+    /// Decides about threats (see Craft::decide).
     void decide(agent::CommandPort& port) { craft_.decide(port); }
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }
+    /// Waits where the robot was when it was paused.
     void holdPlace(agent::CommandPort& port);
-    /// Zero DRIVE; ends the flight when the silence lasts.
+    /// Sends a zero DRIVE; ends the flight if the sensors stay silent.
     void awaitSensors(agent::CommandPort& port);
 
     // Goals.
     void nextGoal(agent::CommandPort& port);
-    /// The goal could not be reached in time.
+    /// Gives up a goal that could not be reached in time.
     void skipGoal(agent::CommandPort& port);
     void returnToCharge(agent::CommandPort& port);
-    /// The place to resume at is out of the battery's range.
+    /// Ends the survey because the place to resume is out of the battery's range; returns home first.
     void abortScan(agent::CommandPort& port);
+    /// Ends the survey because the robot's own battery runs low; returns home first.
     void obeyRobotBattery(agent::CommandPort& port);
 
     // Down.
     void beginLanding();
-    /// The way home is blocked.
+    /// Ends the survey because the way home is blocked; lands at the present place.
     void landHere(agent::CommandPort& port);
-    /// True on the ground, with the rotors at rest.
+    /// Sinks; returns true once the robot is on the ground with its rotors at rest.
     bool land(agent::CommandPort& port);
     void rest(agent::CommandPort& port, const std::string& source) { craft_.rest(port, source); }
     void recharge();
-    /// The errand's end on the ground.
+    /// Ends the survey on the ground, with success if enough of the area is scanned.
     void conclude(agent::CommandPort& port);
     void finish(bool success, const std::string& reason, agent::CommandPort& port);
 
 private:
-    /// Why the robot is on the ground, or on its way there; decides what follows.
+    /// The reason why the robot is on the ground or on its way there; it determines what follows.
     enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
 
     Leg leg() const;
@@ -142,12 +146,12 @@ private:
     bool launched_ = false;
     bool at_work_ = false;
     bool had_lane_since_charge_ = true;
-    Pose base_in_map_; ///< where it took off first: the start pose, or beside it where another robot had its place
-    Vec2 hold_m_ = Vec2::Zero();
-    std::optional<Vec2> landing_m_;
-    std::optional<Vec3> take_off_m_;
-    std::optional<Seconds> started_;
-    Seconds landed_{0.0};
+    Pose base_in_map_; ///< place of the first take-off: the start pose, or beside it if another robot was there
+    Vec2 hold_m_ = Vec2::Zero();     ///< place to hold while paused
+    std::optional<Vec2> landing_m_;  ///< nullopt unless the robot is landing or on the ground after it
+    std::optional<Vec3> take_off_m_; ///< place of the last take-off
+    std::optional<Seconds> started_; ///< time of the first tick
+    Seconds landed_{0.0};            ///< time of the last landing
     std::optional<double> goal_distance_m_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace usar::airrobot {
 
-extern const char survey_plan_text[]; // of resources/plans/airrobot.lap
+extern const char survey_plan_text[]; // Contents of resources/plans/airrobot.lap
 
 const agent::PoshRegistry& surveyRegistry() {
     static const agent::PoshRegistry all = [] {

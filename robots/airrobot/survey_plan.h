@@ -1,4 +1,5 @@
-// "airrobot/posh": the terrain survey decided by a POSH plan, over the same flight as the state machine.
+// The behavior "airrobot/posh": the terrain survey controlled by a POSH plan, with the same SurveyFlight as the state
+// machine.
 #pragma once
 
 #include <memory>
@@ -10,11 +11,11 @@
 
 namespace usar::airrobot {
 
-/// Senses and acts of the AirRobot, as plans name them (thesis 4.3).
+/// The senses and acts of the AirRobot by their names in plans (thesis 4.3).
 const agent::PoshRegistry& surveyRegistry();
 /// The plan that comes with the robot: resources/plans/airrobot.lap.
 agent::PlanText surveyPlan();
-/// An error where the plan cannot run on this robot.
+/// Uses the plan in the context, or surveyPlan if it has none. Fails if the plan cannot run on this robot.
 Result<std::unique_ptr<agent::Behavior>> makePlannedSurvey(agent::BehaviorContext context);
 
 } // namespace usar::airrobot

@@ -7,7 +7,7 @@ namespace usar::airrobot {
 
 namespace {
 
-/// `ask(flight)`.
+/// Registers a sense that answers `ask(flight)`.
 template <class Ask>
 agent::PoshRegistry::Entry addSense(SurveyPrimitives& primitives, std::string name, std::string help, Ask ask) {
     return primitives.sense(std::move(name), [ask](const SurveyBody& body) { return ask(body.flight()); })

@@ -1,4 +1,4 @@
-// What the survey says of itself at each tick: the figures of the status strip.
+// The status of the survey in each tick: the figures of the status strip.
 #include "robots/airrobot/survey_flight.h"
 
 namespace usar::airrobot {

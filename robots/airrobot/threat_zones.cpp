@@ -9,7 +9,7 @@ namespace {
 
 constexpr double ring_step_rad = radians(18.0);
 constexpr std::size_t last_ring = 4;
-/// The body reaches 0.1 m up and down; the rest is for tilt and drift.
+/// The body extends 0.1 m up and down; the rest is for tilt and drift.
 constexpr double level_tolerance_m = 0.5;
 
 bool atOurLevel(const SonarEcho& echo, double base_z_m) {

@@ -1,4 +1,4 @@
-// The thesis's threat zones (4.1, figure 4.1): which sonar says low or high risk, and which is the worst.
+// The thesis's threat zones (4.1, figure 4.1): the risk that each sonar reports, and the greatest of them.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,20 @@
 
 namespace usar::airrobot {
 
+/// The threats of one tick.
 struct ThreatPicture {
-    std::vector<agent::SonarZone> zones;  ///< one an echo, left to right
-    agent::Risk risk = agent::Risk::None; ///< the worst of all
-    /// Index of the greatest threat: the nearest echo among those of the worst risk.
+    std::vector<agent::SonarZone> zones;  ///< one for each sonar that is not silent, left to right
+    agent::Risk risk = agent::Risk::None; ///< the highest risk of all
+    /// The index of the greatest threat, which is the nearest echo with the highest risk; nullopt without a risk.
     std::optional<std::size_t> greatest;
 };
 
-/// Ring of the threat-zone table that a bearing belongs to: 0 in front … 4 at the sides and behind.
+/// Returns the ring of the threat-zone table for a bearing in the robot's frame: 0 in front to 4 at the sides and
+/// behind.
 std::size_t ringOf(double bearing_rad);
 
-/// An echo wholly below or above the body (the cone points at the ground while braking) is no threat.
+/// Judges the sonar echoes. An echo entirely below or above the body is not a threat; while braking, for example, the
+/// cone points at the ground.
 ThreatPicture judgeThreats(const Senses& senses, const Settings& settings);
 
 } // namespace usar::airrobot

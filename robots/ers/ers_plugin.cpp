@@ -1,4 +1,4 @@
-// The door of the ERS plugin: what it offers, and its behaviors.
+// The entry point of the ERS plugin.
 #include <QObject>
 
 #include "robots/ers/descriptions.h"

@@ -7,11 +7,11 @@ namespace usar::ers {
 
 namespace {
 
-constexpr Seconds between_moves{0.19}; ///< a little less than a tick, whose times are rounded
+constexpr Seconds between_moves{0.19}; ///< slightly less than a tick, because the times of ticks are rounded
 constexpr int moves = 4;
-constexpr PawPlace middle = standing_paw; ///< of a step
+constexpr PawPlace middle = standing_paw; ///< place of the paw halfway through a step
 
-/// Of a paw that is `move` moves into its step.
+/// Returns the place of a paw that is `move` moves into its step.
 PawPlace placeAt(int move, double stride_m, double lift_m) {
     switch (move % moves) {
     case 0:

@@ -1,4 +1,4 @@
-// A trot: the legs on one diagonal step forward while those on the other push the body over the ground.
+// A trot: the legs on one diagonal step forward while those on the other push the body forward.
 #pragma once
 
 #include <optional>
@@ -8,30 +8,33 @@
 
 namespace usar::ers {
 
-/// How far the paws of each side step, metres; negative backward. Both 0: the robot stands.
+/// The length of a step on each side, in meters; negative values are steps backward. If both are 0, the robot stands.
 struct Strides {
     double left_m = 0.0;
     double right_m = 0.0;
     bool operator==(const Strides&) const = default;
 };
 
-/// One set of targets each 0.2 s, which is how often a robot of UT2004 listens: a paw is lifted through the middle, set
-/// down in front, and pushed back in two moves. Two paws are on the ground at every moment, and four at every other.
+/// Makes one move (a set of joint targets) every 0.2 s, which is how often a UT2004 robot takes commands. A step has
+/// four moves: the paw is lifted through the middle, set down in front, and pushed back in two moves. At least two paws
+/// are always on the ground, and all four at every other move.
 class Gait {
 public:
-    /// Bends the knees first, slowly: at once the robot would fall on its nose. Then walks. False: not yet time for the
-    /// next move.
+    /// Adds the joint targets of the next move to `drive`. First bends the knees slowly, because bending them at once
+    /// would make the robot fall forward; then walks, lifting the paws by `lift_m`. Returns false and adds nothing if
+    /// it is too early for the next move.
     bool next(Seconds now, const Strides& strides, double lift_m, protocol::MultiDrive& drive);
+    /// Whether the robot has finished standing up.
     bool standing() const { return risen_ >= moves_to_rise; }
-    /// It fell over, and begins anew.
+    /// Starts again with standing up, after a fall.
     void reset() { *this = {}; }
 
 private:
     static constexpr int moves_to_rise = 8;
 
     std::optional<Seconds> moved_at_;
-    int risen_ = 0; ///< moves
-    int move_ = 0;  ///< of the trot
+    int risen_ = 0; ///< number of moves made for standing up
+    int move_ = 0;  ///< current move of the step, 0 to 3
 };
 
 } // namespace usar::ers

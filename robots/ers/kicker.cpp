@@ -10,12 +10,12 @@ namespace usar::ers {
 namespace {
 
 constexpr Seconds fresh{0.5};
-constexpr double least_depth_m = 0.02; ///< of a ball before the camera; nearer, a tangent says nothing
-constexpr double bow_per_rad = 0.4;    ///< of what the ball is below the middle of the picture, each tick
-constexpr double rise_rad = 0.03;      ///< each tick, while there is no ball to look at
-constexpr double tightest = -0.6;      ///< of the inner stride, when the ball is far to the side
+constexpr double least_depth_m = 0.02; ///< least distance in front of the camera; tangents are useless below it
+constexpr double bow_per_rad = 0.4;    ///< share by which the head follows the ball downward in each tick
+constexpr double rise_rad = 0.03;      ///< how far the head rises in each tick while the ball is not visible
+constexpr double tightest = -0.6;      ///< inner stride as a share of the outer one when the ball is far to the side
 constexpr double lying_rad = 1.1;
-constexpr double way_step_m = 0.1; ///< smaller moves are swaying
+constexpr double way_step_m = 0.1; ///< shorter moves are only swaying and do not count
 
 } // namespace
 
@@ -30,7 +30,8 @@ void Kicker::perceive(const agent::Tick& tick) {
     watchClock();
 }
 
-/// A near ball that leaves the picture is between the paws: walking on kicks it.
+/// Finds the ball in the newest reading. A near ball that leaves the picture is between the paws, and the robot kicks
+/// it by walking on.
 void Kicker::lookForBall() {
     const auto& newest = ball_.newest();
     const bool visible = newest && run_.now - newest->time < fresh && newest->value.visible.value_or(false) &&
@@ -46,7 +47,7 @@ void Kicker::lookForBall() {
         bow_rad_ = std::max(0.0, bow_rad_ - rise_rad);
         return;
     }
-    const Vec3& ball = *newest->value.position; // forward, right, down
+    const Vec3& ball = *newest->value.position; // Forward, right, down
     seen_ = ImagePlace{ball.y() / ball.x(), ball.z() / ball.x()};
     last_on_the_right_ = seen_->right > 0.0;
     bow_rad_ = std::clamp(bow_rad_ + bow_per_rad * std::atan(seen_->down), 0.0, deepest_bow_rad);
@@ -86,7 +87,8 @@ std::optional<protocol::MultiDrive> Kicker::walk() {
     return drive;
 }
 
-/// `turn_right` from -1 to 1: the paws on the inner side step shorter, or back.
+/// Returns strides for a turn; `turn_right` is limited to -1 to 1. The paws on the inner side take shorter steps, or
+/// steps backward.
 Strides Kicker::steer(double turn_right) const {
     const double inner_m = settings_.stride_m * std::lerp(1.0, tightest, std::min(1.0, std::abs(turn_right)));
     return turn_right > 0.0 ? Strides{settings_.stride_m, inner_m} : Strides{inner_m, settings_.stride_m};
@@ -108,7 +110,8 @@ Strides Kicker::strides() {
     return circle();
 }
 
-/// Tight ones and wide ones by turns, toward where the ball was last: one size alone could lead around it for ever.
+/// Walks in circles toward the side where the ball was last seen. Tight and wide circles alternate, because with a
+/// single size the robot could walk around the ball forever.
 Strides Kicker::circle() {
     const Seconds lasts = run_.now - lost_at_;
     const bool tight = static_cast<long long>(lasts / Seconds(settings_.circle_s)) % 2 == 0;

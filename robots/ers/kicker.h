@@ -1,4 +1,4 @@
-// An ERS after the ball: what it sees, and what it makes of it.
+// An ERS that looks for a ball and kicks it: perception and decisions.
 #pragma once
 
 #include <optional>
@@ -14,32 +14,37 @@
 
 namespace usar::ers {
 
-/// The thesis's robot (3.5.2): of its many sensors it needs the ball finder, so it has the sensor-specific module for
-/// that one; and its INS, to know that it lies on its side. Owned by one behavior; time is the protocol clock.
+/// The thesis's robot (3.5.2). Of its many sensors it uses only the ball finder, through the module for a specific
+/// sensor, and the INS, to notice that it lies on its side. Walks in circles until it sees the ball, walks to it, and
+/// kicks it by walking on. Owned by one behavior; times are those of the protocol clock.
 class Kicker {
 public:
     explicit Kicker(agent::BehaviorContext context);
 
     void hear(const protocol::InfoLine& line) { ball_.take(line, run_.now); }
-    /// Once a tick, before the others.
+    /// Evaluates the newest readings. Call it once per tick, before the other functions.
     void perceive(const agent::Tick& tick);
-    /// What the joints are to do now; nothing between two moves.
+    /// Returns the joint targets for this tick; nullopt between two moves of the gait.
     std::optional<protocol::MultiDrive> walk();
     bool hasFallen() const { return fallen_; }
-    /// It will be righted, and stands up anew.
+    /// Makes the gait start with standing up, because the robot is about to be righted.
     void standUpAgain() { gait_.reset(); }
 
     void order(agent::Order order) { run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
     const Settings& settings() const { return settings_; }
+    /// The current activity, in words.
     const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
+    /// The newest pose from the INS; nullopt before the first reading.
     const std::optional<Pose>& base_in_map() const { return base_in_map_; }
+    /// How the behavior ended; nullopt while it runs.
     const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
+    /// Returns the events since the last call.
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
-    /// Where the ball is in the camera's picture: tangents, to the right and down of its middle.
+    /// The place of the ball in the camera's picture, as tangents of the angles to the right of and below its middle.
     struct ImagePlace {
         double right = 0.0;
         double down = 0.0;
@@ -57,16 +62,16 @@ private:
     modules::SpecificSensor<protocol::BallReading> ball_;
     Gait gait_;
 
-    std::optional<ImagePlace> seen_;
-    Seconds lost_at_{0.0};
-    bool last_on_the_right_ = false;
-    double bow_rad_ = 0.0; ///< of the head, downward
+    std::optional<ImagePlace> seen_; ///< nullopt while the ball is not visible
+    Seconds lost_at_{0.0};           ///< time at which the ball was last lost, or of the start
+    bool last_on_the_right_ = false; ///< side of the picture on which the ball was last seen
+    double bow_rad_ = 0.0;           ///< angle of the head, positive downward
     std::optional<Seconds> kicking_since_;
     int kicks_ = 0;
 
-    std::optional<Pose> base_in_map_; ///< by the INS
-    Vec2 way_from_m_ = Vec2::Zero();
-    double way_m_ = 0.0;
+    std::optional<Pose> base_in_map_; ///< from the INS
+    Vec2 way_from_m_ = Vec2::Zero();  ///< position up to which way_m_ counts
+    double way_m_ = 0.0;              ///< distance walked
     bool fallen_ = false;
     std::vector<agent::BehaviorEvent> events_;
 };

@@ -22,7 +22,7 @@ void KickerBehavior::tick(const agent::Tick& tick, agent::CommandPort& port) {
         port.send(protocol::DriveSwitches{.flip = true}, kicker_.state());
 }
 
-/// TRACE needs an interval and a color, once; and again when a person changes their mind.
+/// Sends TRACE with its interval and color at the start, and again whenever the user changes the settings.
 void KickerBehavior::trace(agent::CommandPort& port) {
     const Settings& wanted = kicker_.settings();
     if (wanted.trace == traced_ && (!traced_ || wanted.trace_interval_s == traced_interval_s_))

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double thigh_m = 0.071;
 constexpr double shin_m = 0.072;
-constexpr double spread_rad = 0.1; ///< outward: a wider stand does not tip over
+constexpr double spread_rad = 0.1; ///< outward angle of the legs, so that the robot does not tip over
 constexpr double deepest_nod_rad = 0.25;
 
 struct JointNames {
@@ -18,7 +18,7 @@ struct JointNames {
     protocol::Token knee;
 };
 
-/// The simulator's names (robots-and-worlds 3.4): those of UT2004 are unknown.
+/// The joint names of the embedded simulator (robots-and-worlds 3.4); the names in UT2004 are unknown.
 const JointNames& namesOf(Leg leg) {
     static const std::array<JointNames, 4> names{{{"LFLeg1", "LFLeg2", "LFLeg3"},
                                                   {"RFLeg1", "RFLeg2", "RFLeg3"},
@@ -29,7 +29,7 @@ const JointNames& namesOf(Leg leg) {
 
 } // namespace
 
-/// Two sides of a triangle are thigh and shin; the third, from hip to paw, tells the knee.
+/// Thigh, shin and the line from hip to paw form a triangle, from which the angle of the knee follows.
 void putPaw(protocol::MultiDrive& drive, Leg leg, const PawPlace& paw) {
     const double square_m2 = paw.forward_m * paw.forward_m + paw.down_m * paw.down_m;
     const double cosine = (square_m2 - thigh_m * thigh_m - shin_m * shin_m) / (2.0 * thigh_m * shin_m);
@@ -41,7 +41,7 @@ void putPaw(protocol::MultiDrive& drive, Leg leg, const PawPlace& paw) {
     drive.joints.push_back({names.knee, knee_rad});
 }
 
-/// The nod takes what it can, the neck the rest: a neck that leans forward moves the weight.
+/// Uses the nod first and the neck only for the rest, because leaning the neck forward shifts the weight.
 void bowHead(protocol::MultiDrive& drive, double down_rad) {
     const double nod_rad = std::clamp(down_rad, 0.0, deepest_nod_rad);
     drive.joints.push_back({"HeadNod", -nod_rad});

@@ -1,4 +1,4 @@
-// What people may set about an ERS that goes after a ball, as one value.
+// The settings of an ERS that follows a ball.
 #pragma once
 
 #include <string>
@@ -9,25 +9,26 @@
 
 namespace usar::ers {
 
-/// SI units. Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units. Copied by value: new parameters take effect at the next tick. parameterSpecs has the
+/// limits and a help text for each.
 struct Settings {
     double stride_m = 0.05;
     double lift_m = 0.012;
-    double tight_share_pct = -80.0;
-    double wide_share_pct = 50.0;
+    double tight_share_pct = -80.0; ///< inner stride as a share of the outer one; negative values are steps backward
+    double wide_share_pct = 50.0;   ///< the same for wide circles
     double circle_s = 16.0;
-    double steering = 1.5;
+    double steering = 1.5; ///< turn per tangent of the ball's angle to the side
     double kick_s = 4.0;
-    double near_rad = radians(25.0);
+    double near_rad = radians(25.0); ///< the ball is near if the head looks down at it by more than this
     bool trace = true;
     double trace_interval_s = 1.0;
-    double play_time_s = 0.0;
+    double play_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
     bool operator==(const Settings&) const = default;
 };
 
-/// What a form shows; defaults are those of `Settings`.
+/// The parameters that the user can set; their defaults are those of `Settings`.
 const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` were made from `parameterSpecs`.
+/// `parameters` must have been made from `parameterSpecs`.
 Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::ers

@@ -9,35 +9,36 @@ namespace usar::p2dx {
 
 namespace {
 
-// Of a stock P2DX (robots-and-worlds 3.2).
+// Dimensions of a stock P2DX (robots-and-worlds 3.2).
 constexpr double wheel_radius_m = 0.097;
 constexpr double wheel_separation_m = 0.337;
 
 constexpr Seconds never{1e9};
 constexpr double least_speed_m_s = 0.1;
 constexpr double backing_speed_m_s = 0.2;
-constexpr double backing_lead_m_s = 0.02; ///< of one wheel over the other: turns away a little on the way back
+constexpr double backing_lead_m_s = 0.02; ///< speed offset of each wheel: a slight turn while backing away
 constexpr Seconds longest_backing{4.0};
 constexpr double least_way_back_m = 0.05;
-/// The way is free when things are so much farther than too close.
+/// The way is free if everything is farther away than the distance that is too close plus this margin.
 constexpr double free_beyond_m = 0.3;
 constexpr double low_free_beyond_m = 0.1;
-/// Of braking: speed for each meter that is left.
+/// Speed allowed per meter of free way.
 constexpr double speed_per_m_hz = 0.8;
 constexpr double scanner_margin_m = 0.35;
 constexpr double sonar_margin_m = 0.12;
 constexpr double downhill_rad = radians(4.0);
 constexpr double downhill_share = 0.6;
-/// In a curve the inner wheel turns at this share of the outer one, or faster where that side is not free.
+/// Speed of the inner wheel in a curve as a share of the outer one; it is faster if that side is not free.
 constexpr double tightest_inner_share = 0.3;
 constexpr double side_blocked_m = 0.45;
 constexpr double side_free_m = 0.75;
-/// A second danger so soon is still the first: turning to and fro in a corner leads nowhere.
+/// A danger within this distance after another one counts as the same, because turning back and forth in a corner leads
+/// nowhere.
 constexpr double same_danger_m = 1.5;
 constexpr double escape_rad = radians(150.0);
 constexpr double escape_back_m = 0.5;
 constexpr double same_trap_m = 2.0;
-/// A scanner that tells the same, to the last digit, after so much of a move does not look any more.
+/// A scanner whose ranges are identical to the last digit after this much motion is frozen.
 constexpr double frozen_after_m = 0.15;
 constexpr double hull_radius_m = 0.22;
 constexpr double scanner_reach_m = 20.0;
@@ -53,7 +54,7 @@ void Explorer::hear(const protocol::InfoLine& line) {
         scan_ = *scan;
         scan_is_new_ = true;
     } else if (const auto* sonars = std::get_if<protocol::SonarReadings>(&line.message)) {
-        for (const protocol::NamedRange& echo : sonars->ranges) { // one a line or all of them
+        for (const protocol::NamedRange& echo : sonars->ranges) { // A line has one sonar or all of them
             const auto known = std::ranges::find(sonars_, echo.name, &protocol::NamedRange::name);
             (known == sonars_.end() ? sonars_.emplace_back() : *known) = echo;
         }
@@ -88,7 +89,7 @@ void Explorer::takeReadings() {
     chooseThird();
 }
 
-/// Where nothing is in reach all scans are alike: see the class.
+/// Ignores scans with nothing in reach, which are all alike; see the class comment.
 void Explorer::watchForIce() {
     const bool sees = std::ranges::any_of(scan_->ranges_m, [](double range_m) { return range_m < scanner_reach_m; });
     const bool same = sees && scan_->ranges_m == former_ranges_m_;
@@ -182,7 +183,7 @@ void Explorer::stepTurn() {
     straight_until_ = run_.now + Seconds(settings_.keep_straight_s);
 }
 
-/// Turns that follow one another closely go to one side.
+/// Begins to back away from a danger. Turns that closely follow one another go to the same side.
 void Explorer::backAway() {
     if (track_.distance_m() > side_kept_until_m_)
         turns_left_ = around_.betterToTheLeft();
@@ -227,7 +228,7 @@ protocol::SkidDrive Explorer::halt() {
 protocol::SkidDrive Explorer::reverse() {
     if (maneuver_ == Maneuver::None)
         backAway();
-    if (maneuver_ == Maneuver::Turning) // it knows no ground behind it
+    if (maneuver_ == Maneuver::Turning) // No known ground behind the robot
         return turnAway();
     const double lead_m_s = turns_left_ ? backing_lead_m_s : -backing_lead_m_s;
     return drive(-backing_speed_m_s - lead_m_s, -backing_speed_m_s + lead_m_s, Motion::Back, "backing away");

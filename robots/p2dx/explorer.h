@@ -1,4 +1,4 @@
-// A P2DX that explores: what it knows and what it can do. Both deciders, the coded one and the plan, work on it.
+// An exploring P2DX: its state, senses and acts. Both the C++ behavior and the POSH plan use it.
 #pragma once
 
 #include <optional>
@@ -13,56 +13,66 @@
 
 namespace usar::p2dx {
 
-/// Senses say what is, acts give the DRIVE of a tick; `perceive` comes once before them. The robot roams until it is in
-/// danger; then it backs away as far as it knows the ground behind it, turns from the nearer side until the way is
-/// free, and goes straight on for a moment. Owned by one behavior.
+/// Senses describe the situation and acts return the DRIVE command of a tick; call `perceive` once per tick before
+/// them. The robot roams until it is in danger. Then it backs away as far as it knows the ground there, turns away from
+/// the nearer side until the way is free, and drives straight on for a moment. Owned by one behavior.
 ///
-/// A scanner that repeats itself while the robot moves is frozen, and the robot stands. One that froze where nothing
-/// was in its reach cannot be told from one that looks over an empty plain: beams that return nothing have no noise,
-/// and a long way without an echo is what a plain is like. Low things make the sonars hear what no scan shows, so they
-/// are no proof either. There the sonars alone turn it back from what is ahead, and it may touch what is beside it.
+/// If the scanner repeats itself while the robot moves, it is frozen, and the robot stops. A scanner that froze with
+/// nothing in reach cannot be distinguished from one that looks over an empty plain: beams without an echo have no
+/// noise, and on a plain there is no echo for a long way. The sonars do not help to tell, because low objects make them
+/// hear what no scan shows. In that case only the sonars turn the robot back from what is ahead, and it may touch what
+/// is beside it.
 class Explorer {
 public:
     explicit Explorer(agent::BehaviorContext context);
 
-    /// The thesis's listener: it keeps scan, echoes and INS itself, without the modules.
+    /// Stores scan, sonar echoes and INS reading of an info line. As in the thesis, the robot does not use the modules.
     void hear(const protocol::InfoLine& line);
+    /// Evaluates what was heard since the last tick.
     void perceive(const agent::Tick& tick);
 
     // Senses.
-    Seconds scanAge() const; ///< huge before the first scan, and while the scanner is frozen
-    /// A person asked it to, or it has not rested long enough to start.
+    /// Time since the newest scan; huge before the first scan and while the scanner is frozen.
+    Seconds scanAge() const;
+    /// Whether the user paused the robot or it has not rested long enough to start.
     bool waiting() const;
-    /// Something is too close ahead, or the ground too steep, or the robot is still backing away from that.
+    /// Whether something ahead is too close, the ground falls too steeply, or the robot is still backing away from
+    /// that.
     bool inDanger() const;
+    /// Whether the robot has stayed in one place for longer than the settings allow.
     bool trapped() const;
+    /// Whether the robot has backed away or is turning around and the way is not free yet.
     bool mustTurn() const { return maneuver_ == Maneuver::Turning; }
-    /// The third to head for; another takes its place only by a clear lead.
+    /// The third of the scan to head for. It changes only if another third has a clear lead.
     Third open() const;
 
-    // Acts.
+    // Acts. Each returns the wheel speeds to send in this tick.
     protocol::SkidDrive halt();
     protocol::SkidDrive reverse();
     protocol::SkidDrive turnAway();
     protocol::SkidDrive goAhead();
     protocol::SkidDrive steerLeft();
     protocol::SkidDrive steerRight();
-    /// Begins to turn around, the second time in the same place after backing away; gives no DRIVE.
+    /// Begins to turn around; the second time in the same place it backs away first. Commands no wheels itself.
     void escape();
 
-    /// True: it sees to the order.
+    /// Always true: the order was handled.
     bool order(agent::Order order) { return run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
+    /// The current activity, in words.
     const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
     agent::PoseEstimate pose() const { return {run_.now, track_.base_in_map()}; }
+    /// How the behavior ended; nullopt while it runs.
     const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
+    /// Returns the events since the last call.
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
     enum class Maneuver { None, Backing, Turning };
 
     void takeReadings();
+    /// Notices a frozen scanner.
     void watchForIce();
     void chooseThird();
     void watchScanner();
@@ -88,8 +98,8 @@ private:
     std::vector<protocol::NamedRange> sonars_;
     std::optional<Pose> ins_in_map_;
     bool scan_is_new_ = false;
-    std::vector<double> former_ranges_m_; ///< of the scan before
-    double moved_with_same_scan_m_ = 0.0; ///< way, and the turns of a hull's rim
+    std::vector<double> former_ranges_m_; ///< ranges of the previous scan
+    double moved_with_same_scan_m_ = 0.0; ///< distance driven, plus the distance that the hull's rim turned
 
     std::optional<Seconds> scan_at_;
     Surroundings around_;
@@ -103,16 +113,16 @@ private:
     double to_turn_rad_ = 0.0;
     double turned_rad_ = 0.0;
     bool turns_left_ = false;
-    double side_kept_until_m_ = 0.0; ///< of the way; until then all turns go to the same side
+    double side_kept_until_m_ = 0.0; ///< distance driven up to which all turns go to the same side
     Seconds straight_until_{0.0};
-    Vec2 escaped_from_m_ = Vec2::Constant(1e9);
+    Vec2 escaped_from_m_ = Vec2::Constant(1e9); ///< place of the last escape, map frame
 
     Motion motion_ = Motion::Standing;
     bool blind_told_ = false;
     std::vector<agent::BehaviorEvent> events_;
 };
 
-/// Older scans are no guide: the robot stops.
+/// If the newest scan is older than this, the robot stops.
 inline constexpr Seconds blind_after{2.0};
 
 } // namespace usar::p2dx

@@ -2,7 +2,7 @@
 
 namespace usar::p2dx {
 
-/// Most important first, as in the plan.
+/// Checks the conditions in order of importance, the same as in the plan.
 protocol::SkidDrive ExplorerBehavior::decide() {
     if (explorer_.scanAge() > blind_after || explorer_.waiting())
         return explorer_.halt();

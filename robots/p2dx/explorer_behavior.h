@@ -1,4 +1,4 @@
-// "p2dx/cpp": the thesis's ground robot (3.5.3), decided by a few ifs.
+// The behavior "p2dx/cpp": the thesis's ground robot (3.5.3), controlled by a few conditions in C++.
 #pragma once
 
 #include <utility>
@@ -7,6 +7,7 @@
 
 namespace usar::p2dx {
 
+/// Sends one DRIVE per tick until the Explorer ends; then stops the wheels.
 class ExplorerBehavior : public agent::Behavior {
 public:
     explicit ExplorerBehavior(agent::BehaviorContext context) : explorer_(std::move(context)) {}
@@ -19,6 +20,7 @@ public:
 
 private:
     protocol::SkidDrive decide();
+    /// Stops the robot and publishes how the behavior ended.
     void end(agent::CommandPort& port);
 
     Explorer explorer_;

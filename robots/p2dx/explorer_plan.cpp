@@ -7,11 +7,11 @@
 
 namespace usar::p2dx {
 
-extern const char explorer_plan_text[]; // of resources/plans/p2dx.lap
+extern const char explorer_plan_text[]; // Contents of resources/plans/p2dx.lap
 
 namespace {
 
-/// What senses and acts share: the explorer, and its tick.
+/// The state that the senses and acts share: the explorer.
 class ExplorerBody final : public agent::PoshBody {
 public:
     explicit ExplorerBody(agent::BehaviorContext context) : explorer_(std::move(context)) {}
@@ -38,14 +38,14 @@ private:
 
 using ExplorerPrimitives = agent::PoshPrimitives<ExplorerBody>;
 
-/// `ask(explorer)`.
+/// Registers a sense that answers `ask(explorer)`.
 template <class Ask>
 agent::PoshRegistry::Entry addSense(ExplorerPrimitives& primitives, std::string name, std::string help, Ask ask) {
     return primitives.sense(std::move(name), [ask](const ExplorerBody& body) { return ask(body.explorer()); })
         .describe(std::move(help));
 }
 
-/// A step of driving, decided anew at the next cycle.
+/// Registers an act that sends the DRIVE of one tick and is complete after the cycle.
 void addDrive(ExplorerPrimitives& primitives, std::string name, std::string help,
               protocol::SkidDrive (Explorer::*act)()) {
     primitives

@@ -1,4 +1,4 @@
-// "p2dx/posh": the same robot, decided by a POSH plan over the same senses and acts.
+// The behavior "p2dx/posh": the same robot, controlled by a POSH plan that uses the same senses and acts.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace usar::p2dx {
 
-/// Senses and acts of the P2DX, as plans name them.
+/// The senses and acts of the P2DX by their names in plans.
 const agent::PoshRegistry& explorerRegistry();
 /// The plan that comes with the robot: resources/plans/p2dx.lap.
 agent::PlanText explorerPlan();
-/// An error where the plan cannot run on this robot.
+/// Uses the plan in the context, or explorerPlan if it has none. Fails if the plan cannot run on this robot.
 Result<std::unique_ptr<agent::Behavior>> makePlannedExplorer(agent::BehaviorContext context);
 
 } // namespace usar::p2dx

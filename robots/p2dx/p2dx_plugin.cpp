@@ -1,4 +1,4 @@
-// The door of the P2DX plugin: what it offers, and its behaviors.
+// The entry point of the P2DX plugin.
 #include <QObject>
 
 #include "robots/p2dx/descriptions.h"

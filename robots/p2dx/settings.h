@@ -1,4 +1,4 @@
-// What people may set about a P2DX that explores, as one value.
+// The settings of an exploring P2DX.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace usar::p2dx {
 
-/// SI units. Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units. Copied by value: new parameters take effect at the next tick. parameterSpecs has the
+/// limits and a help text for each.
 struct Settings {
     double cruise_speed_m_s = 0.5;
-    double safety_distance_m = 0.6; ///< of the thesis's behavior, from the scanner
-    double low_distance_m = 0.3;
-    double strip_width_m = 0.6;
-    double side_lead_pct = 10.0;
+    double safety_distance_m = 0.6; ///< least free distance ahead, from the scanner, as in the thesis
+    double low_distance_m = 0.3;    ///< least echo of the front sonars
+    double strip_width_m = 0.6;     ///< width of the strip ahead that must be free
+    double side_lead_pct = 10.0;    ///< lead that another third needs to be chosen
     double keep_straight_s = 3.0;
     double back_distance_m = 0.35;
-    double turn_rad = radians(60.0);
+    double turn_rad = radians(60.0); ///< least turn away from a danger
     double turn_rate_rad_s = 0.8;
     double steepest_descent_rad = radians(10.0);
-    double trap_time_s = 20.0;
+    double trap_time_s = 20.0; ///< the robot is trapped if it gets no farther than trap_radius_m in this time
     double trap_radius_m = 0.8;
-    double rest_time_s = 3.0;
-    double drive_time_s = 0.0;
+    double rest_time_s = 3.0;  ///< rest before the start, for the INS
+    double drive_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
     bool operator==(const Settings&) const = default;
 };
 
-/// What a form shows; defaults are those of `Settings`.
+/// The parameters that the user can set; their defaults are those of `Settings`.
 const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` were made from `parameterSpecs`.
+/// `parameters` must have been made from `parameterSpecs`.
 Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::p2dx

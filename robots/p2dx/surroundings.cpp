@@ -7,11 +7,11 @@ namespace usar::p2dx {
 
 namespace {
 
-/// Beams within this of straight ahead say nothing about a side.
+/// Beams within this angle of straight ahead belong to neither side.
 constexpr double middle_rad = radians(10.0);
 constexpr double clearly_nearer = 0.8;
 
-/// A stock P2DX's sonars from left to right (robots-and-worlds 3.2).
+/// The sonars of a stock P2DX from left to right (robots-and-worlds 3.2).
 struct SonarMount {
     const char* name;
     double yaw_rad;
@@ -26,7 +26,7 @@ constexpr std::array<SonarMount, 8> mounts{{{"F1", radians(90)},
                                             {"F8", radians(-90)}}};
 constexpr double front_rad = radians(40);
 constexpr double diagonal_rad = radians(60);
-/// What a diagonal sonar hears is beside the strip until it is so much nearer.
+/// Factor for the echoes of diagonal sonars, because what they hear is beside the strip unless it is near.
 constexpr double diagonal_weight = 1.25;
 
 double alongAxis_m(double at_m, double direction, double low_m, double high_m) {
@@ -82,7 +82,7 @@ Surroundings look(const protocol::RangeScan& scan, const std::vector<protocol::N
     for (std::size_t beam = 0; beam < beams; ++beam) {
         const double angle_rad = scan.beamAngle_rad(beam);
         const double range_m = std::min(scan.ranges_m[beam], fence.distance_m(angle_rad));
-        if (!(range_m >= 0.0)) // not a number
+        if (!(range_m >= 0.0)) // Also skips NaN
             continue;
         const std::size_t third = std::min<std::size_t>(2, 3 * beam / beams);
         around.mean_m[third] += range_m;

@@ -7,13 +7,13 @@ namespace usar::p2dx {
 
 namespace {
 
-constexpr std::size_t longest_way = 50; // steps
+constexpr std::size_t longest_way = 50; ///< number of steps
 constexpr Seconds longest_memory{600.0};
 constexpr double straight_rad = 0.3;
 constexpr double slope_over_m = 0.4;
 constexpr double least_slope_m = 0.25;
 constexpr double least_course_m = 0.03;
-constexpr double sideways_rad = 0.6; ///< more than this is no drift of the yaw, the robot slips
+constexpr double sideways_rad = 0.6; ///< a larger error is not drift of the yaw; the robot slips sideways
 constexpr double course_weight = 0.05;
 
 } // namespace

@@ -9,7 +9,7 @@ namespace {
 constexpr double climb_m_s = 0.5;
 constexpr double sink_m_s = -0.4;
 constexpr double forward_m_s = 1.0;
-/// The ground is where the robot does not sink although it should, for so long.
+/// The robot is on the ground if it has not sunk for this long, although commanded to.
 constexpr Seconds on_the_ground{1.0};
 constexpr double still_m = 0.02;
 
@@ -36,12 +36,12 @@ std::vector<agent::ParameterSpec> hopParameters() {
              .choices = {}}};
 }
 
-/// Called with every STA of the robot, several times a second of its own time. Look at the newest readings, decide, and
-/// answer at once: what takes long would hold up the robot.
+/// Called with every STA message of the robot, several times per second of the robot's time. Look at the newest
+/// readings, decide, and answer immediately; a slow answer would hold up the robot.
 void Hop::tick(const agent::Tick& tick, agent::CommandPort& port) {
     const auto* const ins = tick.robot.sensors.ins();
     if (!ins || state_ == State::Done)
-        return; // nothing is known yet, or nothing is left to do
+        return; // No reading yet, or nothing left to do
     const Pose& base_in_map = ins->value.base_in_map;
     if (!started_) {
         started_ = tick.now;
@@ -80,7 +80,7 @@ protocol::AerialDrive Hop::decide(const Vec3& position_m, Seconds now) {
     return {0.0, 0.0, 0.0, 0.0};
 }
 
-/// What the window shows: state, way and progress with every tick, and at the end how it went.
+/// Publishes what the window shows: state, distance and progress with every tick, and the result at the end.
 void Hop::tell(Seconds now, agent::CommandPort& port) const {
     const double whole_m = parameters_.real("distance_m");
     agent::BehaviorStatus status;
@@ -105,7 +105,8 @@ void Hop::order(agent::Order order, agent::CommandPort& port) {
         port.send(safeCommand(), "paused");
 }
 
-/// Sent whenever somebody or something else ends the behavior: a robot keeps its last command for good.
+/// The command that is sent when the behavior is ended from outside. It is needed because a robot keeps executing its
+/// last command.
 protocol::Command Hop::safeCommand() const {
     return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
 }

@@ -1,4 +1,4 @@
-// A short flight: up, forward, down. The smallest behavior that has all that a behavior needs.
+// A short flight: up, forward and down. This is the smallest behavior with everything that a behavior needs.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace usar::sample {
 
-/// What a person can set; the window makes a form of it, and a mission file names them by `id`.
+/// The parameters that the user can set. The window shows them as a form; a mission file names them by `id`.
 std::vector<agent::ParameterSpec> hopParameters();
 
-/// Climbs to a height, flies some way forward, lands where it then is. Flies by the INS alone, in meters of its frame.
+/// Climbs to a height, flies a distance forward and lands there. Uses only the INS; positions are in meters in the map
+/// frame.
 class Hop : public agent::Behavior {
 public:
     explicit Hop(const agent::ParameterSet& parameters) : parameters_(parameters) {}
@@ -25,18 +26,20 @@ public:
 private:
     enum class State { Climb, Fly, Land, Done };
 
+    /// Updates the state and returns the command for this tick.
     protocol::AerialDrive decide(const Vec3& position_m, Seconds now);
     void tell(Seconds now, agent::CommandPort& port) const;
+    /// The state in words, for the user.
     const char* inWords() const;
 
     agent::ParameterSet parameters_;
     State state_ = State::Climb;
     bool paused_ = false;
-    std::optional<Vec3> start_m_;
-    std::optional<Seconds> started_;
-    std::optional<Seconds> still_since_; ///< told to sink, and not sinking
-    double lowest_m_ = 0.0;
-    double flown_m_ = 0.0;
+    std::optional<Vec3> start_m_;        ///< position at the first tick with an INS reading
+    std::optional<Seconds> started_;     ///< time of that tick
+    std::optional<Seconds> still_since_; ///< since when the robot has not sunk, although commanded to
+    double lowest_m_ = 0.0;              ///< height below which the robot must get to count as sinking
+    double flown_m_ = 0.0;               ///< horizontal distance from the start
 };
 
 } // namespace usar::sample

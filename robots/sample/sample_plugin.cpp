@@ -1,4 +1,4 @@
-// The door of the plugin: which robot it is for, which behaviors it has, and how one is made.
+// The entry point of the plugin: the robot it is for, the behaviors it has, and how a behavior is created.
 #include <QObject>
 
 #include "core/agent/robot_plugin.h"
@@ -14,7 +14,7 @@ class SamplePlugin : public QObject, public agent::RobotPlugin {
 public:
     agent::RobotDescription description() const override {
         agent::BehaviorDescription hop;
-        hop.id = "sample/hop"; // as in sample.json
+        hop.id = "sample/hop"; // Must be the same as in sample.json
         hop.name = "Hop (sample)";
         hop.help = "Climbs, flies forward, lands.";
         hop.parameters = hopParameters();

@@ -9,10 +9,10 @@ namespace {
 
 constexpr Seconds between_commands{0.5};
 constexpr double tilts_a_pan = 3.0;
-constexpr double widest_pan_rad = 2.0; ///< of a mount that turns all around
+constexpr double widest_pan_rad = 2.0; ///< limit of the pan to each side for a mount that can turn farther
 constexpr double share_of_speed = 0.8;
 
-/// 0 at whole numbers, 1 half-way between them.
+/// A triangle wave: 0 at whole numbers, 1 halfway between them.
 double toAndFro(double phase) {
     const double part = phase - std::floor(phase);
     return 1.0 - std::abs(2.0 * part - 1.0);
@@ -29,7 +29,7 @@ Span spanOf(const protocol::LinkConfiguration& link) {
             std::min(link.largest.value_or(widest_pan_rad), widest_pan_rad)};
 }
 
-/// No link needs to go faster than it can.
+/// Returns `half`, extended so that no link has to move faster than it can.
 Seconds slowEnough(Seconds half, const protocol::PackageConfiguration& mount) {
     for (std::size_t i = 0; i < std::min<std::size_t>(2, mount.links.size()); ++i) {
         const Span span = spanOf(mount.links[i]);

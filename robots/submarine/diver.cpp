@@ -10,24 +10,24 @@ namespace usar::submarine {
 
 namespace {
 
-constexpr double no_echo_share = 0.99;    ///< of the reach
-constexpr double steepest_rise_m_s = 1.0; ///< of the bottom; what changes faster is a cliff, and no rate to go by
+constexpr double no_echo_share = 0.99;    ///< a range above this share of the reach is not an echo
+constexpr double steepest_rise_m_s = 1.0; ///< greatest rate of rise of the bottom; faster changes are cliffs
 constexpr Seconds smoothed_over{1.5};
-/// So long below its height without rising to it, the robot is in the shallows.
+/// If the robot is below its height for this long, it is in shallows.
 constexpr Seconds in_the_shallows{15.0};
-/// So long above its height without coming down so much, its hull does not follow the planes: at the surface its stern
-/// would have to leave the water.
+/// If the robot is above its height for this long without coming down by `comes_down_m`, its hull does not follow the
+/// planes. This happens at the surface, where the stern would have to leave the water.
 constexpr Seconds in_vain{20.0};
 constexpr double comes_down_m = 0.5;
 constexpr double stands_m_s = 0.03;
 constexpr double astern_m_s = -0.1;
 constexpr double usual_speed_m_s = 1.28;
-constexpr double braking_pitch_rad = radians(8.0);   ///< steeper, its planes would push it down
-constexpr double backing_pitch_rad = radians(-5.0);  ///< with its nose down a hull that backs off rises
-constexpr double returning_pitch_rad = radians(8.0); ///< it may come back where the bottom is higher
-constexpr double steers_at_rad = 0.3;                ///< off its course the rudder is hard over
+constexpr double braking_pitch_rad = radians(8.0);   ///< at a steeper pitch the planes would push the hull down
+constexpr double backing_pitch_rad = radians(-5.0);  ///< a hull that moves backward with its nose down rises
+constexpr double returning_pitch_rad = radians(8.0); ///< nose up, because the bottom may be higher on the way back
+constexpr double steers_at_rad = 0.3;                ///< course error at which the rudder is hard over
 constexpr double arrived_m = 8.0;
-constexpr double longest_way_back = 3.0; ///< times as far as it is
+constexpr double longest_way_back = 3.0; ///< multiple of the distance after which the way back is given up
 
 } // namespace
 
@@ -68,7 +68,7 @@ void Diver::reckon(Seconds dt, const modules::StateModule& state) {
 void Diver::takeReadings() {
     for (const auto& reading : readings_.takeAll<protocol::RangeReadings>()) {
         const double range_m = reading.value.range_m;
-        if (!(range_m > 0.0)) // not a number
+        if (!(range_m > 0.0)) // Also skips NaN
             continue;
         const double pitch_rad = hull_.pitch_rad();
         const double reach_m = limits_ ? limits_->ray_reach_m : Limits{}.ray_reach_m;
@@ -83,7 +83,7 @@ void Diver::takeReadings() {
     }
 }
 
-/// What of the change of height is not the robot's own climb is the bottom's.
+/// Estimates the rise of the bottom: the robot's own climb minus the change of its height over the bottom.
 void Diver::reckonBottom() {
     if (!heights_.last_m || !heights_.present_m)
         return;
@@ -98,7 +98,7 @@ void Diver::watchRay() {
     blind_told_ = blind();
 }
 
-/// The world may end, and the sea go on.
+/// Ends the behavior if there has been no echo for too long a descent; the sea may extend beyond the modeled world.
 void Diver::watchSearch(Seconds dt) {
     const double sink_m = -hull_.climb_m_s() * dt.count();
     searched_m_ = echoes_.present_m ? 0.0 : searched_m_ + sink_m;
@@ -112,7 +112,8 @@ void Diver::watchClock() {
         run_.ending = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
 }
 
-/// How long it has been too low, and how long too high without coming down.
+/// Measures how long the robot has been too low, and how long too high without coming down. Remembers the places where
+/// it could follow the bottom.
 void Diver::watchLevel() {
     const Level level = levelOf(heights_, settings_);
     if (level != Level::Ascend)
@@ -133,7 +134,8 @@ bool Diver::divesInVain() const {
     return settings_.knows_slant && run_.now - above_since_ > in_vain;
 }
 
-/// Ahead and astern: what is slow stops sooner.
+/// Returns whether the bottom is too near. Looks less far ahead when the robot is slow, forward or backward, because it
+/// then stops sooner.
 bool Diver::inDanger() const {
     if (!settings_.knows_slant)
         return tooNear(heights_, 0.0, Seconds{0.0}, settings_);
@@ -147,14 +149,15 @@ void Diver::begin(Maneuver maneuver) {
     maneuver_began_m_ = way_m_;
 }
 
-/// To where it could follow the bottom; where it never could, it goes on, as the thesis's robot always does.
+/// Begins to return to a place where the robot could follow the bottom. If there is none, it just continues, as the
+/// thesis's robot always does.
 void Diver::beginGoingBack() {
     back_to_m_ = settings_.knows_slant ? trail_.placeBehind(settings_.way_back_m) : std::nullopt;
     begin(back_to_m_ ? Maneuver::GoingBack : Maneuver::None);
 }
 
-/// Where something rises it backs off first. It goes back from there, from the shallows, and where the bottom falls out
-/// of reach.
+/// Begins and ends maneuvers. If the bottom is too near, the robot first backs off and then goes back. It also goes
+/// back from shallows and where the bottom falls out of reach.
 void Diver::stepManeuver() {
     const double way_m = way_m_ - maneuver_began_m_;
     const bool astern = hull_.speed_m_s() < astern_m_s;
@@ -173,7 +176,7 @@ void Diver::stepManeuver() {
     }
 }
 
-/// 1 is the right. It changes after a time, so that the robot does not go in a circle.
+/// Returns the side to turn to: 1 for right, -1 for left. It alternates, so that the robot does not move in a circle.
 double Diver::side() const {
     const double turns = run_.elapsed().count() / settings_.change_side_s;
     return static_cast<long long>(turns) % 2 == 0 ? 1.0 : -1.0;
@@ -215,7 +218,7 @@ protocol::NauticDrive Diver::keepLevel() {
     return drive(1.0, side(), plane_rad(), std::string("level, ") + turning);
 }
 
-/// With its nose up until it stands, then back over what it has crossed.
+/// Brakes with the nose up until the robot stands, then moves backward over the ground that it has crossed.
 protocol::NauticDrive Diver::backOff() {
     if (!settings_.knows_slant)
         return drive(-1.0, 0.0, 0.0, "backing off");
@@ -224,15 +227,15 @@ protocol::NauticDrive Diver::backOff() {
     return drive(full_astern, 0.0, hull_.planeFor_rad(pitch_rad), "backing off");
 }
 
-/// Without a bottom in reach it rises meanwhile.
+/// Steers to the destination of the way back; rises if the bottom is out of reach.
 protocol::NauticDrive Diver::goBack() {
     const double plane_rad = hull_.planeFor_rad(returning_pitch_rad);
     const double right = std::clamp(-trail_.bearingOf_rad(*back_to_m_) / steers_at_rad, -1.0, 1.0);
-    const double rudder = hull_.speed_m_s() < 0.0 ? -right : right; // astern it turns the hull the other way
+    const double rudder = hull_.speed_m_s() < 0.0 ? -right : right; // The rudder works the other way backward
     return drive(1.0, rudder, echoes_.present_m ? this->plane_rad() : plane_rad, "going back");
 }
 
-/// Left to itself the hull would glide on for twenty meters.
+/// Brakes with the propeller, because the hull would otherwise glide on for twenty meters.
 protocol::NauticDrive Diver::halt(const char* state) {
     const double brake =
         std::abs(hull_.speed_m_s()) < stands_m_s ? 0.0 : std::clamp(-4.0 * hull_.speed_m_s(), -1.0, 1.0);

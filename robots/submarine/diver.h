@@ -1,4 +1,4 @@
-// A Submarine along the bottom of the sea: what it knows, and what it makes of it.
+// A Submarine that follows the bottom of the sea: perception and decisions.
 #pragma once
 
 #include <optional>
@@ -15,27 +15,32 @@
 
 namespace usar::submarine {
 
-/// The thesis's robot (3.5.1): one ray on its belly, a rudder, planes and a propeller. Either it corrects its height by
-/// the planes, or it is level and turns by the rudder. What the thesis's robot does not know it reckons from its own
-/// fins: how its hull lies, how the bottom rises, and where it could follow that. From a coast, from shallows and from
-/// where the bottom falls out of reach it goes back there. What rises like a wall before its nose no ray of its shows.
-/// Owned by one behavior; time is the protocol clock.
+/// The thesis's robot (3.5.1) has one ray on its belly, a rudder, planes and a propeller. Either it corrects its height
+/// with the planes, or it is level and turns with the rudder. Beyond the thesis, it estimates from its own rudder,
+/// planes and propeller the pitch of its hull, the slope of the bottom and the places where it could follow the bottom.
+/// It returns to such a place from a coast, from shallows, and where the bottom falls out of reach. It cannot see a
+/// wall in front of its nose. Owned by one behavior; times are those of the protocol clock.
 class Diver {
 public:
     explicit Diver(agent::BehaviorContext context);
 
-    /// Keeps every reading of the ray until the next tick: its last and present value may come between two of them.
+    /// Keeps every reading of the ray until the next tick, because several can come between two ticks.
     void hear(const protocol::InfoLine& line) { readings_.take(line, run_.now); }
-    /// Once a tick, before `decide`. `limits`: nothing while they are being asked for.
+    /// Evaluates the readings. Call it once per tick, before `decide`. `limits` is nullopt while the robot is still
+    /// being asked for them.
     void perceive(const agent::Tick& tick, const std::optional<Limits>& limits);
+    /// Returns the command for this tick; it brakes while the limits are unknown.
     protocol::NauticDrive decide();
 
     void order(agent::Order order) { run_.order(order); }
     void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
     const Settings& settings() const { return settings_; }
+    /// The current activity, in words.
     const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
+    /// How the behavior ended; nullopt while it runs.
     const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
+    /// Returns the events since the last call.
     std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
@@ -71,24 +76,24 @@ private:
     modules::QueuedSensorModule readings_;
     PitchModel hull_;
     Trail trail_;
-    Echoes echoes_;  ///< as the ray has them
-    Echoes heights_; ///< as the rule takes them
+    Echoes echoes_;  ///< lengths of the ray
+    Echoes heights_; ///< heights over the bottom, corrected for the pitch if the robot knows it
     double pitch_at_echo_rad_ = 0.0;
-    double rise_now_m_s_ = 0.0;    ///< of the bottom under the robot on its way, by the last two echoes
-    double bottom_rise_m_s_ = 0.0; ///< smoothed
+    double rise_now_m_s_ = 0.0;    ///< rate at which the bottom under the moving robot rises, from the last two echoes
+    double bottom_rise_m_s_ = 0.0; ///< the same, smoothed
 
-    Seconds heard_at_{-1e9};
-    Seconds reading_at_{0.0};
+    Seconds heard_at_{-1e9};  ///< time of the tick that took the last reading
+    Seconds reading_at_{0.0}; ///< time of the last reading itself
     Maneuver maneuver_ = Maneuver::None;
-    double maneuver_began_m_ = 0.0; ///< of the way
-    std::optional<Vec2> back_to_m_;
-    Seconds below_since_{0.0};
-    Seconds above_since_{0.0};
-    double came_down_to_m_ = unknown_m; ///< over the bottom, in that time
-    double searched_m_ = 0.0;           ///< downward, since the last echo
-    double way_m_ = 0.0;
-    double propeller_share_ = 0.0; ///< as told
-    double plane_now_rad_ = 0.0;   ///< as STA has it
+    double maneuver_began_m_ = 0.0;     ///< value of way_m_ when the maneuver began
+    std::optional<Vec2> back_to_m_;     ///< destination of GoingBack, in the frame of the trail
+    Seconds below_since_{0.0};          ///< since when the robot has been too low
+    Seconds above_since_{0.0};          ///< since when it has been too high without coming down
+    double came_down_to_m_ = unknown_m; ///< height over the bottom when above_since_ was set
+    double searched_m_ = 0.0;           ///< distance that the robot has sunk since the last echo
+    double way_m_ = 0.0;                ///< estimated distance traveled
+    double propeller_share_ = 0.0;      ///< commanded speed as a share of the greatest
+    double plane_now_rad_ = 0.0;        ///< angle of the stern planes in the newest STA
 
     bool blind_told_ = false;
     std::vector<agent::BehaviorEvent> events_;

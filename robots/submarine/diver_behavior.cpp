@@ -20,15 +20,15 @@ void DiverBehavior::moveCamera(const agent::Tick& tick, agent::CommandPort& port
     for (const protocol::Response& response : tick.robot.responses.takeAll()) {
         if (response.ok || zoom_refused_ || !sameWord(response.type, "Camera"))
             continue;
-        zoom_refused_ = true; // once: the sweep asks again and again
+        zoom_refused_ = true; // Tell the user only once, because the sweep keeps trying
         port.publish(agent::BehaviorEvent{Severity::Note, "The camera does not zoom as it is told."});
     }
     if (auto command = camera_.next(tick.now, Seconds(diver_.settings().sweep_s), questions_.limits()))
         port.send(*std::move(command), "looking around");
 }
 
-/// The stock robot does not know where it is. A GroundTruth, where one is mounted, shows people the way on the map;
-/// nothing is decided by it.
+/// Publishes the status. The stock robot does not know where it is; if a GroundTruth sensor is mounted, its pose shows
+/// the user the path on the map, but the robot makes no decisions by it.
 void DiverBehavior::publish(const agent::Tick& tick, agent::CommandPort& port) {
     for (agent::BehaviorEvent& event : diver_.takeEvents())
         port.publish(std::move(event));

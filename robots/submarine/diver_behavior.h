@@ -1,4 +1,4 @@
-// "submarine/cpp": the thesis's nautical robot (3.5.1). What it is asked and what it sends; the Diver decides.
+// The behavior "submarine/cpp": the thesis's nautical robot (3.5.1).
 #pragma once
 
 #include <utility>
@@ -8,6 +8,7 @@
 
 namespace usar::submarine {
 
+/// Asks for the robot's limits, passes messages to the Diver, which decides, sends its commands and moves the camera.
 class DiverBehavior : public agent::Behavior {
 public:
     explicit DiverBehavior(agent::BehaviorContext context) : diver_(std::move(context)) {}
@@ -21,12 +22,13 @@ public:
 private:
     void moveCamera(const agent::Tick& tick, agent::CommandPort& port);
     void publish(const agent::Tick& tick, agent::CommandPort& port);
+    /// Stops the robot and publishes how the behavior ended.
     void end(agent::CommandPort& port);
 
-    Questionnaire questions_;
+    Questionnaire questions_; ///< finds out the limits
     Diver diver_;
     CameraSweep camera_;
-    bool zoom_refused_ = false;
+    bool zoom_refused_ = false; ///< the user has been told that the camera refuses to zoom
 };
 
 } // namespace usar::submarine

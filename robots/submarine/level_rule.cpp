@@ -7,8 +7,8 @@ namespace usar::submarine {
 namespace {
 
 constexpr double least_speed_m_s = 0.4;
-constexpr double climb_share = 0.6;    ///< of what the hull points: its planes push it the other way
-constexpr double climb_per_m_hz = 0.2; ///< rate of climb that is wanted for each meter that is missing
+constexpr double climb_share = 0.6;    ///< climb as a share of the pitch; the planes push the hull the other way
+constexpr double climb_per_m_hz = 0.2; ///< wanted rate of climb per meter of height error
 
 } // namespace
 

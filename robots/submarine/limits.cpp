@@ -22,7 +22,7 @@ bool Questionnaire::goOn(modules::ConfigurationModule& configuration) {
     case QueryState::Ready:
         take(*configuration.answer(type));
         break;
-    case QueryState::Failed: // the host has told the person
+    case QueryState::Failed: // The host has told the user
         break;
     }
     return ++asked_ == questions.size();

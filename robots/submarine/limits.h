@@ -1,4 +1,4 @@
-// What a robot can do, learnt by asking: GETCONF of the robot, its camera, its mission package and its ray.
+// The limits of a robot, from GETCONF queries for the robot, its camera, its mission package and its ray.
 #pragma once
 
 #include <optional>
@@ -8,28 +8,29 @@
 
 namespace usar::submarine {
 
-/// What the server said, or what is usual where it did not.
+/// The limits that the server reported; the defaults are typical values for those that it did not report.
 struct Limits {
     double propeller_rad_s = 160.0;
-    double rudder_rad = 0.35;
-    double stern_plane_rad = 0.35;
+    double rudder_rad = 0.35;      ///< greatest angle to each side
+    double stern_plane_rad = 0.35; ///< greatest angle up and down
     double ray_reach_m = 20.0;
-    std::optional<protocol::CameraConfiguration> camera;
-    std::optional<protocol::PackageConfiguration> mount; ///< of the camera: link 1 pans, link 2 tilts
+    std::optional<protocol::CameraConfiguration> camera; ///< nullopt if the robot has none
+    std::optional<protocol::PackageConfiguration> mount; ///< mount of the camera: link 1 pans, link 2 tilts
 };
 
-/// The thesis's three questions (3.5.1) and a fourth, one a logic call: the server holds one at a time and loses the
-/// earlier one.
+/// Asks the thesis's three questions (3.5.1) and a fourth one. Asks one at a time, because the server keeps only the
+/// newest question.
 class Questionnaire {
 public:
-    /// Asks what has not been asked, or waits for the answer; true once all have been answered or given up.
+    /// Asks the next question or waits for its answer; call it once per tick. Returns true once all questions have been
+    /// answered or given up.
     bool goOn(modules::ConfigurationModule& configuration);
     const Limits& limits() const { return limits_; }
 
 private:
     void take(const protocol::ConfigurationInfo& answer);
 
-    std::size_t asked_ = 0;
+    std::size_t asked_ = 0; ///< number of questions that are answered or given up
     Limits limits_;
 };
 

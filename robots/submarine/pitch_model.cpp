@@ -7,22 +7,23 @@ namespace usar::submarine {
 
 namespace {
 
-// Of a torpedo of REMUS-100 size (robots-and-worlds 3.3); with the water that it moves along.
+// Values of a torpedo-shaped vehicle of REMUS-100 size (robots-and-worlds 3.3); masses include the water that moves
+// along.
 constexpr double mass_kg = 38.0;
 constexpr double heave_mass_kg = 72.5;
 constexpr double inertia_kg_m2 = 8.3;
-constexpr double thrust_n = 10.0; ///< at full speed; quadratic below
+constexpr double thrust_n = 10.0; ///< at full propeller speed; proportional to the square of the speed
 constexpr double surge_drag_kg_m = 3.9;
 constexpr double heave_drag_kg_m = 131.0;
 constexpr double pitch_drag_kg_m2 = 188.0;
-constexpr double righting_n_m = 7.3; ///< weight times the height of buoyancy over it
+constexpr double righting_n_m = 7.3; ///< weight times the height of the center of buoyancy over the center of mass
 constexpr double fin_moment_kg = 6.15;
 constexpr double fin_lift_kg_m = 9.64;
 
 constexpr double longest_step_s = 0.02;
-constexpr double least_flow_m2_s2 = 0.2; ///< slower, the planes have nothing to work with
-constexpr double hurry_n_m = 20.0;       ///< for each radian that is missing
-constexpr double calm_n_m_s = 18.0;
+constexpr double least_flow_m2_s2 = 0.2; ///< lower limit for the squared speed, below which planes have no effect
+constexpr double hurry_n_m = 20.0;       ///< wanted moment per radian of pitch error
+constexpr double calm_n_m_s = 18.0;      ///< damping moment per rad/s
 
 } // namespace
 
@@ -39,7 +40,8 @@ void PitchModel::stepOnce(double dt_s, double thrust_now_n, double stern_plane_r
                               pitch_drag_kg_m2 * rate_rad_s_ * std::abs(rate_rad_s_);
     const double heave_n =
         -fin_lift_kg_m * flow_m2_s2 * stern_plane_rad - heave_drag_kg_m * heave_m_s_ * std::abs(heave_m_s_);
-    // A hull that turns its nose up goes on as it went: now across itself, downward.
+    // While the nose turns up, the hull keeps its velocity, which then has a component across the hull, toward its
+    // belly.
     heave_m_s_ += (heave_n / heave_mass_kg - speed_m_s_ * rate_rad_s_) * dt_s;
     speed_m_s_ += (thrust_now_n - surge_drag_kg_m * flow_m2_s2) / mass_kg * dt_s;
     rate_rad_s_ += moment_n_m / inertia_kg_m2 * dt_s;

@@ -1,32 +1,34 @@
-// How the hull lies and where it goes, reckoned from what the robot knows of itself: its propeller and its planes.
+// Estimates the pitch and the motion of the hull from the propeller and the planes.
 #pragma once
 
 #include "core/base/clock.h"
 
 namespace usar::submarine {
 
-/// The stock robot has no sensor of attitude. But planes turn a hull that makes way, its weight hangs below its
-/// buoyancy and rights it, and the water brakes both; so the fins of the last seconds tell the pitch. Planes that lift
-/// the nose also push the stern down, and the hull with it: it climbs less than it points. Right under water only, at
-/// the surface the hull lies flatter; errors do not grow, for the righting moment forgets them.
+/// The stock robot has no attitude sensor. But planes turn a moving hull, its weight is below its center of buoyancy
+/// and rights it, and the water brakes both; so the plane angles of the last seconds determine the pitch. Planes that
+/// lift the nose also push the stern and with it the hull down, so it climbs less steeply than it points. The model is
+/// valid under water only; at the surface the hull lies flatter. Errors do not accumulate, because the righting moment
+/// removes them.
 class PitchModel {
 public:
-    /// The planes as STA tells them, positive lifts the nose; the propeller as a share of its largest speed, negative
-    /// in reverse.
+    /// Advances the model by `dt`. The plane angle is that of STA, positive if it lifts the nose; the propeller speed
+    /// is a share of the greatest, negative in reverse.
     void step(Seconds dt, double propeller_share, double stern_plane_rad);
 
-    double speed_m_s() const { return speed_m_s_; } ///< along the hull
-    double pitch_rad() const { return pitch_rad_; } ///< nose up is positive
-    double climb_m_s() const;                       ///< of the hull, whatever the bottom does
-    double rate_rad_s() const { return rate_rad_s_; }
-    /// The planes that would bring the hull to this pitch and rest there, and hurry it on its way.
+    double speed_m_s() const { return speed_m_s_; }   ///< along the hull
+    double pitch_rad() const { return pitch_rad_; }   ///< positive nose up
+    double climb_m_s() const;                         ///< vertical speed of the hull, positive upward
+    double rate_rad_s() const { return rate_rad_s_; } ///< rate of change of the pitch
+    /// Returns the plane angle that brings the hull to this pitch quickly and holds it there. It is not limited to what
+    /// the planes can do.
     double planeFor_rad(double pitch_rad) const;
 
 private:
     void stepOnce(double dt_s, double thrust_n, double stern_plane_rad);
 
     double speed_m_s_ = 0.0;
-    double heave_m_s_ = 0.0; ///< upward across the hull
+    double heave_m_s_ = 0.0; ///< speed across the hull, positive toward its top
     double pitch_rad_ = 0.0;
     double rate_rad_s_ = 0.0;
 };

@@ -1,4 +1,4 @@
-// What people may set about a Submarine that follows the bottom, as one value.
+// The settings of a Submarine that follows the bottom.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace usar::submarine {
 
-/// SI units; [T] is the thesis (3.5.1). Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units; [T] marks values from the thesis (3.5.1). Copied by value: new parameters take effect at
+/// the next tick. parameterSpecs has the limits and a help text for each.
 struct Settings {
-    double height_m = 4.0; ///< [T]
-    double level_band_m = 0.6;
-    double propeller_pct = 80.0;
-    bool knows_slant = true;
+    double height_m = 4.0;       ///< [T] height over the bottom
+    double level_band_m = 0.6;   ///< the robot counts as level within this distance of the height
+    double propeller_pct = 80.0; ///< share of the greatest speed
+    bool knows_slant = true;     ///< false: the thesis's robot, which takes the ray for vertical
     double steepest_dive_rad = radians(20.0);
     double steepest_climb_rad = radians(25.0);
-    double deepest_search_m = 40.0;
-    double change_side_s = 100.0; ///< [T]
-    double least_height_m = 0.5;  ///< [T]
+    double deepest_search_m = 40.0; ///< how far to dive without an echo before giving up
+    double change_side_s = 100.0;   ///< [T] time between changes of the side to turn to
+    double least_height_m = 0.5;    ///< [T] the robot backs off below this height
     double foresight_s = 7.5;
     double back_off_m = 8.0;
     double way_back_m = 30.0;
-    double sweep_s = 40.0;
-    double dive_time_s = 0.0;
+    double sweep_s = 40.0;    ///< time of the camera from one side to the other
+    double dive_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
     bool operator==(const Settings&) const = default;
 };
 
-/// What a form shows; defaults are those of `Settings`.
+/// The parameters that the user can set; their defaults are those of `Settings`.
 const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` were made from `parameterSpecs`.
+/// `parameters` must have been made from `parameterSpecs`.
 Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::submarine

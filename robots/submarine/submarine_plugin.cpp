@@ -1,4 +1,4 @@
-// The door of the Submarine plugin: what it offers, and its behaviors.
+// The entry point of the Submarine plugin.
 #include <QObject>
 
 #include "robots/submarine/descriptions.h"

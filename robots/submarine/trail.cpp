@@ -7,14 +7,14 @@ namespace usar::submarine {
 
 namespace {
 
-constexpr double turn_per_m = 0.1255; ///< with the rudder hard over, as a torpedo of REMUS-100 size does at any speed
+constexpr double turn_per_m = 0.1255; ///< radians per meter with the rudder hard over, at any speed, for REMUS-100 size
 constexpr double apart_m = 4.0;
 constexpr std::size_t most_places = 500;
 
 } // namespace
 
 void Trail::step(double step_m, double rudder_share) {
-    // What turns the hull grows with the rudder, what brakes the turn with the turn's square.
+    // The turning moment is proportional to the rudder angle and the drag to the square of the turn rate.
     const double turn_share = std::copysign(std::sqrt(std::abs(rudder_share)), rudder_share);
     yaw_rad_ = normalizedAngle(yaw_rad_ - turn_per_m * step_m * turn_share);
     here_m_ += step_m * Vec2(std::cos(yaw_rad_), std::sin(yaw_rad_));

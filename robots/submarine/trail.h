@@ -1,4 +1,4 @@
-// Where a robot that sees nothing of the land around it has been: reckoned by its own propeller and rudder.
+// Dead reckoning for a robot that cannot see its surroundings, from its propeller and rudder.
 #pragma once
 
 #include <deque>
@@ -8,24 +8,26 @@
 
 namespace usar::submarine {
 
-/// Places where it could follow the bottom, newest last. Metres and radians, in a frame that begins where the robot
-/// does. Errors grow with every turn, so only what lies some tens of meters back is worth going back to.
+/// Remembers places where the robot could follow the bottom. Meters and radians, in a frame with its origin at the
+/// robot's start and x along its bow there. Errors grow with every turn, so only places up to some tens of meters back
+/// are useful.
 class Trail {
 public:
-    /// `step_m` along the hull, negative astern; `rudder_share` is 1 hard over to the right.
+    /// Moves by `step_m` along the hull, negative backward. `rudder_share` is 1 for hard right and -1 for hard left.
     void step(double step_m, double rudder_share);
-    /// It is well here.
+    /// Remembers the current place, unless the last one is near.
     void keepPlace();
-    /// The newest place that is so far from here, or else the oldest; nothing where there is none.
+    /// Returns the newest place that is farther than this from here, otherwise the oldest place; nullopt if there are
+    /// no places.
     std::optional<Vec2> placeBehind(double distance_m) const;
     double distanceTo_m(const Vec2& place_m) const { return (place_m - here_m_).norm(); }
-    /// From the bow to the place, positive to the left.
+    /// The angle from the bow to the place, positive to the left.
     double bearingOf_rad(const Vec2& place_m) const;
 
 private:
     Vec2 here_m_ = Vec2::Zero();
     double yaw_rad_ = 0.0;
-    std::deque<Vec2> places_m_;
+    std::deque<Vec2> places_m_; ///< oldest first
 };
 
 } // namespace usar::submarine
