@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "core/agent/behavior_service.h"
+#include "core/agent/process/behavior_service.h"
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);

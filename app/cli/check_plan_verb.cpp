@@ -8,10 +8,10 @@
 
 #include "app/cli/verb_complaint.h"
 #include "app/host/locations.h"
-#include "core/agent/plugin_loader.h"
-#include "core/mission/mission_runner.h"
-#include "core/mission/plan_file.h"
-#include "core/mission/plan_report.h"
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/mission/files/plan_file.h"
+#include "core/mission/reports/plan_report.h"
+#include "core/mission/session/mission_runner.h"
 
 namespace usar::app {
 

@@ -5,8 +5,8 @@
 #include <QFile>
 
 #include "app/cli/verb_complaint.h"
-#include "core/mission/line_report.h"
-#include "core/mission/mission_runner.h"
+#include "core/mission/reports/line_report.h"
+#include "core/mission/session/mission_runner.h"
 
 namespace usar::app {
 

@@ -17,10 +17,10 @@
 #include "app/host/locations.h"
 #include "app/host/quit_signals.h"
 #include "app/host/simulator_files.h"
-#include "core/mission/mission_options.h"
-#include "core/mission/progress_text.h"
-#include "core/mission/replay_options.h"
-#include "core/mission/run_summary.h"
+#include "core/mission/files/mission_options.h"
+#include "core/mission/files/replay_options.h"
+#include "core/mission/session/progress_text.h"
+#include "core/mission/session/run_summary.h"
 
 namespace {
 

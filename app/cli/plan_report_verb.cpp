@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "app/cli/verb_complaint.h"
-#include "core/mission/mission_runner.h"
-#include "core/mission/recorded_runs.h"
-#include "core/mission/run_report_text.h"
+#include "core/mission/reports/recorded_runs.h"
+#include "core/mission/reports/run_report_text.h"
+#include "core/mission/session/mission_runner.h"
 
 namespace usar::app {
 

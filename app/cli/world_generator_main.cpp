@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/numbers.h"
-#include "core/sim/world_generator.h"
+#include "core/sim/world/world_generator.h"
 
 int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);

@@ -5,7 +5,7 @@
 #include <QInputDialog>
 #include <QSettings>
 
-#include "app/desks/robot_name.h"
+#include "app/host/robot_name.h"
 
 namespace usar::app {
 

@@ -8,9 +8,9 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/desks/camera_feed.h"
 #include "app/desks/desk.h"
-#include "core/mission/camera_mount.h"
+#include "app/feeds/camera_feed.h"
+#include "core/mission/session/camera_mount.h"
 
 namespace usar::app {
 

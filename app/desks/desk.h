@@ -4,8 +4,8 @@
 #include "app/desks/notice_desk.h"
 #include "app/desks/selection.h"
 #include "app/host/mission_control.h"
-#include "app/window/window_views.h"
-#include "widgets/command_registry.h"
+#include "app/views/window_views.h"
+#include "widgets/commands/command_registry.h"
 
 namespace usar::app {
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "app/desks/robot_name.h"
+#include "app/host/robot_name.h"
+#include "app/views/robot_presenter.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -17,34 +18,7 @@ constexpr int reins_patience_ms = 1000;
 constexpr double speed_step = 0.1;
 constexpr std::string_view by_hand = "by hand: ";
 
-QString wordFor(const mission::ControlState& state) {
-    if (!state.held)
-        return {};
-    switch (*state.held) {
-    case HandSource::Keys:
-        return DriveDesk::tr("keys");
-    case HandSource::Pad:
-        return DriveDesk::tr("pad");
-    case HandSource::Gamepad:
-        break;
-    }
-    return state.device.empty() ? DriveDesk::tr("gamepad") : QString::fromStdString(state.device);
-}
-
 } // namespace
-
-widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot) {
-    using widgets::Driver;
-    if (!robot)
-        return {};
-    const mission::ControlState& state = robot->view().figures.control;
-    if (robot->isReplay() || state.reins == Reins::Nobody)
-        return {nameOf(*robot), Driver::Nobody, {}};
-    if (state.reins == Reins::Hand)
-        return {nameOf(*robot), Driver::Person, wordFor(state)};
-    const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
-    return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
-}
 
 DriveDesk::DriveDesk(const DeskContext& context)
     : control_(context.control)

@@ -8,9 +8,9 @@
 #include <QTimer>
 
 #include "app/desks/desk.h"
-#include "app/desks/gamepad.h"
-#include "core/mission/velocity_watch.h"
-#include "widgets/drive_keys.h"
+#include "app/feeds/gamepad.h"
+#include "core/mission/session/velocity_watch.h"
+#include "widgets/drive/drive_keys.h"
 
 namespace usar::app {
 
@@ -74,8 +74,5 @@ private:
     bool taken_ = false;
     bool confirmed_ = false; ///< by the session
 };
-
-/// Who drives, for chips and lists.
-widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot);
 
 } // namespace usar::app

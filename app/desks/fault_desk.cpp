@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/host/simulator_files.h"
-#include "widgets/empty_state.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::app {
 

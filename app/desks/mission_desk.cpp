@@ -9,7 +9,7 @@
 
 #include "app/host/locations.h"
 #include "app/host/simulator_files.h"
-#include "core/mission/mission_writer.h"
+#include "core/mission/files/mission_writer.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {

@@ -9,7 +9,7 @@
 #include "app/desks/desk.h"
 #include "app/desks/plugin_desk.h"
 #include "app/desks/server_desk.h"
-#include "core/mission/task_drafts.h"
+#include "core/mission/files/task_drafts.h"
 
 namespace usar::app {
 

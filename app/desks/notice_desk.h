@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/host/mission_control.h"
-#include "app/window/window_views.h"
+#include "app/views/window_views.h"
 
 namespace usar::app {
 

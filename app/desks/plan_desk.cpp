@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/desks/robot_name.h"
-#include "core/posh/literal.h"
-#include "widgets/breakpoint_dialog.h"
+#include "app/host/robot_name.h"
+#include "core/posh/model/literal.h"
 #include "widgets/models/figures.h"
-#include "widgets/pin_dialog.h"
+#include "widgets/plan/breakpoint_dialog.h"
+#include "widgets/plan/pin_dialog.h"
 
 namespace usar::app {
 

@@ -9,7 +9,7 @@
 
 #include "app/desks/desk.h"
 #include "app/desks/plan_watch.h"
-#include "widgets/models/breakpoint_list.h"
+#include "widgets/models/plan/breakpoint_list.h"
 
 namespace usar::app {
 

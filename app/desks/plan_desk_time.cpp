@@ -4,9 +4,9 @@
 #include <QSaveFile>
 
 #include "app/desks/plan_desk.h"
-#include "core/mission/run_report_text.h"
-#include "widgets/plan_picture.h"
-#include "widgets/report_dialog.h"
+#include "core/mission/reports/run_report_text.h"
+#include "widgets/panels/report_dialog.h"
+#include "widgets/plan/plan_picture.h"
 
 namespace usar::app {
 

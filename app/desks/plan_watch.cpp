@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/posh/value_text.h"
+#include "core/posh/run/value_text.h"
 
 namespace usar::app {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/session_update.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/run_history.h"
-#include "widgets/models/plan_activity.h"
-#include "widgets/models/plan_time.h"
+#include "core/mission/session/session_update.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/trace/run_history.h"
+#include "widgets/models/plan/plan_activity.h"
+#include "widgets/models/plan/plan_time.h"
 
 namespace usar::app {
 

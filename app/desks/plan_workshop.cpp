@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include "core/mission/mission_check.h"
-#include "core/posh/plan_templates.h"
+#include "core/mission/files/mission_check.h"
+#include "core/posh/edit/plan_templates.h"
 
 namespace usar::app {
 

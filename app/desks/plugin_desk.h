@@ -6,7 +6,7 @@
 #include <QStringList>
 
 #include "app/desks/desk.h"
-#include "app/desks/plugin_watch.h"
+#include "app/feeds/plugin_watch.h"
 
 namespace usar::app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/protocol/commands/spawn.h"
-#include "widgets/empty_state.h"
 #include "widgets/models/figures.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::app {
 

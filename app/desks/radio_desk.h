@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "app/desks/radio_watch.h"
+#include "app/feeds/radio_watch.h"
 
 namespace usar::app {
 

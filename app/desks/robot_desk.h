@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "app/desks/robot_presenter.h"
+#include "app/views/robot_presenter.h"
 
 namespace usar::app {
 

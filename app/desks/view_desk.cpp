@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "widgets/command_palette.h"
-#include "widgets/shortcut_sheet.h"
+#include "widgets/commands/command_palette.h"
+#include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
 

@@ -8,7 +8,7 @@
 #include <QSettings>
 
 #include "app/desks/desk.h"
-#include "widgets/theme.h"
+#include "widgets/style/theme.h"
 
 namespace usar::app {
 

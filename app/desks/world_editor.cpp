@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "core/sim/object_kinds.h"
+#include "core/sim/world/object_kinds.h"
 
 namespace usar::app {
 

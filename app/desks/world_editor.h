@@ -8,8 +8,8 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "app/desks/world_link.h"
-#include "core/sim/terrain.h"
+#include "app/feeds/world_link.h"
+#include "core/sim/world/terrain.h"
 
 namespace usar::app {
 

@@ -12,10 +12,10 @@
 #include <QThread>
 
 #include "core/base/result.h"
+#include "core/mission/session/mission_score.h"
+#include "core/mission/session/run_summary.h"
 #include "core/server/simulator_server.h"
-#include "core/mission/mission_score.h"
-#include "core/mission/run_summary.h"
-#include "core/sim/ray_caster.h"
+#include "core/sim/rays/ray_caster.h"
 #include "core/sim/simulation.h"
 
 namespace usar::app {

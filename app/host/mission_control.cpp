@@ -6,7 +6,7 @@
 
 #include "app/host/locations.h"
 #include "app/host/simulator_files.h"
-#include "core/mission/mission_check.h"
+#include "core/mission/files/mission_check.h"
 
 namespace usar::app {
 

@@ -13,8 +13,8 @@
 #include "app/host/robot.h"
 #include "app/host/scan_keeper.h"
 #include "app/host/simulator_host.h"
-#include "core/agent/plugin_loader.h"
-#include "core/mission/mission_file.h"
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/mission/files/mission_file.h"
 
 namespace usar::app {
 

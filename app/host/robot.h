@@ -9,7 +9,7 @@
 #include <QThread>
 
 #include "core/agent/behavior_start.h"
-#include "core/mission/robot_session.h"
+#include "core/mission/session/robot_session.h"
 
 namespace usar::app {
 

@@ -5,7 +5,7 @@
 
 #include "app/host/true_figures.h"
 #include "core/link/across_threads.h"
-#include "core/mission/result_writer.h"
+#include "core/mission/files/result_writer.h"
 
 namespace usar::app {
 

@@ -4,7 +4,7 @@
 #include <QSaveFile>
 
 #include "app/host/locations.h"
-#include "core/sim/world_reader.h"
+#include "core/sim/world/world_reader.h"
 
 namespace usar::app {
 

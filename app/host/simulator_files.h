@@ -12,7 +12,7 @@
 #include "core/sim/faults/fault.h"
 #include "core/sim/robots/robot_reader.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::app {
 

@@ -1,7 +1,7 @@
 // What the embedded simulator counted of a robot, as a mission's summary tells it.
 #pragma once
 
-#include "core/mission/run_summary.h"
+#include "core/mission/session/run_summary.h"
 #include "core/sim/simulation.h"
 
 namespace usar::app {

@@ -9,7 +9,7 @@
 #include <QStringList>
 
 #include "core/base/geometry.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::app {
 

@@ -11,9 +11,9 @@
 
 #include "app/host/locations.h"
 #include "app/window/menus.h"
-#include "widgets/escape_twice.h"
+#include "widgets/commands/escape_twice.h"
+#include "widgets/commands/own_keys.h"
 #include "widgets/models/figures.h"
-#include "widgets/own_keys.h"
 
 namespace usar::app {
 

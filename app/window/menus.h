@@ -5,7 +5,7 @@
 
 #include <QMenuBar>
 
-#include "widgets/command_registry.h"
+#include "widgets/commands/command_registry.h"
 
 namespace usar::app {
 

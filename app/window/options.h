@@ -7,7 +7,7 @@
 
 #include "app/host/mission_control.h"
 #include "core/base/result.h"
-#include "widgets/theme.h"
+#include "widgets/style/theme.h"
 
 namespace usar::app {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "core/agent/guarded_plugin.h"
-#include "core/agent/isolated_behavior.h"
+#include "core/agent/plugins/guarded_plugin.h"
+#include "core/agent/process/isolated_behavior.h"
 #include "core/agent/watched_behavior.h"
 
 namespace usar::agent {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/agent/plugin_loader.h"
+#include "core/agent/plugins/plugin_loader.h"
 #include "core/agent/running_behavior.h"
 
 namespace usar::agent {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/posh/breakpoints.h"
-#include "core/posh/host.h"
+#include "core/posh/run/breakpoints.h"
+#include "core/posh/run/host.h"
 
 namespace usar::agent {
 

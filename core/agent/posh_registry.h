@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/agent/posh_arguments.h"
-#include "core/agent/posh_body.h"
+#include "core/agent/posh/posh_arguments.h"
+#include "core/agent/posh/posh_body.h"
 
 namespace usar::agent {
 

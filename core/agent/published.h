@@ -14,7 +14,7 @@
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
 #include "core/base/geometry.h"
-#include "core/posh/finding.h"
+#include "core/posh/model/finding.h"
 
 namespace usar::agent {
 

@@ -18,7 +18,7 @@
 
 #include "core/agent/behavior.h"
 #include "core/agent/parameters.h"
-#include "core/agent/posh_primitive.h"
+#include "core/agent/posh/posh_primitive.h"
 
 namespace usar::agent {
 

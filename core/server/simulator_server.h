@@ -14,7 +14,7 @@
 #include <QTimer>
 
 #include "core/base/result.h"
-#include "core/sim/scene.h"
+#include "core/sim/physics/scene.h"
 #include "core/sim/simulation.h"
 
 namespace usar::server {
@@ -69,7 +69,7 @@ public slots:
     void letOrphansGo();
 
 signals:
-    void ticked();                                                    ///< a message tick has been made
+    void ticked();                                                      ///< a message tick has been made
     void figuresChanged(const usar::server::SimulatorFigures& figures); ///< a few times a second
     void logged(const QString& sentence);
     /// Emitted with all faults whenever one is added, begins or ends.

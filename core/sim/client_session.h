@@ -17,8 +17,8 @@
 #include "core/protocol/trace_pen.h"
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/faulty_wire.h"
+#include "core/sim/physics/scene.h"
 #include "core/sim/robots/robot.h"
-#include "core/sim/scene.h"
 
 namespace usar::sim {
 

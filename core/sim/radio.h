@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/geometry.h"
-#include "core/sim/ray_caster.h"
+#include "core/sim/rays/ray_caster.h"
 
 namespace usar::sim {
 

@@ -19,7 +19,7 @@
 #include "core/sim/robots/height_watch.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/snapshot.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

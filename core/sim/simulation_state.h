@@ -9,10 +9,10 @@
 #include "core/sim/camera/scene_capture.h"
 #include "core/sim/client_session.h"
 #include "core/sim/faults/fault_schedule.h"
-#include "core/sim/physics.h"
-#include "core/sim/ray_caster.h"
+#include "core/sim/physics/physics.h"
+#include "core/sim/physics/scene.h"
+#include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/robot.h"
-#include "core/sim/scene.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world_controller.h"
 

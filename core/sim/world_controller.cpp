@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/text.h"
-#include "core/sim/object_kinds.h"
 #include "core/sim/robots/robot_model.h"
+#include "core/sim/world/object_kinds.h"
 
 namespace usar::sim {
 

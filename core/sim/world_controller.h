@@ -7,7 +7,7 @@
 
 #include "core/protocol/command.h"
 #include "core/protocol/info/world_objects.h"
-#include "core/sim/scene.h"
+#include "core/sim/physics/scene.h"
 
 namespace usar::sim {
 

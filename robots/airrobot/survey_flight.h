@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/agent/robot_plugin.h"
-#include "robots/airrobot/craft.h"
-#include "robots/airrobot/ins_reset.h"
-#include "robots/airrobot/launch_checklist.h"
+#include "robots/airrobot/flight/craft.h"
+#include "robots/airrobot/flight/ins_reset.h"
+#include "robots/airrobot/flight/launch_checklist.h"
 #include "robots/airrobot/survey.h"
 
 namespace usar::airrobot {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/agent/posh_behavior.h"
+#include "core/agent/posh/posh_behavior.h"
 #include "robots/airrobot/survey_body.h"
 
 namespace usar::airrobot {

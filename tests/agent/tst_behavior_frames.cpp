@@ -2,7 +2,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "core/agent/behavior_frames.h"
+#include "core/agent/process/behavior_frames.h"
 #include "tests/suite/suite.h"
 
 namespace tst_behavior_frames {

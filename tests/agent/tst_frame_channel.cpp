@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QtEndian>
 
-#include "core/agent/frame_channel.h"
+#include "core/agent/process/frame_channel.h"
 #include "tests/suite/suite.h"
 
 namespace tst_frame_channel {

@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "core/agent/behavior_host.h"
-#include "core/agent/isolated_behavior.h"
-#include "core/agent/plugin_loader.h"
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/agent/process/isolated_behavior.h"
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
 

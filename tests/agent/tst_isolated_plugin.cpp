@@ -13,8 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/agent/behavior_frames.h"
-#include "core/agent/plugin_loader.h"
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/agent/process/behavior_frames.h"
 #include "tests/suite/suite.h"
 
 namespace tst_isolated_plugin {

@@ -15,7 +15,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/agent/plugin_loader.h"
+#include "core/agent/plugins/plugin_loader.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plugin_loader {

@@ -2,9 +2,9 @@
 #include <QTest>
 
 #include "core/agent/behavior_host.h"
-#include "core/agent/posh_behavior.h"
-#include "core/posh/trace_file.h"
-#include "core/posh/trace_text.h"
+#include "core/agent/posh/posh_behavior.h"
+#include "core/posh/trace/trace_file.h"
+#include "core/posh/trace/trace_text.h"
 #include "tests/agent/toy_rover.h"
 #include "tests/suite/suite.h"
 

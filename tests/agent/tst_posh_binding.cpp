@@ -1,8 +1,8 @@
 // Plans are checked against a robot's senses and acts, all at once and with the mend.
 #include <QTest>
 
-#include "core/agent/posh_binding.h"
-#include "core/posh/plan_reader.h"
+#include "core/agent/posh/posh_binding.h"
+#include "core/posh/language/plan_reader.h"
 #include "tests/agent/toy_rover.h"
 #include "tests/suite/suite.h"
 

@@ -2,9 +2,9 @@
 #include <QTest>
 
 #include "app/desks/plan_watch.h"
-#include "core/posh/engine.h"
-#include "core/posh/stub_host.h"
-#include "core/posh/trace_encoder.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
+#include "core/posh/trace/trace_encoder.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plan_watch {

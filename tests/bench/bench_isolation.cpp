@@ -4,7 +4,7 @@
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/behavior_start.h"
-#include "core/agent/guarded_plugin.h"
+#include "core/agent/plugins/guarded_plugin.h"
 #include "core/protocol/reader.h"
 
 namespace {

@@ -8,9 +8,9 @@
 #include <QPainter>
 
 #include "tests/bench/bench_application.h"
-#include "widgets/map_view.h"
-#include "widgets/theme.h"
-#include "widgets/trace_layer.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/trace_layer.h"
+#include "widgets/style/theme.h"
 
 using namespace usar;
 

@@ -10,7 +10,7 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
-#include "widgets/message_list.h"
+#include "widgets/messages/message_list.h"
 
 using namespace usar;
 using namespace usar::widgets;

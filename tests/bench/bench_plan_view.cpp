@@ -6,9 +6,9 @@
 #include <QImage>
 #include <QKeyEvent>
 
-#include "core/posh/plan_reader.h"
+#include "core/posh/language/plan_reader.h"
 #include "tests/bench/bench_application.h"
-#include "widgets/plan_view.h"
+#include "widgets/plan/plan_view.h"
 
 using namespace usar;
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
 
 namespace {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/trace_encoder.h"
-#include "core/posh/trace_file.h"
-#include "core/posh/trace_ring.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/trace/trace_encoder.h"
+#include "core/posh/trace/trace_file.h"
+#include "core/posh/trace/trace_ring.h"
 #include "tests/doubles/allocation_counter.h"
 
 namespace {

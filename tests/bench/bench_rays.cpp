@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/sim/ray_caster.h"
+#include "core/sim/rays/ray_caster.h"
 #include "core/sim/worlds/tall_test.h"
 #include "tests/sim/bullet_rays.h"
 

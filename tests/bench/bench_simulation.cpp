@@ -9,7 +9,7 @@
 #include "core/sim/robots/robot.h"
 #include "core/sim/robots/robot_body.h"
 #include "core/sim/simulation.h"
-#include "core/sim/world_reader.h"
+#include "core/sim/world/world_reader.h"
 #include "tests/doubles/shipped_robots.h"
 
 namespace {

@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "core/sim/physics.h"
-#include "core/sim/ray_caster.h"
-#include "core/sim/world_generator.h"
-#include "core/sim/world_reader.h"
+#include "core/sim/physics/physics.h"
+#include "core/sim/rays/ray_caster.h"
+#include "core/sim/world/world_generator.h"
+#include "core/sim/world/world_reader.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::doubles {
 

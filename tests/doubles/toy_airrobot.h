@@ -8,7 +8,7 @@
 
 #include "core/agent/behavior_host.h"
 #include "core/base/random.h"
-#include "robots/airrobot/sensor_layout.h"
+#include "robots/airrobot/flight/sensor_layout.h"
 #include "tests/doubles/toy_world.h"
 
 namespace usar::test {

@@ -8,8 +8,8 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/camera_canvas.h"
-#include "widgets/empty_state.h"
+#include "widgets/drive/camera_canvas.h"
+#include "widgets/style/empty_state.h"
 
 namespace tst_window_camera {
 

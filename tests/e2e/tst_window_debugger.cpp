@@ -16,8 +16,8 @@
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/report_dialog.h"
-#include "widgets/theme.h"
+#include "widgets/panels/report_dialog.h"
+#include "widgets/style/theme.h"
 
 namespace tst_window_debugger {
 

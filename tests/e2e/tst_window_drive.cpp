@@ -14,8 +14,8 @@
 #include "tests/e2e/drive_page.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/suite/suite.h"
-#include "widgets/drive_pad.h"
-#include "widgets/empty_state.h"
+#include "widgets/drive/drive_pad.h"
+#include "widgets/style/empty_state.h"
 
 namespace tst_window_drive {
 

@@ -5,7 +5,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/quantity_box.h"
+#include "widgets/panels/quantity_box.h"
 
 namespace tst_window_faults {
 

@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/sim/world_writer.h"
+#include "core/sim/world/world_writer.h"
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/e2e/gui_watchdog.h"

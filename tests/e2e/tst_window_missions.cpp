@@ -2,7 +2,7 @@
 #include <QDir>
 #include <QTest>
 
-#include "core/mission/mission_file.h"
+#include "core/mission/files/mission_file.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"

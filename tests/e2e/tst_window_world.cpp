@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include "core/sim/world_writer.h"
+#include "core/sim/world/world_writer.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/e2e/gui_watchdog.h"

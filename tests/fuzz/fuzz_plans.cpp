@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/posh/plan_export.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_walk.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/language/plan_export.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/model/plan_walk.h"
 
 namespace {
 

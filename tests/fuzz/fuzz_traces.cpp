@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/stub_host.h"
-#include "core/posh/trace_encoder.h"
-#include "core/posh/trace_file.h"
-#include "core/posh/trace_text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
+#include "core/posh/trace/trace_encoder.h"
+#include "core/posh/trace/trace_file.h"
+#include "core/posh/trace/trace_text.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <QProcess>
 #include <QTest>
 
-#include "core/agent/posh_binding.h"
-#include "core/posh/plan_reader.h"
+#include "core/agent/posh/posh_binding.h"
+#include "core/posh/language/plan_reader.h"
 #include "tests/suite/suite.h"
 
 namespace tst_check_plan {

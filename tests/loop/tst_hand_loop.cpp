@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "app/host/headless_simulator.h"
-#include "core/mission/robot_session.h"
+#include "core/mission/session/robot_session.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
 

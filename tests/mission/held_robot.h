@@ -1,7 +1,7 @@
 // A robot that a person drives, at a fake server that writes down what it hears.
 #pragma once
 
-#include "core/mission/hand_control.h"
+#include "core/mission/hand/hand_control.h"
 #include "tests/mission/session_fixture.h"
 
 namespace usar::test {

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "core/agent/posh_behavior.h"
+#include "core/agent/posh/posh_behavior.h"
 #include "core/agent/robot_plugin.h"
 #include "tests/agent/toy_rover.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/mission/scan_record.h"
+#include "core/mission/files/scan_record.h"
 
 /// `side` x `side` cells around the origin, with an unknown corner at the lowest x and y.
 inline usar::mission::ScanRecord sampleScan(int side, double cell_size_m = 0.25) {

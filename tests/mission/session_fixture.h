@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/mission/robot_session.h"
+#include "core/mission/session/robot_session.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/doubles/scripted_behavior.h"
 

@@ -3,7 +3,7 @@
 #include <QImage>
 #include <QTest>
 
-#include "core/mission/camera_picture.h"
+#include "core/mission/files/camera_picture.h"
 #include "tests/suite/suite.h"
 
 namespace tst_camera_picture {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/mission/drive_gate.h"
+#include "core/mission/session/drive_gate.h"
 #include "core/protocol/command_writer.h"
 #include "tests/suite/suite.h"
 

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/agent/isolated_behavior.h"
+#include "core/agent/process/isolated_behavior.h"
 #include "tests/doubles/own_thread.h"
 #include "tests/mission/session_fixture.h"
 #include "tests/suite/suite.h"

@@ -3,7 +3,7 @@
 #include <QJsonDocument>
 #include <QTest>
 
-#include "core/mission/line_report.h"
+#include "core/mission/reports/line_report.h"
 #include "tests/suite/suite.h"
 
 namespace tst_line_report {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/mission/map_picture.h"
-#include "core/mission/picture_legend.h"
+#include "core/mission/files/map_picture.h"
+#include "core/mission/files/picture_legend.h"
 #include "tests/mission/sample_scan.h"
 #include "tests/suite/suite.h"
 

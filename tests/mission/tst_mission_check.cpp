@@ -1,7 +1,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/mission/mission_check.h"
+#include "core/mission/files/mission_check.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_check {

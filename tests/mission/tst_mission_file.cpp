@@ -6,8 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
-#include "core/mission/json_positions.h"
-#include "core/mission/mission_file.h"
+#include "core/mission/files/json_positions.h"
+#include "core/mission/files/mission_file.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_file {

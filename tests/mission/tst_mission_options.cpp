@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "core/mission/mission_options.h"
-#include "core/mission/progress_text.h"
+#include "core/mission/files/mission_options.h"
+#include "core/mission/session/progress_text.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_options {

@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/mission/mission_runner.h"
+#include "core/mission/session/mission_runner.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"

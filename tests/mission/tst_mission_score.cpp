@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/mission/mission_score.h"
+#include "core/mission/session/mission_score.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_score {

@@ -3,7 +3,7 @@
 #include <QJsonDocument>
 #include <QTest>
 
-#include "core/mission/plan_report.h"
+#include "core/mission/reports/plan_report.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plan_report {

@@ -7,12 +7,12 @@
 
 #include "core/agent/published_text.h"
 #include "core/link/recording_writer.h"
-#include "core/mission/recorded_runs.h"
-#include "core/mission/run_report_text.h"
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/stub_host.h"
-#include "core/posh/trace_encoder.h"
+#include "core/mission/reports/recorded_runs.h"
+#include "core/mission/reports/run_report_text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
+#include "core/posh/trace/trace_encoder.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recorded_runs {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/mission/replay_options.h"
+#include "core/mission/files/replay_options.h"
 #include "tests/suite/suite.h"
 
 namespace tst_replay_options {

@@ -14,7 +14,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
-#include "core/mission/result_writer.h"
+#include "core/mission/files/result_writer.h"
 #include "tests/mission/sample_scan.h"
 #include "tests/suite/suite.h"
 

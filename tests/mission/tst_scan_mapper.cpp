@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/mission/scan_mapper.h"
+#include "core/mission/session/scan_mapper.h"
 #include "tests/suite/suite.h"
 
 namespace tst_scan_mapper {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/mission/safe_stop.h"
+#include "core/mission/session/safe_stop.h"
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "session_fixture.h"

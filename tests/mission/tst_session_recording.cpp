@@ -7,7 +7,7 @@
 
 #include "core/link/recording_reader.h"
 #include "core/link/recording_text.h"
-#include "core/posh/trace_codec.h"
+#include "core/posh/trace/trace_codec.h"
 #include "tests/mission/session_fixture.h"
 #include "tests/suite/suite.h"
 

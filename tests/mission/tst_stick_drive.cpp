@@ -4,9 +4,9 @@
 
 #include <QTest>
 
-#include "core/mission/stick_drive.h"
-#include "core/mission/stick_shaper.h"
-#include "core/mission/walking_gait.h"
+#include "core/mission/hand/stick_drive.h"
+#include "core/mission/hand/stick_shaper.h"
+#include "core/mission/hand/walking_gait.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "core/mission/velocity_watch.h"
+#include "core/mission/session/velocity_watch.h"
 #include "tests/suite/suite.h"
 
 namespace tst_velocity_watch {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/posh/literal.h"
+#include "core/posh/model/literal.h"
 
 namespace doubles {
 

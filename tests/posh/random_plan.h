@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/base/random.h"
-#include "core/posh/plan.h"
+#include "core/posh/model/plan.h"
 
 namespace doubles {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/posh/trace_text.h"
+#include "core/posh/trace/trace_text.h"
 
 using namespace usar::posh;
 

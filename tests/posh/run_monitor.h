@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/posh/trace_event.h"
+#include "core/posh/run/trace_event.h"
 
 class RunMonitor final : public usar::posh::TraceObserver {
 public:

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/posh/host.h"
+#include "core/posh/run/host.h"
 
 class ScriptedHost final : public usar::posh::Host {
 public:

@@ -8,8 +8,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/posh/plan_reader.h"
-#include "core/posh/trace_text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/trace/trace_text.h"
 
 using namespace usar::posh;
 

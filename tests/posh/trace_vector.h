@@ -9,8 +9,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/posh/engine.h"
-#include "core/posh/stub_host.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
 
 using Settings = std::vector<std::pair<std::string, usar::posh::Value>>;
 

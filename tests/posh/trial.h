@@ -8,10 +8,10 @@
 
 #include <QString>
 
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/stub_host.h"
-#include "core/posh/trace_text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
+#include "core/posh/trace/trace_text.h"
 
 inline constexpr auto running = usar::posh::ActResult::Running;
 inline constexpr auto failed = usar::posh::ActResult::Failed;

@@ -1,7 +1,7 @@
 // Where runs are told to stop.
 #include <QTest>
 
-#include "core/posh/breakpoints.h"
+#include "core/posh/run/breakpoints.h"
 #include "tests/posh/trial.h"
 #include "tests/suite/suite.h"
 

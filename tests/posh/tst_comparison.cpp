@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "core/posh/comparison.h"
-#include "core/posh/value_text.h"
+#include "core/posh/run/comparison.h"
+#include "core/posh/run/value_text.h"
 #include "tests/suite/suite.h"
 
 namespace tst_comparison {

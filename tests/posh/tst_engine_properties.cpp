@@ -4,9 +4,9 @@
 #include <deque>
 
 #include "core/base/random.h"
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/run/engine.h"
 #include "tests/posh/plan_corpus.h"
 #include "tests/posh/random_plan.h"
 #include "tests/posh/run_monitor.h"

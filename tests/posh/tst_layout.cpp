@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "core/base/random.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_walk.h"
-#include "core/posh/plan_writer.h"
-#include "core/posh/token.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/language/token.h"
+#include "core/posh/model/plan_walk.h"
 #include "plan_corpus.h"
 #include "random_plan.h"
 #include "tests/suite/suite.h"

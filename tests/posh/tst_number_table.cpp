@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "core/posh/number_table.h"
+#include "core/posh/model/number_table.h"
 #include "tests/suite/suite.h"
 
 namespace tst_number_table {

@@ -1,7 +1,7 @@
 // Fixed answers in place of the robot's.
 #include <QTest>
 
-#include "core/posh/pinned_host.h"
+#include "core/posh/run/pinned_host.h"
 #include "tests/posh/trial.h"
 #include "tests/suite/suite.h"
 

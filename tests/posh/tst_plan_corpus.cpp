@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_walk.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/model/plan_walk.h"
 #include "plan_corpus.h"
 #include "tests/suite/suite.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/posh/plan_difference.h"
-#include "core/posh/plan_edits.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/edit/plan_difference.h"
+#include "core/posh/edit/plan_edits.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
 #include "random_plan.h"
 #include "tests/suite/suite.h"
 

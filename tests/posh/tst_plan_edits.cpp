@@ -6,13 +6,13 @@
 #include <functional>
 
 #include "core/base/random.h"
-#include "core/posh/plan_edits.h"
-#include "core/posh/plan_phrase.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_templates.h"
-#include "core/posh/plan_writer.h"
-#include "core/posh/program.h"
-#include "core/posh/token.h"
+#include "core/posh/edit/plan_edits.h"
+#include "core/posh/edit/plan_phrase.h"
+#include "core/posh/edit/plan_templates.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/language/token.h"
+#include "core/posh/run/program.h"
 #include "random_plan.h"
 #include "tests/suite/suite.h"
 

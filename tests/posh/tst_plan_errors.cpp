@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
 #include "plan_corpus.h"
 #include "tests/suite/suite.h"
 

@@ -4,9 +4,9 @@
 #include <QPoint>
 #include <QTest>
 
-#include "core/posh/literal.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/token.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/token.h"
+#include "core/posh/model/literal.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plan_words {

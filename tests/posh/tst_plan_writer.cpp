@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
 #include "plan_corpus.h"
 #include "random_plan.h"
 #include "tests/suite/suite.h"

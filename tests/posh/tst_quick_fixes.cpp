@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/posh/plan_part.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/quick_fixes.h"
+#include "core/posh/edit/plan_part.h"
+#include "core/posh/edit/quick_fixes.h"
+#include "core/posh/language/plan_reader.h"
 #include "plan_corpus.h"
 #include "tests/suite/suite.h"
 

@@ -1,10 +1,10 @@
 #include <QObject>
 #include <QTest>
 
-#include "core/posh/engine.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/run_activity.h"
-#include "core/posh/stub_host.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/run/engine.h"
+#include "core/posh/run/stub_host.h"
+#include "core/posh/trace/run_activity.h"
 #include "tests/suite/suite.h"
 
 namespace tst_run_activity {

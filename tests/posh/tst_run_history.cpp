@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/posh/plan_writer.h"
-#include "core/posh/run_history.h"
-#include "core/posh/trace_encoder.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/trace/run_history.h"
+#include "core/posh/trace/trace_encoder.h"
 #include "tests/posh/random_plan.h"
 #include "tests/posh/scripted_host.h"
 #include "tests/posh/trial.h"

@@ -1,7 +1,7 @@
 // What is said of a plan after it ran.
 #include <QTest>
 
-#include "core/posh/run_report.h"
+#include "core/posh/trace/run_report.h"
 #include "tests/posh/trial.h"
 #include "tests/suite/suite.h"
 

@@ -2,11 +2,11 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/posh/plan_reader.h"
-#include "core/posh/plan_writer.h"
-#include "core/posh/trace_encoder.h"
-#include "core/posh/trace_file.h"
-#include "core/posh/trace_text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+#include "core/posh/trace/trace_encoder.h"
+#include "core/posh/trace/trace_file.h"
+#include "core/posh/trace/trace_text.h"
 #include "tests/posh/random_plan.h"
 #include "tests/posh/scripted_host.h"
 #include "tests/posh/trial.h"

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "core/posh/trace_ring.h"
+#include "core/posh/trace/trace_ring.h"
 #include "tests/suite/suite.h"
 
 namespace tst_trace_ring {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "robots/airrobot/obstacle_memory.h"
-#include "robots/airrobot/senses.h"
+#include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/senses.h"
 
 namespace usar::test {
 

@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "core/agent/plugin_loader.h"
+#include "core/agent/plugins/plugin_loader.h"
 #include "tests/suite/suite.h"
 
 namespace tst_airrobot_plugin {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/altitude_hold.h"
+#include "robots/airrobot/flight/altitude_hold.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/battery_model.h"
+#include "robots/airrobot/flight/battery_model.h"
 #include "tests/suite/suite.h"
 
 namespace tst_battery_model {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/climb_over.h"
+#include "robots/airrobot/flight/climb_over.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

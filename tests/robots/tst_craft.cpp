@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/craft.h"
+#include "robots/airrobot/flight/craft.h"
 #include "tests/suite/suite.h"
 
 namespace tst_craft {

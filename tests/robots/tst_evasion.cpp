@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "robots/airrobot/evasion.h"
+#include "robots/airrobot/flight/evasion.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

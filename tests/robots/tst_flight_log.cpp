@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/flight_log.h"
+#include "robots/airrobot/flight/flight_log.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/ins_reset.h"
+#include "robots/airrobot/flight/ins_reset.h"
 #include "tests/suite/suite.h"
 
 namespace tst_ins_reset {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/landing.h"
+#include "robots/airrobot/flight/landing.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/launch_checklist.h"
+#include "robots/airrobot/flight/launch_checklist.h"
 #include "tests/suite/suite.h"
 
 namespace tst_launch_checklist {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/obstacle_memory.h"
+#include "robots/airrobot/flight/obstacle_memory.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/pilot.h"
+#include "robots/airrobot/flight/pilot.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

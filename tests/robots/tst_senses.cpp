@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/senses.h"
+#include "robots/airrobot/flight/senses.h"
 #include "tests/suite/suite.h"
 
 namespace tst_senses {

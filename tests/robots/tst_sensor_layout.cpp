@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "robots/airrobot/sensor_layout.h"
+#include "robots/airrobot/flight/sensor_layout.h"
 #include "tests/suite/suite.h"
 
 namespace tst_sensor_layout {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/stuck_watch.h"
+#include "robots/airrobot/flight/stuck_watch.h"
 #include "tests/suite/suite.h"
 
 namespace tst_stuck_watch {

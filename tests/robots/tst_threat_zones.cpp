@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "robots/airrobot/threat_zones.h"
+#include "robots/airrobot/flight/threat_zones.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 

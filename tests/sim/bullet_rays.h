@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::doubles {
 

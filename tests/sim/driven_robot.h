@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/drive.h"
 #include "core/sim/robots/robot_body.h"
 #include "tests/sim/tiny_worlds.h"

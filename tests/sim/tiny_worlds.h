@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/air_robot_body.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

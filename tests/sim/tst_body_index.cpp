@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/random.h"
-#include "core/sim/body_index.h"
+#include "core/sim/rays/body_index.h"
 #include "tests/suite/suite.h"
 
 namespace tst_body_index {

@@ -9,10 +9,10 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/sim/physics.h"
-#include "core/sim/ray_caster.h"
-#include "core/sim/world_generator.h"
-#include "core/sim/world_reader.h"
+#include "core/sim/physics/physics.h"
+#include "core/sim/rays/ray_caster.h"
+#include "core/sim/world/world_generator.h"
+#include "core/sim/world/world_reader.h"
 #include "core/sim/worlds/elevation_csv.h"
 #include "core/sim/worlds/spqr_soccer.h"
 #include "core/sim/worlds/volcano.h"

@@ -1,4 +1,4 @@
-#include "core/sim/height_png.h"
+#include "core/sim/world/height_png.h"
 
 #include <QObject>
 #include <QTemporaryDir>

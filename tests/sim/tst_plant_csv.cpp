@@ -1,4 +1,4 @@
-#include "core/sim/plant_csv.h"
+#include "core/sim/world/plant_csv.h"
 
 #include <QByteArray>
 #include <QObject>

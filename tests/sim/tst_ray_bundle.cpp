@@ -6,9 +6,9 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/sim/ray_bundle.h"
+#include "core/sim/rays/ray_bundle.h"
 #include "core/sim/sensors/rays.h"
-#include "core/sim/world_generator.h"
+#include "core/sim/world/world_generator.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
 

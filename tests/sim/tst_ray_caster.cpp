@@ -1,4 +1,4 @@
-#include "core/sim/ray_caster.h"
+#include "core/sim/rays/ray_caster.h"
 
 #include <QByteArray>
 #include <QObject>

@@ -1,4 +1,4 @@
-#include "core/sim/terrain.h"
+#include "core/sim/world/terrain.h"
 
 #include <QObject>
 #include <QTest>

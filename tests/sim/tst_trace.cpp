@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/protocol/trace_pen.h"
-#include "core/sim/scene.h"
+#include "core/sim/physics/scene.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"

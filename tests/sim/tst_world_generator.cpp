@@ -1,4 +1,4 @@
-#include "core/sim/world_generator.h"
+#include "core/sim/world/world_generator.h"
 
 #include <algorithm>
 #include <map>
@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/sim/ray_caster.h"
-#include "core/sim/world_reader.h"
+#include "core/sim/rays/ray_caster.h"
+#include "core/sim/world/world_reader.h"
 #include "core/sim/worlds/fractal_noise.h"
 #include "core/sim/worlds/tall_test.h"
 #include "tests/doubles/test_files.h"

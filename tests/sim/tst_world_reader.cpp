@@ -1,4 +1,4 @@
-#include "core/sim/world_reader.h"
+#include "core/sim/world/world_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/sim/height_png.h"
-#include "core/sim/world_writer.h"
+#include "core/sim/world/height_png.h"
+#include "core/sim/world/world_writer.h"
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/agent/posh_primitive.h"
+#include "core/agent/posh/posh_primitive.h"
 #include "tests/widgets/plan_samples.h"
 
 namespace usar {

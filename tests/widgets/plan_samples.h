@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/posh/plan_reader.h"
+#include "core/posh/language/plan_reader.h"
 
 namespace usar {
 

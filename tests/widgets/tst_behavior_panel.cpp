@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "tests/suite/suite.h"
-#include "widgets/behavior_panel.h"
-#include "widgets/parameter_form.h"
+#include "widgets/panels/behavior_panel.h"
+#include "widgets/panels/parameter_form.h"
 
 namespace tst_behavior_panel {
 

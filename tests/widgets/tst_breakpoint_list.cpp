@@ -3,7 +3,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/breakpoint_list.h"
+#include "widgets/models/plan/breakpoint_list.h"
 
 namespace tst_breakpoint_list {
 

@@ -9,10 +9,10 @@
 
 #include "core/base/geometry.h"
 #include "tests/suite/suite.h"
-#include "widgets/camera_canvas.h"
-#include "widgets/camera_view.h"
-#include "widgets/empty_state.h"
-#include "widgets/theme.h"
+#include "widgets/drive/camera_canvas.h"
+#include "widgets/drive/camera_view.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_camera_view {
 

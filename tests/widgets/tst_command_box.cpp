@@ -4,8 +4,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
-#include "widgets/command_box.h"
-#include "widgets/theme.h"
+#include "widgets/messages/command_box.h"
+#include "widgets/style/theme.h"
 
 namespace tst_command_box {
 

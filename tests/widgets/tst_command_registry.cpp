@@ -8,10 +8,10 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/command_palette.h"
-#include "widgets/command_registry.h"
-#include "widgets/escape_twice.h"
-#include "widgets/shortcut_sheet.h"
+#include "widgets/commands/command_palette.h"
+#include "widgets/commands/command_registry.h"
+#include "widgets/commands/escape_twice.h"
+#include "widgets/commands/shortcut_sheet.h"
 
 namespace tst_command_registry {
 

@@ -8,11 +8,11 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/drive_keys.h"
-#include "widgets/drive_pad.h"
-#include "widgets/drive_panel.h"
-#include "widgets/empty_state.h"
-#include "widgets/theme.h"
+#include "widgets/drive/drive_keys.h"
+#include "widgets/drive/drive_pad.h"
+#include "widgets/drive/drive_panel.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_drive_panel {
 

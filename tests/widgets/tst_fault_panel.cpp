@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
-#include "widgets/fault_panel.h"
-#include "widgets/quantity_box.h"
+#include "widgets/panels/fault_panel.h"
+#include "widgets/panels/quantity_box.h"
+#include "widgets/style/empty_state.h"
 
 namespace tst_fault_panel {
 

@@ -3,7 +3,7 @@
 
 #include "core/mapping/shading.h"
 #include "tests/suite/suite.h"
-#include "widgets/height_layer.h"
+#include "widgets/map/height_layer.h"
 
 namespace tst_height_layer {
 

@@ -3,10 +3,10 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/models/area_grip.h"
-#include "widgets/models/label_places.h"
-#include "widgets/models/map_transform.h"
-#include "widgets/models/trail.h"
+#include "widgets/models/map/area_grip.h"
+#include "widgets/models/map/label_places.h"
+#include "widgets/models/map/map_transform.h"
+#include "widgets/models/map/trail.h"
 
 namespace tst_map_arithmetic {
 

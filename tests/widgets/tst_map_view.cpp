@@ -8,10 +8,10 @@
 
 #include "core/mapping/height_map.h"
 #include "tests/suite/suite.h"
-#include "widgets/map_labels.h"
-#include "widgets/map_overlay.h"
-#include "widgets/map_view.h"
-#include "widgets/theme.h"
+#include "widgets/map/map_labels.h"
+#include "widgets/map/map_overlay.h"
+#include "widgets/map/map_view.h"
+#include "widgets/style/theme.h"
 
 namespace tst_map_view {
 

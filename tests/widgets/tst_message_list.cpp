@@ -20,9 +20,9 @@
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
-#include "widgets/empty_state.h"
-#include "widgets/message_list.h"
-#include "widgets/theme.h"
+#include "widgets/messages/message_list.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_message_list {
 

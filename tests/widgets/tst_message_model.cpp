@@ -8,10 +8,10 @@
 
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
-#include "widgets/models/caseless_finder.h"
-#include "widgets/models/message_model.h"
-#include "widgets/models/message_parts.h"
-#include "widgets/theme.h"
+#include "widgets/models/messages/caseless_finder.h"
+#include "widgets/models/messages/message_model.h"
+#include "widgets/models/messages/message_parts.h"
+#include "widgets/style/theme.h"
 
 namespace tst_message_model {
 

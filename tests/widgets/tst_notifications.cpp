@@ -8,11 +8,11 @@
 #include <QToolButton>
 
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
-#include "widgets/notification_center.h"
-#include "widgets/theme.h"
-#include "widgets/toast.h"
-#include "widgets/toast_stack.h"
+#include "widgets/messages/notification_center.h"
+#include "widgets/messages/toast.h"
+#include "widgets/messages/toast_stack.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_notifications {
 

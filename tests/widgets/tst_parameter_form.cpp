@@ -7,12 +7,12 @@
 
 #include "core/base/geometry.h"
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
 #include "widgets/models/parameter_display.h"
-#include "widgets/parameter_form.h"
-#include "widgets/parameter_row.h"
-#include "widgets/quantity_box.h"
-#include "widgets/theme.h"
+#include "widgets/panels/parameter_form.h"
+#include "widgets/panels/parameter_row.h"
+#include "widgets/panels/quantity_box.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_parameter_form {
 

@@ -2,7 +2,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan_reasons.h"
+#include "widgets/models/plan/plan_reasons.h"
 
 namespace tst_plan_activity {
 

@@ -12,10 +12,10 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/breakpoint_dialog.h"
-#include "widgets/pin_dialog.h"
-#include "widgets/plan_panel.h"
-#include "widgets/theme.h"
+#include "widgets/plan/breakpoint_dialog.h"
+#include "widgets/plan/pin_dialog.h"
+#include "widgets/plan/plan_panel.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_debugger {
 

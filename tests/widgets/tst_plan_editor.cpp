@@ -7,14 +7,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/posh/plan_phrase.h"
+#include "core/posh/edit/plan_phrase.h"
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
-#include "widgets/completion_delegate.h"
-#include "widgets/empty_state.h"
-#include "widgets/plan_editor.h"
-#include "widgets/plan_values_dialog.h"
-#include "widgets/theme.h"
+#include "widgets/messages/completion_delegate.h"
+#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_editor {
 

@@ -11,8 +11,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
-#include "widgets/plan_editor.h"
-#include "widgets/theme.h"
+#include "widgets/plan/plan_editor.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_editor_files {
 

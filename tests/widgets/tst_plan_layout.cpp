@@ -6,7 +6,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan_layout.h"
+#include "widgets/models/plan/plan_layout.h"
 
 namespace tst_plan_layout {
 

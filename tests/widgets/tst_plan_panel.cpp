@@ -13,8 +13,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/plan_panel.h"
-#include "widgets/theme.h"
+#include "widgets/plan/plan_panel.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_panel {
 

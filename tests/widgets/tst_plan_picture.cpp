@@ -6,8 +6,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/plan_picture.h"
-#include "widgets/theme.h"
+#include "widgets/plan/plan_picture.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_picture {
 

@@ -5,9 +5,9 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan_places.h"
-#include "widgets/plan_text_edit.h"
-#include "widgets/theme.h"
+#include "widgets/models/plan/plan_places.h"
+#include "widgets/plan/plan_text_edit.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_text {
 

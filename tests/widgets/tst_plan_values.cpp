@@ -8,9 +8,9 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include "core/posh/plan_phrase.h"
+#include "core/posh/edit/plan_phrase.h"
 #include "tests/suite/suite.h"
-#include "widgets/plan_values_dialog.h"
+#include "widgets/plan/plan_values_dialog.h"
 
 namespace tst_plan_values {
 

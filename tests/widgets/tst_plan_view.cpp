@@ -10,10 +10,10 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/empty_state.h"
-#include "widgets/plan_painter.h"
-#include "widgets/plan_view.h"
-#include "widgets/theme.h"
+#include "widgets/plan/plan_painter.h"
+#include "widgets/plan/plan_view.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plan_view {
 

@@ -8,8 +8,8 @@
 
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
-#include "widgets/plot_canvas.h"
-#include "widgets/theme.h"
+#include "widgets/panels/plot_canvas.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plot_canvas {
 

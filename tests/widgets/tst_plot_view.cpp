@@ -14,10 +14,10 @@
 
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
-#include "widgets/plot_canvas.h"
-#include "widgets/plot_view.h"
-#include "widgets/theme.h"
+#include "widgets/panels/plot_canvas.h"
+#include "widgets/panels/plot_view.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_plot_view {
 

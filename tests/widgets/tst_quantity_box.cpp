@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/quantity_box.h"
-#include "widgets/theme.h"
+#include "widgets/panels/quantity_box.h"
+#include "widgets/style/theme.h"
 
 namespace tst_quantity_box {
 

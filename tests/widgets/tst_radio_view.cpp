@@ -7,10 +7,10 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
-#include "widgets/map_view.h"
-#include "widgets/radio_view.h"
-#include "widgets/theme.h"
+#include "widgets/map/map_view.h"
+#include "widgets/panels/radio_view.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_radio_view {
 

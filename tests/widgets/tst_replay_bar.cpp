@@ -5,8 +5,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/record_badge.h"
-#include "widgets/replay_bar.h"
+#include "widgets/bars/record_badge.h"
+#include "widgets/bars/replay_bar.h"
 
 namespace tst_replay_bar {
 

@@ -4,9 +4,9 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/empty_state.h"
-#include "widgets/robot_list.h"
-#include "widgets/theme.h"
+#include "widgets/panels/robot_list.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
 
 namespace tst_robot_list {
 

@@ -5,8 +5,8 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/models/figures.h"
-#include "widgets/sensor_panel.h"
-#include "widgets/theme.h"
+#include "widgets/panels/sensor_panel.h"
+#include "widgets/style/theme.h"
 
 namespace tst_sensor_panel {
 

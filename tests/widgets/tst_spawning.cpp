@@ -3,8 +3,8 @@
 #include <QToolButton>
 
 #include "tests/suite/suite.h"
-#include "widgets/hint_strip.h"
-#include "widgets/spawn_card.h"
+#include "widgets/bars/hint_strip.h"
+#include "widgets/map/spawn_card.h"
 
 namespace tst_spawning {
 

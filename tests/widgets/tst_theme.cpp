@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/icons.h"
-#include "widgets/theme.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace tst_theme {
 

@@ -7,10 +7,10 @@
 #include <QTreeView>
 
 #include "tests/suite/suite.h"
-#include "widgets/map_view.h"
-#include "widgets/theme.h"
-#include "widgets/trace_layer.h"
-#include "widgets/world_panel.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/trace_layer.h"
+#include "widgets/map/world_panel.h"
+#include "widgets/style/theme.h"
 
 namespace tst_world_panel {
 

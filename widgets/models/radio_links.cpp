@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "widgets/models/figures.h"
-#include "widgets/theme.h"
+#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 

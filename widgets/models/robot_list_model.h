@@ -7,7 +7,7 @@
 #include <QAbstractListModel>
 #include <QString>
 
-#include "widgets/control_badge.h"
+#include "widgets/models/control_words.h"
 
 namespace usar::widgets {
 

@@ -9,7 +9,7 @@
 #include "widgets/models/field_mime.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
-#include "widgets/theme.h"
+#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 

@@ -13,8 +13,8 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
-#include "core/sim/articulation.h"
-#include "core/sim/still_world.h"
+#include "core/sim/physics/still_world.h"
+#include "core/sim/world/articulation.h"
 
 namespace usar::sim {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/sim/camera/camera_scene.h"
+#include "core/sim/physics/scene.h"
 #include "core/sim/robots/robot.h"
-#include "core/sim/scene.h"
 
 namespace usar::sim {
 

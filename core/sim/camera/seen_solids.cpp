@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/ray_normals.h"
+#include "core/sim/rays/ray_normals.h"
 
 namespace usar::sim {
 

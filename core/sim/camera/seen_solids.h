@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/sim/camera/camera_scene.h"
-#include "core/sim/ray_shapes.h"
+#include "core/sim/rays/ray_shapes.h"
 
 namespace usar::sim {
 

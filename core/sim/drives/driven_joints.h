@@ -8,7 +8,7 @@
 
 #include "core/protocol/command.h"
 #include "core/protocol/info/robot_state.h"
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {

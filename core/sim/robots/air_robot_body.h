@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/protocol/command.h"
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/air_robot_parameters.h"
 #include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/flight_controller.h"

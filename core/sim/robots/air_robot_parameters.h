@@ -5,7 +5,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 
 namespace usar::sim {
 

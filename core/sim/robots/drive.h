@@ -8,9 +8,9 @@
 #include "core/protocol/command.h"
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/robot_state.h"
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/robot_model.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

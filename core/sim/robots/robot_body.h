@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/sim/physics.h"
+#include "core/sim/physics/physics.h"
 #include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {

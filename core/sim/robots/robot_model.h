@@ -10,7 +10,7 @@
 
 #include "core/base/clock.h"
 #include "core/protocol/info/robot_state.h"
-#include "core/sim/articulation.h"
+#include "core/sim/world/articulation.h"
 
 namespace usar::sim {
 

@@ -12,8 +12,8 @@
 
 #include "core/base/numbers.h"
 #include "core/protocol/vehicle_words.h"
-#include "core/sim/sdf_fields.h"
-#include "core/sim/sdf_loader.h"
+#include "core/sim/world/sdf_fields.h"
+#include "core/sim/world/sdf_loader.h"
 
 namespace usar::sim {
 

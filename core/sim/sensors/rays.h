@@ -4,8 +4,8 @@
 #include <span>
 
 #include "core/base/geometry.h"
-#include "core/sim/physics.h"
-#include "core/sim/ray_caster.h"
+#include "core/sim/physics/physics.h"
+#include "core/sim/rays/ray_caster.h"
 
 namespace usar::sim {
 

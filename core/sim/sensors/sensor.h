@@ -10,10 +10,10 @@
 #include "core/base/result.h"
 #include "core/protocol/command.h"
 #include "core/protocol/info_message.h"
+#include "core/sim/physics/scene.h"
 #include "core/sim/robots/robot_body.h"
-#include "core/sim/scene.h"
 #include "core/sim/sensors/rays.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/base/random.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/geometry.h"
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

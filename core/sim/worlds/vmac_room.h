@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 
 namespace usar::sim {
 

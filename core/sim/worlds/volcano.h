@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/sim/world.h"
+#include "core/sim/world/world.h"
 #include "core/sim/worlds/elevation_csv.h"
 
 namespace usar::sim {

@@ -2,16 +2,16 @@
 #include <QVBoxLayout>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/area_form.h"
-#include "widgets/command_palette.h"
-#include "widgets/connection_bar.h"
-#include "widgets/hint_strip.h"
-#include "widgets/layers_panel.h"
-#include "widgets/shortcut_sheet.h"
-#include "widgets/spawn_card.h"
-#include "widgets/stop_button.h"
-#include "widgets/theme.h"
-#include "widgets/time_bar.h"
+#include "widgets/bars/connection_bar.h"
+#include "widgets/bars/hint_strip.h"
+#include "widgets/bars/stop_button.h"
+#include "widgets/bars/time_bar.h"
+#include "widgets/commands/command_palette.h"
+#include "widgets/commands/shortcut_sheet.h"
+#include "widgets/map/layers_panel.h"
+#include "widgets/map/spawn_card.h"
+#include "widgets/panels/area_form.h"
+#include "widgets/style/theme.h"
 
 namespace usar::gallery {
 

@@ -3,12 +3,12 @@
 #include <QVBoxLayout>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/laser_fan_view.h"
-#include "widgets/sensor_panel.h"
-#include "widgets/sonar_columns_view.h"
-#include "widgets/status_strip.h"
-#include "widgets/terrain_profile_view.h"
-#include "widgets/theme.h"
+#include "widgets/panels/laser_fan_view.h"
+#include "widgets/panels/sensor_panel.h"
+#include "widgets/panels/sonar_columns_view.h"
+#include "widgets/panels/status_strip.h"
+#include "widgets/panels/terrain_profile_view.h"
+#include "widgets/style/theme.h"
 
 namespace usar::gallery {
 

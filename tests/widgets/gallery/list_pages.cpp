@@ -1,9 +1,9 @@
 #include "core/protocol/reader.h"
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/message_list.h"
-#include "widgets/notification_center.h"
-#include "widgets/robot_list.h"
-#include "widgets/toast_stack.h"
+#include "widgets/messages/message_list.h"
+#include "widgets/messages/notification_center.h"
+#include "widgets/messages/toast_stack.h"
+#include "widgets/panels/robot_list.h"
 
 namespace usar::gallery {
 

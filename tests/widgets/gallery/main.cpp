@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/theme.h"
+#include "widgets/style/theme.h"
 
 using namespace usar;
 

@@ -6,9 +6,9 @@
 #include "core/mapping/coverage_path.h"
 #include "core/mapping/height_map.h"
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/icons.h"
-#include "widgets/map_view.h"
-#include "widgets/theme.h"
+#include "widgets/map/map_view.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 namespace usar::gallery {
 

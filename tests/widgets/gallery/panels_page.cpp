@@ -3,8 +3,8 @@
 #include "core/base/geometry.h"
 #include "core/protocol/reader.h"
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/parameter_form.h"
-#include "widgets/plot_view.h"
+#include "widgets/panels/parameter_form.h"
+#include "widgets/panels/plot_view.h"
 
 namespace usar::gallery {
 

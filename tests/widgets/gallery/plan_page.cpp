@@ -2,9 +2,9 @@
 
 #include <QVBoxLayout>
 
-#include "core/posh/plan_reader.h"
+#include "core/posh/language/plan_reader.h"
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/plan_panel.h"
+#include "widgets/plan/plan_panel.h"
 
 namespace usar::gallery {
 

@@ -3,13 +3,13 @@
 #include <QVBoxLayout>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/behavior_panel.h"
-#include "widgets/map_view.h"
-#include "widgets/meter.h"
-#include "widgets/parameter_form.h"
-#include "widgets/sensor_panel.h"
-#include "widgets/status_strip.h"
-#include "widgets/theme.h"
+#include "widgets/map/map_view.h"
+#include "widgets/panels/behavior_panel.h"
+#include "widgets/panels/meter.h"
+#include "widgets/panels/parameter_form.h"
+#include "widgets/panels/sensor_panel.h"
+#include "widgets/panels/status_strip.h"
+#include "widgets/style/theme.h"
 
 namespace usar::gallery {
 

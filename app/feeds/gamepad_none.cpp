@@ -1,0 +1,18 @@
+// Without SDL 2 in the build: there is never a gamepad.
+#include "app/feeds/gamepad.h"
+
+namespace usar::app {
+
+class Gamepad::Reader {};
+
+Gamepad::Gamepad(QObject* parent) : QObject(parent) {}
+
+Gamepad::~Gamepad() = default;
+
+bool Gamepad::supported() {
+    return false;
+}
+
+void Gamepad::start() {}
+
+} // namespace usar::app

@@ -1,0 +1,292 @@
+#include "app/views/robot_presenter.h"
+
+#include <utility>
+
+#include "app/host/robot_name.h"
+#include "core/protocol/commands/spawn.h"
+#include "core/protocol/fields.h"
+#include "widgets/style/theme.h"
+
+namespace usar::app {
+
+namespace {
+
+/// Nothing of a replay has been played.
+bool notBegun(const RobotView& view) {
+    return !view.recording.isEmpty() && view.figures.lines_received == 0;
+}
+
+widgets::MapRobot onMap(const RobotView& view) {
+    return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
+            view.link.state != link::LinkState::Connected && !notBegun(view),
+            protocol::isStation(view.spawn.class_name)};
+}
+
+QString stateText(const RobotView& view) {
+    if (notBegun(view))
+        return QObject::tr("not begun");
+    if (view.link.state != link::LinkState::Connected)
+        return QObject::tr("no link");
+    if (view.finished)
+        return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
+    if (view.figures.behavior_running && view.status)
+        return QString::fromStdString(view.status->state);
+    if (view.figures.spawned)
+        return protocol::isStation(view.spawn.class_name) ? QObject::tr("listens") : QObject::tr("idle");
+    return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
+}
+
+/// The newest message of a kind in this update, or nothing.
+template <class Message>
+const Message* newest(const mission::SessionUpdate& update) {
+    for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
+        if (const auto* message = std::get_if<Message>(&line->message))
+            return message;
+    return nullptr;
+}
+
+template <class Value>
+const Value* newestPublished(const mission::SessionUpdate& update) {
+    for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
+        if (const auto* found = std::get_if<Value>(&*value))
+            return found;
+    return nullptr;
+}
+
+/// Five messages of the slowest server missed.
+bool silent(const std::optional<Seconds>& heard, Seconds now) {
+    constexpr Seconds patience{1.0};
+    return heard && now - *heard > patience;
+}
+
+QString wordFor(const mission::ControlState& state) {
+    if (!state.held)
+        return {};
+    switch (*state.held) {
+    case mission::HandSource::Keys:
+        return QObject::tr("keys");
+    case mission::HandSource::Pad:
+        return QObject::tr("pad");
+    case mission::HandSource::Gamepad:
+        break;
+    }
+    return state.device.empty() ? QObject::tr("gamepad") : QString::fromStdString(state.device);
+}
+
+constexpr double usual_scan_maximum_m = 20.0;
+
+/// A UDK server does not say what flies.
+widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
+    using enum protocol::VehicleKind;
+    return kind == Aerial || kind == Unknown ? widgets::ScanPlane::Below : widgets::ScanPlane::Ahead;
+}
+
+} // namespace
+
+widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot) {
+    using widgets::Driver;
+    if (!robot)
+        return {};
+    const mission::ControlState& state = robot->view().figures.control;
+    if (robot->isReplay() || state.reins == mission::Reins::Nobody)
+        return {nameOf(*robot), Driver::Nobody, {}};
+    if (state.reins == mission::Reins::Hand)
+        return {nameOf(*robot), Driver::Person, wordFor(state)};
+    const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
+    return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
+}
+
+void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
+    const RobotView& view = control_.robot(id)->view();
+    if (update.rewound)
+        restart(view, selected);
+    showRow(id);
+    showOnMap(view, update, selected);
+    const std::vector<mission::TraceSpot> spots = traces_[view.connection].take(update);
+    if (!control_.simulator().running() || !view.recording.isEmpty()) // else the simulator tells of all robots' marks
+        for (const mission::TraceSpot& spot : spots)
+            views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
+    feedMessages(view.connection, update);
+    if (!selected)
+        return;
+    showTraffic(update.figures);
+    noteHeard(update);
+    showInstruments(view, update);
+    feedPanels(update);
+}
+
+bool RobotPresenter::tracing(int id) const {
+    const auto trace = traces_.find(control_.connectionOf(id));
+    return id != 0 && trace != traces_.end() && trace->second.on();
+}
+
+std::optional<protocol::TraceColor> RobotPresenter::traceColor(int id) const {
+    const auto trace = traces_.find(control_.connectionOf(id));
+    return id == 0 || trace == traces_.end() ? std::nullopt : std::optional(trace->second.color());
+}
+
+void RobotPresenter::restart(const RobotView& view, bool selected) {
+    views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
+    if (!selected)
+        return;
+    select(view.id);
+    views_.map->clearMarks(); // the update brings those that there are
+    views_.status->clear(QObject::tr("Replay"));
+}
+
+void RobotPresenter::showRow(int id) {
+    const Robot* robot = control_.robot(id);
+    if (!robot)
+        return;
+    const RobotView& view = robot->view();
+    views_.map->setRobot(onMap(view));
+    widgets::RobotRow row;
+    row.id = id;
+    row.number = id;
+    row.name = QString::fromStdString(view.spawn.robot_name);
+    row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
+    row.state = view.recording.isEmpty() ? stateText(view) : QObject::tr("replay · %1").arg(stateText(view));
+    row.stale = view.link.state != link::LinkState::Connected && !notBegun(view);
+    row.driver = controlWords(control_, robot);
+    if (view.status && view.status->battery_used_pct)
+        row.battery_pct = 100.0 - *view.status->battery_used_pct;
+    views_.robots->updateRobot(row);
+}
+
+void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
+    const QString name = QString::fromStdString(view.spawn.robot_name);
+    // Every pose of a fast simulation belongs to the trail, not only the one that is painted.
+    for (const agent::Published& published : update.published)
+        if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
+            views_.map->setRobot({name, view.id, estimate->base_in_map, false});
+    if (newestPublished<agent::CurrentGoal>(update))
+        views_.map->setGoal(name, view.goal_m);
+    if (!update.last_hits.empty())
+        views_.map->setLaserHits(name, update.last_hits);
+    if (!selected)
+        return;
+    views_.map->takeTiles(update.tiles, update.height_range);
+    for (const agent::Published& published : update.published)
+        if (const auto* mark = std::get_if<agent::MapMark>(&published))
+            views_.map->addMark(*mark);
+    if (const auto* path = newestPublished<agent::PlannedPath>(update))
+        views_.map->setLanes(path->points_in_map_m);
+}
+
+void RobotPresenter::showInstruments(const RobotView& view, const mission::SessionUpdate& update) {
+    if (view.finished) {
+        views_.status->setIdle(QString::fromStdString(view.finished->reason),
+                               view.finished->success ? widgets::StateShape::Good : widgets::StateShape::Bad);
+    } else if (view.figures.behavior_running && view.status) {
+        views_.status->setStatus(*view.status);
+    } else {
+        views_.status->setIdle(QObject::tr("Idle"));
+    }
+    views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
+    if (const auto* state = newest<protocol::RobotState>(update))
+        scan_plane_ = scanPlaneOf(state->kind);
+    if (const auto* scan = newest<protocol::RangeScan>(update))
+        views_.laser->setScan(*scan, usual_scan_maximum_m, scan_plane_);
+    if (update.ground)
+        views_.terrain->setProfile(*update.ground);
+    if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
+        views_.sonars->setZones(*zones);
+    } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
+        constexpr double usual_maximum_m = 5.0; // of every USARSim sonar until its CONF says otherwise
+        std::map<std::string, double> ranges_m;
+        for (const protocol::NamedRange& sonar : sonars->ranges)
+            ranges_m[sonar.name] = sonar.range_m;
+        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, usual_maximum_m));
+    }
+    showLinkState(view.id);
+}
+
+void RobotPresenter::showLinkState(int id) {
+    const Robot* robot = control_.robot(id);
+    const bool stale = robot && robot->view().link.state != link::LinkState::Connected;
+    const Seconds now = robot ? robot->view().figures.now : Seconds(0.0);
+    views_.status->setStale(stale && robot->view().status);
+    views_.laser->setStale(stale || silent(scan_heard_, now));
+    views_.terrain->setStale(stale);
+    views_.sonars->setStale(stale || silent(sonar_heard_, now));
+    views_.sensors->setLinked(!stale);
+}
+
+void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
+    if (newest<protocol::RangeScan>(update))
+        scan_heard_ = update.figures.now;
+    if (newest<protocol::SonarReadings>(update))
+        sonar_heard_ = update.figures.now;
+}
+
+void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
+    for (const protocol::InfoLine& line : update.lines) {
+        views_.sensors->take(line, update.figures.now);
+        views_.plots->take(line, update.figures.now);
+    }
+    views_.sensors->setNow(update.figures.now);
+}
+
+/// Lines and commands in the order in which they came and went.
+void RobotPresenter::feedMessages(int connection, const mission::SessionUpdate& update) {
+    if (update.rewound)
+        views_.messages->clear();
+    std::uint64_t& told = not_shown_[connection];
+    if (const std::uint64_t not_shown = update.figures.lines_not_shown; not_shown > told)
+        views_.messages->takeNotShown(not_shown - std::exchange(told, not_shown), connection);
+    auto command = update.commands.begin();
+    const auto takeCommandsUpTo = [&](LineNumber line) {
+        for (; command != update.commands.end() && command->after < line; ++command)
+            views_.messages->takeCommand(command->text, command->cause, command->time, connection);
+    };
+    for (const protocol::InfoLine& line : update.lines) {
+        takeCommandsUpTo(line.number);
+        views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
+    }
+    for (; command != update.commands.end(); ++command)
+        views_.messages->takeCommand(command->text, command->cause, command->time, connection);
+}
+
+void RobotPresenter::showLink(int connection, const mission::SessionUpdate& update, bool selected) {
+    feedMessages(connection, update);
+    if (selected)
+        showTraffic(update.figures);
+}
+
+void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
+    views_.connection->panel()->setFigures({figures.traffic, figures.rates, figures.lines_not_shown});
+    views_.traffic->setText(widgets::trafficSummary(figures.traffic));
+}
+
+void RobotPresenter::select(int id) {
+    views_.map->clearMarks();
+    views_.sensors->clear();
+    views_.sonars->clear();
+    views_.laser->clear();
+    views_.terrain->clear();
+    views_.plots->restart();
+    views_.plots->setSource({});
+    scan_heard_ = sonar_heard_ = std::nullopt;
+    const Robot* robot = control_.robot(id);
+    views_.map->clearHeights(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
+    views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
+    if (!robot)
+        return views_.status->clear(QObject::tr("No robot yet"));
+    const RobotView& view = robot->view();
+    views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
+    std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
+    for (const auto& [index, tile] : view.tiles)
+        tiles.push_back(tile);
+    views_.map->takeTiles(tiles, view.height_range);
+    for (const agent::MapMark& mark : view.marks)
+        views_.map->addMark(mark);
+    if (robot->running())
+        views_.map->setLanes(view.planned_m);
+    if (view.ground)
+        views_.terrain->setProfile(*view.ground);
+    views_.status->setIdle(QObject::tr("Idle"));
+    if (view.figures.behavior_running && view.status)
+        views_.status->setStatus(*view.status);
+}
+
+} // namespace usar::app

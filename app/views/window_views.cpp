@@ -1,0 +1,167 @@
+#include "app/views/window_views.h"
+
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "widgets/style/theme.h"
+
+namespace usar::app {
+
+namespace {
+
+using namespace usar::widgets;
+
+QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& name, const QString& title,
+                     Qt::DockWidgetArea area, QWidget* content) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name); // saveState finds it by this
+    dock->setWidget(content);
+    window.addDockWidget(area, dock);
+    views.docks.push_back(dock);
+    return dock;
+}
+
+QToolBar* addBar(QMainWindow& window, const QString& name, const QString& title) {
+    auto* bar = window.addToolBar(title);
+    bar->setObjectName(name);
+    bar->setMovable(false);
+    bar->setFloatable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    return bar;
+}
+
+/// A bar hides its end where the window is narrow; who drives and the stop must always be seen, so they have a bar of
+/// their own.
+void makeTopBars(QMainWindow& window, WindowViews& views) {
+    auto* bar = addBar(window, "top_bar", QObject::tr("Link and time"));
+    bar->addWidget(views.connection = new ConnectionBar);
+    views.connection->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(views.time = new TimeBar);
+    bar->addSeparator();
+    bar->addWidget(views.record = new RecordBadge);
+    auto* always = new QWidget;
+    auto* row = new QHBoxLayout(always);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap::small);
+    row->addStretch(1);
+    row->addWidget(views.driver = new ControlBadge);
+    row->addWidget(views.stop_all = new StopButton);
+    addBar(window, "control_bar", QObject::tr("Who drives, and the stop"))->addWidget(always);
+}
+
+void makeCenter(QMainWindow& window, WindowViews& views) {
+    auto* center = new QWidget;
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(views.hint = new HintStrip);
+    layout->addWidget(views.progress = new ProgressStrip);
+    layout->addWidget(views.replay = new ReplayBar);
+    views.replay->hide();
+    layout->addWidget(views.map = new MapView, 1);
+    views.map->setOrientation(MapOrientation::YUp); // as exported pictures and GIS have it
+    views.spawn_card = new SpawnCard(views.map);
+    window.setCentralWidget(center);
+}
+
+QWidget* makeInstruments(WindowViews& views) {
+    auto* box = new QWidget;
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    layout->setSpacing(gap::small);
+    layout->addWidget(views.status = new StatusStrip);
+    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // figures are never squeezed
+    layout->addWidget(views.laser = new LaserFanView, 3);
+    layout->addWidget(views.terrain = new TerrainProfileView, 2);
+    layout->addWidget(views.sonars = new SonarColumnsView, 2);
+    return box;
+}
+
+/// The list, what can be sent, and the figures of both.
+QWidget* makeInspector(WindowViews& views) {
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(views.messages = new MessageList, 1);
+    column->addWidget(views.command_box = new CommandBox);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(gap::small, 0, gap::tiny, gap::tiny);
+    row->addWidget(views.message_count = new QLabel);
+    row->addStretch(1);
+    row->addWidget(views.traffic = new QToolButton);
+    column->addLayout(row);
+    views.message_count->setProperty("role", "muted");
+    views.message_count->setFont(themeFont(FontRole::Small));
+    views.traffic->setAutoRaise(true);
+    views.traffic->setFont(themeFont(FontRole::Small));
+    views.traffic->setFocusPolicy(Qt::StrongFocus);
+    views.traffic->setMinimumHeight(minimum_target);
+    views.traffic->setToolTip(QObject::tr("Lines of this connection; click for all figures of the link"));
+    return box;
+}
+
+void makeDocks(QMainWindow& window, WindowViews& views) {
+    views.parameters = new ParameterForm;
+    addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
+    auto* behavior = addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
+                             views.behavior = new BehaviorPanel(views.parameters));
+    auto* instruments = addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea,
+                                makeInstruments(views));
+    addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
+    views.plots_dock =
+        addDock(window, views, "plots", QObject::tr("Plots"), Qt::BottomDockWidgetArea, views.plots = new PlotView);
+    views.messages_dock =
+        addDock(window, views, "messages", QObject::tr("Messages"), Qt::BottomDockWidgetArea, makeInspector(views));
+    views.notifications_dock = addDock(window, views, "notifications", QObject::tr("Notifications"),
+                                       Qt::BottomDockWidgetArea, views.notifications = new NotificationCenter);
+    views.toasts = new ToastStack(views.map, views.notifications->model());
+    auto* layers =
+        addDock(window, views, "layers", QObject::tr("Layers"), Qt::LeftDockWidgetArea, views.layers = new LayersPanel);
+    layers->hide();
+    auto* faults =
+        addDock(window, views, "faults", QObject::tr("Faults"), Qt::LeftDockWidgetArea, views.faults = new FaultPanel);
+    window.tabifyDockWidget(views.docks[1], faults); // over the behavior, where there is height
+    faults->hide();
+    auto* camera =
+        addDock(window, views, "camera", QObject::tr("Camera"), Qt::RightDockWidgetArea, views.camera = new CameraView);
+    window.tabifyDockWidget(instruments, camera); // the tallest place
+    instruments->raise();
+    QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
+    views.world_dock =
+        addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
+    window.tabifyDockWidget(behavior, views.world_dock); // what robots do, and what is there for them
+    views.drive_dock =
+        addDock(window, views, "drive", QObject::tr("Drive"), Qt::LeftDockWidgetArea, views.drive = new DrivePanel);
+    window.tabifyDockWidget(views.world_dock, views.drive_dock);
+    behavior->raise();
+    views.radio_dock =
+        addDock(window, views, "radio", QObject::tr("Radio"), Qt::BottomDockWidgetArea, views.radio = new RadioView);
+    views.plan_dock =
+        addDock(window, views, "plan", QObject::tr("Plan"), Qt::BottomDockWidgetArea, views.plan = new PlanPanel);
+    window.tabifyDockWidget(views.plots_dock, views.plan_dock);
+    window.tabifyDockWidget(views.plan_dock, views.messages_dock);
+    window.tabifyDockWidget(views.messages_dock, views.notifications_dock);
+    window.tabifyDockWidget(views.notifications_dock, views.radio_dock);
+    views.plots_dock->raise();
+}
+
+} // namespace
+
+WindowViews makeViews(QMainWindow& window) {
+    WindowViews views;
+    window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    // Intent and perception keep their full height; history takes from the map.
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    makeTopBars(window, views);
+    makeCenter(window, views);
+    makeDocks(window, views);
+    window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
+    window.resizeDocks({views.docks[2], views.docks[3]}, {430, 270}, Qt::Vertical);
+    window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
+    window.resizeDocks({views.docks[4]}, {215}, Qt::Vertical);
+    return views;
+}
+
+} // namespace usar::app

@@ -1,0 +1,91 @@
+// All views of the window, made and placed once.
+#pragma once
+
+#include <vector>
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include "widgets/bars/connection_bar.h"
+#include "widgets/bars/hint_strip.h"
+#include "widgets/bars/progress_strip.h"
+#include "widgets/bars/record_badge.h"
+#include "widgets/bars/replay_bar.h"
+#include "widgets/bars/stop_button.h"
+#include "widgets/bars/time_bar.h"
+#include "widgets/commands/command_palette.h"
+#include "widgets/drive/camera_view.h"
+#include "widgets/drive/control_badge.h"
+#include "widgets/drive/drive_panel.h"
+#include "widgets/map/layers_panel.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/spawn_card.h"
+#include "widgets/map/world_panel.h"
+#include "widgets/messages/command_box.h"
+#include "widgets/messages/message_list.h"
+#include "widgets/messages/notification_center.h"
+#include "widgets/messages/toast_stack.h"
+#include "widgets/panels/behavior_panel.h"
+#include "widgets/panels/fault_panel.h"
+#include "widgets/panels/laser_fan_view.h"
+#include "widgets/panels/parameter_form.h"
+#include "widgets/panels/plot_view.h"
+#include "widgets/panels/radio_view.h"
+#include "widgets/panels/robot_list.h"
+#include "widgets/panels/sensor_panel.h"
+#include "widgets/panels/sonar_columns_view.h"
+#include "widgets/panels/status_strip.h"
+#include "widgets/panels/terrain_profile_view.h"
+#include "widgets/plan/plan_panel.h"
+
+namespace usar::app {
+
+/// Pointers to children of the window; valid as long as the window is.
+struct WindowViews {
+    widgets::ConnectionBar* connection = nullptr;
+    widgets::TimeBar* time = nullptr;
+    widgets::StopButton* stop_all = nullptr;
+    widgets::RecordBadge* record = nullptr;
+    widgets::ControlBadge* driver = nullptr; ///< who drives the selected robot
+    widgets::DrivePanel* drive = nullptr;
+    widgets::HintStrip* hint = nullptr;
+    widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is opened
+    widgets::ReplayBar* replay = nullptr;       ///< visible while a replay is selected
+    widgets::MapView* map = nullptr;
+    widgets::SpawnCard* spawn_card = nullptr;
+    widgets::RobotList* robots = nullptr;
+    widgets::BehaviorPanel* behavior = nullptr;
+    widgets::ParameterForm* parameters = nullptr;
+    widgets::StatusStrip* status = nullptr;
+    widgets::LaserFanView* laser = nullptr;
+    widgets::TerrainProfileView* terrain = nullptr;
+    widgets::SonarColumnsView* sonars = nullptr;
+    widgets::SensorPanel* sensors = nullptr;
+    widgets::CameraView* camera = nullptr;
+    widgets::PlotView* plots = nullptr;
+    widgets::PlanPanel* plan = nullptr;
+    widgets::MessageList* messages = nullptr;
+    widgets::CommandBox* command_box = nullptr;
+    QLabel* message_count = nullptr;
+    QToolButton* traffic = nullptr; ///< counters of the shown connection
+    widgets::NotificationCenter* notifications = nullptr;
+    widgets::ToastStack* toasts = nullptr;
+    widgets::LayersPanel* layers = nullptr;
+    widgets::FaultPanel* faults = nullptr;
+    widgets::WorldPanel* world = nullptr; ///< the palette
+    QDockWidget* world_dock = nullptr;
+    widgets::RadioView* radio = nullptr;
+    QDockWidget* notifications_dock = nullptr;
+    QDockWidget* messages_dock = nullptr;
+    QDockWidget* plots_dock = nullptr;
+    QDockWidget* plan_dock = nullptr;
+    QDockWidget* radio_dock = nullptr;
+    QDockWidget* drive_dock = nullptr;
+    std::vector<QDockWidget*> docks; ///< in the order of the View menu
+};
+
+/// Makes the views, the top bar, the center and the docks of `window.md`: intent on the left, perception on the right,
+/// history below.
+WindowViews makeViews(QMainWindow& window);
+
+} // namespace usar::app

@@ -1,0 +1,196 @@
+#include "core/agent/process/behavior_service.h"
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+#include <utility>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "core/agent/behavior_host.h"
+#include "core/agent/plugins/guarded_plugin.h"
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/agent/process/behavior_frames.h"
+#include "core/agent/process/frame_channel.h"
+#include "core/protocol/reader.h"
+
+namespace usar::agent {
+
+namespace {
+
+/// Long enough for a busy program; if the program is gone, sending fails at once.
+constexpr Seconds patience_to_answer{60.0};
+constexpr std::array deadly{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGTERM};
+
+/// All data that the signal handler uses, prepared before the first signal can arrive.
+struct LastWords {
+    int socket = -1;
+    std::array<std::array<char, 64>, 65> frames{}; ///< by signal number; each frame is preceded by its length
+    std::array<std::size_t, 65> sizes{};
+};
+LastWords last_words;
+
+/// Sends the prepared frame and closes the connection at once, because writing a core dump may take long.
+void sayLastWords(int signal) {
+    const auto number = static_cast<std::size_t>(signal);
+    (void)::send(last_words.socket, last_words.frames[number].data(), last_words.sizes[number],
+                 MSG_NOSIGNAL | MSG_DONTWAIT);
+    ::shutdown(last_words.socket, SHUT_WR);
+    ::raise(signal); // SA_RESETHAND has restored the default handler
+}
+
+void prepareLastWords(int socket) {
+    static std::array<char, 1 << 16> stack_of_handlers; // the normal stack may have overflowed
+    stack_t stack{};
+    stack.ss_sp = stack_of_handlers.data();
+    stack.ss_size = stack_of_handlers.size();
+    ::sigaltstack(&stack, nullptr);
+    last_words.socket = socket;
+    for (const int signal : deadly) {
+        const QByteArray frame = frames::write(frames::Reply(frames::Dying{signal}));
+        auto& bytes = last_words.frames[static_cast<std::size_t>(signal)];
+        Q_ASSERT(static_cast<std::size_t>(frame.size()) + 4 <= bytes.size());
+        bytes[0] = static_cast<char>(frame.size());
+        std::copy(frame.begin(), frame.end(), bytes.begin() + 4);
+        last_words.sizes[static_cast<std::size_t>(signal)] = static_cast<std::size_t>(frame.size()) + 4;
+        struct sigaction action {};
+        action.sa_handler = sayLastWords;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK | SA_NODEFER);
+        ::sigaction(signal, &action, nullptr);
+    }
+}
+
+/// Ends the process when the other side closes the connection. A thread waits for this, because a behavior that hangs
+/// would not notice.
+void endWithTheOtherSide(int socket) {
+    std::thread([socket] {
+        pollfd watched{socket, POLLRDHUP, 0};
+        while (::poll(&watched, 1, -1) < 0) {
+        }
+        std::_Exit(0);
+    }).detach();
+}
+
+/// The behavior and its context, created from the first frame.
+struct Service {
+    static Result<Service> make(const frames::Start& start, PluginLoader& plugins);
+    RunningBehavior::Output answer(const frames::Request& request);
+
+    std::unique_ptr<BehaviorHost> host;
+    std::vector<ParameterSpec> parameters;
+    std::unique_ptr<protocol::Reader> reader = std::make_unique<protocol::Reader>();
+};
+
+Result<Service> Service::make(const frames::Start& start, PluginLoader& plugins) {
+    plugins.scan({QString::fromStdString(start.plugin_file)});
+    const auto plugin = plugins.pluginFor(start.behavior_id);
+    if (!plugin)
+        return tl::unexpected(plugin.error());
+    Service service;
+    service.parameters = plugins.behavior(start.behavior_id)->parameters;
+    auto parameters = ParameterSet::make(service.parameters, start.parameters);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    auto behavior = makeBehavior(**plugin, start.behavior_id, {start.task, *std::move(parameters), start.plan});
+    if (!behavior)
+        return tl::unexpected(behavior.error());
+    service.host = std::make_unique<BehaviorHost>(*std::move(behavior), start.behavior_id,
+                                                  plugins.robotOf(start.behavior_id)->sensors_needed);
+    return service;
+}
+
+RunningBehavior::Output Service::answer(const frames::Request& request) {
+    if (const auto* const line = std::get_if<frames::Line>(&request)) {
+        reader->continueAfter({line->number.value - 1});
+        return host->receive(reader->read(line->text));
+    }
+    if (const auto* const order = std::get_if<Order>(&request))
+        return host->order(*order);
+    if (const auto* const control = std::get_if<PlanControl>(&request))
+        return host->control(*control);
+    if (const auto* const values = std::get_if<std::map<std::string, ParameterValue>>(&request))
+        if (const auto set = ParameterSet::make(parameters, *values))
+            host->setParameters(*set);
+    return {};
+}
+
+frames::Reply descriptionOf(const frames::Describe& asked, PluginLoader& plugins) {
+    plugins.scan({QString::fromStdString(asked.plugin_file)});
+    if (!plugins.robots().empty())
+        return frames::Description{plugins.robots().front()};
+    const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
+    return frames::Refusal{{reason.toStdString(), {}, {}}};
+}
+
+frames::Reply previewOf(const frames::Preview& asked, const PluginLoader& plugins) {
+    const auto plugin = plugins.pluginFor(asked.behavior_id);
+    if (!plugin)
+        return frames::Refusal{plugin.error()};
+    auto parameters = ParameterSet::make(plugins.behavior(asked.behavior_id)->parameters, asked.parameters);
+    if (!parameters)
+        return frames::Refusal{parameters.error()};
+    auto preview = previewTask(**plugin, asked.behavior_id, {asked.task, *std::move(parameters), asked.plan});
+    if (!preview)
+        return frames::Refusal{preview.error()};
+    return *std::move(preview);
+}
+
+/// The reply to a request that needs no behavior; nullopt for other requests.
+std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Request>& request, PluginLoader& plugins) {
+    if (!request)
+        return std::nullopt;
+    if (const auto* const describe = std::get_if<frames::Describe>(&*request))
+        return descriptionOf(*describe, plugins);
+    if (const auto* const preview = std::get_if<frames::Preview>(&*request))
+        return previewOf(*preview, plugins);
+    return std::nullopt;
+}
+
+} // namespace
+
+int serveBehavior(int socket) {
+    prepareLastWords(socket);
+    endWithTheOtherSide(socket);
+    FrameChannel channel(socket);
+    PluginLoader plugins;
+    std::optional<Service> service;
+    QByteArray frame;
+    while (channel.receive(frame, std::nullopt) == FrameChannel::Received::Frame) {
+        const auto request = frames::readRequest(frame);
+        if (const auto about_plugin = answerAboutPlugin(request, plugins)) {
+            channel.send(frames::write(*about_plugin), patience_to_answer);
+            continue;
+        }
+        const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
+        frames::Answer answer;
+        if (!request || (start == nullptr) != service.has_value()) {
+            channel.send(
+                frames::write(frames::Refusal{{"the program and its behavior host do not understand each other",
+                                               "usar-behavior-host", "Install both from the same version"}}),
+                patience_to_answer);
+            return 2;
+        }
+        if (start) {
+            auto made = Service::make(*start, plugins);
+            if (!made) {
+                channel.send(frames::write(frames::Refusal{made.error()}), patience_to_answer);
+                return 1;
+            }
+            service = *std::move(made);
+            answer.output = service->host->begin();
+        } else {
+            answer.output = service->answer(*request);
+        }
+        answer.safe = service->host->safeCommand({}).command;
+        answer.halted = service->host->halted();
+        answer.finished = service->host->finished();
+        answer.broke = service->host->broke();
+        channel.send(frames::write(std::move(answer)), patience_to_answer);
+    }
+    return 0;
+}
+
+} // namespace usar::agent

@@ -1,0 +1,137 @@
+#include "core/agent/process/isolated_behavior.h"
+
+#include <utility>
+
+#include "core/base/numbers.h"
+
+namespace usar::agent {
+
+namespace {
+
+/// Time limit for starting the process, loading its libraries and the plugin, and creating the behavior.
+constexpr Seconds patience_at_start{15.0};
+/// Number of bytes of a line that messages quote.
+constexpr std::size_t words_of_a_line = 60;
+
+} // namespace
+
+IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
+    : program_(std::move(program))
+    , start_(std::move(start))
+    , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
+
+IsolatedBehavior::~IsolatedBehavior() = default;
+
+RunningBehavior::Output IsolatedBehavior::begin() {
+    auto started = HostProcess::start(program_, "behavior " + start_.behavior_id);
+    if (!started)
+        return end(started.error().text());
+    host_ = *std::move(started);
+    return ask(start_, patience_at_start, "it was being made");
+}
+
+RunningBehavior::Output IsolatedBehavior::receive(const protocol::InfoLine& line) {
+    last_line_ = line.number;
+    last_text_ = line.text.substr(0, words_of_a_line);
+    if (last_text_.size() < line.text.size())
+        last_text_ += "…";
+    return ask(frames::Line{line.number, line.text}, patience_, "it worked on line");
+}
+
+RunningBehavior::Output IsolatedBehavior::order(Order order) {
+    return ask(order, patience_, "it took an order after line");
+}
+
+RunningBehavior::Output IsolatedBehavior::control(const PlanControl& control) {
+    return ask(control, patience_, "its plan was being changed after line");
+}
+
+void IsolatedBehavior::setParameters(const ParameterSet& parameters) {
+    owed_ = ask(parameters.values(), patience_, "it took new parameters after line");
+}
+
+CausedCommand IsolatedBehavior::safeCommand(const std::string& source) const {
+    return {safe_, {source, last_line_}};
+}
+
+RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Seconds patience,
+                                              const std::string& at_work) {
+    if (finished_ || ending_ || !host_)
+        return std::exchange(owed_, {});
+    std::optional<frames::Reply> reply;
+    if (host_->ask(request, patience, reply) == FrameChannel::Received::TimedOut) {
+        host_->kill();
+        return die("hangs: it has not answered for " + fixed(patience.count(), 1) + " s and was ended", at_work);
+    }
+    if (reply && std::holds_alternative<frames::Answer>(*reply))
+        return take(std::get<frames::Answer>(*reply));
+    if (reply && std::holds_alternative<frames::Refusal>(*reply))
+        return end(std::get<frames::Refusal>(*reply).error.text());
+    if (reply && std::holds_alternative<frames::Dying>(*reply))
+        return die(host_->howItEnded(std::get<frames::Dying>(*reply).signal), at_work);
+    return lose(at_work);
+}
+
+RunningBehavior::Output IsolatedBehavior::take(frames::Answer& answer) {
+    halted_ = answer.halted;
+    finished_ = answer.finished;
+    broke_ = answer.broke;
+    safe_ = std::move(answer.safe);
+    if (!answer.output.commands.empty())
+        last_decision_ = answer.output.commands.back().cause.source;
+    for (const Published& value : answer.output.published)
+        if (const auto* const status = std::get_if<BehaviorStatus>(&value))
+            last_state_ = status->state;
+    Output output = std::exchange(owed_, {});
+    output.append(std::move(answer.output));
+    return output;
+}
+
+RunningBehavior::Output IsolatedBehavior::takeEnd() {
+    if (ending_)
+        return die(host_->howItEnded(std::nullopt), lost_at_work_);
+    if (finished_ || !host_)
+        return {};
+    std::optional<frames::Reply> reply;
+    if (host_->listen(reply) == FrameChannel::Received::TimedOut)
+        return {}; // nothing has arrived after all
+    const std::string at_work = "it waited after line";
+    if (reply && std::holds_alternative<frames::Dying>(*reply))
+        return die(host_->howItEnded(std::get<frames::Dying>(*reply).signal), at_work);
+    return lose(at_work);
+}
+
+RunningBehavior::Output IsolatedBehavior::lose(const std::string& at_work) {
+    ending_ = true;
+    halted_ = false;
+    lost_at_work_ = at_work;
+    host_->becomeDeaf(); // otherwise its handle would stay readable forever
+    owed_.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
+    return std::exchange(owed_, {});
+}
+
+RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std::string& at_work) {
+    std::string reason = "The behavior " + start_.behavior_id + " " + how + ", while " + at_work;
+    if (last_line_.value > 0)
+        reason += " " + std::to_string(last_line_.value) + " (" + last_text_ + ")";
+    if (!last_state_.empty())
+        reason += "; its state was “" + last_state_ + "”";
+    if (!last_decision_.empty())
+        reason += "; its last command came from “" + last_decision_ + "”";
+    broke_ = true;
+    return end(reason + ". The robot was stopped; the behavior can be started again.");
+}
+
+RunningBehavior::Output IsolatedBehavior::end(const std::string& reason) {
+    finished_ = true;
+    ending_ = halted_ = false;
+    if (host_)
+        host_->leave();
+    host_.reset();
+    Output output = std::exchange(owed_, {});
+    output.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
+    output.published.push_back(BehaviorFinished{false, reason});
+    return output;
+}
+
+} // namespace usar::agent

@@ -1,0 +1,134 @@
+#include "core/mission/files/mission_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <QDir>
+#include <QTemporaryFile>
+
+#include "core/agent/posh/posh_binding.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/mission/files/plan_file.h"
+
+namespace usar::mission {
+
+namespace {
+
+std::string inWords(const Rectangle& area) {
+    return "x " + fixed(area.min_m.x(), 1) + ".." + fixed(area.max_m.x(), 1) + " m, y " + fixed(area.min_m.y(), 1) +
+           ".." + fixed(area.max_m.y(), 1) + " m";
+}
+
+/// Parameter spec with the units of a mission file: angles in degrees.
+agent::ParameterSpec asWritten(agent::ParameterSpec spec) {
+    if (spec.unit != "rad")
+        return spec;
+    // Rounds, so that an error says 90 and not 89.99..9.
+    const auto whole_nano = [](double angle_deg) { return std::round(angle_deg * 1e9) / 1e9; };
+    spec.unit = "deg";
+    spec.minimum = whole_nano(degrees(spec.minimum));
+    spec.maximum = whole_nano(degrees(spec.maximum));
+    return spec;
+}
+
+/// Checks each parameter by itself and in the units of the file, so that the error can name the place of the first
+/// wrong one.
+Result<void> checkParameters(const Mission& mission, const std::vector<agent::ParameterSpec>& specs) {
+    std::vector<agent::ParameterSpec> written;
+    std::ranges::transform(specs, std::back_inserter(written), asWritten);
+    for (const auto& parameter : mission.parameters) {
+        const std::string path = "parameters." + parameter.first;
+        if (const auto made = agent::ParameterSet::make(written, {parameter}); made)
+            continue;
+        else if (std::ranges::find(specs, parameter.first, &agent::ParameterSpec::id) == specs.end())
+            return tl::unexpected(atKey(mission, path, made.error()));
+        else
+            return tl::unexpected(atValue(mission, path, made.error()));
+    }
+    return {};
+}
+
+/// Advice such as "Choose airrobot/posh, or leave the plan out".
+std::string whoTakesPlans(const agent::RobotDescription& robot) {
+    for (const agent::BehaviorDescription& behavior : robot.behaviors)
+        if (!behavior.plan_name.empty())
+            return "Choose " + behavior.id + ", or leave the plan out";
+    return "Leave the plan out";
+}
+
+} // namespace
+
+Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const std::string& behavior_id,
+                                                   const agent::PluginLoader& plugins) {
+    if (path.isEmpty())
+        return std::nullopt;
+    const agent::RobotDescription* const robot = plugins.robotOf(behavior_id);
+    if (!robot)
+        return tl::unexpected(plugins.pluginFor(behavior_id).error());
+    if (plugins.behavior(behavior_id)->plan_name.empty())
+        return failure("no plan decides in this behavior", behavior_id, whoTakesPlans(*robot));
+    auto plan = readPlanFile(path);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    if (const auto bound = agent::bindPlan(plan->text, robot->primitives); !bound.program)
+        return tl::unexpected(agent::planRefusal(plan->name, bound.findings));
+    return *std::move(plan);
+}
+
+Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins) {
+    const auto plugin = plugins.pluginFor(mission.behavior);
+    if (!plugin)
+        return tl::unexpected(atValue(mission, "behavior", plugin.error()));
+    const agent::BehaviorDescription* description = plugins.behavior(mission.behavior);
+    if (const auto good = checkParameters(mission, description->parameters); !good)
+        return tl::unexpected(good.error());
+    auto parameters = agent::ParameterSet::make(description->parameters,
+                                                withAnglesInRadians(mission.parameters, description->parameters));
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    if (description->needs_area && mission.area_in_map.empty())
+        return tl::unexpected(atValue(mission, "behavior",
+                                      {"it needs a mission area", mission.behavior,
+                                       "Add \"area\" with x, y, width and height in metres to the mission"}));
+    auto plan = readOwnPlan(QString::fromStdString(mission.plan), mission.behavior, plugins);
+    if (!plan)
+        return tl::unexpected(atValue(mission, "plan", plan.error()));
+    return PreparedBehavior{*plugin, *std::move(parameters), *std::move(plan)};
+}
+
+Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map) {
+    if (area_in_map.empty() || world_in_map.empty() || world_in_map.contains(area_in_map))
+        return {};
+    return failure("the mission area (" + inWords(area_in_map) + ") reaches outside the world", "area",
+                   "The world spans " + inWords(world_in_map) + "; move or shrink the area");
+}
+
+Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map) {
+    const auto inside = checkAreaInside(mission.area_in_map, world_in_map);
+    return inside ? inside : tl::unexpected(atValue(mission, "area", inside.error()));
+}
+
+Result<void> checkFolderIsWritable(const QString& folder) {
+    QTemporaryFile probe(folder + "/.usar-XXXXXX");
+    if (QDir().mkpath(folder) && probe.open())
+        return {};
+    return failure("no results can be written to this folder", folder.toStdString(),
+                   "Choose a folder that you may write to, with --out DIR");
+}
+
+Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses) {
+    const auto found = std::ranges::find_if(
+        poses.poses, [&](const protocol::StartPose& pose) { return sameWord(pose.name, mission.start); });
+    if (found != poses.poses.end())
+        return found->pose_in_map;
+    std::string names;
+    for (const protocol::StartPose& pose : poses.poses)
+        names += (names.empty() ? "" : ", ") + pose.name;
+    const Error error{"the server knows no start pose of this name", mission.start,
+                      names.empty() ? "It has none at all" : "It has " + names};
+    return tl::unexpected(atValue(mission, "start", error));
+}
+
+} // namespace usar::mission

@@ -1,0 +1,44 @@
+// Checks of a mission before anything moves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QString>
+
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/mission/files/mission_file.h"
+#include "core/protocol/info/game_info.h"
+
+namespace usar::mission {
+
+/// The behavior of a mission, found among the plugins, and its checked parameters.
+struct PreparedBehavior {
+    const agent::RobotPlugin* plugin = nullptr; ///< owned by the PluginLoader
+    agent::ParameterSet parameters;
+    std::optional<agent::PlanText> plan; ///< the user's own plan, if one was given
+};
+
+/// Fails on an unknown behavior, a wrong parameter, a missing area if one is needed, a plan that cannot be read, has
+/// errors or does not fit the robot, or a plan for a behavior that is not decided by one. Errors about a mission that
+/// was read from a file name line and column, here and in the other checks.
+Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins);
+
+/// Reads the plan in the file at `path` and checks it against the robot of the behavior; nullopt for an empty path.
+/// Fails if the behavior is unknown or takes no plan, or the plan cannot be read, has errors or does not fit.
+Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const std::string& behavior_id,
+                                                   const agent::PluginLoader& plugins);
+
+/// Fails on an area that is not entirely inside the world (meters, map frame). An empty area is accepted, and so is an
+/// empty world, which is one of unknown size.
+Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map);
+Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map);
+
+/// Creates the folder if it is missing, and fails if no file can be created there.
+Result<void> checkFolderIsWritable(const QString& folder);
+
+/// Start pose that the mission names, in the map frame; names are compared without regard to case. The error lists the
+/// names that exist.
+Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses);
+
+} // namespace usar::mission

@@ -1,0 +1,227 @@
+#include "core/mission/files/result_writer.h"
+
+#include <optional>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLockFile>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include "core/base/numbers.h"
+#include "core/mission/files/map_picture.h"
+#include "core/mission/files/scan_metadata.h"
+
+namespace usar::mission {
+
+namespace {
+
+const QString folder_mend = "Choose another folder, or make this one writable and save again";
+
+QString fileNamePart(const std::string& name, const QString& fallback) {
+    static const QRegularExpression unwanted("[^A-Za-z0-9-]+");
+    const QString part = QString::fromStdString(name).replace(unwanted, "-").left(40);
+    return part.contains(QRegularExpression("[A-Za-z0-9]")) ? part : fallback;
+}
+
+/// Returns the first stem with which no file in the folder begins.
+QString freeStem(const QDir& folder, const ScanRecord& record) {
+    const QString base =
+        QString("USAR_Scan_%1_%2").arg(fileNamePart(record.level, "map"), fileNamePart(record.robot_name, "robot"));
+    for (int number = 1;; ++number) {
+        const QString stem = QString("%1_%2").arg(base).arg(number, 3, 10, QChar('0'));
+        if (folder.entryList({stem + ".*", stem + "_*"}, QDir::Files | QDir::Hidden).isEmpty())
+            return stem;
+    }
+}
+
+/// Writes the files of one scan; stops at the first failure.
+class Writing {
+public:
+    Writing(QString folder, QString stem) : folder_(std::move(folder)), stem_(std::move(stem)) {}
+
+    void bytes(const QString& ending, const char* data, qsizetype size) {
+        save(ending, [&](QSaveFile& file) { return file.write(data, size) == size; });
+    }
+    void bytes(const QString& ending, const QByteArray& data) { bytes(ending, data.constData(), data.size()); }
+
+    void image(const QString& ending, const QImage& picture) {
+        save(ending, [&](QSaveFile& file) {
+            QImageWriter writer(&file, "png");
+            writer.setQuality(fast_compression);
+            return writer.write(picture);
+        });
+    }
+
+    QString pathOf(const QString& ending) const { return QDir(folder_).filePath(stem_ + ending); }
+    const QStringList& files() const { return files_; }
+    const std::optional<Error>& error() const { return error_; }
+
+private:
+    /// Quality on Qt's scale, which means zlib level 3; the default takes three times as long to save a tenth of the
+    /// size.
+    static constexpr int fast_compression = 66;
+
+    template <class Write>
+    void save(const QString& ending, const Write& write) {
+        if (error_)
+            return;
+        const QString path = pathOf(ending);
+        QSaveFile file(path);
+        if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
+            files_ << path;
+        else
+            error_ = Error{"cannot write: " + file.errorString().toStdString(), path.toStdString(),
+                           folder_mend.toStdString()};
+    }
+
+    QString folder_;
+    QString stem_;
+    QStringList files_;
+    std::optional<Error> error_;
+};
+
+QString markName(agent::MarkKind kind) {
+    using agent::MarkKind;
+    switch (kind) {
+    case MarkKind::Path:
+        return "path";
+    case MarkKind::Diversion:
+        return "diversion";
+    case MarkKind::LowRisk:
+        return "low_risk";
+    case MarkKind::HighRisk:
+        return "high_risk";
+    case MarkKind::Recharge:
+        return "recharge";
+    case MarkKind::Landing:
+        return "landing";
+    case MarkKind::GoalGivenUp:
+        break;
+    }
+    return "goal_given_up";
+}
+
+/// Marks except those of the path, of which there are thousands.
+QJsonArray marksOf(const ScanRecord& record) {
+    QJsonArray marks;
+    for (const agent::MapMark& mark : record.marks) {
+        if (mark.kind == agent::MarkKind::Path)
+            continue;
+        marks.append(QJsonObject{{"kind", markName(mark.kind)},
+                                 {"x_m", mark.position_in_map_m.x()},
+                                 {"y_m", mark.position_in_map_m.y()},
+                                 {"z_m", mark.position_in_map_m.z()},
+                                 {"time_s", mark.time.count()}});
+    }
+    return marks;
+}
+
+QByteArray summaryBytes(const ScanRecord& record, QJsonObject summary, const QStringList& files) {
+    QJsonObject map;
+    for (const auto& [key, text] : metadataOf(record)) {
+        bool is_number = false;
+        const double value = text.toDouble(&is_number);
+        map[key] = is_number && key.endsWith("_m") ? QJsonValue(value) : QJsonValue(text);
+    }
+    map["columns"] = double(record.raster.columns);
+    map["rows"] = double(record.raster.rows);
+    map["known_cells"] = double(record.raster.knownCellCount());
+    map["far_parts"] = double(record.far_rasters.size());
+    map["far_known_cells"] = double(knownCellCount(record) - record.raster.knownCellCount());
+    map["cells_left_out"] = double(record.cells_left_out);
+    map["no_data_m"] = double(mapping::no_data_m);
+    const Rectangle& area = record.area_in_map;
+    map["area"] = QJsonObject{
+        {"x", area.min_m.x()}, {"y", area.min_m.y()}, {"width", area.width_m()}, {"height", area.height_m()}};
+    QJsonArray names;
+    for (const QString& file : files)
+        names.append(QFileInfo(file).fileName());
+    summary["map"] = map;
+    summary["marks"] = marksOf(record);
+    summary["files"] = names;
+    return QJsonDocument(summary).toJson();
+}
+
+QByteArray worldFile(const mapping::Raster& raster) {
+    const QString cell = numberText(raster.cell_size_m);
+    return QStringList{cell,
+                       "0",
+                       "0",
+                       '-' + cell,
+                       numberText(raster.upper_left_center_m.x()),
+                       numberText(raster.upper_left_center_m.y()),
+                       {}}
+        .join('\n')
+        .toLatin1();
+}
+
+void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster) {
+    const std::vector<char> heights = mapping::bilBytes(raster);
+    writing.bytes(part + ".bil", heights.data(), static_cast<qsizetype>(heights.size()));
+    writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
+}
+
+void writeMap(Writing& writing, const ScanRecord& record) {
+    writeRaw(writing, {}, record.raster);
+    for (std::size_t i = 0; i < record.far_rasters.size(); ++i)
+        writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
+    QImage height_image = heightImage(record.raster);
+    for (const auto& [key, value] : metadataOf(record))
+        height_image.setText(key, value);
+    writing.image("_height.png", height_image);
+    writing.bytes("_height.pgw", worldFile(record.raster));
+    writing.image("_picture.png", mapPicture(record));
+}
+
+} // namespace
+
+QString defaultResultFolder() {
+    const QString desktop = QStandardPaths::writableLocation(QStandardPaths::DesktopLocation);
+    return QDir(!desktop.isEmpty() && QDir(desktop).exists() ? desktop : QDir::homePath()).filePath("USAR_Scan");
+}
+
+Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder) {
+    if (folder.isEmpty() || !QDir().mkpath(folder))
+        return failure("cannot make the folder for the results", folder.toStdString(), folder_mend.toStdString());
+    // Held until everything is written: two scans that end at the same time must not take the same free number.
+    QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
+    lock.setStaleLockTime(0);
+    if (!lock.tryLock(60'000))
+        return failure(lock.error() == QLockFile::LockFailedError ? "another program is still saving into the folder"
+                                                                  : "cannot write into the folder",
+                       folder.toStdString(), folder_mend.toStdString());
+
+    Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record));
+    if (!record.raster.empty())
+        writeMap(writing, record);
+    writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));
+    if (writing.error())
+        return tl::unexpected(*writing.error());
+    if (record.raster.empty())
+        return failure("nothing was scanned, so there is no map to save", folder.toStdString(),
+                       "let the robot fly over the area first; the summary is in " +
+                           QFileInfo(writing.pathOf(".json")).fileName().toStdString());
+    return writing.files();
+}
+
+std::string farPartsNotice(const ScanRecord& record) {
+    if (record.far_rasters.empty())
+        return {};
+    const std::size_t far_cells = knownCellCount(record) - record.raster.knownCellCount();
+    const double cell_m = record.raster.cell_size_m;
+    std::string text = "Some of the map lies too far from the rest for one picture, which shows the middle " +
+                       fixed(double(record.raster.columns) * cell_m, 0) + " m x " +
+                       fixed(double(record.raster.rows) * cell_m, 0) + " m: " + std::to_string(far_cells) +
+                       " cells in " + std::to_string(record.far_rasters.size()) +
+                       " places are saved as raw heights of their own (_far1.bil and so on).";
+    if (record.cells_left_out > 0)
+        text += " " + std::to_string(record.cells_left_out) + " more cells in still other places are not saved.";
+    return text + " Was a position garbled? For a truly large area choose larger cells.";
+}
+
+} // namespace usar::mission

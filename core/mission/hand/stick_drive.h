@@ -1,0 +1,22 @@
+// Converts the user's stick into the DRIVE of a robot, according to its kind and its known limits.
+#pragma once
+
+#include <optional>
+
+#include "core/mission/hand/drive_limits.h"
+#include "core/protocol/command.h"
+
+namespace usar::mission {
+
+/// Highest yaw rate for driving by hand, in rad/s. Nobody steers well with more, and a P2DX could spin ten times a
+/// second.
+inline constexpr double most_yaw_rate_rad_s = 2.0;
+
+/// Returns the DRIVE for this stick position, with every term of its kind, so that no earlier term stays in effect.
+/// `speed_share` (0..1) scales speeds, but not the angles of wheels and fins. Terms are in physical units if the limits
+/// are known, else in percent of the limits, which the server knows. If forward and turn together exceed the speed of
+/// the wheels, a skid-steered robot keeps its curve and loses speed. Returns nullopt for an unknown style, and for a
+/// walker, whose joints need a gait (walking_gait.h).
+std::optional<protocol::Command> driveOf(const DriveLimits& limits, const Stick& stick, double speed_share);
+
+} // namespace usar::mission

@@ -1,0 +1,32 @@
+#include "core/mission/hand/stick_shaper.h"
+
+#include <cmath>
+
+namespace usar::mission {
+
+void applyDeadZone(double& x, double& y, double zone) {
+    const double reach = std::hypot(x, y);
+    if (!(reach > zone)) {
+        x = y = 0.0;
+        return;
+    }
+    const double grown = std::min(1.0, (reach - zone) / (1.0 - zone)) / reach;
+    x *= grown;
+    y *= grown;
+}
+
+Stick StickShaper::follow(const Stick& asked, Seconds dt) {
+    const double most = std::max(0.0, dt.count()) / rise.count();
+    const auto follow = [most](double now, double wanted) {
+        const double from = now * wanted > 0.0 ? now : 0.0; // A change of direction begins at rest.
+        if (std::abs(wanted) <= std::abs(from))
+            return wanted;
+        return from + std::clamp(wanted - from, -most, most);
+    };
+    const Stick to = clamped(asked);
+    now_ = {follow(now_.forward, to.forward), follow(now_.left, to.left), follow(now_.turn, to.turn),
+            follow(now_.up, to.up)};
+    return now_;
+}
+
+} // namespace usar::mission

@@ -1,0 +1,146 @@
+// One robot from connect to close: the agent life cycle of the thesis (3), the same in the window and headless.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "core/agent/running_behavior.h"
+#include "core/link/tcp_link.h"
+#include "core/mission/files/scan_record.h"
+#include "core/mission/session/session_update.h"
+
+namespace usar::mission {
+
+/// Facts about a recording besides its records: robot, class, level, host …
+using RecordingFacts = std::map<std::string, std::string>;
+
+/// User's orders to a replay. All members that are set are carried out.
+struct ReplayOrder {
+    std::optional<bool> play{};
+    std::optional<double> speed{};       ///< 0.1 to 100, or infinity for as fast as possible
+    std::optional<Seconds> seek{};       ///< time since the recording's beginning
+    std::optional<Seconds> seek_by{};    ///< relative to the position, or to the target of a running seek
+    std::optional<Seconds> seek_clock{}; ///< time on the robot's clock
+    bool step = false;                   ///< to the next bytes from the server
+};
+
+struct SpawnRequest {
+    std::string class_name = "USARBot.AirRobot";
+    std::string robot_name = "R1";
+    Pose start_in_map;
+};
+
+/// How long a session waits before it reports that something is missing. Tests shorten the limits.
+struct SessionLimits {
+    link::LinkLimits link;
+    Seconds greeting{5.0};               ///< wall: no start poses after connecting
+    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (usarsim-protocol 2.4)
+    Seconds stale{2.0};                  ///< wall: silence of a spawned robot
+    Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
+    Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
+    Seconds behavior{1.0};               ///< wall: the behavior's answer
+    Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
+    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait, and the newest replace older ones
+};
+
+/// Link, reader, modules, behavior and height map of one robot. Runs in a session thread; slots are called by queued
+/// connection or from that thread; results leave by value in signals. After connecting it asks for start poses; INIT is
+/// sent once per connection; after a reconnect the robot is spawned again only on request, while map, marks and line
+/// numbers continue. Stop, close and a finished behavior send the behavior's safe command first. If lockstep was
+/// requested and the server has agreed, it answers every STA with the behavior's commands and then STEP.
+class RobotSession : public QObject {
+    Q_OBJECT
+public:
+    explicit RobotSession(double cell_size_m = 0.25, QObject* parent = nullptr);
+    ~RobotSession() override;
+
+    /// To be called before `open`.
+    void setLimits(const SessionLimits& limits);
+
+    /// For headless use in the same thread. The raster is filled by `snapshot` only.
+    const ScanRecord& record() const;
+    ScanRecord snapshot() const;
+    const SessionFigures& figures() const;
+    const link::LinkStatus& linkStatus() const;
+
+    /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),
+    /// until `stopRecording` or the end of the session. `facts` are stored with it. Problems are also notices with the
+    /// topic "recording"; the session continues.
+    Result<void> startRecording(const QString& path, const RecordingFacts& facts);
+
+public slots:
+    void open(const QString& host, quint16 port, bool lockstep);
+    void close();
+    /// Refused with a notice while the connection has a robot. After a failed spawn the session reconnects first,
+    /// because a server accepts one INIT per connection; after a lost connection it may be called once a new one is
+    /// there. The progress is in `figures().spawn`.
+    void spawn(const usar::mission::SpawnRequest& request);
+    void startBehavior(std::shared_ptr<usar::agent::RunningBehavior> host, const usar::agent::Task& task);
+    void order(usar::agent::Order order);
+    void setParameters(const usar::agent::ParameterSet& parameters);
+    /// Controls the plan of the behavior; without a behavior it only refuses a new plan. While a plan is halted, a
+    /// server in lockstep gets no STEP, so its time waits.
+    void control(const usar::agent::PlanControl& control);
+    /// Sends the safe command at once; the behavior ends as stopped by the user, and control by hand ends.
+    void stop();
+    /// The user drives from now on: a running behavior is paused, and its DRIVEs are dropped. Ends with
+    /// `giveControlBack`, when a behavior starts or is resumed, and with stop, close or a lost connection.
+    void takeControl();
+    void giveControlBack();
+    /// Drives until the device is released or silent for `SessionLimits::hand`, or the robot falls silent; all of these
+    /// send a zero DRIVE at once. Ignored without control. The result is in `figures().control`.
+    void drive(const usar::mission::HandIntent& intent);
+    /// Ends the hold but not the control; `reason` is a part of a sentence.
+    void stopDriving(const QString& reason);
+    void sendCommand(const usar::protocol::Command& command, const std::string& source);
+    /// Emits `recordReady` with a copy of everything that was scanned, for the export pool.
+    void requestRecord();
+    /// Cell size of the height map, 0.02 .. 10 m. Refused with a notice once the map has heights.
+    void setCellSize(double cell_size_m);
+    /// `expected`: the server's time is stopped on purpose, so silence is not reported.
+    void expectSilence(bool expected);
+    /// Notes that something was made to fail, or works again; kept in the record, the recording and the messages.
+    void noteFault(const std::string& sentence);
+    /// Clears the map, the path and the marks.
+    void clearRecord();
+
+    void stopRecording();
+    /// `recordingFlushed` follows once everything up to now is in the file. The recording continues.
+    void flushRecording();
+
+    /// Replaces `open`: the lines come from a recording, paused at its beginning, and are processed like live ones.
+    /// Nothing can be sent. `replayOpened` or `replayFailed` follows.
+    void openRecording(const QString& path);
+    void orderReplay(const usar::mission::ReplayOrder& order);
+
+signals:
+    /// `complaint` is a sentence about what is missing from the file, or empty.
+    void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
+    void replayFailed(const QString& reason);
+    /// `path` is the file, or empty if nothing is recorded.
+    void recordingFlushed(const QString& path);
+    /// The last record has been played.
+    void replayEnded();
+    void linkChanged(const usar::link::LinkStatus& status);
+    void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
+    void spawned(const QString& robot_name);
+    /// Also reported as a notice: silence after INIT, or the server closed the connection. After silence data may still
+    /// come (a paused simulator); then `spawned` follows.
+    void spawnFailed(const QString& reason);
+    /// `broke`: the behavior failed by itself; it may be started again.
+    void behaviorFinished(bool success, const QString& reason, bool broke);
+    /// At most one every 16 ms; costs nothing while nobody is connected to this signal.
+    void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
+    void noticed(const usar::mission::Notice& notice);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+} // namespace usar::mission

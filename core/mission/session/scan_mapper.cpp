@@ -1,0 +1,67 @@
+#include "core/mission/session/scan_mapper.h"
+
+#include <algorithm>
+
+#include "core/protocol/info/configurations.h"
+
+namespace usar::mission {
+
+ScanMapper::Scanner& ScanMapper::scannerNamed(const std::string& name) {
+    const auto found = scanners_.find(name);
+    if (found != scanners_.end())
+        return found->second;
+    return scanners_[scanners_.size() < scanner_limit ? name : std::string()];
+}
+
+void ScanMapper::takeScan(const protocol::RangeScan& scan, LineNumber line) {
+    Scanner& scanner = scannerNamed(scan.name);
+    ++scanner.scans_taken;
+    Shelved& place = scanner.shelf[scanner.scans_taken % shelf_size];
+    place.scan = scan;
+    place.line = line;
+    place.ordinal = scanner.scans_taken;
+}
+
+void ScanMapper::takeConfiguration(const protocol::ConfigurationInfo& configuration) {
+    for (const protocol::SensorConfiguration& sensor : protocol::sensorConfigurationsOf(configuration))
+        if (sensor.fov_rad && sensor.range_max_m && *sensor.range_max_m > 0.0) // A scanner of any type.
+            maximum_m_[sensor.name] = *sensor.range_max_m;
+}
+
+double ScanMapper::maximumOf(const std::string& scanner) const {
+    const auto found = maximum_m_.find(scanner);
+    return found == maximum_m_.end() ? mapping::Beams{}.maximum_m : found->second;
+}
+
+bool ScanMapper::place(const agent::ScanPlacement& placement) {
+    for (auto& [name, scanner] : scanners_) {
+        const auto shelved = std::ranges::find(scanner.shelf, placement.scan_line, &Shelved::line);
+        if (shelved == scanner.shelf.end() || shelved->ordinal == 0)
+            continue;
+        if (shelved->ordinal != scanner.last_placed + 1)
+            scanner.integrator.breakStrip();
+        scanner.last_placed = shelved->ordinal;
+        const protocol::RangeScan& scan = shelved->scan;
+        scanner.integrator.integrate({.ranges_m = scan.ranges_m,
+                                      .resolution_rad = scan.step_rad(),
+                                      .fov_rad = scan.fov_rad,
+                                      .maximum_m = maximumOf(scan.name)},
+                                     placement.scanner_in_map, placement.scan_line, map_);
+        last_hits_ = scanner.integrator.lastHits();
+        return true;
+    }
+    return false;
+}
+
+void ScanMapper::forgetScans() {
+    scanners_.clear();
+    maximum_m_.clear();
+}
+
+void ScanMapper::clearMap(std::optional<double> cell_size_m) {
+    map_ = mapping::HeightMap(cell_size_m.value_or(map_.cellSize_m()));
+    for (auto& [name, scanner] : scanners_)
+        scanner.integrator.breakStrip();
+}
+
+} // namespace usar::mission

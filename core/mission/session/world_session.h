@@ -1,0 +1,132 @@
+// A world controller's connection to any USARSim server: puts things into the world and knows where they are.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "core/link/tcp_link.h"
+#include "core/mission/session/session_update.h"
+#include "core/protocol/info/world_objects.h"
+#include "core/protocol/reader.h"
+
+namespace usar::mission {
+
+/// A thing in the world, as the server last reported it.
+struct WorldThing {
+    std::string name;
+    std::string class_name;     ///< without package; empty if it is unknown
+    std::optional<Vec3> size_m; ///< along its own axes; absent: unknown
+    Pose body_in_map;
+    Vec3 velocity_in_map_m_s = Vec3::Zero(); ///< per wall time, over the last second
+    bool operator==(const WorldThing&) const = default;
+};
+
+/// Asking: connected, but the server has not answered yet. Refused: it does not answer as a world controller.
+enum class WorldState { Off, Connecting, Asking, Ready, Refused };
+
+/// State of the connection, and the known things.
+struct WorldView {
+    WorldState state = WorldState::Off;
+    std::string trouble; ///< a sentence with the remedy; empty while all is well
+    std::vector<WorldThing> things;
+    bool operator==(const WorldView&) const = default;
+};
+
+/// Limits in wall time. Tests shorten them.
+struct WorldSessionLimits {
+    link::LinkLimits link;
+    std::chrono::milliseconds answer{4000}; ///< longest time that a question may stay open
+    std::chrono::milliseconds settle{250};  ///< between questions after a command
+    int settling_questions = 4;             ///< questions after a command, even without polling
+};
+
+/// Runs in a thread of its own, as a RobotSession does; slots are called by queued connection, values leave in signals.
+/// A server answers nothing but GetSTA: an unknown class shows only in a thing that never appears, which is then
+/// reported. One question is open at a time. INIT is sent with UT2004's class name first, and with UDK's on a second
+/// connection. Things that it created may disappear with a lost connection, depending on the server's configuration.
+class WorldSession : public QObject {
+    Q_OBJECT
+public:
+    explicit WorldSession(QObject* parent = nullptr);
+    ~WorldSession() override;
+
+    /// To be called before `open`.
+    void setLimits(const WorldSessionLimits& limits);
+    const WorldView& view() const { return view_; }
+
+public slots:
+    void open(const QString& host, quint16 port);
+    void close();
+    /// Classes that are asked for to find out the kinds of things that others created.
+    void setClasses(const std::vector<std::string>& class_names);
+    /// How often to ask where things are; nullopt: only after commands.
+    void setPolling(std::optional<std::chrono::milliseconds> interval);
+    /// While the simulator is paused it answers nothing, and that is not reported.
+    void setPaused(bool paused);
+    /// Sends one of the commands of world_control.h; without a connection it is only reported.
+    void send(const usar::protocol::Command& command);
+
+signals:
+    void changed(std::shared_ptr<const usar::mission::WorldView> view);
+    void noticed(const usar::mission::Notice& notice);
+
+private:
+    struct Question {
+        std::string class_name; ///< class that is asked about; empty: all things
+        QElapsedTimer since;
+    };
+    /// A thing that was created by a command and has not been seen yet.
+    struct Awaited {
+        std::string class_name;
+        int answers = 0; ///< answers without it so far
+    };
+    struct Sample {
+        qint64 at_ms = 0;
+        Vec3 position_m = Vec3::Zero();
+    };
+
+    void opened();
+    void closed();
+    void takeLine(std::string_view line);
+    void takeThings(const protocol::WorldObjects& objects);
+    void learnKinds();
+    void noteAwaited();
+    Vec3 velocityOf(const std::string& name, const Vec3& position_m);
+    void beat();
+    void ask();
+    void missAnswer();
+    void setState(WorldState state, std::string trouble = {});
+    void tell();
+
+    link::TcpLink link_;
+    QTimer beat_;
+    QElapsedTimer clock_;
+    QElapsedTimer since_asked_;
+    WorldSessionLimits limits_;
+    protocol::Reader reader_;
+    WorldView view_;
+    std::optional<std::chrono::milliseconds> polling_;
+    int questions_left_ = 0;
+    bool paused_ = false;
+    bool ever_answered_ = false; ///< by this server
+    bool silence_said_ = false;
+    protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< dialect in which INIT is sent
+    std::optional<Question> open_question_;
+    std::deque<std::string> classes_to_ask_;
+    std::vector<std::string> classes_;
+    std::map<std::string, std::string> kinds_;       ///< class by name; empty: asked for, but none of ours
+    std::map<std::string, Awaited> awaited_;         ///< by name
+    std::map<std::string, std::deque<Sample>> ways_; ///< positions over the last second, by name
+};
+
+} // namespace usar::mission

@@ -1,0 +1,56 @@
+// The steps that all edits of a plan's text share: read it, change the plan, write it back with its layout kept, and
+// check the result.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/posh/edit/plan_edits.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_writer.h"
+
+namespace usar::posh {
+
+/// Reads a text that is to be edited. Fails if it has an error in characters or grammar, because an edit would lose the
+/// forms that have the errors.
+Result<PlanReading> readForEdit(std::string_view text);
+
+/// Returns the edit, or fails if the new text has more errors of any kind than the old one.
+Result<PlanEdit> checkedEdit(const PlanReading& before, std::string text, const PlanPart& part);
+
+/// Edits a text. `change(Plan&)` changes the plan and returns a Result<PlanPart>: the part to select after the edit.
+template <class Change>
+Result<PlanEdit> changePlan(std::string_view text, Change&& change) {
+    auto before = readForEdit(text);
+    if (!before)
+        return tl::unexpected(before.error());
+    Plan plan = before->plan;
+    const Result<PlanPart> part = change(plan);
+    if (!part)
+        return tl::unexpected(part.error());
+    return checkedEdit(*before, writeKeepingLayout(text, plan), *part);
+}
+
+/// The error for an edit of a part that does not exist.
+inline tl::unexpected<Error> noSuchPart() {
+    return failure("the plan has no such part", "", "choose another one");
+}
+
+/// Returns the call of a sense or an action for changing it. The part must have one.
+inline Call& callIn(Plan& plan, const PlanPart& part) {
+    return const_cast<Call&>(*callOf(plan, part)); // The caller owns the plan and may change it
+}
+
+/// Prepares moving `call` from `form` into a new form. Appends the parameters of `form` that the call uses, with their
+/// defaults, to `needed` (the parameters of the new form), and appends arguments that pass them on to `reference` (the
+/// call of the new form).
+void handOn(const Call& call, const Form& form, Call& reference, std::vector<Formal>& needed);
+
+/// Returns a call without arguments.
+inline Call callNamed(std::string name) {
+    return {{std::move(name), {}}, {}};
+}
+
+} // namespace usar::posh

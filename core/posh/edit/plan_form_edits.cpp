@@ -1,0 +1,387 @@
+// Edits that add, remove and change parts of a plan.
+#include <algorithm>
+
+#include "core/posh/edit/plan_change.h"
+#include "core/posh/edit/plan_phrase.h"
+#include "core/posh/language/form_index.h"
+#include "core/posh/model/literal.h"
+#include "core/posh/model/plan_walk.h"
+
+namespace usar::posh {
+
+namespace {
+
+Call nothingToDo() {
+    return callNamed("doNothing");
+}
+
+SenseTest never() {
+    return {callNamed("fail"), std::nullopt, std::nullopt};
+}
+
+/// Returns the trigger of a member or the goal of a form; nullptr if the part cannot have one.
+Senses* sensesIn(Plan& plan, const PlanPart& owner) {
+    Senses* found = nullptr;
+    std::visit(
+        [&](auto& form) {
+            if constexpr (requires { form.levels; })
+                if (owner.kind == PartKind::Member)
+                    found = &form.levels[owner.level][owner.member].trigger;
+            if constexpr (requires { form.goal; })
+                if (owner.kind == PartKind::Whole)
+                    found = &form.goal;
+        },
+        plan.forms[owner.form]);
+    return found;
+}
+
+std::optional<Literal>* commentIn(Plan& plan, const PlanPart& owner) {
+    std::optional<Literal>* found = nullptr;
+    std::visit(
+        [&](auto& form) {
+            if constexpr (requires { form.levels; })
+                if (owner.kind == PartKind::Member)
+                    found = &form.levels[owner.level][owner.member].comment;
+            if constexpr (requires { form.comment; })
+                if (owner.kind == PartKind::Whole)
+                    found = &form.comment;
+        },
+        plan.forms[owner.form]);
+    return found;
+}
+
+Form madeForm(FormKind kind, const std::string& name, std::vector<Formal> formals, const Call& content) {
+    const Name title{name, {}};
+    switch (kind) {
+    case FormKind::C: {
+        const std::string element = content.name.text.substr(content.name.text.rfind('.') + 1);
+        return Competence{title,
+                          std::move(formals),
+                          std::nullopt,
+                          {},
+                          {{Element{{element, {}}, {}, content, std::nullopt, std::nullopt, Remarks(), {}}}},
+                          std::nullopt,
+                          Remarks(),
+                          {}};
+    }
+    case FormKind::Ap:
+        return Pattern{title, std::move(formals), std::nullopt, {content}, std::nullopt, Remarks(), {}};
+    case FormKind::Ad:
+        return Adopt{title, std::move(formals), {never()}, content, Remarks(), {}};
+    case FormKind::Dc:
+        break;
+    }
+    Collection made;
+    made.name = title;
+    made.levels = {{Drive{{"work", {}}, {}, content, std::nullopt, std::nullopt, Remarks(), {}}}};
+    return made;
+}
+
+/// Returns the index before the collection, so that the new form precedes its caller, or the end if there is none.
+std::size_t placeForNewForm(const Plan& plan) {
+    const auto found = std::find_if(plan.forms.begin(), plan.forms.end(),
+                                    [](const Form& form) { return std::holds_alternative<Collection>(form); });
+    return static_cast<std::size_t>(found - plan.forms.begin());
+}
+
+std::string placesOf(const Plan& plan, const std::vector<PlanPart>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i == 3)
+            return text + ", …";
+        const Spot& at = nameOf(plan, parts[i])->at;
+        text += (text.empty() ? "line " : ", ") + std::to_string(at.line);
+    }
+    return text;
+}
+
+Result<PlanPart> removeForm(Plan& plan, const PlanPart& part) {
+    std::vector<PlanPart> callers = usagesOf(plan, part);
+    std::erase(callers, part);
+    if (!callers.empty())
+        return failure("it is called in " + placesOf(plan, callers), describe(plan, part),
+                       "take the calls away first, or put something else in their place");
+    plan.forms.erase(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form));
+    return formPart(part.form == 0 ? 0 : part.form - 1);
+}
+
+Result<PlanPart> removeMember(Plan& plan, const PlanPart& part) {
+    return std::visit(
+        [&](auto& form) -> Result<PlanPart> {
+            if constexpr (requires { form.levels; }) {
+                auto& level = form.levels[part.level];
+                if (form.levels.size() == 1 && level.size() == 1 && std::is_same_v<decltype(form), Collection&>)
+                    return failure("it is the last drive of the plan", describe(plan, part), "add another one first");
+                level.erase(level.begin() + static_cast<std::ptrdiff_t>(part.member));
+                if (level.empty())
+                    form.levels.erase(form.levels.begin() + static_cast<std::ptrdiff_t>(part.level));
+                return formPart(part.form);
+            } else {
+                return noSuchPart();
+            }
+        },
+        plan.forms[part.form]);
+}
+
+Result<PlanPart> removeStep(Plan& plan, const PlanPart& part) {
+    auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
+    if (steps.size() == 1)
+        return failure("it is the last step of its pattern", describe(plan, part), "add another one first");
+    steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(part.index));
+    return formPart(part.form);
+}
+
+Result<PlanPart> removeFrom(Plan& plan, const PlanPart& part) {
+    if (!nameOf(plan, part))
+        return noSuchPart();
+    if (isStep(plan, part))
+        return removeStep(plan, part);
+    if (part.kind == PartKind::Whole)
+        return removeForm(plan, part);
+    if (part.kind == PartKind::Member)
+        return removeMember(plan, part);
+    if (part.kind == PartKind::Action) {
+        callIn(plan, part) = nothingToDo();
+        return part;
+    }
+    Senses& senses = *sensesIn(plan, ownerOf(part));
+    senses.erase(senses.begin() + static_cast<std::ptrdiff_t>(part.index));
+    return ownerOf(part);
+}
+
+/// Returns a copy that is not in the text yet and has no comments; those belong to the original.
+template <class Kind>
+Kind copyNamed(const Kind& original, std::string name) {
+    Kind copy = original;
+    copy.name = {std::move(name), {}};
+    copy.remarks = {};
+    copy.at = {};
+    return copy;
+}
+
+Result<PlanPart> duplicateIn(Plan& plan, const PlanPart& part) {
+    if (!nameOf(plan, part))
+        return noSuchPart();
+    Form& form = plan.forms[part.form];
+    if (isStep(plan, part)) {
+        auto& steps = std::get<Pattern>(form).steps;
+        steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), Step(steps[part.index]));
+        PlanPart copy = part;
+        ++copy.index;
+        return copy;
+    }
+    if (part.kind == PartKind::Whole) {
+        if (std::holds_alternative<Collection>(form))
+            return failure("a plan has one drive collection only", describe(plan, part), "duplicate a drive");
+        const std::string name = freeFormName(plan, nameOf(form).text);
+        Form copy = std::visit([&name](const auto& any) -> Form { return copyNamed(any, name); }, form);
+        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form + 1), std::move(copy));
+        return formPart(part.form + 1);
+    }
+    if (part.kind != PartKind::Member)
+        return failure("only forms, drives, elements and steps can be duplicated", describe(plan, part));
+    const std::string name = freeMemberName(form, nameOf(plan, part)->text);
+    std::visit(
+        [&](auto& any) {
+            if constexpr (requires { any.levels; }) {
+                const auto copy = copyNamed(any.levels[part.level][part.member], name);
+                any.levels.insert(any.levels.begin() + static_cast<std::ptrdiff_t>(part.level + 1), {copy});
+            }
+        },
+        form);
+    return memberPart(part.form, part.level + 1, 0);
+}
+
+Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words) {
+    Form& form = plan.forms[owner.form];
+    const bool is_member = owner.kind == PartKind::Member;
+    if (auto* const competence = std::get_if<Competence>(&form); competence && is_member) {
+        auto retries = readRetriesPhrase(words);
+        if (!retries)
+            return tl::unexpected(retries.error());
+        competence->levels[owner.level][owner.member].retries = *std::move(retries);
+        return owner;
+    }
+    auto interval = readIntervalPhrase(words, is_member);
+    if (!interval)
+        return tl::unexpected(interval.error());
+    if (auto* const collection = std::get_if<Collection>(&form); collection && is_member)
+        collection->levels[owner.level][owner.member].frequency = *std::move(interval);
+    else if (auto* const competence = std::get_if<Competence>(&form))
+        competence->time_limit = *std::move(interval);
+    else if (auto* const pattern = std::get_if<Pattern>(&form))
+        pattern->time_limit = *std::move(interval);
+    else
+        return failure("it can have no limit", describe(plan, owner));
+    return owner;
+}
+
+/// Returns the steps that can replace a call of the form; nullopt if that would change the meaning of the plan.
+std::optional<std::vector<Step>> contentOf(const Form& form) {
+    if (!formalsOf(form).empty())
+        return std::nullopt;
+    if (const auto* const pattern = std::get_if<Pattern>(&form); pattern && !pattern->time_limit)
+        return pattern->steps;
+    const auto* const competence = std::get_if<Competence>(&form);
+    if (!competence || competence->time_limit || !competence->goal.empty() || competence->levels.size() != 1 ||
+        competence->levels[0].size() != 1)
+        return std::nullopt;
+    const Element& only = competence->levels[0][0];
+    return only.trigger.empty() && !only.retries ? std::optional(std::vector<Step>{only.action}) : std::nullopt;
+}
+
+bool hasRemarks(const Form& form) {
+    const Remarks& remarks = remarksOf(form);
+    const auto saysSomething = [](const std::string& line) { return !line.empty(); };
+    return !remarks.beside.empty() || std::any_of(remarks.above.begin(), remarks.above.end(), saysSomething) ||
+           std::visit(
+               [](const auto& any) {
+                   if constexpr (requires { any.comment; })
+                       return any.comment.has_value();
+                   return false;
+               },
+               form);
+}
+
+Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
+    const Call* const call = part.kind == PartKind::Action ? callOf(plan, part) : nullptr;
+    const auto target = call ? FormIndex(plan).find(call->name.text) : std::nullopt;
+    if (!target || *target == part.form)
+        return noSuchPart();
+    const auto content = contentOf(plan.forms[*target]);
+    const bool is_step = isStep(plan, part);
+    const bool fits = content && (is_step || (content->size() == 1 && std::holds_alternative<Call>(content->front())));
+    if (!fits)
+        return failure("it does more than can stand here", describe(plan, formPart(*target)),
+                       "only a pattern in a pattern, or a form that does one thing, can be put in place of its call");
+    const bool is_last_call = usagesOf(plan, part).size() == 2;
+    PlanPart result = part;
+    if (is_step) {
+        auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
+        steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(part.index));
+        steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), content->begin(), content->end());
+        if (std::holds_alternative<SenseTest>(content->front()))
+            result.kind = PartKind::Sense;
+    } else {
+        callIn(plan, part) = std::get<Call>(content->front());
+    }
+    if (!is_last_call || hasRemarks(plan.forms[*target]))
+        return result;
+    plan.forms.erase(plan.forms.begin() + static_cast<std::ptrdiff_t>(*target));
+    result.form -= *target < part.form ? 1 : 0;
+    return result;
+}
+
+} // namespace
+
+Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const SenseTest& test) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        Senses* const senses = nameOf(plan, owner) ? sensesIn(plan, owner) : nullptr;
+        if (!senses)
+            return failure("it asks no senses", describe(plan, owner),
+                           "choose a drive, an element or a form with a goal");
+        senses->push_back(test);
+        PlanPart part = owner;
+        part.in_member = owner.kind == PartKind::Member;
+        part.kind = PartKind::Sense;
+        part.index = senses->size() - 1;
+        return part;
+    });
+}
+
+Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string& name, const Call& content) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (const auto good = checkNewName(name); !good)
+            return tl::unexpected(good.error());
+        const bool is_collection = kind == FormKind::Dc;
+        if (is_collection && collectionOf(plan))
+            return failure("a plan has one drive collection only", inQuotes(name), "add a drive to it");
+        if (!is_collection && freeFormName(plan, name) != name)
+            return failure("the plan uses this name already", inQuotes(name), "choose another name");
+        const std::size_t place = placeForNewForm(plan);
+        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(place), madeForm(kind, name, {}, content));
+        return formPart(place);
+    });
+}
+
+Result<PlanEdit> duplicatePart(std::string_view text, const PlanPart& part) {
+    return changePlan(text, [&](Plan& plan) { return duplicateIn(plan, part); });
+}
+
+Result<PlanEdit> removePart(std::string_view text, const PlanPart& part) {
+    return changePlan(text, [&](Plan& plan) { return removeFrom(plan, part); });
+}
+
+Result<PlanEdit> replaceCall(std::string_view text, const PlanPart& part, const Call& call) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (part.kind != PartKind::Action || !callOf(plan, part))
+            return noSuchPart();
+        callIn(plan, part) = call;
+        return part;
+    });
+}
+
+Result<PlanEdit> replaceSense(std::string_view text, const PlanPart& part, const SenseTest& test) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (!senseOf(plan, part))
+            return noSuchPart();
+        const_cast<SenseTest&>(*senseOf(plan, part)) = test;
+        return part;
+    });
+}
+
+Result<PlanEdit> setSenses(std::string_view text, const PlanPart& owner, const Senses& senses) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        Senses* const old = nameOf(plan, owner) ? sensesIn(plan, owner) : nullptr;
+        if (!old)
+            return noSuchPart();
+        *old = senses;
+        return owner;
+    });
+}
+
+Result<PlanEdit> setLimit(std::string_view text, const PlanPart& owner, std::string_view words) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (!nameOf(plan, owner))
+            return noSuchPart();
+        return limit(plan, owner, words);
+    });
+}
+
+Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::string_view words) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        std::optional<Literal>* const comment = nameOf(plan, owner) ? commentIn(plan, owner) : nullptr;
+        if (!comment)
+            return failure("it can have no comment", describe(plan, owner), "write ; and the comment in the text");
+        *comment = words.empty() ? std::nullopt : std::optional(Literal{std::string(words), quoted(words), {}});
+        return owner;
+    });
+}
+
+Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind kind, std::string name) {
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        const bool is_member = part.kind == PartKind::Member;
+        const PlanPart place = is_member ? actionPart(part.form, part.level, part.member) : part;
+        if (place.kind != PartKind::Action || !callOf(plan, place) || kind == FormKind::Dc)
+            return noSuchPart();
+        Call& call = callIn(plan, place);
+        constexpr const char* beginnings[] = {"choose-", "do-", "keep-"};
+        const std::string own = call.name.text.substr(call.name.text.rfind('.') + 1);
+        name = freeFormName(plan, name.empty() ? beginnings[static_cast<int>(kind)] + own : name);
+        if (const auto good = checkNewName(name); !good)
+            return tl::unexpected(good.error());
+        Call reference = callNamed(name);
+        std::vector<Formal> formals;
+        handOn(call, plan.forms[part.form], reference, formals);
+        Form made = madeForm(kind, name, std::move(formals), call);
+        call = std::move(reference);
+        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form), std::move(made));
+        return formPart(part.form);
+    });
+}
+
+Result<PlanEdit> inlineCall(std::string_view text, const PlanPart& part) {
+    return changePlan(text, [&](Plan& plan) { return inlineIn(plan, part); });
+}
+
+} // namespace usar::posh

@@ -1,0 +1,232 @@
+#include "core/posh/edit/plan_part.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "core/posh/language/form_index.h"
+#include "core/posh/model/finding.h"
+#include "core/posh/model/plan_walk.h"
+
+namespace usar::posh {
+
+namespace {
+
+bool holds(const Spot& spot, std::size_t offset) {
+    return spot.offset <= offset && offset <= std::size_t{spot.offset} + spot.length;
+}
+
+class Lister {
+public:
+    explicit Lister(std::vector<NamedPart>& found) : found_(found) {}
+
+    void run(const Plan& plan) {
+        for (form_ = 0; form_ < plan.forms.size(); ++form_)
+            std::visit([this](const auto& any) { list(any); }, plan.forms[form_]);
+    }
+
+private:
+    template <class Any>
+    void list(const Any& form) {
+        found_.push_back({formPart(form_), &form.name, &form.at});
+        if constexpr (requires { form.goal; })
+            senses(form.goal, {PartKind::Sense, form_});
+        if constexpr (requires { form.levels; })
+            levels(form.levels);
+        if constexpr (requires { form.adopted; })
+            found_.push_back({{PartKind::Action, form_}, &form.adopted.name});
+        if constexpr (requires { form.steps; })
+            for (std::size_t i = 0; i < form.steps.size(); ++i) {
+                const auto* const test = std::get_if<SenseTest>(&form.steps[i]);
+                const Call& call = test ? test->call : std::get<Call>(form.steps[i]);
+                found_.push_back({{test ? PartKind::Sense : PartKind::Action, form_, 0, 0, i}, &call.name});
+            }
+    }
+
+    template <class Levels>
+    void levels(const Levels& levels) {
+        for (std::size_t level = 0; level < levels.size(); ++level)
+            for (std::size_t i = 0; i < levels[level].size(); ++i) {
+                const auto& member = levels[level][i];
+                found_.push_back({memberPart(form_, level, i), &member.name, &member.at});
+                senses(member.trigger, {PartKind::Sense, form_, level, i, 0, true});
+                found_.push_back({actionPart(form_, level, i), &member.action.name});
+            }
+    }
+
+    void senses(const Senses& tests, PlanPart part) {
+        for (part.index = 0; part.index < tests.size(); ++part.index)
+            found_.push_back({part, &tests[part.index].call.name});
+    }
+
+    std::vector<NamedPart>& found_;
+    std::size_t form_ = 0;
+};
+
+/// Calls `use` with the member of a part; returns false if the plan has no such member.
+template <class Use>
+bool withMember(const Plan& plan, const PlanPart& part, Use&& use) {
+    if (part.form >= plan.forms.size())
+        return false;
+    return std::visit(
+        [&](const auto& form) {
+            if constexpr (requires { form.levels; }) {
+                if (part.level < form.levels.size() && part.member < form.levels[part.level].size())
+                    return use(form.levels[part.level][part.member]), true;
+            }
+            return false;
+        },
+        plan.forms[part.form]);
+}
+
+const SenseTest* at(const Senses& senses, std::size_t index) {
+    return index < senses.size() ? &senses[index] : nullptr;
+}
+
+std::string freeName(const std::string& wanted, const std::unordered_set<std::string_view>& taken) {
+    std::string name = wanted;
+    for (int number = 2; taken.contains(name); ++number)
+        name = wanted + '-' + std::to_string(number);
+    return name;
+}
+
+} // namespace
+
+PlanPart ownerOf(const PlanPart& part) {
+    return part.in_member ? memberPart(part.form, part.level, part.member) : formPart(part.form);
+}
+
+std::vector<NamedPart> partsOf(const Plan& plan) {
+    std::vector<NamedPart> found;
+    Lister(found).run(plan);
+    return found;
+}
+
+std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset) {
+    std::optional<PlanPart> around;
+    for (const NamedPart& candidate : partsOf(plan)) {
+        if (holds(candidate.name->at, offset) && candidate.name->at.line > 0)
+            return candidate.part;
+        if (candidate.whole && candidate.whole->line > 0 && holds(*candidate.whole, offset))
+            around = candidate.part; // A member comes after its form, so the innermost part is last
+    }
+    return around;
+}
+
+const SenseTest* senseOf(const Plan& plan, const PlanPart& part) {
+    if (part.kind != PartKind::Sense || part.form >= plan.forms.size())
+        return nullptr;
+    const SenseTest* found = nullptr;
+    if (part.in_member) {
+        withMember(plan, part, [&](const auto& member) { found = at(member.trigger, part.index); });
+        return found;
+    }
+    std::visit(
+        [&](const auto& form) {
+            if constexpr (requires { form.goal; })
+                found = at(form.goal, part.index);
+            if constexpr (requires { form.steps; })
+                found = part.index < form.steps.size() ? std::get_if<SenseTest>(&form.steps[part.index]) : nullptr;
+        },
+        plan.forms[part.form]);
+    return found;
+}
+
+const Call* callOf(const Plan& plan, const PlanPart& part) {
+    if (part.kind == PartKind::Sense) {
+        const SenseTest* const test = senseOf(plan, part);
+        return test ? &test->call : nullptr;
+    }
+    if (part.kind != PartKind::Action || part.form >= plan.forms.size())
+        return nullptr;
+    const Call* found = nullptr;
+    if (part.in_member) {
+        withMember(plan, part, [&found](const auto& member) { found = &member.action; });
+        return found;
+    }
+    std::visit(
+        [&](const auto& form) {
+            if constexpr (requires { form.adopted; })
+                found = &form.adopted;
+            if constexpr (requires { form.steps; })
+                found = part.index < form.steps.size() ? std::get_if<Call>(&form.steps[part.index]) : nullptr;
+        },
+        plan.forms[part.form]);
+    return found;
+}
+
+const Name* nameOf(const Plan& plan, const PlanPart& part) {
+    if (part.form >= plan.forms.size())
+        return nullptr;
+    if (part.kind == PartKind::Whole)
+        return &nameOf(plan.forms[part.form]);
+    if (part.kind == PartKind::Member) {
+        const Name* found = nullptr;
+        withMember(plan, part, [&found](const auto& member) { found = &member.name; });
+        return found;
+    }
+    const Call* const call = callOf(plan, part);
+    return call ? &call->name : nullptr;
+}
+
+bool isStep(const Plan& plan, const PlanPart& part) {
+    return callOf(plan, part) && !part.in_member && std::holds_alternative<Pattern>(plan.forms[part.form]);
+}
+
+std::vector<PlanPart> usagesOf(const Plan& plan, const PlanPart& part) {
+    const Name* const name = nameOf(plan, part);
+    if (!name)
+        return {};
+    const FormIndex index(plan);
+    const std::optional<std::size_t> form = part.kind == PartKind::Whole    ? part.form
+                                            : part.kind == PartKind::Action ? index.find(name->text)
+                                                                            : std::nullopt;
+    const bool is_called = form && index.find(name->text) == form;
+    if (part.kind == PartKind::Member || (form && !is_called))
+        return {part};
+    std::vector<PlanPart> found;
+    for (const NamedPart& candidate : partsOf(plan)) {
+        const bool is_the_form = form && candidate.part == formPart(*form);
+        const PartKind wanted = part.kind == PartKind::Sense ? PartKind::Sense : PartKind::Action;
+        if (is_the_form || (candidate.part.kind == wanted && candidate.name->text == name->text))
+            found.push_back(candidate.part);
+    }
+    return found;
+}
+
+std::string freeFormName(const Plan& plan, const std::string& wanted) {
+    std::unordered_set<std::string_view> taken;
+    for (const Form& form : plan.forms) {
+        taken.insert(nameOf(form).text);
+        forEachCall(form, [&taken](const Call& call, bool) { taken.insert(call.name.text); });
+    }
+    return freeName(wanted, taken);
+}
+
+std::string freeMemberName(const Form& form, const std::string& wanted) {
+    std::unordered_set<std::string_view> taken;
+    std::visit(
+        [&taken](const auto& any) {
+            if constexpr (requires { any.levels; })
+                for (const auto& level : any.levels)
+                    for (const auto& member : level)
+                        taken.insert(member.name.text);
+        },
+        form);
+    return freeName(wanted, taken);
+}
+
+std::string describe(const Plan& plan, const PlanPart& part) {
+    const Name* const name = nameOf(plan, part);
+    if (!name)
+        return "a part that the plan has not";
+    const Form& form = plan.forms[part.form];
+    constexpr const char* forms[] = {"competence ", "pattern ", "adopt ", "collection "};
+    const std::string what = part.kind == PartKind::Whole               ? forms[form.index()]
+                             : part.kind == PartKind::Sense             ? "sense "
+                             : part.kind == PartKind::Action            ? "act "
+                             : std::holds_alternative<Collection>(form) ? "drive "
+                                                                        : "element ";
+    return "the " + what + inQuotes(name->text);
+}
+
+} // namespace usar::posh

@@ -1,0 +1,183 @@
+#include "core/posh/edit/plan_phrase.h"
+
+#include <string>
+
+#include "core/base/text.h"
+#include "core/posh/language/plan_reader.h"
+#include "core/posh/language/plan_text.h"
+#include "core/posh/language/token.h"
+#include "core/posh/model/keyword.h"
+
+namespace usar::posh {
+
+namespace {
+
+/// Reads a phrase inside the text of a plan. Fails if the plan then has errors or more than one element or drive.
+Result<Plan> readAround(std::string_view words, std::string_view before, std::string_view after) {
+    const std::string text = std::string(before) + std::string(words) + "\n" + std::string(after);
+    PlanReading reading = readPlan(text);
+    for (const Finding& finding : reading.findings)
+        if (severityOf(finding.code) == Severity::Error && finding.code != Code::FreeVariable)
+            return failure(finding.message, inQuotes(words));
+    const bool is_one =
+        reading.plan.forms.size() == 1 && std::visit(
+                                              [](const auto& form) {
+                                                  if constexpr (requires { form.levels; })
+                                                      return form.levels.size() == 1 && form.levels[0].size() == 1;
+                                                  return false;
+                                              },
+                                              reading.plan.forms[0]);
+    if (!is_one || !reading.plan.remarks.above.empty())
+        return failure("this is more than one part", inQuotes(words), "write one only");
+    return std::move(reading.plan);
+}
+
+Result<Element> readElementAround(std::string_view words, std::string_view before, std::string_view after) {
+    auto plan = readAround(words, "((C c (elements ((e " + std::string(before), std::string(after) + ")))))");
+    if (!plan)
+        return tl::unexpected(plan.error());
+    Element element = std::get<Competence>(plan->forms[0]).levels[0][0];
+    if (element.name.text != "e" || !element.remarks.beside.empty() || !element.remarks.above.empty())
+        return failure("a comment cannot stand here", inQuotes(words), "write it in the text");
+    return element;
+}
+
+Result<void> checkName(std::string_view name, bool dots_allowed) {
+    const TokenList list = tokenize(name.substr(0, 200));
+    const bool is_one =
+        list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
+    const bool has_dot = name.find('.') != std::string_view::npos;
+    if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
+        return failure("this is no name", inQuotes(name),
+                       "begin with a letter and write letters, digits, - and _ only");
+    if (keywordOf(name) != Keyword::None)
+        return failure("this is a word of the language", inQuotes(name), "choose another name");
+    return {};
+}
+
+} // namespace
+
+Result<SenseTest> readSensePhrase(std::string_view words) {
+    words = trimmed(words);
+    const bool has_parentheses = words.starts_with('(');
+    auto element =
+        readElementAround(words, has_parentheses ? "(trigger (" : "(trigger ((", has_parentheses ? ")) x" : "))) x");
+    if (!element)
+        return tl::unexpected(element.error());
+    if (element->trigger.size() != 1 || element->action.name.text != "x")
+        return failure("this is not one sense", inQuotes(words), "write it as Distance 0.3 <");
+    return std::move(element->trigger.front());
+}
+
+Result<Senses> readSensesPhrase(std::string_view words) {
+    words = trimmed(words);
+    if (words.empty() || words == "nil")
+        return Senses();
+    if (!words.starts_with('(')) {
+        auto one = readSensePhrase(words);
+        if (one)
+            return Senses{*std::move(one)};
+    }
+    const bool is_list = words.starts_with("((") && words.ends_with("))");
+    auto element = readElementAround(words, is_list ? "(trigger " : "(trigger (", is_list ? ") x" : ")) x");
+    if (!element)
+        return tl::unexpected(element.error());
+    if (element->action.name.text != "x")
+        return failure("this is more than senses", inQuotes(words), "write them as (Distance 0.3 <) (Loaded false)");
+    return std::move(element->trigger);
+}
+
+Result<Call> readCallPhrase(std::string_view words) {
+    words = trimmed(words);
+    auto element = readElementAround(words, "nil ", "");
+    if (!element)
+        return tl::unexpected(element.error());
+    if (element->retries || element->comment || !element->trigger.empty())
+        return failure("this is more than an act", inQuotes(words), "write it as DriveTo(2.5)");
+    return std::move(element->action);
+}
+
+Result<std::optional<Literal>> readRetriesPhrase(std::string_view words) {
+    words = trimmed(words);
+    if (words.empty())
+        return std::nullopt;
+    auto element = readElementAround(words, "x ", "");
+    if (!element)
+        return tl::unexpected(element.error());
+    if (!element->retries || element->comment || element->action.name.text != "x" || !element->action.arguments.empty())
+        return failure("this is no whole number", inQuotes(words), "write how often it may start, as 3");
+    return std::move(element->retries);
+}
+
+Result<std::optional<Interval>> readIntervalPhrase(std::string_view words, bool rates_allowed) {
+    words = trimmed(words);
+    if (words.empty())
+        return std::nullopt;
+    const bool has_parentheses = words.starts_with('(');
+    const std::string open = has_parentheses ? "" : "(";
+    const std::string close = has_parentheses ? "" : ")";
+    auto plan = rates_allowed ? readAround(words, "((DC d (drives ((e x " + open, close + ")))))")
+                              : readAround(words, "((C c " + open, close + "(elements ((e x)))))");
+    if (!plan)
+        return tl::unexpected(plan.error());
+    std::optional<Interval> found;
+    if (rates_allowed)
+        found = std::get<Collection>(plan->forms[0]).levels[0][0].frequency;
+    else
+        found = std::get<Competence>(plan->forms[0]).time_limit;
+    if (!found || !nameOf(plan->forms[0]).text.starts_with(rates_allowed ? 'd' : 'c'))
+        return failure("this is no time", inQuotes(words),
+                       rates_allowed ? "write seconds 2 or hz 5" : "write seconds 2");
+    return found;
+}
+
+std::string phraseOf(const SenseTest& test) {
+    std::string text;
+    appendTest(text, test);
+    return text.substr(1, text.size() - 2);
+}
+
+std::string sensesPhrase(const Plan& plan, const PlanPart& owner) {
+    std::string text;
+    for (const NamedPart& named : partsOf(plan)) {
+        const SenseTest* const test = isStep(plan, named.part) ? nullptr : senseOf(plan, named.part);
+        if (!test || ownerOf(named.part) != owner)
+            continue;
+        text += text.empty() ? "" : " ";
+        appendTest(text, *test);
+    }
+    return text;
+}
+
+std::string limitPhrase(const Plan& plan, const PlanPart& owner) {
+    std::string text;
+    if (!nameOf(plan, owner))
+        return text;
+    std::visit(
+        [&](const auto& form) {
+            if (owner.kind == PartKind::Member) {
+                if constexpr (requires { form.levels; }) {
+                    const auto& member = form.levels[owner.level][owner.member];
+                    if constexpr (requires { member.frequency; })
+                        appendInterval(text, member.frequency);
+                    else if (member.retries)
+                        appendLiteral(text, *member.retries);
+                }
+            } else if constexpr (requires { form.time_limit; }) {
+                appendInterval(text, form.time_limit);
+            }
+        },
+        plan.forms[owner.form]);
+    const bool has_parentheses = text.starts_with(" (");
+    return has_parentheses ? text.substr(2, text.size() - 3) : text;
+}
+
+Result<void> checkNewName(std::string_view name) {
+    return checkName(name, false);
+}
+
+Result<void> checkPrimitiveName(std::string_view name) {
+    return checkName(name, true);
+}
+
+} // namespace usar::posh

@@ -1,0 +1,56 @@
+// An index of a plan: its competences, patterns and adopts by name, their calls, and the variables in use.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "core/posh/model/number_table.h"
+#include "core/posh/model/plan.h"
+
+namespace usar::posh {
+
+/// A call of a competence, pattern or adopt.
+struct Reference {
+    const Call* call = nullptr;
+    std::size_t form = 0;   ///< the form that contains the call, as an index in Plan::forms
+    std::size_t target = 0; ///< the form that is called, as an index in Plan::forms
+};
+
+/// A variable among the arguments of a call.
+struct VariableUse {
+    const Variable* variable = nullptr;
+    std::size_t form = 0; ///< the form that contains it, as an index in Plan::forms
+};
+
+/// The plan must outlive the index and must not change meanwhile. If two forms have the same name, the first one
+/// counts.
+class FormIndex {
+public:
+    explicit FormIndex(const Plan& plan);
+
+    /// Returns an index in Plan::forms; nullopt for the name of a primitive or of the collection.
+    std::optional<std::size_t> find(std::string_view name) const;
+    /// All calls of forms, in the order of the text.
+    const std::vector<Reference>& references() const { return references_; }
+    /// All uses of variables, declared or not, in the order of the text.
+    const std::vector<VariableUse>& variables() const { return variables_; }
+    /// Returns whether the form has a parameter of that name (without the dollar sign).
+    bool declares(std::size_t form, std::string_view parameter) const { return formals_[form].contains(parameter); }
+    const std::unordered_set<std::string_view>& formals(std::size_t form) const { return formals_[form]; }
+
+private:
+    auto nameOfForm() const {
+        return [this](std::size_t form) -> const std::string& { return nameOf(plan_->forms[form]).text; };
+    }
+
+    const Plan* plan_;
+    NumberTable forms_;
+    std::vector<std::unordered_set<std::string_view>> formals_;
+    std::vector<Reference> references_;
+    std::vector<VariableUse> variables_;
+};
+
+} // namespace usar::posh

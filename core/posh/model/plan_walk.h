@@ -1,0 +1,44 @@
+// Visits every call of a form, in the order of the text.
+#pragma once
+
+#include <variant>
+
+#include "core/posh/model/plan.h"
+
+namespace usar::posh {
+
+/// Calls `visit(call, is_sense)` for each call of a form: the senses of goals, triggers and steps, and the actions of
+/// drives, elements, steps and adopts. `AnyForm` may be const; the calls are then const, too.
+template <class AnyForm, class Visit>
+void forEachCall(AnyForm& form, Visit&& visit) {
+    const auto visitSenses = [&visit](auto& senses) {
+        for (auto& test : senses)
+            visit(test.call, true);
+    };
+    const auto visitLevels = [&visit, &visitSenses](auto& levels) {
+        for (auto& level : levels)
+            for (auto& member : level) {
+                visitSenses(member.trigger);
+                visit(member.action, false);
+            }
+    };
+    std::visit(
+        [&](auto& any) {
+            if constexpr (requires { any.goal; })
+                visitSenses(any.goal);
+            if constexpr (requires { any.levels; })
+                visitLevels(any.levels);
+            if constexpr (requires { any.adopted; })
+                visit(any.adopted, false);
+            if constexpr (requires { any.steps; })
+                for (auto& step : any.steps) {
+                    if (auto* const test = std::get_if<SenseTest>(&step))
+                        visit(test->call, true);
+                    else
+                        visit(std::get<Call>(step), false);
+                }
+        },
+        form);
+}
+
+} // namespace usar::posh

@@ -1,0 +1,72 @@
+// One step of a drive: from its innermost open form down to an act, and back up after success or failure.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/posh/run/current_act.h"
+#include "core/posh/run/drive_states.h"
+#include "core/posh/run/engagements.h"
+#include "core/posh/run/sense_memo.h"
+
+namespace usar::posh {
+
+/// Executes the forms of a drive on the drive's own stack, without recursion. A step first checks the goals and time
+/// limits of the open forms, then continues in the innermost one until an act has run or the step is over.
+class Descent {
+public:
+    /// All of these must outlive the Descent.
+    struct Parts {
+        const Tracer& tracer;
+        SenseMemo& senses;
+        DriveStates& drives;
+        Engagements& engagements;
+        CurrentAct& act;
+    };
+    explicit Descent(const Parts& parts) : parts_(parts) {}
+
+    void load(const Program& program);
+    /// Switches to a program of the same shape and keeps the state of the open forms.
+    void retune(const Program& program) { program_ = &program; }
+    /// Runs one step of a drive, which must be in progress. Returns the result of the act that it ran, or nullopt if it
+    /// ran none.
+    std::optional<ActResult> step(Index drive);
+
+private:
+    enum class Next { GoOn, Over }; ///< whether the step continues
+    struct Frame {
+        Milliseconds pushed{0}; ///< time at which a pattern was entered
+        Index next_step = 0;    ///< a pattern's next step, as an index in Program::steps
+    };
+
+    Next checkFrames();
+    bool goalHolds(Index form);
+    bool timeIsUp(Index form);
+    Next reachGoal(std::size_t depth);
+    Next timeOut(std::size_t depth);
+    void leave(std::size_t depth);
+
+    Next advance();
+    Next advancePattern(Index form);
+    Next advanceCompetence(Index form);
+    /// Returns the first ready element of a competence, or `nowhere`.
+    Index select(Index form);
+    bool continues(const ProgramElement& element) const;
+    Next enter(const Target& target);
+    Next enterForm(Index form);
+    Next runAct(Index act);
+
+    Next succeed();
+    Next fail();
+    void push(Index form);
+    PlaceKind top() const;
+
+    const Parts parts_;
+    const Program* program_ = nullptr;
+    std::vector<Frame> frames_; ///< indexed by form
+    Index drive_ = nowhere;     ///< the drive of the current step
+    DriveState* state_ = nullptr;
+    std::optional<ActResult> result_;
+};
+
+} // namespace usar::posh

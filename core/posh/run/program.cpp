@@ -1,0 +1,126 @@
+#include "core/posh/run/program.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace usar::posh {
+
+namespace {
+
+std::string_view segmentOf(PlaceKind kind) {
+    switch (kind) {
+    case PlaceKind::Collection:
+        return "/DC:";
+    case PlaceKind::Drive:
+        return "/DE:";
+    case PlaceKind::Competence:
+        return "/C:";
+    case PlaceKind::Pattern:
+        return "/AP:";
+    case PlaceKind::Adopt:
+        return "/AD:";
+    case PlaceKind::Element:
+        return "/CE:";
+    case PlaceKind::Act:
+    case PlaceKind::SenseStep:
+        return "/A:";
+    case PlaceKind::Sense:
+        break;
+    }
+    return "/S:";
+}
+
+bool isForm(PlaceKind kind) {
+    return kind == PlaceKind::Competence || kind == PlaceKind::Pattern || kind == PlaceKind::Adopt;
+}
+
+bool alike(const Place& a, const Place& b) {
+    return a.kind == b.kind && a.parent == b.parent && a.item == b.item && a.position == b.position &&
+           a.reference == b.reference;
+}
+
+bool alike(const ProgramCall& a, const ProgramCall& b) {
+    return a.name == b.name && a.arguments == b.arguments;
+}
+
+bool alike(const ProgramTest& a, const ProgramTest& b) {
+    return a.place == b.place && a.call == b.call;
+}
+
+bool alike(const ProgramDrive& a, const ProgramDrive& b) {
+    return a.place == b.place && a.level == b.level && a.trigger == b.trigger && a.forms == b.forms &&
+           a.target == b.target;
+}
+
+bool alike(const ProgramForm& a, const ProgramForm& b) {
+    return a.kind == b.kind && a.place == b.place && a.parent == b.parent && a.below_end == b.below_end &&
+           a.goal == b.goal && a.items == b.items;
+}
+
+bool alike(const ProgramElement& a, const ProgramElement& b) {
+    return a.place == b.place && a.trigger == b.trigger && a.target == b.target;
+}
+
+template <class Item>
+bool alike(const std::vector<Item>& a, const std::vector<Item>& b) {
+    return std::ranges::equal(a, b, [](const Item& one, const Item& other) { return alike(one, other); });
+}
+
+} // namespace
+
+std::string pathOf(const Program& program, Index place) {
+    std::vector<Index> way;
+    for (Index at = place; at != nowhere; at = program.places[at].parent)
+        way.push_back(at);
+    std::string path = "/P:0";
+    for (const Index at : std::vector<Index>(way.rbegin(), way.rend())) {
+        const Place& here = program.places[at];
+        if (isForm(here.kind))
+            path.append("/A:") += std::to_string(here.reference);
+        path.append(segmentOf(here.kind)) += std::to_string(here.position);
+    }
+    return path;
+}
+
+std::string namePathOf(const Program& program, Index place) {
+    std::string path;
+    for (Index at = place; at != nowhere; at = program.places[at].parent)
+        path = nameOf(program, at) + (path.empty() ? "" : " ▸ ") + path;
+    return path;
+}
+
+Index findPlace(const Program& program, std::string_view path, std::string_view names) {
+    Index same_names = nowhere;
+    for (Index place = 0; place < program.places.size(); ++place) {
+        if (namePathOf(program, place) != names)
+            continue;
+        if (pathOf(program, place) == path)
+            return place;
+        if (same_names == nowhere)
+            same_names = place;
+    }
+    return same_names;
+}
+
+bool sameShape(const Program& one, const Program& other) {
+    return one.goal == other.goal && alike(one.places, other.places) && alike(one.sense_calls, other.sense_calls) &&
+           alike(one.act_calls, other.act_calls) && alike(one.tests, other.tests) && one.acts == other.acts &&
+           one.levels == other.levels && alike(one.drives, other.drives) && alike(one.forms, other.forms) &&
+           alike(one.elements, other.elements) && one.steps == other.steps;
+}
+
+const std::string& nameOf(const Program& program, Index place) {
+    return program.names[program.places[place].name];
+}
+
+const std::string& callTextAt(const Program& program, Index place) {
+    static const std::string none;
+    const Place& here = program.places[place];
+    if (here.kind == PlaceKind::Act)
+        return program.act_calls[program.acts[here.item].call].text;
+    if (here.kind == PlaceKind::Sense || here.kind == PlaceKind::SenseStep)
+        return program.sense_calls[program.tests[here.item].call].text;
+    return none;
+}
+
+} // namespace usar::posh

@@ -1,0 +1,165 @@
+// A compiled plan: all places that a run can reach, with references expanded, in flat arrays.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/posh/model/plan.h"
+
+namespace usar::posh {
+
+/// A position in one of a program's arrays; `nowhere` stands for none.
+using Index = std::uint32_t;
+constexpr Index nowhere = std::numeric_limits<Index>::max();
+
+/// A half-open range of indices.
+struct Range {
+    Index first = 0;
+    Index end = 0; ///< one past the last
+    bool empty() const { return first == end; }
+    bool contains(Index index) const { return index >= first && index < end; }
+    bool operator==(const Range&) const = default;
+};
+
+enum class PlaceKind : std::uint8_t { Collection, Drive, Competence, Pattern, Adopt, Element, Act, SenseStep, Sense };
+
+/// A node of the expanded plan. Traces, breakpoints and views refer to it by its index in Program::places. A form that
+/// is reached in two ways has two places.
+struct Place {
+    PlaceKind kind = PlaceKind::Collection;
+    Index parent = nowhere; ///< index in Program::places; `nowhere` for the collection
+    Index name = 0;         ///< index in Program::names
+    Index item = 0;         ///< index in the array of its kind: drives, forms, elements, acts or tests
+    Index position = 0;     ///< the last number of its path
+    Index reference = 0;    ///< for a competence, pattern or adopt: the number after "A:" before it in its path
+    Spot at;                ///< place of its name in the text
+};
+
+struct CallArgument {
+    std::string name; ///< without the dollar sign; empty for a positional argument
+    Value value;
+    bool operator==(const CallArgument&) const = default;
+};
+
+/// A call of a sense or act. Its arguments are constant, because expanding the plan replaces all variables. Equal calls
+/// share one entry.
+struct ProgramCall {
+    std::string name;
+    std::vector<CallArgument> arguments;
+    std::string text; ///< the call as traces print it: fly("lake", $speed=9)
+    Spot at;          ///< place in the text of the first such call
+};
+
+/// A sense that must hold.
+struct ProgramTest {
+    Index place = 0;
+    Index call = 0;        ///< index in sense_calls
+    bool compares = false; ///< if false, the truth of the answer counts and the two fields below are unused
+    Predicate predicate = Predicate::Equal;
+    Value operand;
+};
+
+struct ProgramAct {
+    Index place = 0;
+    Index call = 0;       ///< index in act_calls
+    Index form = nowhere; ///< the innermost form that contains it; `nowhere` directly below a drive
+    bool operator==(const ProgramAct&) const = default;
+};
+
+/// The act or form that a drive, element, step or adopt executes.
+struct Target {
+    bool is_act = false;
+    Index index = nowhere; ///< index in acts or forms
+    bool operator==(const Target&) const = default;
+};
+
+struct ProgramDrive {
+    Index place = 0;
+    Index level = 0; ///< index in levels
+    Range trigger;   ///< range of tests
+    Range forms;     ///< all forms below it
+    Target target;
+    double interval_ms = 0.0;     ///< least time between two starts; 0 means no limit
+    double interval_cycles = 0.0; ///< least number of cycles between two starts; 0 means no limit
+    Index depth = 0;              ///< greatest number of forms that can be open below it
+};
+
+/// A range of drives with equal priority.
+struct ProgramLevel {
+    Range drives;
+    bool operator==(const ProgramLevel&) const = default;
+};
+
+struct ProgramForm {
+    PlaceKind kind = PlaceKind::Competence;
+    Index place = 0;
+    Index parent = nowhere;         ///< the form whose element or step leads here; `nowhere` directly below a drive
+    Index below_end = 0;            ///< this form and all forms below it have the indices from its own to below_end - 1
+    Range goal;                     ///< range of tests; empty for a pattern, or if the plan has no goal there
+    std::optional<double> limit_ms; ///< time limit; nullopt means none
+    Range items;                    ///< elements of a competence, steps of a pattern, or the single step of an adopt
+};
+
+struct ProgramElement {
+    Index place = 0;
+    Range trigger; ///< range of tests
+    Target target;
+    std::int64_t retries = 0; ///< how often it may start in one engagement; 0 means no limit
+};
+
+/// A step of a pattern: a test if `test` is not `nowhere`, otherwise a target.
+struct ProgramStep {
+    Index test = nowhere;
+    Target target;
+    bool operator==(const ProgramStep&) const = default;
+};
+
+/// A whole compiled plan; immutable once compile has returned it.
+struct Program {
+    std::string title;      ///< name of the collection
+    bool real_time = false; ///< whether the collection asks for real time (see wantsRealTime)
+    std::vector<std::string> names;
+    std::vector<Place> places; ///< the collection is first
+    std::vector<ProgramCall> sense_calls;
+    std::vector<ProgramCall> act_calls;
+    std::vector<ProgramTest> tests;
+    std::vector<ProgramAct> acts;
+    std::vector<ProgramLevel> levels;
+    std::vector<ProgramDrive> drives;
+    std::vector<ProgramForm> forms; ///< in preorder, drive by drive
+    std::vector<ProgramElement> elements;
+    std::vector<ProgramStep> steps;
+    Range goal; ///< goal of the collection, a range of tests
+};
+
+/// Returns the path of a place: "/P:0/DC:0/DE:1/A:0/C:2/CE:0/A:0".
+std::string pathOf(const Program& program, Index place);
+/// Returns the same path as names for display: "robot ▸ work ▸ pick-up ▸ grab ▸ close-gripper".
+std::string namePathOf(const Program& program, Index place);
+const std::string& nameOf(const Program& program, Index place);
+/// Returns the call of a sense or act as traces print it; empty for other places.
+const std::string& callTextAt(const Program& program, Index place);
+
+/// Returns the place with that path if it has these names, otherwise the first place with these names, otherwise
+/// `nowhere`.
+Index findPlace(const Program& program, std::string_view path, std::string_view names);
+
+/// Returns whether the programs differ at most in operands, predicates, retries, limits, frequencies, names and layout,
+/// so that a run of one can continue with the other.
+bool sameShape(const Program& one, const Program& other);
+
+/// A plan with more places is an error. If each form calls another one twice, the number doubles with every level.
+constexpr std::size_t most_places = 1'000'000;
+
+/// Expands a plan. Fails, naming the place, for a fragment, a reference cycle, a variable without a value, a pattern
+/// without steps, and too many places. A plan that has a collection and no errors (see plan_check.h) can only fail
+/// because of too many places.
+Result<std::shared_ptr<const Program>> compile(const Plan& plan);
+
+} // namespace usar::posh

@@ -1,0 +1,72 @@
+#include "core/posh/run/sense_memo.h"
+
+#include <exception>
+
+#include "core/posh/run/comparison.h"
+
+namespace usar::posh {
+
+void SenseMemo::load(const Program& program) {
+    program_ = &program;
+    answers_.assign(program.sense_calls.size(), {});
+    warned_.assign(program.tests.size(), 0);
+    for (std::size_t i = 0; i < answers_.size(); ++i)
+        if (!host_.hasSense(program.sense_calls[i].name))
+            answers_[i].builtin = builtinOf(program.sense_calls[i].name);
+}
+
+SenseMemo::Builtin SenseMemo::builtinOf(std::string_view name) {
+    constexpr std::string_view executor = "cz.cuni.amis.pogamut.sposh.executor.";
+    if (name.starts_with(executor))
+        name.remove_prefix(executor.size());
+    if (name == "succeed" || name == "true" || name == "Succeed")
+        return Builtin::True;
+    return name == "fail" || name == "false" || name == "Fail" ? Builtin::False : Builtin::None;
+}
+
+bool SenseMemo::holds(Index index) {
+    const ProgramTest& test = program_->tests[index];
+    Answer& answer = answers_[test.call];
+    const bool cached = answer.epoch == epoch_;
+    if (!cached)
+        ask(test, answer);
+    const bool holds = verdict(index, test, answer);
+    tracer_.noteSense(test.place, answer.value, holds, cached);
+    return holds;
+}
+
+void SenseMemo::ask(const ProgramTest& test, Answer& answer) {
+    answer.epoch = epoch_;
+    answer.failed = false;
+    if (answer.builtin != Builtin::None) {
+        answer.value = answer.builtin == Builtin::True;
+        return;
+    }
+    answer.value = std::monostate{};
+    const Profiler::Span span(profiler_, test.place);
+    try {
+        host_.sense({test.call, test.place}, answer.value);
+        return;
+    } catch (const std::exception& thrown) {
+        tracer_.noteText(TraceEvent::Error, test.place, thrown.what());
+    } catch (...) {
+        tracer_.noteText(TraceEvent::Error, test.place, "it threw something that is no std::exception");
+    }
+    answer.value = std::monostate{};
+    answer.failed = true;
+}
+
+bool SenseMemo::verdict(Index index, const ProgramTest& test, const Answer& answer) {
+    if (answer.failed)
+        return false;
+    if (!test.compares)
+        return truthOf(answer.value);
+    const Comparison comparison = compare(answer.value, test.predicate, test.operand);
+    if (comparison == Comparison::Unlike && !warned_[index]) {
+        warned_[index] = 1;
+        tracer_.warn(WarningCode::UnlikeTypes, test.place, "answer and operand have no order: the sense never holds");
+    }
+    return comparison == Comparison::Holds;
+}
+
+} // namespace usar::posh

@@ -1,0 +1,69 @@
+// Adds cycle and time to events and passes them to the observer, if there is one. Without one, an event costs only a
+// branch.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string_view>
+
+#include "core/posh/run/trace_event.h"
+
+namespace usar::posh {
+
+using Milliseconds = std::chrono::milliseconds;
+
+/// Used by all parts of one engine, in its thread. Places are indices in Program::places.
+class Tracer {
+public:
+    /// Returns whether there is an observer; check it before computing an expensive text.
+    bool watched() const { return observer_ != nullptr; }
+    /// Sets the observer, which must stay valid until it is replaced, and announces the program to it. nullptr removes
+    /// it.
+    void watch(TraceObserver* observer, const std::shared_ptr<const Program>& program) {
+        observer_ = observer;
+        announce(program);
+    }
+    /// Tells the observer that another program is loaded.
+    void announce(const std::shared_ptr<const Program>& program) const {
+        if (observer_)
+            observer_->takeProgram(program);
+    }
+    /// Sets the number and time of the cycle for the events that follow.
+    void setCycle(std::uint64_t cycle, Milliseconds now) {
+        cycle_ = cycle;
+        now_ = now;
+    }
+    std::uint64_t cycle() const { return cycle_; }
+    Milliseconds now() const { return now_; }
+
+    /// Traces an event; see TraceEvent for the meaning of payload, detail and flags.
+    void note(TraceEvent event, Index place, std::uint64_t payload = 0, std::uint8_t detail = 0,
+              std::uint8_t flags = 0) const {
+        if (observer_)
+            observer_->take({cycle_, now_.count(), payload, place, event, detail, flags, ValueKind::Nil}, {});
+    }
+    /// Traces an event with a text.
+    void noteText(TraceEvent event, Index place, std::string_view text, std::uint8_t detail = 0) const {
+        if (observer_)
+            observer_->take({cycle_, now_.count(), 0, place, event, detail, 0, ValueKind::Nil}, text);
+    }
+    /// Traces an answer. `holds` is the verdict; `cached` means that the answer was already known in this epoch.
+    void noteSense(Index place, const Value& answer, bool holds, bool cached) const {
+        if (!observer_)
+            return;
+        const auto flags = static_cast<std::uint8_t>((holds ? trace_holds : 0) | (cached ? trace_cached : 0));
+        observer_->take(
+            {cycle_, now_.count(), payloadOf(answer), place, TraceEvent::SenseEval, 0, flags, kindOf(answer)},
+            textOf(answer));
+    }
+    void warn(WarningCode code, Index place, std::string_view text) const {
+        noteText(TraceEvent::Warning, place, text, static_cast<std::uint8_t>(code));
+    }
+
+private:
+    TraceObserver* observer_ = nullptr;
+    std::uint64_t cycle_ = 0;
+    Milliseconds now_{0};
+};
+
+} // namespace usar::posh

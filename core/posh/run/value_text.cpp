@@ -1,0 +1,97 @@
+#include "core/posh/run/value_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace usar::posh {
+
+namespace {
+
+/// Appends a number with at most three decimals, such as 0.5 or 2.25. For these, no search for the shortest digits is
+/// needed. Returns false and appends nothing for all other numbers.
+bool appendThousandths(std::string& out, double number) {
+    constexpr double most = 1e12;
+    const double scaled = number * 1000.0;
+    if (!(std::abs(scaled) < most) || number == 0.0)
+        return false;
+    const auto thousandths = static_cast<std::int64_t>(scaled);
+    if (static_cast<double>(thousandths) / 1000.0 != number)
+        return false;
+    const std::int64_t size = std::abs(thousandths);
+    if (number < 0.0)
+        out += '-';
+    std::array<char, 24> digits{};
+    const auto [end, unused] = std::to_chars(digits.data(), digits.data() + digits.size(), size / 1000);
+    out.append(digits.data(), end);
+    const auto part = static_cast<int>(size % 1000);
+    out += '.';
+    out += static_cast<char>('0' + part / 100);
+    if (part % 100 != 0)
+        out += static_cast<char>('0' + part / 10 % 10);
+    if (part % 10 != 0)
+        out += static_cast<char>('0' + part % 10);
+    return true;
+}
+
+/// Appends the shortest digits that give the number; with an exponent only if it is very small or very large.
+void appendReal(std::string& out, double number) {
+    if (appendThousandths(out, number))
+        return;
+    const double size = std::abs(number);
+    const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e16);
+    std::array<char, 32> digits{};
+    const auto [end, unused] = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                             plain ? std::chars_format::fixed : std::chars_format::scientific);
+    const std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    out += text;
+    if (plain && text.find('.') == std::string_view::npos)
+        out += ".0";
+}
+
+struct Append {
+    std::string& out;
+    void operator()(std::monostate) const { out += "nil"; }
+    void operator()(bool flag) const { out += flag ? "true" : "false"; }
+    void operator()(std::int64_t whole) const { out += std::to_string(whole); }
+    void operator()(double number) const { appendReal(out, number); }
+    void operator()(const std::string& text) const { appendQuoted(out, text); }
+    void operator()(const Symbol& symbol) const { out.append(1, '\'') += symbol.text; }
+};
+
+void appendEscaped(std::string& out, char c) {
+    constexpr std::string_view plain = "\"\\\b\f\n\r\t";
+    constexpr std::string_view letters = "\"\\bfnrt";
+    if (const std::size_t at = plain.find(c); at != std::string_view::npos) {
+        out += '\\';
+        out += letters[at];
+    } else if (const auto byte = static_cast<unsigned char>(c); byte < 0x20) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        out += "\\u00";
+        out += digits[byte >> 4];
+        out += digits[byte & 15];
+    } else {
+        out += c;
+    }
+}
+
+} // namespace
+
+void appendQuoted(std::string& out, std::string_view text) {
+    out += '"';
+    for (const char c : text)
+        appendEscaped(out, c);
+    out += '"';
+}
+
+void appendValue(std::string& out, const Value& value) {
+    std::visit(Append{out}, value);
+}
+
+std::string toText(const Value& value) {
+    std::string text;
+    appendValue(text, value);
+    return text;
+}
+
+} // namespace usar::posh

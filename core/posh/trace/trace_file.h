@@ -1,0 +1,111 @@
+// Reads what TraceEncoder wrote: any cycle of a long run, even while the file is still being written.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/posh/trace/trace_codec.h"
+
+namespace usar::posh {
+
+/// One cycle of a recorded run, with the events between it and the next cycle.
+struct TracedCycle {
+    std::uint64_t number = 0;
+    std::int64_t time_ms = 0;               ///< in the engine's time
+    std::shared_ptr<const Program> program; ///< nullptr if the plan in the file cannot be compiled
+    std::size_t plan = 0;                   ///< index of the plan among those in the file
+    std::vector<trace_codec::Entry> events;
+    std::vector<trace_codec::Entry> behind; ///< events after the end of the cycle, such as a stop or a replacement
+    std::vector<std::string> texts;         ///< the text with number n is at index n - 1
+
+    std::string_view textOf(const trace_codec::Entry& entry) const {
+        return entry.text == 0 ? std::string_view() : std::string_view(texts[entry.text - 1]);
+    }
+};
+
+/// An index over the bytes of a trace file. It does not own the bytes; they must outlive it. The bytes need not be
+/// trustworthy: at a damaged frame the trace ends.
+class TraceFile {
+public:
+    /// Indexes the bytes. Fails if they do not begin with the magic of this version.
+    static Result<TraceFile> open(std::string_view bytes);
+
+    /// Continues with a file that has grown: `bytes` must begin with the bytes already known, but may be at another
+    /// address. A frame that is not complete yet is left for later.
+    void extend(std::string_view bytes);
+
+    std::size_t cycleCount() const { return cycle_count_; }
+    /// The number of the first recorded cycle; 0 if there is none.
+    std::uint64_t firstCycle() const { return keys_.empty() ? 0 : keys_.front().cycle; }
+    /// Describes where a frame of unknown kind ended the trace; empty if there was none.
+    const std::string& damage() const { return damage_; }
+    const std::string& planText(std::size_t plan) const { return plans_[plan].text; }
+    std::size_t planCount() const { return plans_.size(); }
+
+    /// Reads one cycle after the other. Must not outlive the file or its bytes.
+    class Cursor {
+    public:
+        /// Returns the next cycle, which is valid until the next call; nullptr after the last cycle and at a damaged
+        /// one.
+        const TracedCycle* next();
+
+    private:
+        friend class TraceFile;
+        Cursor(const TraceFile& file, std::size_t offset, std::size_t plan) : file_(&file), at_(offset), plan_(plan) {}
+        bool deltaFollows() const;
+        bool readCycle(trace_codec::Frame kind, trace_codec::Bytes bytes);
+        bool readEvents(trace_codec::Bytes& bytes, std::vector<trace_codec::Entry>& events);
+        bool readChange(trace_codec::Bytes& bytes, trace_codec::Entry& entry);
+        bool readNew(trace_codec::Bytes& bytes, trace_codec::Entry& entry);
+        bool readText(trace_codec::Bytes& bytes, std::uint32_t& number);
+        void readBehind();
+        void recallAnswers();
+        void stamp(std::vector<trace_codec::Entry>& events) const;
+
+        const TraceFile* file_;
+        std::size_t at_;
+        std::size_t plan_;                      ///< number of plans before `at_`
+        std::optional<std::size_t> keyed_plan_; ///< `plan_` at the last key frame
+        std::int64_t step_ms_ = 0;              ///< time between the two previous cycles
+        TracedCycle cycle_;
+        std::vector<trace_codec::Entry> before_;  ///< events of the previous cycle as coded, without cached answers
+        std::vector<trace_codec::Entry> now_;     ///< the same for the current cycle
+        std::vector<trace_codec::Entry> answers_; ///< newest answers by sense call
+    };
+    Cursor begin() const { return {*this, trace_codec::magic.size(), 0}; }
+    /// Returns a cursor whose next cycle is this one, or the first recorded cycle after it.
+    Cursor seek(std::uint64_t cycle) const;
+
+private:
+    /// A key frame.
+    struct Key {
+        std::uint64_t cycle = 0;
+        std::size_t offset = 0; ///< byte offset of the frame
+        std::size_t plan = 0;   ///< number of plans before it
+    };
+    struct RecordedPlan {
+        std::string text;
+        std::shared_ptr<const Program> program;
+    };
+    struct FrameView {
+        trace_codec::Frame kind = trace_codec::Frame::Plan;
+        std::string_view body;
+        std::size_t end = 0; ///< byte offset of the next frame
+    };
+    /// Returns the frame at a byte offset; nullopt if there is no complete one.
+    std::optional<FrameView> frameAt(std::size_t offset) const;
+    void index(const FrameView& frame, std::size_t offset);
+
+    std::string_view bytes_;
+    std::size_t indexed_ = 0; ///< number of bytes that are indexed
+    std::size_t cycle_count_ = 0;
+    std::vector<Key> keys_;
+    std::vector<RecordedPlan> plans_;
+    std::string damage_;
+};
+
+} // namespace usar::posh

@@ -1,0 +1,90 @@
+// A ray's way over a grid of square cells: its coordinates at any time, and the next cell on its way.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/sim/rays/ray_shapes.h"
+
+namespace usar::sim {
+
+/// One coordinate of a point that moves along a ray at constant speed. Time is the distance along the ray in meters;
+/// the coordinate's unit is the caller's: cells for x and y, meters for z.
+struct GridAxis {
+    GridAxis(double from, double per_m)
+        : start(from)
+        , speed(std::abs(per_m) > 1e-300 ? per_m : 0.0)
+        , inverse(speed != 0.0 ? 1.0 / speed : 0.0)
+        , forward(speed > 0.0 ? 1 : 0) {}
+
+    double at(double t) const { return start + t * speed; }
+    /// Time at which the point leaves cell `cell`, where a cell is `width` units wide; `no_hit_m` if the coordinate is
+    /// constant.
+    double leaves(std::ptrdiff_t cell, std::ptrdiff_t width) const {
+        return speed != 0.0 ? (static_cast<double>((cell + forward) * width) - start) * inverse : no_hit_m;
+    }
+    /// The cell at time t, clamped to `first`..`last`.
+    std::ptrdiff_t cellAt(double t, std::ptrdiff_t first, std::ptrdiff_t last) const {
+        return std::clamp(static_cast<std::ptrdiff_t>(std::floor(at(t))), first, last);
+    }
+
+    double start, speed, inverse;
+    std::ptrdiff_t forward; ///< 1 toward higher cells, 0 toward lower ones
+};
+
+/// A ray over a grid and the part of it, `enter` to `leave`, that is still of interest.
+struct GridWalk {
+    GridWalk(const Ray& ray, const Vec2& grid_origin_m, double cell_m, double maximum_m)
+        : x((ray.origin_m.x() - grid_origin_m.x()) / cell_m, ray.direction.x() / cell_m)
+        , y((ray.origin_m.y() - grid_origin_m.y()) / cell_m, ray.direction.y() / cell_m)
+        , z(ray.origin_m.z(), ray.direction.z())
+        , leave(maximum_m) {}
+
+    /// Keeps the part in which one coordinate is within the limits; nothing is left once `leave` < `enter`.
+    void clip(const GridAxis& axis, double low, double high) {
+        if (axis.speed == 0.0) {
+            if (axis.start < low || axis.start > high)
+                leave = -no_hit_m;
+            return;
+        }
+        const double a = (low - axis.start) * axis.inverse;
+        const double b = (high - axis.start) * axis.inverse;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+
+    /// Lowest height of the ray between two times.
+    double lowest_m(double from, double to) const { return std::min(z.at(from), z.at(to)); }
+
+    GridAxis x, y, z;
+    double enter = 0.0;
+    double leave;
+};
+
+/// The cell under a ray at a given time, `width` grid units wide.
+struct GridCell {
+    GridCell(const GridWalk& walk, double t, std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t unit_width)
+        : column(walk.x.cellAt(t, 0, columns * unit_width - 1) / unit_width)
+        , row(walk.y.cellAt(t, 0, rows * unit_width - 1) / unit_width)
+        , width(unit_width) {}
+
+    /// Moves to the next cell and returns the time at which the ray enters it.
+    double advance(const GridWalk& walk) {
+        const double next_x = walk.x.leaves(column, width);
+        const double next_y = walk.y.leaves(row, width);
+        if (next_x < next_y) {
+            column += 2 * walk.x.forward - 1;
+            return next_x;
+        }
+        row += 2 * walk.y.forward - 1;
+        return next_y;
+    }
+    bool isWithin(std::ptrdiff_t columns, std::ptrdiff_t rows) const {
+        return column >= 0 && column < columns && row >= 0 && row < rows;
+    }
+
+    std::ptrdiff_t column, row, width;
+};
+
+} // namespace usar::sim

@@ -1,0 +1,163 @@
+#include "core/sim/rays/ray_caster.h"
+
+#include <algorithm>
+
+#include "core/sim/rays/plant_index.h"
+#include "core/sim/rays/ray_normals.h"
+#include "core/sim/rays/terrain_rays.h"
+
+namespace usar::sim {
+
+namespace {
+
+constexpr double under_ceiling_m = 1e-6;
+
+struct PlacedBox {
+    Vec3 center_m;
+    Vec3 half_size_m;
+    Eigen::Matrix3d box_in_map;
+    double radius_m;
+};
+
+/// Cheap test that rules out most boxes which a ray passes at a distance.
+bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
+    const Vec3 to_center = box.center_m - ray.origin_m;
+    const double along = to_center.dot(ray.direction);
+    if (along < -box.radius_m || along > maximum_m + box.radius_m)
+        return false;
+    return to_center.squaredNorm() - along * along <= box.radius_m * box.radius_m + 1e-9;
+}
+
+/// True if the box is level and covers all the ground, as ceilings do.
+bool covers(const PlacedBox& box, const Rectangle& ground) {
+    if (ground.empty() || !box.box_in_map.isIdentity(1e-9))
+        return false;
+    const Vec2 center_m = box.center_m.head<2>();
+    const Vec2 half_m = box.half_size_m.head<2>() + Vec2::Constant(1e-9);
+    return Rectangle{center_m - half_m, center_m + half_m}.contains(ground);
+}
+
+} // namespace
+
+struct RayCaster::Index {
+    explicit Index(const World& world) : plants(world.plants), ground(world.terrain) {
+        for (const Box& box : world.boxes) {
+            const Vec3 half_size_m = box.size_m / 2.0;
+            boxes.push_back({box.center_in_map.position_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(),
+                             half_size_m.norm()});
+        }
+        findTopAndBottom(world);
+    }
+
+    void findTopAndBottom(const World& world) {
+        top_m = world.terrain.maximum_m();
+        bottom_m = world.terrain.minimum_m();
+        if (!world.plants.empty())
+            top_m = std::max(top_m, plants.maximum_z_m());
+        for (const PlacedBox& box : boxes) {
+            top_m = std::max(top_m, box.center_m.z() + box.radius_m);
+            bottom_m = std::min(bottom_m, box.center_m.z() - box.radius_m);
+        }
+        top_m += 1.0;
+        for (const PlacedBox& box : boxes) {
+            const double underside_m = box.center_m.z() - box.half_size_m.z();
+            if (!covers(box, world.terrain.extent()) || underside_m <= static_cast<double>(world.terrain.maximum_m()))
+                continue;
+            top_m = std::min(top_m, underside_m - under_ceiling_m);
+            roofed = true;
+        }
+    }
+
+    double castAtThings(const Ray& ray, double maximum_m) const {
+        double nearest_m = plants.cast(ray, maximum_m);
+        for (const PlacedBox& box : boxes)
+            if (passesNear(box, ray, nearest_m))
+                nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
+        return nearest_m;
+    }
+
+    double nearestBox(const RayBundle& bundle, double maximum_m) const {
+        const Eigen::AlignedBox3d reach = bundle.box(maximum_m);
+        double nearest_m = maximum_m;
+        for (const PlacedBox& box : boxes) {
+            if (reach.squaredExteriorDistance(box.center_m) > box.radius_m * box.radius_m + 1e-9 ||
+                !bundle.mayMeetColumn(box.center_m.head<2>(), box.radius_m, nearest_m))
+                continue;
+            for (const Vec3& direction : bundle.directions()) {
+                const Ray ray{bundle.origin_m(), direction};
+                if (passesNear(box, ray, nearest_m))
+                    nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
+            }
+        }
+        return nearest_m;
+    }
+
+    RayHit lookAtThings(const Ray& ray, double maximum_m) const {
+        const Plant* plant = nullptr;
+        const PlacedBox* met_box = nullptr;
+        double nearest_m = plants.look(ray, maximum_m, plant);
+        for (const PlacedBox& box : boxes) {
+            if (!passesNear(box, ray, nearest_m))
+                continue;
+            if (const double hit_m = hitBox(ray, box.center_m, box.box_in_map, box.half_size_m); hit_m < nearest_m) {
+                nearest_m = hit_m;
+                met_box = &box;
+            }
+        }
+        if (met_box)
+            return {nearest_m, Met::Box,
+                    normalOfBox(ray, nearest_m, met_box->center_m, met_box->box_in_map, met_box->half_size_m),
+                    met_box->center_m};
+        if (plant)
+            return {nearest_m, isCrown(*plant, ray, nearest_m) ? Met::Crown : Met::Trunk,
+                    normalOfPlant(*plant, ray, nearest_m), plant->base_in_map_m};
+        return {maximum_m};
+    }
+
+    PlantIndex plants;
+    TerrainRays ground;
+    std::vector<PlacedBox> boxes;
+    double top_m = 0.0;    ///< above everything, but below a ceiling if there is one
+    double bottom_m = 0.0; ///< below everything
+    bool roofed = false;
+};
+
+RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_unique<const Index>(world)) {}
+
+RayCaster::~RayCaster() = default;
+
+double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    const Ray ray{origin_m, direction};
+    // Things first: their hits shorten the walk over the ground, which costs more.
+    return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
+}
+
+double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
+    const double at_things_m = index_->plants.castNearest(bundle, index_->nearestBox(bundle, maximum_m));
+    return index_->ground.castNearest(bundle, at_things_m);
+}
+
+RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    const Ray ray{origin_m, direction};
+    // The range is long. Downward, the ground soon ends the ray; upward, the plants limit how far to look for ground.
+    const bool down = direction.z() < 0.0;
+    double ground_m = down ? index_->ground.cast(ray, maximum_m) : maximum_m;
+    RayHit hit = index_->lookAtThings(ray, ground_m);
+    if (!down)
+        ground_m = index_->ground.cast(ray, hit.distance_m);
+    if (ground_m < hit.distance_m || (hit.met == Met::Nothing && ground_m < maximum_m))
+        hit = {ground_m, Met::Ground, normalOfGround(world_->terrain, (origin_m + ground_m * direction).head<2>())};
+    return hit;
+}
+
+bool RayCaster::roofed() const {
+    return index_->roofed;
+}
+
+double RayCaster::surface_m(const Vec2& point_m) const {
+    const double ground_m = world_->terrain.empty() ? index_->bottom_m : world_->terrain.height_m(point_m);
+    const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};
+    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m);
+}
+
+} // namespace usar::sim

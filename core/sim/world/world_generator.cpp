@@ -1,0 +1,69 @@
+#include "core/sim/world/world_generator.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/sim/world/world_writer.h"
+#include "core/sim/worlds/point_lookout.h"
+#include "core/sim/worlds/spqr_soccer.h"
+#include "core/sim/worlds/tall_test.h"
+#include "core/sim/worlds/vmac_room.h"
+#include "core/sim/worlds/volcano.h"
+
+namespace usar::sim {
+
+namespace {
+
+using Folder = std::filesystem::path;
+
+Result<World> volcanoFrom(std::uint64_t seed, const Folder& data) {
+    const auto source = readElevationCsv(data / "volcano" / "volcano_10m.csv");
+    if (!source)
+        return tl::unexpected(source.error());
+    return makeVolcano(*source, seed);
+}
+
+template <World (*make)(std::uint64_t)>
+Result<World> fromSeed(std::uint64_t seed, const Folder&) {
+    return make(seed);
+}
+
+struct Generator {
+    const char* name;
+    Result<World> (*make)(std::uint64_t seed, const Folder& data);
+};
+
+constexpr std::array generators{Generator{"tall_test", fromSeed<makeTallTest>},
+                                Generator{"vmac_room", fromSeed<makeVmacRoom>},
+                                Generator{"point_lookout", fromSeed<makePointLookout>},
+                                Generator{"spqr_soccer", fromSeed<makeSpqrSoccer>}, Generator{"volcano", volcanoFrom}};
+
+} // namespace
+
+std::vector<std::string> generatedWorldNames() {
+    std::vector<std::string> names;
+    for (const Generator& generator : generators)
+        names.emplace_back(generator.name);
+    return names;
+}
+
+Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data) {
+    const auto found = std::find_if(generators.begin(), generators.end(),
+                                    [&](const Generator& generator) { return name == generator.name; });
+    if (found != generators.end())
+        return found->make(seed, data);
+    std::string known;
+    for (const Generator& generator : generators)
+        known += (known.empty() ? "" : ", ") + std::string(generator.name);
+    return failure("there is no generator for this world", name, "Known are: " + known);
+}
+
+Result<void> generateWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data,
+                           const std::filesystem::path& folder) {
+    const auto world = makeWorld(name, seed, data);
+    if (!world)
+        return tl::unexpected(world.error());
+    return writeWorld(*world, folder);
+}
+
+} // namespace usar::sim

@@ -1,0 +1,32 @@
+// Keeps the height over terrain: high enough over the ground, over peaks nearby and over obstacles ahead.
+#pragma once
+
+#include <optional>
+
+#include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/settings.h"
+
+namespace usar::airrobot {
+
+/// Returns the height to hold, as map z. It is the maximum of the mean of the middle rays plus the scan altitude, the
+/// highest known object in the footprint or on the way of the next seconds plus the clearance, the floor level, and
+/// `at_least_m`. If nothing is within the scanner's reach below, the robot sinks as far as the floor level allows.
+/// `way_bearing_rad` is the direction of flight in the map frame.
+double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double way_bearing_rad, double speed_m_s,
+                      std::optional<double> at_least_m, const Settings& settings);
+
+/// Computes the climb rate. Climbing is limited only by the climb speed. Sinking is no steeper than the sonars can see
+/// ahead and down (half their beam), unless the scanner has seen the way ahead from another lane or the robot is not
+/// moving. So the robot never sinks onto a peak that it has not seen (thesis 4.6). Owned by one robot.
+class AltitudeHold {
+public:
+    /// Returns the climb rate toward the height `goal_m`, positive upward; call it once per tick.
+    double climbRate_m_s(const Senses& senses, const ObstacleMemory& memory, double goal_m, double way_bearing_rad,
+                         double speed_m_s, const Settings& settings);
+
+private:
+    bool moving_ = false; ///< for hysteresis: small errors are ignored, because every change makes the INS drift
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,88 @@
+#include "robots/airrobot/flight/climb_over.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double body_half_width_m = 0.9;
+constexpr double search_m = 6.0;
+constexpr int bearings = 16;
+constexpr double detour_cost = 0.15;
+constexpr Seconds backing_time{8.0};
+constexpr double arrived_m = 0.4;
+constexpr double free_way_m = 6.0;
+constexpr double free_half_width_m = 1.5;
+constexpr double front_rad = radians(45.0);
+constexpr double facing_rad = 0.3;
+/// How far the robot continues to climb after the way is free, so that its belly clears the top.
+constexpr double extra_m = 1.5;
+
+} // namespace
+
+Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m) {
+    Vec2 best_m = here_m;
+    double best_score = nearest_m(obstacles, here_m, standoff_m);
+    for (double distance_m = 1.0; distance_m <= search_m; distance_m += 1.0) {
+        for (int i = 0; i < bearings; ++i) {
+            const double bearing_rad = 2.0 * pi * i / bearings;
+            if (clearance_m(obstacles, here_m, bearing_rad, body_half_width_m, distance_m) < distance_m)
+                continue;
+            const Vec2 place_m = here_m + distance_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+            const double score = nearest_m(obstacles, place_m, standoff_m) - detour_cost * distance_m;
+            if (score > best_score) {
+                best_score = score;
+                best_m = place_m;
+            }
+        }
+    }
+    return best_m;
+}
+
+void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings) {
+    state_ = ClimbState::Backing;
+    place_m_ = climbPlace_m(obstacles, senses.position2_m(), settings.climb_standoff_m);
+    since_ = senses.now;
+    free_since_z_m_.reset();
+}
+
+bool ClimbOver::wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                          const Vec2& goal_m) const {
+    const Vec2 way_m = goal_m - senses.position2_m();
+    const double bearing_rad = bearingOf(way_m);
+    if (std::abs(normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad)) > facing_rad)
+        return false;
+    for (const agent::SonarZone& zone : picture.zones)
+        if (std::abs(zone.bearing_rad) < front_rad && zone.risk != agent::Risk::None)
+            return false;
+    const double needed_m = std::min(free_way_m, way_m.norm());
+    return clearance_m(obstacles, senses.position2_m(), bearing_rad, free_half_width_m, needed_m) >= needed_m;
+}
+
+ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                          const Vec2& goal_m, const Settings& settings) {
+    if (state_ == ClimbState::Backing) {
+        const bool there = (senses.position2_m() - place_m_).norm() < arrived_m;
+        if (there || senses.now - since_ > backing_time) {
+            state_ = ClimbState::Climbing;
+            place_m_ = senses.position2_m();
+        }
+        return {state_, place_m_, 0.0};
+    }
+    if (state_ != ClimbState::Climbing)
+        return {state_, place_m_, 0.0};
+    const double z_m = senses.base_in_map.position_m.z();
+    if (!wayIsFree(senses, picture, obstacles, goal_m))
+        free_since_z_m_.reset();
+    else if (!free_since_z_m_)
+        free_since_z_m_ = z_m;
+    else if (z_m - *free_since_z_m_ > extra_m)
+        state_ = ClimbState::Over;
+    if (senses.heightOverGround_m(settings.maximum_height_m) >= settings.maximum_height_m)
+        state_ = ClimbState::Failed;
+    return {state_, place_m_, settings.climb_speed_m_s / 2.0};
+}
+
+} // namespace usar::airrobot

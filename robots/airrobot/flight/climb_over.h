@@ -1,0 +1,50 @@
+// Climbs over an obstacle that cannot be flown around: away from it, straight up until the way is free, then across.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/flight/threat_zones.h"
+#include "robots/airrobot/settings.h"
+
+namespace usar::airrobot {
+
+/// The state of a climb. Over: the robot is high enough to cross. Failed: it has reached the maximum height.
+enum class ClimbState { Inactive, Backing, Climbing, Over, Failed };
+
+/// The instructions for one tick.
+struct ClimbStep {
+    ClimbState state = ClimbState::Inactive;
+    Vec2 place_m = Vec2::Zero(); ///< place to go to (Backing) or to stay at (Climbing), map frame
+    double climb_m_s = 0.0;
+};
+
+/// Treetops are wider above than where the sonars see them. Therefore the robot first moves to a place that is at least
+/// `climb_standoff_m` away from everything known, if there is one. Owned by one robot; call `step` once per tick while
+/// active.
+class ClimbOver {
+public:
+    void start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings);
+    /// `goal_m` is the point to steer at after the climb; the way to it must be free.
+    ClimbStep step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                   const Vec2& goal_m, const Settings& settings);
+    bool active() const { return state_ == ClimbState::Backing || state_ == ClimbState::Climbing; }
+    void reset() { *this = {}; }
+
+private:
+    bool wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                   const Vec2& goal_m) const;
+
+    ClimbState state_ = ClimbState::Inactive;
+    Vec2 place_m_ = Vec2::Zero();
+    Seconds since_{0.0};                   ///< start of the maneuver
+    std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked
+};
+
+/// Returns the best place for a climb: within 6 m, reachable at this height, and as far from everything known as
+/// possible, up to `standoff_m`. Short ways are preferred.
+Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m);
+
+} // namespace usar::airrobot

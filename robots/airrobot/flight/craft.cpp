@@ -1,0 +1,234 @@
+#include "robots/airrobot/flight/craft.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// An object whose top is farther than this below the robot's base passes below the robot.
+constexpr double level_margin_m = 1.2;
+constexpr double look_around_m = 8.0;
+/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
+constexpr double trunk_margin_m = 0.3;
+/// If the robot needs to climb no more than this, it continues past an overhang at the same height.
+constexpr double bearable_deficit_m = 1.5;
+constexpr double path_half_width_m = 0.75;
+/// The robot keeps its height for this distance from the place of a climb.
+constexpr double over_way_m = 12.0;
+constexpr double rise_tolerance_m = 0.3;
+constexpr double hold_still_m = 0.5;
+
+/// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
+Settings withinLimits(Settings settings, const SensorLayout& layout) {
+    for (double* speed : {&settings.scan_speed_m_s, &settings.transit_speed_m_s, &settings.evasion_speed_m_s})
+        *speed = std::min(*speed, layout.maximum_speed_m_s);
+    for (double* rate : {&settings.climb_speed_m_s, &settings.descent_speed_m_s})
+        *rate = std::min(*rate, layout.maximum_climb_m_s);
+    settings.turn_rate_rad_s = std::min(settings.turn_rate_rad_s, layout.maximum_turn_rad_s);
+    return settings;
+}
+
+} // namespace
+
+void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
+    settings = withinLimits(settings, layout);
+    if (settings.correct_heading)
+        reader_.tellCommand(pilot_.commandedInBase_m_s());
+    senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
+    if (airborne) {
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});
+        battery.moveTo(senses.position_m());
+    }
+    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
+    threats = judgeThreats(senses, settings);
+    port.publish(agent::SonarZones{threats.zones});
+    log.tick(senses, airborne, settings, port);
+}
+
+void Craft::look(const Leg& leg) {
+    evasion_.observe(senses, threats, leg.aim_m, settings);
+    decision_.reset();
+}
+
+const EvasionDecision& Craft::decide(agent::CommandPort& port) {
+    if (!decision_) {
+        decision_ = evasion_.decide(senses, threats, obstacles_, settings);
+        log.risks(senses, *decision_, port);
+    }
+    return *decision_;
+}
+
+FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
+    look(leg);
+    const EvasionMode mode = decide(port).mode;
+    Maneuver maneuver = mode == EvasionMode::None ? Maneuver::Cruise : Maneuver::Avoid;
+    if (mode != EvasionMode::Flee && climbingOver())
+        maneuver = Maneuver::ClimbOver;
+    const FlightState state = perform(maneuver, leg, port);
+    if (!stuck())
+        return state;
+    startAnew();
+    return FlightState::Unreachable;
+}
+
+FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port) {
+    FlightState state = FlightState::Flying;
+    log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
+    Motion motion = motionFor(maneuver, leg, state, port);
+    const bool hindered = state != FlightState::Flying;
+    stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
+    if (hindered && settings.climb_over && !climb_over_.active() &&
+        stuck_.hindered() > Seconds(settings.climb_over_after_s))
+        climb_over_.start(senses, obstacles_, settings);
+    makeSafe(motion);
+    pilot_.fly(motion, senses, port, leg.source, settings);
+    return state;
+}
+
+Motion Craft::motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port) {
+    switch (maneuver) {
+    case Maneuver::Cruise:
+        break;
+    case Maneuver::Avoid:
+        return evade(decide(port), leg, state);
+    case Maneuver::ClimbOver:
+        return climbOver(leg, state);
+    }
+    return cruise(leg, state);
+}
+
+Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {
+    state = FlightState::Evading;
+    const Vec2 here_m = senses.position2_m();
+    if (decision.mode == EvasionMode::Flee) {
+        Motion motion;
+        motion.sudden = true;
+        motion.velocity_in_map_m_s =
+            settings.evasion_speed_m_s * Vec2(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
+        return motion;
+    }
+    if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
+        return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);
+    Motion motion = holding(senses, here_m);
+    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
+    return motion;
+}
+
+Motion Craft::cruise(const Leg& leg, FlightState& state) {
+    const Vec2 here_m = senses.position2_m();
+    const double level_m = senses.position_m().z() - level_margin_m;
+    const auto bearing =
+        steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {settings.side_clearance_m / 2.0, 3.5});
+    if (!bearing) {
+        state = FlightState::Evading;
+        Motion motion = holding(senses, here_m);
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
+        motion.climb_m_s = climbRate(bearingOf(leg.aim_m - here_m), 0.0);
+        return motion;
+    }
+    const double distance_m = (leg.aim_m - here_m).norm();
+    const double speed_m_s = std::min(leg.speed_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
+    Motion motion = toward(senses, *bearing, speed_m_s, settings);
+    motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
+    if (!climb_forbidden_)
+        return motion;
+    state = FlightState::Evading; // Waits until it backs away and climbs where there is room
+    Motion waiting = holding(senses, here_m);
+    waiting.yaw_rate_rad_s = motion.yaw_rate_rad_s;
+    return waiting;
+}
+
+Motion Craft::climbOver(const Leg& leg, FlightState& state) {
+    state = FlightState::ClimbingOver;
+    const ClimbStep step = climb_over_.step(senses, threats, obstacles_, leg.aim_m, settings);
+    const Vec2 here_m = senses.position2_m();
+    Motion motion = holding(senses, step.place_m);
+    if (step.state == ClimbState::Over) {
+        climbed_at_ = senses.position_m();
+        stuck_.clearHindered();
+    }
+    motion.climb_m_s = step.climb_m_s;
+    if (step.state == ClimbState::Climbing)
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
+    return motion;
+}
+
+std::optional<double> Craft::heldHeight_m() {
+    if (climbed_at_ && (senses.position2_m() - climbed_at_->head<2>()).norm() > over_way_m)
+        climbed_at_.reset();
+    return climbed_at_ ? std::optional(climbed_at_->z()) : std::nullopt;
+}
+
+double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
+    const double goal_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
+    const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
+    const bool overhang = rate_m_s > 0.0 && besideOverhang();
+    climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
+    return overhang ? 0.0 : rate_m_s;
+}
+
+bool Craft::besideOverhang() const {
+    const double level_m = senses.position_m().z() - trunk_margin_m;
+    return std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+        return obstacle.top_m > level_m && (obstacle.at_m - senses.position2_m()).norm() < settings.climb_standoff_m;
+    });
+}
+
+void Craft::makeSafe(Motion& motion) const {
+    const double speed_m_s = motion.velocity_in_map_m_s.norm();
+    if (speed_m_s < 1e-3)
+        return;
+    const double bearing_rad = std::atan2(motion.velocity_in_map_m_s.y(), motion.velocity_in_map_m_s.x());
+    const double free_m = clearance_m(obstacles_, senses.position2_m(), bearing_rad, path_half_width_m, look_around_m) -
+                          settings.safety_margin_m;
+    const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2);
+    if (safe_m_s < speed_m_s)
+        motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
+}
+
+bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
+    const double error_m = goal_z_m - senses.position_m().z();
+    Motion motion = holding(senses, over_m);
+    motion.climb_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
+    pilot_.fly(motion, senses, port, "taking off", settings);
+    return std::abs(error_m) < rise_tolerance_m;
+}
+
+bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
+    Motion motion = holding(senses, place_m);
+    motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
+    pilot_.fly(motion, senses, port, "landing", settings);
+    return touchdown.touched(senses);
+}
+
+void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {
+    Motion motion = holding(senses, place_m);
+    makeSafe(motion);
+    stuck_.wait(senses.now);
+    pilot_.fly(motion, senses, port, source, settings);
+}
+
+void Craft::rest(agent::CommandPort& port, const std::string& source) {
+    stuck_.wait(senses.now);
+    pilot_.stop(port, source);
+}
+
+void Craft::forgetPlaces() {
+    memory.clear();
+    reader_.forgetMotion();
+    battery.forgetPosition();
+    log.forgetPath();
+    startAnew();
+}
+
+void Craft::startAnew() {
+    evasion_.reset();
+    steering_.reset();
+    stuck_.reset();
+    climb_over_.reset();
+    climbed_at_.reset();
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,120 @@
+// The robot as its planners see it: what it perceives and what it can do in a tick. Both the C++ state machine and the
+// POSH plan are built on this class (the thesis's Context, 4.3).
+#pragma once
+
+#include <string>
+
+#include "core/agent/behavior.h"
+#include "robots/airrobot/flight/altitude_hold.h"
+#include "robots/airrobot/flight/battery_model.h"
+#include "robots/airrobot/flight/climb_over.h"
+#include "robots/airrobot/flight/evasion.h"
+#include "robots/airrobot/flight/flight_log.h"
+#include "robots/airrobot/flight/landing.h"
+#include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/pilot.h"
+#include "robots/airrobot/flight/steering.h"
+#include "robots/airrobot/flight/stuck_watch.h"
+
+namespace usar::airrobot {
+
+/// Where and how to fly in one tick. Places are in the map frame.
+struct Leg {
+    Vec2 goal_m = Vec2::Zero(); ///< point to reach
+    Vec2 aim_m = Vec2::Zero();  ///< point to steer at on the way there
+    double speed_m_s = 1.0;
+    std::string source; ///< named as the cause of the commands
+};
+
+/// The result of one tick of flight. Unreachable: the goal should be given up.
+enum class FlightState { Flying, Evading, ClimbingOver, Unreachable };
+
+/// The ways to fly in one tick.
+enum class Maneuver {
+    Cruise,   ///< along the leg, over and around known obstacles
+    Avoid,    ///< away from a high risk, around a low one, or waiting between two
+    ClimbOver ///< away from the obstacle, straight up, then across
+};
+
+/// Call `perceive` first in each tick and then at most one function that commands the robot; in flight, call `look`
+/// between the two. Owned by one behavior.
+class Craft {
+public:
+    /// Updates senses, memory, threats and battery; publishes pose, scan, path and threat zones. Memory and battery are
+    /// updated only if `airborne`.
+    void perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port);
+
+    /// Judges the threats on the way of this tick. The functions below use the result.
+    void look(const Leg& leg);
+    /// Whether there is a high risk, or a low one on the way.
+    bool threatMatters() const { return evasion_.threatMatters(); }
+    /// Whether there is a high risk and a way to escape it.
+    bool escapeOpen() const { return Evasion::escape_rad(senses, threats, obstacles_).has_value(); }
+    bool climbingOver() const { return climb_over_.active(); }
+    /// Whether the robot is flying around an obstacle by way of a diversion point.
+    bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
+    /// Whether something is in the way or was a moment ago.
+    bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
+    /// Whether the robot has made no progress toward the goal for longer than the settings allow.
+    bool stuck() const { return stuck_.withoutProgress() > Seconds(settings.give_up_after_s); }
+    /// Time spent avoiding obstacles since the last progress toward the goal.
+    Seconds hindered() const { return stuck_.hindered(); }
+
+    /// Decides what to do about the threats judged by `look`, and marks risks on the map. Only the first call in a tick
+    /// decides; later ones return the same decision.
+    const EvasionDecision& decide(agent::CommandPort& port);
+    /// Flies one tick of the leg. Never returns Unreachable; check `stuck` instead.
+    FlightState perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port);
+    /// Looks, decides and performs in the usual order. Returns Unreachable if the robot is stuck and should give the
+    /// goal up.
+    FlightState fly(const Leg& leg, agent::CommandPort& port);
+    /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`; returns true when the height is reached.
+    bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
+    /// Sinks onto `place_m`; returns true when the robot touches the ground.
+    bool descend(const Vec2& place_m, agent::CommandPort& port);
+    /// Waits over a place. This time does not count toward `stuck`.
+    void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
+    /// Sends a zero DRIVE. This time does not count toward `stuck`.
+    void rest(agent::CommandPort& port, const std::string& source);
+
+    /// Forgets everything that depends on the old position estimate; call it after an INS reset.
+    void forgetPlaces();
+    /// Forgets evasion, steering and progress; call it before a goal of another kind (home, a new lane).
+    void startAnew();
+
+    Settings settings;
+    Senses senses;
+    ThreatPicture threats;
+    ObstacleMemory memory;
+    BatteryModel battery;
+    FlightLog log;
+    Touchdown touchdown;
+
+private:
+    Motion motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port);
+    Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
+    Motion cruise(const Leg& leg, FlightState& state);
+    Motion climbOver(const Leg& leg, FlightState& state);
+    double climbRate(double way_bearing_rad, double speed_m_s);
+    /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk under its
+    /// crown.
+    bool besideOverhang() const;
+    /// Reduces the speed so that the robot can stop before the obstacles on its way.
+    void makeSafe(Motion& motion) const;
+    /// Returns the least height to keep after a climb over an obstacle; nullopt if there is none.
+    std::optional<double> heldHeight_m();
+
+    SenseReader reader_;
+    Evasion evasion_;
+    std::optional<EvasionDecision> decision_; ///< decision of this tick
+    Steering steering_;
+    AltitudeHold altitude_;
+    ClimbOver climb_over_;
+    StuckWatch stuck_;
+    Pilot pilot_;
+    std::vector<Obstacle> obstacles_; ///< nearby obstacles that reach the present height
+    bool climb_forbidden_ = false;    ///< the robot must climb a lot but cannot do so safely here
+    std::optional<Vec3> climbed_at_;  ///< place of the last climb, whose height is kept for some distance
+};
+
+} // namespace usar::airrobot

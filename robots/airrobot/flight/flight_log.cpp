@@ -1,0 +1,57 @@
+#include "robots/airrobot/flight/flight_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+constexpr double path_step_m = 1.0;
+constexpr double goal_step_m = 0.5;
+constexpr double lowest_scan_m = 2.0;
+constexpr double reach_m = 20.0; ///< height to assume if nothing below is within the scanner's reach
+} // namespace
+
+bool goodForMap(const Senses& senses, bool airborne, const Settings& settings) {
+    if (!airborne || !senses.scan || senses.heightOverGround_m(reach_m) < lowest_scan_m)
+        return false;
+    const Pose& pose = senses.scan->base_in_map;
+    return std::max(std::abs(pose.roll_rad), std::abs(pose.pitch_rad)) <= settings.maximum_scan_tilt_rad &&
+           std::abs(senses.yaw_rate_rad_s) <= settings.maximum_scan_turn_rad_s;
+}
+
+void FlightLog::mark(agent::MarkKind kind, const Vec3& position_in_map_m, const Senses& senses,
+                     agent::CommandPort& port) const {
+    port.publish(agent::MapMark{kind, position_in_map_m, senses.now, senses.line});
+}
+
+void FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
+    port.publish(agent::PoseEstimate{senses.now, senses.base_in_map});
+    if (goodForMap(senses, airborne, settings))
+        port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->scanner_in_map});
+    if (airborne && (!last_path_m_ || (senses.position_m() - *last_path_m_).norm() >= path_step_m)) {
+        last_path_m_ = senses.position_m();
+        mark(agent::MarkKind::Path, senses.position_m(), senses, port);
+    }
+}
+
+void FlightLog::risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const {
+    if (decision.new_high_risk)
+        mark(agent::MarkKind::HighRisk, senses.position_m(), senses, port);
+    if (decision.new_low_risk)
+        mark(agent::MarkKind::LowRisk, senses.position_m(), senses, port);
+    if (decision.new_diversion)
+        mark(agent::MarkKind::Diversion,
+             Vec3(decision.diversion_m.x(), decision.diversion_m.y(), senses.position_m().z()), senses, port);
+}
+
+void FlightLog::goal(std::optional<Vec3> goal_in_map_m, agent::CommandPort& port) {
+    const bool same = goal_in_map_m.has_value() == last_goal_m_.has_value() &&
+                      (!goal_in_map_m || (*goal_in_map_m - *last_goal_m_).norm() < goal_step_m);
+    if (same)
+        return;
+    last_goal_m_ = goal_in_map_m;
+    port.publish(agent::CurrentGoal{goal_in_map_m});
+}
+
+} // namespace usar::airrobot

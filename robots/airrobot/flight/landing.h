@@ -1,0 +1,30 @@
+// Finds a place to land, controls the descent and detects the ground.
+#pragma once
+
+#include <optional>
+
+#include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/settings.h"
+
+namespace usar::airrobot {
+
+/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has seen the ground;
+/// `wanted_m` itself if it is even enough or no better place is known.
+Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m);
+
+/// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
+/// for about a second. Owned by one robot.
+class Touchdown {
+public:
+    void start() { still_since_.reset(); }
+    /// Returns the rate of descent, positive downward.
+    double sinkRate_m_s(const Senses& senses, const Settings& settings) const;
+    /// Returns whether the robot has landed. Call it once per tick while sinking.
+    bool touched(const Senses& senses);
+
+private:
+    std::optional<Seconds> still_since_;
+};
+
+} // namespace usar::airrobot

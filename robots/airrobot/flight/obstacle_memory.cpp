@@ -1,0 +1,176 @@
+#include "robots/airrobot/flight/obstacle_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+int cellOf(double coordinate_m) {
+    return static_cast<int>(std::floor(coordinate_m / ObstacleMemory::cell_m));
+}
+
+Vec2 centerOf(int column, int row) {
+    return Vec2(column + 0.5, row + 0.5) * ObstacleMemory::cell_m;
+}
+
+std::size_t slotOf(int column, int row) {
+    static_assert((ObstacleMemory::side & (ObstacleMemory::side - 1)) == 0, "wrapping needs a power of two");
+    constexpr int mask = ObstacleMemory::side - 1;
+    return static_cast<std::size_t>(row & mask) * ObstacleMemory::side + static_cast<std::size_t>(column & mask);
+}
+
+Vec2 unit(double bearing_rad) {
+    return {std::cos(bearing_rad), std::sin(bearing_rad)};
+}
+
+bool inCorridor(const Vec2& offset_m, const Vec2& along, double half_width_m, double length_m) {
+    const double forward_m = offset_m.dot(along);
+    const double sideways_m = along.x() * offset_m.y() - along.y() * offset_m.x();
+    return forward_m >= 0.0 && forward_m <= length_m && std::abs(sideways_m) <= half_width_m;
+}
+
+} // namespace
+
+ObstacleMemory::ObstacleMemory() : cells_(std::size_t(side) * side) {}
+
+void ObstacleMemory::clear() {
+    std::ranges::fill(cells_, Cell{});
+    echoes_.clear();
+}
+
+void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
+    spans_ = spans;
+    now_ = senses.now;
+    std::erase_if(echoes_, [&](const Echo& echo) { return now_ - echo.time > spans_.sonar; });
+    if (senses.scan)
+        takeScan(senses.scan->hits_in_map_m);
+    for (const SonarEcho& echo : senses.sonars)
+        takeEcho(echo);
+}
+
+void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
+    for (const Vec3& hit : hits_m) {
+        const int column = cellOf(hit.x());
+        const int row = cellOf(hit.y());
+        const float top_m = static_cast<float>(hit.z());
+        const Cell* old = known(column, row);
+        if (!old || top_m >= old->top_m)
+            cells_[slotOf(column, row)] = {column, row, top_m, static_cast<float>(now_.count())};
+    }
+}
+
+void ObstacleMemory::takeEcho(const SonarEcho& echo) {
+    const Vec2 ray_m = (echo.center_in_map_m - echo.origin_in_map_m).head<2>();
+    const double range_m = std::max(0.01, ray_m.norm());
+    // Removes echoes that the beam has passed through. Only the middle of the cone counts, because its edge may have
+    // passed the obstacle on either side.
+    std::erase_if(echoes_, [&](const Echo& old) {
+        const Vec2 offset_m = old.at_m.head<2>() - echo.origin_in_map_m.head<2>();
+        const double along_m = offset_m.dot(ray_m) / range_m;
+        const double aside_m = (offset_m - ray_m / range_m * along_m).norm();
+        const bool at_its_level = old.at_m.z() > echo.low_m;
+        return at_its_level && along_m > 0.0 && along_m < range_m - 0.5 && aside_m < 0.08 * along_m;
+    });
+    if (echo.hit)
+        echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), echo.high_m), now_});
+}
+
+const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {
+    const Cell& cell = cells_[slotOf(column, row)];
+    const bool valid = cell.column == column && cell.row == row && now_.count() - cell.time_s <= spans_.scan.count();
+    return valid ? &cell : nullptr;
+}
+
+template <class Visit>
+void ObstacleMemory::visitDisc(const Vec2& at_m, double radius_m, Visit&& visit) const {
+    for (int row = cellOf(at_m.y() - radius_m); row <= cellOf(at_m.y() + radius_m); ++row)
+        for (int column = cellOf(at_m.x() - radius_m); column <= cellOf(at_m.x() + radius_m); ++column)
+            if (const Vec2 center_m = centerOf(column, row); (center_m - at_m).norm() <= radius_m)
+                visit(center_m, known(column, row));
+}
+
+std::vector<Obstacle> ObstacleMemory::near(const Vec2& at_m, double radius_m, double level_m) const {
+    std::vector<Obstacle> found;
+    visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
+        if (cell && cell->top_m > level_m)
+            found.push_back({center_m, cell->top_m, true});
+    });
+    for (const Echo& echo : echoes_)
+        if (echo.at_m.z() > level_m && (echo.at_m.head<2>() - at_m).norm() <= radius_m)
+            found.push_back({echo.at_m.head<2>(), echo.at_m.z(), false});
+    return found;
+}
+
+std::optional<double> ObstacleMemory::highest_m(const Vec2& at_m, double radius_m, double below_m) const {
+    std::optional<double> highest;
+    const auto raise = [&](double top_m) {
+        if (top_m < below_m)
+            highest = std::max(highest.value_or(top_m), top_m);
+    };
+    visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
+        if (cell)
+            raise(cell->top_m);
+    });
+    for (const Echo& echo : echoes_)
+        if ((echo.at_m.head<2>() - at_m).norm() <= radius_m)
+            raise(echo.at_m.z());
+    return highest;
+}
+
+std::optional<double> ObstacleMemory::lowest_m(const Vec2& at_m, double radius_m) const {
+    std::optional<double> lowest;
+    visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
+        if (cell)
+            lowest = std::min<double>(lowest.value_or(cell->top_m), cell->top_m);
+    });
+    return lowest;
+}
+
+std::optional<double> ObstacleMemory::highestAlong_m(const Vec2& from_m, double bearing_rad, double half_width_m,
+                                                     double length_m) const {
+    const Vec2 along = unit(bearing_rad);
+    std::optional<double> highest;
+    visitDisc(from_m + along * length_m / 2.0, length_m / 2.0 + half_width_m,
+              [&](const Vec2& center_m, const Cell* cell) {
+                  if (cell && inCorridor(center_m - from_m, along, half_width_m, length_m))
+                      highest = std::max<double>(highest.value_or(cell->top_m), cell->top_m);
+              });
+    return highest;
+}
+
+double ObstacleMemory::knownAlong(const Vec2& from_m, double bearing_rad, double half_width_m, double length_m) const {
+    const Vec2 along = unit(bearing_rad);
+    int total = 0;
+    int seen = 0;
+    visitDisc(from_m + along * length_m / 2.0, length_m / 2.0 + half_width_m,
+              [&](const Vec2& center_m, const Cell* cell) {
+                  if (!inCorridor(center_m - from_m, along, half_width_m, length_m))
+                      return;
+                  ++total;
+                  seen += cell ? 1 : 0;
+              });
+    return total == 0 ? 0.0 : static_cast<double>(seen) / total;
+}
+
+double clearance_m(std::span<const Obstacle> obstacles, const Vec2& from_m, double bearing_rad, double half_width_m,
+                   double reach_m) {
+    const Vec2 along = unit(bearing_rad);
+    double free_m = reach_m;
+    for (const Obstacle& obstacle : obstacles) {
+        const Vec2 offset_m = obstacle.at_m - from_m;
+        if (inCorridor(offset_m, along, half_width_m, free_m))
+            free_m = std::min(free_m, offset_m.dot(along));
+    }
+    return free_m;
+}
+
+double nearest_m(std::span<const Obstacle> obstacles, const Vec2& from_m, double otherwise_m) {
+    double nearest = otherwise_m;
+    for (const Obstacle& obstacle : obstacles)
+        nearest = std::min(nearest, (obstacle.at_m - from_m).norm());
+    return nearest;
+}
+
+} // namespace usar::airrobot

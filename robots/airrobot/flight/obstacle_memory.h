@@ -1,0 +1,91 @@
+// A local memory of obstacles around the robot: what the belly scanner saw, and fading sonar echoes.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// An obstacle, in the map frame.
+struct Obstacle {
+    Vec2 at_m = Vec2::Zero();
+    double top_m = 0.0;     ///< map z of the highest part that was seen
+    bool top_known = false; ///< false if only a sonar saw it; then it may be higher
+};
+
+/// How long scanner hits and sonar echoes are remembered.
+struct MemorySpans {
+    Seconds scan{600.0};
+    Seconds sonar{20.0};
+};
+
+/// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto
+/// peaks. A grid that moves along with the robot stores the highest scanner hit of each cell. Sonar echoes are points
+/// that expire, or are removed when a later beam passes through them. Works in the map frame and drifts with the INS,
+/// so it must be cleared when the INS is reset. Owned by one robot.
+class ObstacleMemory {
+public:
+    static constexpr double cell_m = 0.5; ///< size of a cell
+    static constexpr int side = 256;      ///< cells per side of the grid, which is 128 m
+
+    ObstacleMemory();
+
+    /// Adds the scan and the sonar echoes of a tick.
+    void take(const Senses& senses, const MemorySpans& spans);
+    void clear();
+
+    /// Returns the obstacles within `radius_m` of `at_m` whose top is above `level_m` (map z).
+    std::vector<Obstacle> near(const Vec2& at_m, double radius_m, double level_m) const;
+    /// Returns the highest top in the disc that is below `below_m` (both map z), including sonar echoes; nullopt if
+    /// none is known.
+    std::optional<double> highest_m(const Vec2& at_m, double radius_m,
+                                    double below_m = std::numeric_limits<double>::infinity()) const;
+    /// Returns the highest scanner hit in a corridor of `length_m` that starts at `from_m`; nullopt if none is known.
+    /// The bearing is in the map frame.
+    std::optional<double> highestAlong_m(const Vec2& from_m, double bearing_rad, double half_width_m,
+                                         double length_m) const;
+    /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
+    std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
+    /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.
+    double knownAlong(const Vec2& from_m, double bearing_rad, double half_width_m, double length_m) const;
+
+private:
+    struct Cell {
+        int column = 0;
+        int row = 0;
+        float top_m = 0.0f;
+        float time_s = -1e9f;
+    };
+    struct Echo {
+        Vec3 at_m;
+        Seconds time;
+    };
+
+    void takeScan(std::span<const Vec3> hits_m);
+    void takeEcho(const SonarEcho& echo);
+    /// Returns nullptr if the cell is unknown or too old.
+    const Cell* known(int column, int row) const;
+    /// Calls `visit(center_m, cell)` for each cell with its center in the disc; `cell` is nullptr if unknown.
+    template <class Visit>
+    void visitDisc(const Vec2& at_m, double radius_m, Visit&& visit) const;
+
+    std::vector<Cell> cells_;
+    std::vector<Echo> echoes_;
+    MemorySpans spans_;
+    Seconds now_{0.0};
+};
+
+/// Returns the length of the free way from `from_m` along `bearing_rad` (map frame) for a body with `half_width_m` to
+/// each side; `reach_m` if there are no obstacles within that distance.
+double clearance_m(std::span<const Obstacle> obstacles, const Vec2& from_m, double bearing_rad, double half_width_m,
+                   double reach_m);
+/// Returns the distance to the nearest obstacle, at most `otherwise_m`.
+double nearest_m(std::span<const Obstacle> obstacles, const Vec2& from_m, double otherwise_m);
+
+} // namespace usar::airrobot

@@ -1,0 +1,89 @@
+#include "robots/airrobot/flight/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// Limit of the ramp's time, so that the robot does not accelerate abruptly after a gap in the messages.
+constexpr Seconds longest_ramp = 2 * usual_tick;
+constexpr double turn_gain_per_s = 1.4;
+constexpr double stop_to_turn_rad = 0.6;
+constexpr double firm_braking_m_s2 = 2.0;
+constexpr double hold_gain_per_s = 0.6;
+constexpr double hold_speed_m_s = 0.5;
+constexpr double hold_tolerance_m = 0.15;
+
+Vec2 limited(const Vec2& vector, double length) {
+    const double norm = vector.norm();
+    return norm > length ? Vec2(vector * (length / norm)) : vector;
+}
+
+} // namespace
+
+double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& settings) {
+    const double error_rad = normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad);
+    return std::clamp(turn_gain_per_s * error_rad, -settings.turn_rate_rad_s, settings.turn_rate_rad_s);
+}
+
+Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings) {
+    const double error_rad = std::abs(normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad));
+    Motion motion;
+    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearing_rad, settings);
+    const double part = std::max(0.0, 1.0 - error_rad / stop_to_turn_rad);
+    motion.velocity_in_map_m_s = speed_m_s * part * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+    return motion;
+}
+
+Motion holding(const Senses& senses, const Vec2& place_m) {
+    Motion motion;
+    const Vec2 error_m = place_m - senses.position2_m();
+    if (error_m.norm() > hold_tolerance_m)
+        motion.velocity_in_map_m_s = limited(hold_gain_per_s * error_m, hold_speed_m_s);
+    return motion;
+}
+
+Seconds Pilot::rampTime(Seconds now) {
+    const Seconds since_last = last_at_ && now >= *last_at_ ? now - *last_at_ : usual_tick;
+    last_at_ = now;
+    return std::min(since_last, longest_ramp);
+}
+
+void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source,
+                const Settings& settings) {
+    const Vec2 change_m_s = motion.velocity_in_map_m_s - commanded_m_s_;
+    const bool slower = motion.velocity_in_map_m_s.norm() < commanded_m_s_.norm();
+    const double rate_m_s2 = slower ? firm_braking_m_s2 : settings.acceleration_m_s2;
+    const double ramp_s = rampTime(senses.now).count();
+    commanded_m_s_ =
+        motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
+    const double cosine = std::cos(senses.base_in_map.yaw_rad);
+    const double sine = std::sin(senses.base_in_map.yaw_rad);
+    protocol::AerialDrive drive;
+    drive.climb_m_s = motion.climb_m_s;
+    drive.forward_m_s = cosine * commanded_m_s_.x() + sine * commanded_m_s_.y();
+    drive.left_m_s = -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y();
+    drive.yaw_rate_rad_s = motion.yaw_rate_rad_s;
+    if (last_ == drive)
+        return;
+    last_ = drive;
+    port.send(drive, source);
+}
+
+Vec2 Pilot::commandedInBase_m_s() const {
+    return last_ ? Vec2(last_->forward_m_s.value_or(0.0), last_->left_m_s.value_or(0.0)) : Vec2(Vec2::Zero());
+}
+
+void Pilot::stop(agent::CommandPort& port, const std::string& source) {
+    commanded_m_s_ = Vec2::Zero();
+    last_at_.reset();
+    const protocol::AerialDrive zero{0.0, 0.0, 0.0, 0.0};
+    if (last_ == zero)
+        return;
+    last_ = zero;
+    port.send(zero, source);
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,50 @@
+// Converts wanted motions in the map frame to DRIVE commands: turns, ramps the speed, holds a place.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/agent/command_port.h"
+#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/settings.h"
+
+namespace usar::airrobot {
+
+/// The wanted motion of one tick.
+struct Motion {
+    Vec2 velocity_in_map_m_s = Vec2::Zero();
+    double climb_m_s = 0.0;      ///< positive upward
+    double yaw_rate_rad_s = 0.0; ///< positive to the left
+    bool sudden = false;         ///< change the speed without a ramp
+};
+
+/// Returns the yaw rate that turns the nose to `bearing_rad` (map frame).
+double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& settings);
+/// Returns a flight along `bearing_rad` (map frame). It is slower, down to zero, while the nose points elsewhere, so
+/// that the robot does not fly where it cannot see.
+Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings);
+/// Returns a motion that holds the place (map frame) and flies back to it if necessary.
+Motion holding(const Senses& senses, const Vec2& place_m);
+
+/// Increases speeds gently, because tilt blinds the sonars, and decreases them firmly. Sends a DRIVE only if it differs
+/// from the last one. Owned by one robot.
+class Pilot {
+public:
+    /// Commands a motion. `source` is named as the cause of the command.
+    void fly(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source,
+             const Settings& settings);
+    /// Commands zero speed without a ramp.
+    void stop(agent::CommandPort& port, const std::string& source);
+    /// The horizontal velocity of the last command, in the robot's frame.
+    Vec2 commandedInBase_m_s() const;
+
+private:
+    /// Returns the time that the ramp may use, which is the time since the last command up to a limit.
+    Seconds rampTime(Seconds now);
+
+    Vec2 commanded_m_s_ = Vec2::Zero(); ///< map frame
+    std::optional<Seconds> last_at_;
+    std::optional<protocol::AerialDrive> last_;
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,128 @@
+#include "robots/airrobot/flight/senses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr Seconds never{1e9};
+/// Readings this close to the maximum are not echoes ([SD]: more than 4.99 m of 5 m is free).
+constexpr double echo_tolerance_m = 0.02;
+constexpr std::size_t middle_rays = 10;
+
+SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_map) {
+    const Pose sonar_in_map = base_in_map * mount.sonar_in_base;
+    SonarEcho echo;
+    echo.name = mount.name;
+    echo.bearing_rad = mount.sonar_in_base.yaw_rad;
+    echo.range_m = std::min(range_m, mount.maximum_m);
+    echo.maximum_m = mount.maximum_m;
+    echo.hit = range_m < mount.maximum_m - echo_tolerance_m;
+    echo.origin_in_map_m = sonar_in_map.position_m;
+    echo.center_in_map_m = sonar_in_map * Vec3(echo.range_m, 0.0, 0.0);
+    const double spread_m = echo.range_m * std::tan(mount.beam_rad / 2.0);
+    echo.low_m = echo.center_in_map_m.z() - spread_m;
+    echo.high_m = echo.center_in_map_m.z() + spread_m;
+    return echo;
+}
+
+std::vector<Vec3> hitsOf(const protocol::RangeScan& scan, const Pose& scanner_in_map, double maximum_m) {
+    const Eigen::Isometry3d transform = scanner_in_map.isometry();
+    std::vector<Vec3> hits;
+    hits.reserve(scan.ranges_m.size());
+    for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+        const double range_m = scan.ranges_m[i];
+        if (!(range_m > 0.0) || range_m > maximum_m - echo_tolerance_m)
+            continue;
+        const double angle_rad = scan.beamAngle_rad(i);
+        hits.push_back(transform * Vec3(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad), 0.0));
+    }
+    return hits;
+}
+
+/// Returns the mean height of the hits nearest to straight below; nullopt if there are fewer than three. When the robot
+/// rolls, these come from other rays than when it is level.
+std::optional<double> groundBelow(std::vector<Vec3> hits, const Vec3& base_m) {
+    const auto offset = [&](const Vec3& hit) {
+        const Vec3 ray = hit - base_m;
+        return ray.head<2>().norm() / std::max(0.01, ray.norm());
+    };
+    std::erase_if(hits, [&](const Vec3& hit) { return offset(hit) > std::sin(radians(25.0)); });
+    if (hits.size() < 3)
+        return std::nullopt;
+    const std::size_t count = std::min(middle_rays, hits.size());
+    std::ranges::partial_sort(hits, hits.begin() + static_cast<std::ptrdiff_t>(count), {}, offset);
+    double sum_m = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        sum_m += hits[i].z();
+    return sum_m / static_cast<double>(count);
+}
+
+} // namespace
+
+void SenseReader::forgetMotion() {
+    history_.clear();
+    course_.reset();
+}
+
+Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
+                         Seconds time_out) {
+    Senses senses;
+    senses.now = now;
+    senses.line = line;
+    if (const auto* ins = robot.sensors.ins(); ins && ins->line != last_ins_) {
+        last_ins_ = ins->line;
+        ins_seen_ = now;
+        course_.update(now, ins->value.base_in_map, commanded_m_s_);
+        base_in_map_ = ins->value.base_in_map;
+        base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
+        history_.add(now, base_in_map_);
+    }
+    senses.base_in_map = base_in_map_;
+    senses.velocity_in_map_m_s = history_.velocity_m_s();
+    senses.yaw_rate_rad_s = history_.yawRate_rad_s();
+    readSonars(senses, robot, layout, time_out);
+    readScan(senses, robot, layout);
+    if (robot.state.latest())
+        senses.robot_battery = robot.state.latest()->battery_left;
+    senses.ins_age = ins_seen_ ? now - *ins_seen_ : never;
+    senses.scan_age = scan_seen_ ? now - *scan_seen_ : never;
+    return senses;
+}
+
+void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,
+                             Seconds time_out) {
+    senses.sonar_age = layout.sonars.empty() ? never : Seconds(0.0);
+    for (const SonarMount& mount : layout.sonars) {
+        const auto* reading = robot.sensors.sonar(mount.name);
+        const bool number = reading && std::isfinite(reading->value.range_m);
+        auto heard = sonars_heard_.find(mount.name);
+        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line))
+            heard = sonars_heard_.insert_or_assign(mount.name, Heard{reading->line, senses.now}).first;
+        const Seconds age = heard == sonars_heard_.end() ? never : senses.now - heard->second.at;
+        senses.sonar_age = std::max(senses.sonar_age, age);
+        if (age > time_out)
+            senses.silent_sonars.push_back(mount.name);
+        else if (number)
+            senses.sonars.push_back(echoOf(mount, reading->value.range_m, senses.base_in_map));
+    }
+}
+
+void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) {
+    const auto* scan = robot.sensors.scan(layout.scanner_name);
+    if (scan && scan->line != last_scan_) {
+        last_scan_ = scan->line;
+        scan_seen_ = senses.now;
+        const auto& taken_at = scan->value.time;
+        const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
+        PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
+        placed.hits_in_map_m = hitsOf(scan->value, placed.scanner_in_map, layout.scanner_maximum_m);
+        ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
+        senses.scan = std::move(placed);
+    }
+    senses.ground_m = ground_m_;
+}
+
+} // namespace usar::airrobot

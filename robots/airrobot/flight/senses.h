@@ -1,0 +1,106 @@
+// The perception of the robot in one tick, in the map frame of its own drifting pose estimate.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/cause.h"
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/modules/robot_modules.h"
+#include "robots/airrobot/flight/course_filter.h"
+#include "robots/airrobot/flight/pose_history.h"
+#include "robots/airrobot/flight/sensor_layout.h"
+
+namespace usar::airrobot {
+
+/// The tick of messages in UT2004, on which the thesis based its counts of ticks. Ticks of a UDK server are half as
+/// long.
+inline constexpr Seconds usual_tick{0.2};
+
+/// The reading of one sonar. The echo comes from somewhere on the cone's cap around `center_in_map_m`, between the
+/// heights `low_m` and `high_m`.
+struct SonarEcho {
+    std::string name;
+    double bearing_rad = 0.0; ///< direction of the sonar in the robot's frame, counterclockwise
+    double range_m = 0.0;
+    double maximum_m = 5.0;
+    bool hit = false; ///< false if nothing is within the maximum range
+    Vec3 origin_in_map_m = Vec3::Zero();
+    Vec3 center_in_map_m = Vec3::Zero();
+    double low_m = 0.0;  ///< map z of the lower edge of the cap
+    double high_m = 0.0; ///< map z of its upper edge
+};
+
+/// A scan that is new in this tick, placed where the robot was when it was taken.
+struct PlacedScan {
+    LineNumber line; ///< line of the protocol that contained it
+    Pose scanner_in_map;
+    Pose base_in_map;
+    std::vector<Vec3> hits_in_map_m; ///< in beam order, without beams that hit nothing
+};
+
+/// All perceptions of one tick. Ground truth is not among them; only InsReset uses it, on the ground.
+struct Senses {
+    Seconds now{0.0};
+    LineNumber line;
+    Pose base_in_map; ///< from the INS, with the heading corrected by the course
+    Vec3 velocity_in_map_m_s = Vec3::Zero();
+    double yaw_rate_rad_s = 0.0;
+    std::vector<SonarEcho> sonars;          ///< left to right, without silent ones
+    std::vector<std::string> silent_sonars; ///< mounted sonars that have sent no number for longer than the timeout
+    std::optional<PlacedScan> scan;         ///< nullopt if there is no new scan in this tick
+    std::optional<double> ground_m; ///< map z of the ground under the belly, the mean of the middle rays ([SD]: ten);
+                                    ///< nullopt if too few hit it
+    std::optional<Seconds> robot_battery; ///< remaining time of the robot's own battery; nullopt if not reported
+    Seconds ins_age{0.0};                 ///< time since the last INS reading; huge before the first
+    Seconds sonar_age{0.0};               ///< the same for the sonar that has been silent the longest
+    Seconds scan_age{0.0};                ///< the same for the scanner
+
+    Vec3 position_m() const { return base_in_map.position_m; }
+    Vec2 position2_m() const { return base_in_map.position_m.head<2>(); }
+    /// The height over the ground below, or `otherwise_m` if the ground is not visible.
+    double heightOverGround_m(double otherwise_m) const {
+        return ground_m ? base_in_map.position_m.z() - *ground_m : otherwise_m;
+    }
+};
+
+/// Computes the senses from the modules' snapshots. Owned by one robot.
+class SenseReader {
+public:
+    /// Returns the senses of a tick; call it once per tick. A sonar that has sent no number for longer than `time_out`
+    /// counts as silent.
+    Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
+                Seconds time_out);
+    /// Sets the robot's last commanded velocity (robot frame), with which the course is compared. If it is never
+    /// called, the heading is not corrected.
+    void tellCommand(const Vec2& velocity_in_base_m_s) { commanded_m_s_ = velocity_in_base_m_s; }
+    /// Forgets velocities and the heading correction, because the position estimate has jumped.
+    void forgetMotion();
+
+private:
+    /// The last line with a number from one sonar, and the time at which it was received.
+    struct Heard {
+        LineNumber line;
+        Seconds at{0.0};
+    };
+
+    void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout, Seconds time_out);
+    void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
+
+    PoseHistory history_;
+    CourseFilter course_;
+    Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
+    Pose base_in_map_;
+    LineNumber last_ins_;
+    LineNumber last_scan_;
+    std::optional<Seconds> ins_seen_;
+    std::optional<Seconds> scan_seen_;
+    std::map<std::string, Heard, std::less<>> sonars_heard_;
+    std::optional<double> ground_m_;
+};
+
+} // namespace usar::airrobot

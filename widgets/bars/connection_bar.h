@@ -1,0 +1,107 @@
+// The bar that always shows the state of the link: which server, whether it is connected, and why not.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+
+#include "core/base/clock.h"
+#include "widgets/bars/link_panel.h"
+#include "widgets/style/state_dot.h"
+
+namespace usar::widgets {
+
+class ElidedLabel;
+
+/// The simulator inside this program, or a USARSim server on the network.
+enum class ServerChoice { Embedded, Real };
+
+/// Waiting: the last try failed, and the next one starts automatically.
+enum class ConnectionState { Disconnected, Connecting, Connected, Waiting };
+
+/// How much the bar shows. Medium: the choice of server is hidden while it cannot be changed. Narrow: additionally, the
+/// button has no text while there is a link.
+enum class BarRoom { Wide, Medium, Narrow };
+
+/// State of the link as the bar shows it. `where` is shown when connected ("tall_test"); `reason` is a sentence that
+/// includes the remedy.
+struct ConnectionStatus {
+    ConnectionState state = ConnectionState::Disconnected;
+    QString where;         ///< name of the world or server, shown when connected
+    QString reason;        ///< without the time to the next try, which the bar appends
+    Seconds retry_in{0.0}; ///< while Waiting: wall time to the next try
+    bool operator==(const ConnectionStatus&) const = default;
+};
+
+/// Server choice, host and port come in; requests to connect and disconnect go out. It never connects by itself. While
+/// waiting, it counts down the seconds to the next try in wall time. GUI thread.
+class ConnectionBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit ConnectionBar(QWidget* parent = nullptr);
+
+    /// Emits serverChanged if the choice changes.
+    void setServer(ServerChoice choice);
+    /// The current choice, connected or not.
+    ServerChoice server() const;
+    /// Host and TCP port of the real server; the embedded one needs none.
+    void setAddress(const QString& host, quint16 port);
+    /// Host as typed, trimmed; may be empty.
+    QString host() const;
+    /// TCP port, 1..65535.
+    quint16 port() const;
+    /// Shows the state. The server choice is locked unless the state is Disconnected.
+    void setStatus(const ConnectionStatus& status);
+    /// Sets how much room the bar has; the owner knows the width of the window.
+    void setRoom(BarRoom room);
+    /// Info lines per second of wall time; nullopt shows no figure. The figure is visible in every BarRoom.
+    void setRate(std::optional<double> lines_per_s);
+    /// The popup with all figures of the link, which a click on the rate opens. It always exists, so it can be filled
+    /// at any time; owned by the bar.
+    LinkPanel* panel() const { return panel_; }
+    void openPanel() { panel_->openBelow(rate_); }
+    /// The complete status text, even if part of it is elided on the screen.
+    QString statusText() const;
+
+signals:
+    /// For a real server the host is trimmed and not empty; for the embedded one it is empty and the port is 0.
+    void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
+    /// Also means "stop trying" while connecting or waiting.
+    void disconnectRequested();
+    /// By the user or by setServer.
+    void serverChanged(usar::widgets::ServerChoice choice);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void setUpAddress();
+    void setUpStatus();
+    void countDown();
+    void showWords();
+    /// Connects, disconnects or cancels, depending on the state.
+    void press();
+    void refresh();
+
+    ConnectionStatus status_; ///< as last set
+    BarRoom room_ = BarRoom::Wide;
+    int button_width_px_ = 0; ///< width with its longest word
+    Seconds retry_in_{0.0};   ///< time to the next try, counting down
+    QTimer second_{this};
+    QComboBox* server_;
+    QLineEdit* host_;
+    QSpinBox* port_;
+    QPushButton* button_;
+    StateDot* dot_;
+    ElidedLabel* status_text_; ///< elided with "…" if there is no room
+    QLabel* retry_;            ///< never elided, because it changes every second
+    QToolButton* rate_;
+    LinkPanel* panel_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,80 @@
+#include "widgets/bars/hint_strip.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+HintStrip::HintStrip(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
+    setProperty("role", "strip");
+    setAccessibleName(tr("First steps"));
+    auto* close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("dismiss"));
+    close->setIcon(icon(QStringLiteral("clear")));
+    close->setAutoRaise(true);
+    close->setMinimumSize(minimum_target, minimum_target);
+    close->setAccessibleName(tr("Dismiss the first steps"));
+    close->setToolTip(tr("Hide this strip; First steps in the View menu shows it again"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
+    text_->setTextFormat(Qt::RichText);
+    text_->setWordWrap(true);
+    row->addWidget(text_, 1);
+    row->addWidget(close);
+    connect(close, &QToolButton::clicked, this, [this] {
+        hide();
+        emit dismissed();
+    });
+    setSteps(firstSteps());
+}
+
+QStringList HintStrip::firstSteps() {
+    return {tr("Double-click a start pose to spawn a robot"), tr("Draw the mission area"), tr("Press Start")};
+}
+
+void HintStrip::setSteps(const QStringList& steps) {
+    steps_ = steps;
+    done_.assign(static_cast<std::size_t>(steps.size()), false);
+    refresh();
+}
+
+void HintStrip::setDone(int step, bool done) {
+    done_[static_cast<std::size_t>(step)] = done;
+    refresh();
+}
+
+bool HintStrip::allDone() const {
+    return std::ranges::all_of(done_, [](bool done) { return done; });
+}
+
+void HintStrip::refresh() {
+    const Tokens& t = tokens();
+    const QString nbsp = QStringLiteral("&nbsp;"); // Keeps each step on one line.
+    const auto next = static_cast<qsizetype>(std::ranges::find(done_, false) - done_.begin());
+    QStringList parts;
+    for (qsizetype i = 0; i < steps_.size(); ++i) {
+        const bool done = done_[static_cast<std::size_t>(i)];
+        const QString mark = done ? QStringLiteral("✓") : QString::number(i + 1);
+        const QColor ink = done ? t.ok : i == next ? t.text : t.text_muted;
+        const QString text = QStringLiteral("<span style='color:%1'><b>%2</b>&nbsp;%3</span>")
+                                 .arg(ink.name(), mark, steps_[i].toHtmlEscaped().replace(u' ', nbsp));
+        parts << (i == next ? QStringLiteral("<b>%1</b>").arg(text) : text);
+    }
+    text_->setText(
+        parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name())));
+    setAccessibleDescription(next < steps_.size() ? tr("Next: %1").arg(steps_[next]) : tr("All steps are done"));
+}
+
+void HintStrip::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        refresh();
+    QFrame::changeEvent(event);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,63 @@
+#include "widgets/bars/record_badge.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include "widgets/models/figures.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+RecordBadge::RecordBadge(QWidget* parent)
+    : QWidget(parent)
+    , button_(new QToolButton(this))
+    , figures_(new QLabel(this)) {
+    setAccessibleName(tr("Recording"));
+    button_->setAutoRaise(true);
+    button_->setMinimumSize(minimum_target, minimum_target);
+    figures_->setProperty("role", "muted");
+    figures_->setMinimumWidth(figures_->fontMetrics().horizontalAdvance(QStringLiteral("00:00:00 0000.0 MB")));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
+    row->setSpacing(gap::tiny);
+    row->addWidget(button_);
+    row->addWidget(figures_);
+    setState(std::nullopt);
+}
+
+void RecordBadge::setAction(QAction* action) {
+    button_->setDefaultAction(action);
+    button_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button_->setAccessibleName(action->text());
+    connect(action, &QAction::toggled, this, [this] { refresh(); });
+    refresh();
+}
+
+void RecordBadge::setState(const std::optional<RecordState>& state) {
+    if (state)
+        figures_->setText(
+            tr("%1 %2 MB").arg(clockText(state->elapsed), figure(static_cast<double>(state->bytes) / 1e6, 1)));
+    setToolTip(state ? tr("%1, written to %2").arg(figures_->text(), state->path) : QString());
+    if (writing_ == state.has_value() && !(figures_->text().isEmpty()))
+        return;
+    writing_ = state.has_value();
+    refresh();
+}
+
+void RecordBadge::refresh() {
+    QAction* action = button_->defaultAction();
+    if (!writing_)
+        figures_->setText(action && action->isChecked() ? tr("REC ready") : tr("not recorded"));
+    if (action)
+        action->setIcon(writing_ ? icon(QStringLiteral("record"), tokens().danger) : icon(QStringLiteral("record")));
+}
+
+void RecordBadge::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        refresh();
+    QWidget::changeEvent(event);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,114 @@
+#include "widgets/commands/command_palette.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+/// Paints the text on the left, group and shortcut muted on the right.
+class CommandDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        const bool selected = option.state & QStyle::State_Selected;
+        const QString shortcut = index.data(CommandListModel::ShortcutRole).toString();
+        QString text = index.data(CommandListModel::GroupRole).toString();
+        if (!shortcut.isEmpty())
+            text += QStringLiteral("    ") + shortcut;
+        painter->setPen(selected ? inkOn(tokens().accent) : tokens().text_muted);
+        painter->drawText(option.rect.adjusted(0, 0, -gap::small, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+    }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return {QStyledItemDelegate::sizeHint(option, index).width(), 28};
+    }
+};
+
+} // namespace
+
+CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
+    : QFrame(window, Qt::Popup)
+    , model_(new CommandListModel(registry, this))
+    , line_(new QLineEdit(this))
+    , list_(new QListView(this)) {
+    setProperty("role", "card");
+    setAccessibleName(tr("Command palette"));
+    line_->setPlaceholderText(tr("Type a command"));
+    line_->setAccessibleName(tr("Command"));
+    line_->setToolTip(tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
+    line_->setMinimumHeight(minimum_target);
+    line_->setClearButtonEnabled(true);
+    list_->setModel(model_);
+    list_->setItemDelegate(new CommandDelegate(list_));
+    list_->setFocusPolicy(Qt::NoFocus);
+    list_->setAccessibleName(tr("Matching commands"));
+    list_->setFrameShape(QFrame::NoFrame);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    column->setSpacing(gap::small);
+    column->addWidget(line_);
+    column->addWidget(list_);
+    line_->installEventFilter(this);
+    connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        model_->setFilter(text);
+        list_->setCurrentIndex(model_->index(0));
+    });
+    connect(line_, &QLineEdit::returnPressed, this, &CommandPalette::run);
+    connect(list_, &QListView::clicked, this, &CommandPalette::run);
+}
+
+void CommandPalette::open() {
+    const QWidget* window = parentWidget();
+    const QSize size(std::min(560, window->width() - 2 * gap::large), std::min(400, window->height() - 2 * gap::large));
+    resize(size);
+    move(window->mapToGlobal(QPoint((window->width() - size.width()) / 2, gap::large)));
+    line_->clear();
+    model_->setFilter({});
+    list_->setCurrentIndex(model_->index(0));
+    show();
+    line_->setFocus();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == line_ && event->type() == QEvent::KeyPress) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Down:
+            choose(1);
+            return true;
+        case Qt::Key_Up:
+            choose(-1);
+            return true;
+        case Qt::Key_PageDown:
+            choose(8);
+            return true;
+        case Qt::Key_PageUp:
+            choose(-8);
+            return true;
+        default:
+            break;
+        }
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void CommandPalette::choose(int by) {
+    const int row = std::clamp(list_->currentIndex().row() + by, 0, std::max(0, model_->rowCount() - 1));
+    list_->setCurrentIndex(model_->index(row));
+}
+
+void CommandPalette::run() {
+    QAction* action = model_->actionAt(list_->currentIndex());
+    if (!action)
+        return;
+    hide();
+    action->trigger();
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,96 @@
+#include "widgets/commands/shortcut_sheet.h"
+
+#include <algorithm>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+struct Line {
+    QString keys;
+    QString text;
+};
+struct Group {
+    QString name;
+    QList<Line> lines;
+};
+
+QList<Group> groupsOf(const CommandRegistry& registry) {
+    QList<Group> groups;
+    for (const auto& command : registry.commands()) {
+        if (command->spec.shortcuts.isEmpty())
+            continue;
+        QStringList keys;
+        for (const QKeySequence& sequence : command->spec.shortcuts)
+            keys << sequence.toString(QKeySequence::NativeText);
+        auto group = std::ranges::find(groups, command->spec.group, &Group::name);
+        if (group == groups.end())
+            group = groups.insert(groups.end(), Group{command->spec.group, {}});
+        group->lines.append(Line{keys.join(QStringLiteral("  ")), command->spec.text});
+    }
+    return groups;
+}
+
+QWidget* groupWidget(const Group& group) {
+    auto* box = new QWidget;
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, gap::large, gap::medium);
+    grid->setHorizontalSpacing(gap::medium);
+    grid->setVerticalSpacing(gap::tiny);
+    auto* title = new QLabel(group.name);
+    title->setProperty("role", "title");
+    grid->addWidget(title, 0, 0, 1, 2);
+    int row = 1;
+    for (const Line& line : group.lines) {
+        auto* keys = new QLabel(line.keys);
+        keys->setProperty("role", "muted");
+        grid->addWidget(keys, row, 0);
+        grid->addWidget(new QLabel(line.text), row, 1);
+        ++row;
+    }
+    grid->setColumnMinimumWidth(0, 120);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(row, 1);
+    return box;
+}
+
+} // namespace
+
+ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::pair<QString, QString>>& gestures,
+                             QWidget* window)
+    : QDialog(window) {
+    setWindowTitle(tr("Keys and gestures"));
+    setAccessibleName(windowTitle());
+    QList<Group> groups = groupsOf(registry);
+    if (!gestures.isEmpty()) {
+        Group mouse{tr("Mouse"), {}};
+        for (const auto& [gesture, effect] : gestures)
+            mouse.lines.append(Line{gesture, effect});
+        groups.append(mouse);
+    }
+    auto* sheet = new QWidget;
+    auto* grid = new QGridLayout(sheet);
+    grid->setContentsMargins(gap::large, gap::large, gap::large, gap::large);
+    for (int i = 0; i < groups.size(); ++i)
+        grid->addWidget(groupWidget(groups[i]), i / 2, i % 2);
+    grid->setRowStretch(grid->rowCount(), 1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(sheet);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(scroll);
+    constexpr int scroll_bar_px = 24;
+    // Wide enough to never need horizontal scrolling.
+    resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);
+}
+
+} // namespace usar::widgets

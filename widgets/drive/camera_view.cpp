@@ -1,0 +1,192 @@
+#include "widgets/drive/camera_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/base/geometry.h"
+#include "widgets/drive/camera_canvas.h"
+#include "widgets/models/figures.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int slider_steps = 100;
+constexpr double notch_factor = 1.15;
+constexpr double old_s = 2.0;
+
+} // namespace
+
+CameraView::CameraView(QWidget* parent)
+    : QWidget(parent)
+    , canvas_(new CameraCanvas(this))
+    , empty_(new EmptyState(canvas_))
+    , source_(new QLabel(this))
+    , freshness_(new QLabel(this))
+    , cameras_(new QComboBox(this))
+    , slider_(new QSlider(Qt::Horizontal, this))
+    , angle_(new QLabel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    column->setSpacing(gap::tiny);
+    column->addWidget(canvas_, 1);
+    auto* facts = new QHBoxLayout;
+    facts->addWidget(source_);
+    facts->addWidget(cameras_);
+    facts->addStretch(1);
+    facts->addWidget(freshness_);
+    column->addLayout(facts);
+    makeControls();
+    column->addLayout(controls_);
+    connect(canvas_, &CameraCanvas::turned, this,
+            [this](double right, double up) { emit turnRequested(right * zoom_.now_rad, up * zoom_.now_rad); });
+    connect(canvas_, &CameraCanvas::zoomed, this,
+            [this](double notches) { askZoom(zoom_.now_rad * std::pow(notch_factor, -notches)); });
+    connect(cameras_, &QComboBox::textActivated, this, &CameraView::cameraChosen);
+    connect(&age_timer_, &QTimer::timeout, this, &CameraView::showAge);
+    setSource({}, {}, {});
+    setZoom({});
+    setEmpty(tr("No robot yet"), tr("Pictures of the selected robot's camera appear here."));
+}
+
+void CameraView::makeControls() {
+    source_->setProperty("role", "title");
+    freshness_->setProperty("role", "muted");
+    freshness_->setFont(themeFont(FontRole::Small));
+    freshness_->setAccessibleName(tr("Pictures a second and age of the last one"));
+    freshness_->setToolTip(tr("Pictures a second, and how long ago the last one came"));
+    cameras_->setAccessibleName(tr("Camera"));
+    cameras_->setToolTip(tr("Which of the robot's cameras is shown"));
+    slider_->setRange(0, slider_steps);
+    slider_->setMinimumHeight(minimum_target);
+    slider_->setAccessibleName(tr("Zoom"));
+    slider_->setToolTip(tr("Angle of view: wide on the left, close on the right"));
+    angle_->setFont(themeFont(FontRole::Small));
+    angle_->setAccessibleName(tr("Angle of view"));
+    angle_->setToolTip(tr("Angle of view across the picture, in degrees"));
+    angle_->setMinimumWidth(angle_->fontMetrics().horizontalAdvance(QStringLiteral("120°")));
+    angle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    controls_ = new QHBoxLayout;
+    controls_->setSpacing(gap::tiny);
+    controls_->addWidget(slider_, 1);
+    controls_->addWidget(angle_);
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) {
+        askZoom(zoom_.largest_rad * std::pow(zoom_.smallest_rad / zoom_.largest_rad, double(value) / slider_steps));
+    });
+}
+
+void CameraView::setActions(const QList<QAction*>& actions) {
+    for (QAction* const action : actions) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setMinimumSize(minimum_target, minimum_target);
+        button->setAccessibleName(action->text());
+        controls_->addWidget(button);
+    }
+}
+
+const QImage& CameraView::picture() const {
+    return canvas_->picture();
+}
+
+void CameraView::setPicture(const QImage& picture, double frames_per_s) {
+    const bool first = isEmpty();
+    ++pictures_;
+    frames_per_s_ = frames_per_s;
+    age_.start();
+    empty_->hide();
+    canvas_->setPicture(picture);
+    if (!first)
+        return; // The figures are updated by the slower timer: setting a label's text lays out the whole dock again.
+    slider_->setEnabled(zoom_.largest_rad > zoom_.smallest_rad);
+    showAge();
+}
+
+void CameraView::setSource(const QString& robot, const QStringList& cameras, const QString& shown) {
+    const bool choice = cameras.size() > 1;
+    source_->setText(choice || shown.isEmpty() ? robot : tr("%1 · %2").arg(robot, shown));
+    const QSignalBlocker quiet(cameras_);
+    cameras_->clear();
+    cameras_->addItems(cameras);
+    cameras_->setCurrentText(shown);
+    cameras_->setVisible(choice);
+}
+
+void CameraView::setZoom(const CameraZoom& zoom) {
+    zoom_ = zoom;
+    const bool fixed = zoom.largest_rad <= zoom.smallest_rad;
+    slider_->setEnabled(!fixed && !isEmpty());
+    angle_->setText(figure(degrees(zoom.now_rad), 0) + QStringLiteral("°"));
+    if (fixed || slider_->isSliderDown())
+        return;
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(std::lround(slider_steps * std::log(zoom.now_rad / zoom.largest_rad) /
+                                                   std::log(zoom.smallest_rad / zoom.largest_rad))));
+}
+
+void CameraView::askZoom(double field_of_view_rad) {
+    const double asked_rad = std::clamp(field_of_view_rad, std::min(zoom_.smallest_rad, zoom_.largest_rad),
+                                        std::max(zoom_.smallest_rad, zoom_.largest_rad));
+    if (asked_rad != zoom_.now_rad)
+        emit zoomRequested(asked_rad);
+}
+
+void CameraView::setEmpty(const QString& title, const QString& hint, QAction* action) {
+    if (isEmpty() && empty_->isVisibleTo(this) && empty_->accessibleName() == title &&
+        empty_->accessibleDescription() == hint)
+        return;
+    canvas_->setPicture({});
+    empty_->setText(title, hint);
+    empty_->setAction(action);
+    empty_->show();
+    slider_->setEnabled(false);
+    freshness_->clear();
+    age_.invalidate();
+}
+
+bool CameraView::isEmpty() const {
+    return canvas_->picture().isNull();
+}
+
+void CameraView::showAge() {
+    if (!age_.isValid())
+        return;
+    const double age_s = static_cast<double>(age_.elapsed()) / 1000.0;
+    canvas_->setStale(age_s > old_s);
+    freshness_->setText(age_s > old_s ? tr("%1 s old").arg(figure(age_s, 0))
+                                      : tr("%1 frames/s · %2 s").arg(figure(frames_per_s_, 1), figure(age_s, 1)));
+}
+
+void CameraView::setUncovered(bool uncovered) {
+    uncovered_ = uncovered;
+    watchedOrNot();
+}
+
+void CameraView::watchedOrNot() {
+    if (wantsPictures())
+        age_timer_.start(250);
+    else
+        age_timer_.stop();
+    emit wantsPicturesChanged(wantsPictures());
+}
+
+void CameraView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    watchedOrNot();
+}
+
+void CameraView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    watchedOrNot();
+}
+
+} // namespace usar::widgets

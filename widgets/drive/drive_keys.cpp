@@ -1,0 +1,155 @@
+#include "widgets/drive/drive_keys.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
+#include <QWindow>
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr double slow_share = 0.3;
+
+bool takesText(const QWidget* widget) {
+    if (const auto* const line = qobject_cast<const QLineEdit*>(widget))
+        return !line->isReadOnly();
+    const auto* const choice = qobject_cast<const QComboBox*>(widget);
+    return qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+           qobject_cast<const QAbstractSpinBox*>(widget) || (choice && choice->isEditable());
+}
+
+} // namespace
+
+DriveKeys::DriveKeys(QWidget* window) : QObject(window), window_(window) {
+    qApp->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, const QWidget* now) {
+        if (active_ && takesText(now)) {
+            emit focusLost();
+            release();
+        }
+    });
+}
+
+void DriveKeys::setActive(bool active) {
+    if (active_ == active)
+        return;
+    active_ = active;
+    release();
+    if (QWidget* const typed_in = QApplication::focusWidget(); active && takesText(typed_in))
+        typed_in->clearFocus(); // The user wants to drive, not to type.
+}
+
+void DriveKeys::setAxes(const StickAxes& axes) {
+    axes_ = axes;
+}
+
+Stick DriveKeys::stick() const {
+    const auto share = [this](int more, int less) {
+        return (double(down_.contains(more)) - double(down_.contains(less))) * (slow_ ? slow_share : 1.0);
+    };
+    return masked({share(Qt::Key_W, Qt::Key_S), share(Qt::Key_Q, Qt::Key_E), share(Qt::Key_A, Qt::Key_D),
+                   share(Qt::Key_R, Qt::Key_F)},
+                  axes_);
+}
+
+QStringList DriveKeys::turnKeys(const StickAxes& axes) {
+    const auto named = [](bool has, const char* key) { return has ? QString::fromLatin1(key) : QString(); };
+    return {named(axes.forward, "W"), named(axes.forward, "S"), named(axes.turn, "A"), named(axes.turn, "D")};
+}
+
+bool DriveKeys::isOurs(const QKeyEvent& event) const {
+    switch (event.key()) {
+    case Qt::Key_W:
+    case Qt::Key_S:
+        return axes_.forward;
+    case Qt::Key_A:
+    case Qt::Key_D:
+        return axes_.turn;
+    case Qt::Key_Q:
+    case Qt::Key_E:
+        return axes_.left;
+    case Qt::Key_R:
+    case Qt::Key_F:
+        return axes_.up;
+    case Qt::Key_Space:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool DriveKeys::takes(const QKeyEvent& event) const {
+    const auto modifiers = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    return active_ && isOurs(event) && modifiers == Qt::NoModifier && QApplication::activeWindow() == window_ &&
+           !QApplication::activePopupWidget() && !takesText(QApplication::focusWidget());
+}
+
+/// Filters events of the whole application. A window receives each key once, before its widgets do; before that, the
+/// focused widget is asked by a ShortcutOverride whether it wants the key more than a shortcut does.
+bool DriveKeys::eventFilter(QObject* watched, QEvent* event) {
+    if (!active_)
+        return false;
+    switch (event->type()) {
+    case QEvent::ShortcutOverride:
+        if (takes(*static_cast<QKeyEvent*>(event))) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+        if (watched->isWindowType())
+            return takeKey(*static_cast<QKeyEvent*>(event), event->type() == QEvent::KeyPress);
+        break;
+    case QEvent::WindowDeactivate:
+        if (watched == window_) {
+            emit focusLost();
+            release();
+        }
+        break;
+    default:
+        break;
+    }
+    return false;
+}
+
+bool DriveKeys::takeKey(const QKeyEvent& event, bool down) {
+    if (event.key() == Qt::Key_Shift && slow_ != down) {
+        slow_ = down;
+        if (!down_.empty())
+            emit changed(stick());
+        return false;
+    }
+    if (!down && down_.contains(event.key()) && !event.isAutoRepeat()) {
+        down_.erase(event.key()); // Independent of the focus.
+        emit changed(stick());
+        return true;
+    }
+    if (!takes(event))
+        return false;
+    if (event.isAutoRepeat() || !down)
+        return true;
+    if (event.key() == Qt::Key_Space) {
+        release();
+        emit stopPressed();
+        return true;
+    }
+    down_.insert(event.key());
+    emit changed(stick());
+    return true;
+}
+
+void DriveKeys::release() {
+    const bool held = !down_.empty();
+    down_.clear();
+    slow_ = false;
+    if (held)
+        emit changed({});
+}
+
+} // namespace usar::widgets

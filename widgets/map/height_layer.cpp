@@ -1,0 +1,139 @@
+#include "widgets/map/height_layer.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/hand_over.h"
+
+namespace usar::widgets {
+
+using mapping::GridIndex;
+using mapping::HeightTile;
+
+HeightLayer::HeightLayer(QObject* parent) : QObject(parent) {
+    pool_.setMaxThreadCount(1);
+}
+
+HeightLayer::~HeightLayer() {
+    pool_.waitForDone();
+}
+
+void HeightLayer::clear(double cell_size_m) {
+    cell_size_m_ = cell_size_m;
+    tiles_.clear();
+    sources_.clear();
+    pages_.clear();
+    dirty_.clear();
+    range_known_ = false;
+    ++generation_;
+    emit changed();
+}
+
+void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& tiles,
+                       const std::optional<mapping::HeightRange>& range) {
+    for (const auto& tile : tiles) {
+        tiles_[tile->index] = tile;
+        const GridIndex page = pageOfTile(tile->index);
+        PageTiles& source = sources_[page];
+        source.index = page;
+        const int column = tile->index.column - page.column * PageTiles::tiles_per_side;
+        const int row = tile->index.row - page.row * PageTiles::tiles_per_side;
+        source.tiles[static_cast<std::size_t>(row * PageTiles::tiles_per_side + column)] = tile;
+        dirty_.insert(page);
+    }
+    if (range && (!range_known_ || *range != style_.range)) {
+        range_known_ = true;
+        HeightStyle style = style_;
+        style.range = *range;
+        setStyle(style);
+    }
+    renderNext();
+}
+
+void HeightLayer::setColorMap(mapping::ColorMap color_map) {
+    HeightStyle style = style_;
+    style.color_map = color_map;
+    setStyle(style);
+    renderNext();
+}
+
+void HeightLayer::setOrientation(MapOrientation orientation) {
+    HeightStyle style = style_;
+    style.orientation = orientation;
+    setStyle(style);
+    renderNext();
+}
+
+void HeightLayer::setStyle(const HeightStyle& style) {
+    if (style == style_)
+        return;
+    style_ = style;
+    for (const auto& [index, source] : sources_)
+        dirty_.insert(index);
+}
+
+Rectangle HeightLayer::bounds_in_map() const {
+    if (tiles_.empty())
+        return {};
+    const double side_m = HeightTile::side * cell_size_m_;
+    const double huge = std::numeric_limits<double>::max();
+    Rectangle bounds{Vec2(huge, huge), Vec2(-huge, -huge)};
+    for (const auto& [index, tile] : tiles_) {
+        const Vec2 corner(index.column * side_m, index.row * side_m);
+        bounds.min_m = bounds.min_m.cwiseMin(corner);
+        bounds.max_m = bounds.max_m.cwiseMax(Vec2(corner + Vec2(side_m, side_m)));
+    }
+    return bounds;
+}
+
+std::optional<HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
+    const Vec2 cell = (point_in_map_m / cell_size_m_).array().floor().matrix();
+    if (!(cell.cwiseAbs().maxCoeff() < 1e9))
+        return std::nullopt;
+    const Vec2 tile_index = (cell / double(HeightTile::side)).array().floor().matrix();
+    const GridIndex index{static_cast<std::int32_t>(tile_index.x()), static_cast<std::int32_t>(tile_index.y())};
+    const auto found = tiles_.find(index);
+    if (found == tiles_.end())
+        return std::nullopt;
+    const Vec2 within = cell - tile_index * double(HeightTile::side);
+    const auto at = static_cast<std::size_t>(within.y()) * HeightTile::side + static_cast<std::size_t>(within.x());
+    const float height_m = found->second->height_m[at];
+    if (!std::isfinite(height_m))
+        return std::nullopt;
+    return HeightProbe{height_m, found->second->hits[at]};
+}
+
+void HeightLayer::renderNext() {
+    if (rendering_ || dirty_.empty() || !range_known_)
+        return;
+    std::vector<PageTiles> batch;
+    batch.reserve(dirty_.size());
+    for (const GridIndex index : dirty_)
+        batch.push_back(sources_.at(index));
+    dirty_.clear();
+    rendering_ = true;
+    pool_.start(HandedOver([this, batch = std::move(batch), style = style_, generation = generation_] {
+        std::vector<std::pair<GridIndex, PagePicture>> finished;
+        finished.reserve(batch.size());
+        for (const PageTiles& page : batch)
+            finished.emplace_back(page.index, renderPage(page, style));
+        // The destructor waits for this worker, so `this` is valid here; if the object is destroyed, the queued call is
+        // discarded.
+        QMetaObject::invokeMethod(this, HandedOver([this, finished = std::move(finished), generation]() mutable {
+                                      swapIn(std::move(finished), generation);
+                                  }),
+                                  Qt::QueuedConnection);
+    }));
+}
+
+void HeightLayer::swapIn(std::vector<std::pair<GridIndex, PagePicture>> finished, int generation) {
+    rendering_ = false;
+    if (generation == generation_) {
+        for (auto& [index, picture] : finished)
+            pages_[index] = std::move(picture);
+        emit changed();
+    }
+    renderNext();
+}
+
+} // namespace usar::widgets

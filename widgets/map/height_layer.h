@@ -1,0 +1,84 @@
+// The scan preview of the thesis (4.2) as the map's height layer: tiles go in, finished pictures come out.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QObject>
+#include <QThreadPool>
+
+#include "widgets/models/map/height_page.h"
+
+namespace usar::widgets {
+
+/// Data of one cell; shown for the cell under the cursor.
+struct HeightProbe {
+    float height_m = 0.0f; ///< value of the height array: the mean of the measurements
+    int hits = 0;          ///< number of measurements; 0: interpolated between two beams
+};
+
+/// Double-buffered: one worker renders all changed pages together, and they are swapped in together, so that a new
+/// height range never shows next to the old one. While a batch is rendered, changes collect for the next one. Belongs
+/// to the GUI thread; the worker only sees copies and immutable tiles.
+class HeightLayer : public QObject {
+    Q_OBJECT
+public:
+    explicit HeightLayer(QObject* parent = nullptr);
+    /// Waits for the worker.
+    ~HeightLayer() override;
+
+    /// Removes all tiles and pictures; later tiles have cells of this size, in meters.
+    void clear(double cell_size_m);
+    /// Adds tiles; a new tile replaces the one with the same index. A changed range recolors every page. Nothing is
+    /// rendered before the first range is known; nullopt leaves the range unchanged.
+    void take(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
+              const std::optional<mapping::HeightRange>& range);
+    /// Recolors every page.
+    void setColorMap(mapping::ColorMap color_map);
+    /// Renders every page again.
+    void setOrientation(MapOrientation orientation);
+
+    /// Side of a cell in meters.
+    double cellSize_m() const { return cell_size_m_; }
+    const HeightStyle& style() const { return style_; }
+    /// True until the first tile arrives, whether or not it has been rendered.
+    bool empty() const { return tiles_.empty(); }
+    /// Finished pictures by page index.
+    const std::map<mapping::GridIndex, PagePicture>& pages() const { return pages_; }
+    /// Extent of all tiles in meters of the map frame; empty without tiles.
+    Rectangle bounds_in_map() const;
+    /// Data of the cell at that point; nullopt if its height is unknown.
+    std::optional<HeightProbe> probe(const Vec2& point_in_map_m) const;
+    /// True while a worker renders or changes wait for it.
+    bool busy() const { return rendering_ || !dirty_.empty(); }
+
+signals:
+    /// Finished pictures were swapped in, or all were removed.
+    void changed();
+
+private:
+    void setStyle(const HeightStyle& style);
+    /// Hands all dirty pages to the worker, unless it is busy or no range is known yet.
+    void renderNext();
+    /// Takes the worker's result; a result from before the last clear() is dropped.
+    void swapIn(std::vector<std::pair<mapping::GridIndex, PagePicture>> finished, int generation);
+
+    double cell_size_m_ = 0.25;
+    HeightStyle style_;
+    /// False until the first range arrives.
+    bool range_known_ = false;
+    std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles_;
+    std::map<mapping::GridIndex, PageTiles> sources_;
+    std::map<mapping::GridIndex, PagePicture> pages_;
+    /// Pages that must be rendered.
+    std::set<mapping::GridIndex> dirty_;
+    bool rendering_ = false;
+    /// Number of calls of clear().
+    int generation_ = 0;
+    QThreadPool pool_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,52 @@
+// List of the map's layers, which is also its legend: each has a swatch, a visibility button and an opacity slider.
+#pragma once
+
+#include <array>
+
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/map/map_content.h"
+
+class QGridLayout;
+
+namespace usar::widgets {
+
+/// The top layer comes first; below the marks, each kind of mark is listed with its color and shape. Starts with the
+/// layers of a new map. For a dock or a popup below the layers button. GUI thread.
+class LayersPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit LayersPanel(QWidget* parent = nullptr);
+
+    /// Shows the state without emitting layerChanged. Opacity below 10 % is shown as 10 %.
+    void setLayer(MapLayer layer, const LayerState& state);
+    /// The state as shown; opacity is rounded to whole percent.
+    LayerState layer(MapLayer layer) const;
+
+    /// Visibility and opacity of all layers as JSON, keyed by the layers' names; for the settings.
+    QByteArray saveState() const;
+    /// Emits layerChanged for each layer that changes; layers that `state` does not name keep theirs. Returns false and
+    /// changes nothing if `state` is not a JSON object.
+    bool restoreState(const QByteArray& state);
+
+signals:
+    /// By the user only; while a slider is dragged, at each of its steps.
+    void layerChanged(usar::widgets::MapLayer layer, const usar::widgets::LayerState& state);
+
+private:
+    /// Appends the layer's row at `line` of the grid; returns the next free line.
+    int addLayer(MapLayer layer, int line);
+    /// Appends the kinds of marks from `line` on; returns the next free line.
+    int addMarkLegend(int line);
+    /// Widgets of one layer; both are children of the panel.
+    struct Row {
+        QToolButton* eye = nullptr;
+        QSlider* opacity = nullptr;
+    };
+    QGridLayout* grid_ = nullptr;
+    std::array<Row, map_layer_count> rows_;
+};
+
+} // namespace usar::widgets

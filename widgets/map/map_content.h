@@ -1,0 +1,120 @@
+// Everything that the map shows, as plain values: set by MapView, read by its painters.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+#include <QString>
+
+#include "core/agent/published.h"
+#include "core/protocol/info/game_info.h"
+#include "widgets/models/map/area_grip.h"
+#include "widgets/models/map/map_object.h"
+#include "widgets/models/map/trail.h"
+#include "widgets/models/radio_links.h"
+
+namespace usar::widgets {
+
+/// Layers in painting order, lowest first.
+enum class MapLayer {
+    World,
+    Grid,
+    Heights,
+    Area,
+    Lanes,
+    Trails,
+    Traces,
+    Marks,
+    Objects,
+    StartPoses,
+    Laser,
+    Goals,
+    Radio,
+    Robots
+};
+inline constexpr std::size_t map_layer_count = 14;
+/// "Height map": the layer's name in menus and in the layers panel.
+QString layerName(MapLayer layer);
+
+/// State of a layer. A hidden layer keeps its opacity for when it is shown again.
+struct LayerState {
+    /// The user wants to see it.
+    bool visible = true;
+    double opacity = 1.0; ///< 0..1
+    bool operator==(const LayerState&) const = default;
+};
+
+using LayerStates = std::array<LayerState, map_layer_count>;
+/// Initial state of map and layers panel: everything visible except the radio links; the world is faint, so that it
+/// stays in the background of what is measured.
+LayerStates firstLayers();
+
+/// A robot as the map needs it. `number` 1..9 selects its color and key.
+struct MapRobot {
+    QString name;
+    int number = 1;
+    /// Drawn from x, y and yaw; z appears only in the tooltip.
+    Pose base_in_map;
+    bool stale = false;   ///< the pose may be out of date
+    bool station = false; ///< a base station: it does not move and has no heading
+    bool operator==(const MapRobot&) const = default;
+};
+
+/// A robot with everything that belongs to it.
+struct RobotOnMap {
+    MapRobot robot;
+    /// Path since the spawn or the last clearTraces, without stale poses.
+    Trail trail;
+    /// Place that the behavior is heading for; nullopt while it has no goal.
+    std::optional<Vec3> goal_in_map_m;
+    /// End points of the newest scan; NaN for beams that hit nothing.
+    std::vector<Vec3> hits_in_map_m;
+};
+
+/// The mission area while it is drawn and afterwards.
+struct AreaOnMap {
+    /// Not drawn yet if nullopt. Never an empty rectangle.
+    std::optional<Rectangle> area_in_map;
+    QString summary;                  ///< "9 lanes · 6 min 12 s", from the planner
+    std::vector<Vec2> lanes_in_map_m; ///< planned or flown path, in order
+    bool editing = false;             ///< the area tool is active: handles are drawn
+    std::optional<AreaGrip> hot_grip; ///< the handle under the cursor
+};
+
+/// The objects of the world, and the selection, drag or placement in progress.
+struct ObjectsOnMap {
+    std::vector<MapObject> objects; ///< in drawing order
+    QString selected;               ///< name; empty: none
+    QString held;                   ///< name of the object that is being dragged to `held_to_m`; empty: none
+    Vec2 held_to_m = Vec2::Zero();  ///< meters in the map frame; place of its center
+    std::optional<MapObject> ghost; ///< preview of an object that a click or drop would place here
+};
+
+/// All lengths are in meters of the map frame. Painters only read this, so map, overlay and labels of a frame share one
+/// copy.
+struct MapContent {
+    /// Unknown (nullopt) on a real server, which does not tell how large its world is.
+    std::optional<Rectangle> world_in_map;
+    QString world_name;
+    QImage background; ///< picture of the world, null for none; row 0 = highest y
+    Rectangle background_in_map;
+    std::vector<protocol::StartPose> start_poses;
+    std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
+    AreaOnMap area;
+    std::map<QString, RobotOnMap> robots;
+    /// Name; empty: nobody. May name a robot that has no pose yet.
+    QString selected_robot;
+    /// Marks of all robots, in order of time.
+    std::vector<agent::MapMark> marks;
+    ObjectsOnMap objects;
+    /// Links between robots by name; links to robots that are not on the map are not drawn.
+    std::vector<RadioLink> radio_links;
+    LayerStates layers = firstLayers();
+
+    const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }
+};
+
+} // namespace usar::widgets

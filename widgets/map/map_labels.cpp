@@ -1,0 +1,92 @@
+#include "widgets/map/map_labels.h"
+
+#include <QFontMetricsF>
+#include <QTransform>
+
+#include "widgets/map/map_overlay.h"
+#include "widgets/models/map/label_places.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+/// Input of the layout. Wishes are in the order of the results: robots first, then start poses.
+struct Layout {
+    std::vector<LabelWish> wishes;
+    std::vector<QRectF> taken_px;
+    std::vector<QString> robots;
+
+    void takeAround(const QPointF& middle_px, double half_px) {
+        taken_px.emplace_back(middle_px - QPointF(half_px, half_px), QSizeF(2.0 * half_px, 2.0 * half_px));
+    }
+};
+
+/// Keeps names from crossing the edge of the view: four wide strips stand for everything outside of it.
+void takeOutside(Layout& layout, const QSizeF& viewport) {
+    constexpr double far_px = 400.0;
+    const QRectF view(QPointF(), viewport);
+    const QRectF around = view.adjusted(-far_px, -far_px, far_px, far_px);
+    layout.taken_px.emplace_back(around.topLeft(), QPointF(around.right(), view.top()));
+    layout.taken_px.emplace_back(QPointF(around.left(), view.bottom()), around.bottomRight());
+    layout.taken_px.emplace_back(around.topLeft(), QPointF(view.left(), around.bottom()));
+    layout.taken_px.emplace_back(QPointF(view.right(), around.top()), around.bottomRight());
+}
+
+QSizeF boxSize(const QString& text, bool bold) {
+    const QFontMetricsF metrics(themeFont(FontRole::Small, bold ? QFont::DemiBold : QFont::Normal));
+    return {metrics.horizontalAdvance(text) + gap::small, metrics.height() + 2.0};
+}
+
+void addRobot(Layout& layout, const MapRobot& robot, bool selected, const MapTransform& transform) {
+    const QPointF at = transform.toScreen(Vec2(robot.base_in_map.position_m.head<2>()));
+    const double half_px = selected ? symbol::ring_px : symbol::robot_px;
+    layout.robots.push_back(robot.name);
+    layout.wishes.push_back({at, half_px + gap::tiny, boxSize(robotLabel(robot), selected), true});
+    layout.takeAround(at, half_px);
+}
+
+void addRobots(Layout& layout, const MapContent& content, const MapTransform& transform) {
+    for (const bool selected : {true, false})
+        for (const auto& [name, on_map] : content.robots)
+            if ((name == content.selected_robot) == selected)
+                addRobot(layout, on_map.robot, selected, transform);
+}
+
+void addStartPoses(Layout& layout, const MapContent& content, const MapTransform& transform) {
+    for (std::size_t i = 0; i < content.start_poses.size(); ++i) {
+        const protocol::StartPose& pose = content.start_poses[i];
+        const bool hot = content.hot_start_pose == i;
+        const QPointF at = transform.toScreen(Vec2(pose.pose_in_map.position_m.head<2>()));
+        layout.wishes.push_back(
+            {at, symbol::diamond_px + gap::tiny, boxSize(QString::fromStdString(pose.name), hot), hot});
+        layout.takeAround(at, symbol::diamond_px);
+        const QTransform turn = QTransform().rotate(degrees(transform.screenRotation_rad(pose.pose_in_map.yaw_rad)));
+        layout.takeAround(at + turn.map(QPointF(0.0, -symbol::diamond_px - symbol::arrow_px / 2.0)),
+                          symbol::arrow_px / 2.0);
+    }
+}
+
+} // namespace
+
+QString robotLabel(const MapRobot& robot) {
+    return robot.stale ? robot.name + QStringLiteral(" (stale)") : robot.name;
+}
+
+MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform) {
+    Layout layout;
+    layout.taken_px.push_back(axesGlass_px(transform));
+    takeOutside(layout, transform.viewport);
+    if (content.layer(MapLayer::Robots).visible)
+        addRobots(layout, content, transform);
+    if (content.layer(MapLayer::StartPoses).visible)
+        addStartPoses(layout, content, transform);
+    const auto places = placeLabels(layout.wishes, layout.taken_px);
+    MapLabels labels;
+    for (std::size_t i = 0; i < layout.robots.size(); ++i)
+        labels.robots[layout.robots[i]] = *places[i];
+    labels.start_poses.assign(places.begin() + static_cast<std::ptrdiff_t>(layout.robots.size()), places.end());
+    return labels;
+}
+
+} // namespace usar::widgets

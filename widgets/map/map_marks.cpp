@@ -1,0 +1,164 @@
+#include <QPainter>
+#include <QPainterPath>
+
+#include "widgets/map/map_painter.h"
+
+namespace usar::widgets {
+
+QString layerName(MapLayer layer) {
+    switch (layer) {
+    case MapLayer::World:
+        return QStringLiteral("World");
+    case MapLayer::Grid:
+        return QStringLiteral("Grid");
+    case MapLayer::Heights:
+        return QStringLiteral("Height map");
+    case MapLayer::Area:
+        return QStringLiteral("Mission area");
+    case MapLayer::Lanes:
+        return QStringLiteral("Lanes");
+    case MapLayer::Trails:
+        return QStringLiteral("Trails");
+    case MapLayer::Traces:
+        return QStringLiteral("Trace marks");
+    case MapLayer::Marks:
+        return QStringLiteral("Marks");
+    case MapLayer::Objects:
+        return QStringLiteral("Objects");
+    case MapLayer::StartPoses:
+        return QStringLiteral("Start poses");
+    case MapLayer::Laser:
+        return QStringLiteral("Laser hits");
+    case MapLayer::Goals:
+        return QStringLiteral("Goals");
+    case MapLayer::Radio:
+        return QStringLiteral("Radio links");
+    case MapLayer::Robots:
+        break;
+    }
+    return QStringLiteral("Robots");
+}
+
+LayerStates firstLayers() {
+    LayerStates layers;
+    layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
+    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // Users who need them turn them on.
+    return layers;
+}
+
+namespace {
+
+QPainterPath markShape(agent::MarkKind kind, double r) {
+    QPainterPath shape;
+    switch (kind) {
+    case agent::MarkKind::Path:
+        shape.addEllipse(QPointF(), 0.5 * r, 0.5 * r);
+        break;
+    case agent::MarkKind::Diversion:
+        shape.addPolygon(QPolygonF({{0, -r}, {r, 0}, {0, r}, {-r, 0}, {0, -r}}));
+        break;
+    case agent::MarkKind::LowRisk:
+        shape.addEllipse(QPointF(), 0.7 * r, 0.7 * r);
+        break;
+    case agent::MarkKind::HighRisk:
+        shape.addPolygon(QPolygonF({{0, -r}, {r, 0.8 * r}, {-r, 0.8 * r}, {0, -r}}));
+        break;
+    case agent::MarkKind::Recharge:
+        shape.addRect(-r, -r, 2 * r, 2 * r);
+        break;
+    case agent::MarkKind::Landing:
+        shape.addEllipse(QPointF(), r, r);
+        break;
+    case agent::MarkKind::GoalGivenUp:
+        shape.addPolygon(QPolygonF({{-r, -r},
+                                    {0, -0.35 * r},
+                                    {r, -r},
+                                    {0.35 * r, 0},
+                                    {r, r},
+                                    {0, 0.35 * r},
+                                    {-r, r},
+                                    {-0.35 * r, 0},
+                                    {-r, -r}}));
+        break;
+    }
+    return shape;
+}
+
+} // namespace
+
+void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px, double size_px) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(center_px);
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 1.0));
+    painter.setBrush(markColor(kind));
+    painter.drawPath(markShape(kind, size_px / 2.0));
+    painter.restore();
+}
+
+void paintStartPoseSymbol(QPainter& painter, double turn_rad, bool hot) {
+    const Tokens& t = tokens();
+    const double r = symbol::diamond_px + (hot ? 2.0 : 0.0);
+    const double tip = r + symbol::arrow_px;
+    painter.save();
+    painter.rotate(degrees(turn_rad));
+    painter.setPen(QPen(t.text, 1.5));
+    painter.drawLine(QPointF(0.0, -r), QPointF(0.0, -tip + 4.0));
+    painter.setBrush(t.text);
+    painter.drawPolygon(QPolygonF({{0.0, -tip}, {-3.5, -tip + 7.0}, {3.5, -tip + 7.0}}));
+    painter.restore();
+    painter.setPen(QPen(t.text, 1.5));
+    painter.setBrush(hot ? t.accent : t.raised);
+    painter.drawPolygon(QPolygonF({{0.0, -r}, {r, 0.0}, {0.0, r}, {-r, 0.0}}));
+}
+
+void paintRobotSymbol(QPainter& painter, double turn_rad, const QColor& color, bool stale) {
+    const double r = symbol::robot_px;
+    painter.save();
+    painter.rotate(degrees(turn_rad));
+    painter.setPen(QPen(stale ? tokens().stale : inkOn(color), 1.5));
+    painter.setBrush(stale ? tokens().background : color);
+    painter.drawPolygon(QPolygonF({{0.0, -r}, {0.75 * r, 0.8 * r}, {0.0, 0.4 * r}, {-0.75 * r, 0.8 * r}}));
+    painter.restore();
+}
+
+void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
+    const double r = symbol::robot_px;
+    painter.setPen(QPen(stale ? tokens().stale : inkOn(color), 1.5));
+    painter.setBrush(stale ? tokens().background : color);
+    painter.drawPolygon(QPolygonF({{0.0, -0.6 * r}, {0.6 * r, r}, {-0.6 * r, r}}));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(stale ? tokens().stale : color, 2.0));
+    for (const double reach : {0.55 * r, 0.95 * r}) { // Waves to the left and right of the mast's tip.
+        const QRectF around(-reach, -0.6 * r - reach, 2.0 * reach, 2.0 * reach);
+        painter.drawArc(around, -45 * 16, 90 * 16);
+        painter.drawArc(around, 135 * 16, 90 * 16);
+    }
+}
+
+QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {
+    const Tokens& t = tokens();
+    painter.save();
+    painter.setFont(themeFont(FontRole::Small));
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small);
+    QRectF chip(at_px, size);
+    if (alignment & Qt::AlignRight)
+        chip.moveRight(at_px.x());
+    if (alignment & Qt::AlignHCenter)
+        chip.moveLeft(at_px.x() - size.width() / 2.0);
+    if (alignment & Qt::AlignBottom)
+        chip.moveBottom(at_px.y());
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor back = t.raised;
+    back.setAlphaF(0.92f);
+    painter.setBrush(back);
+    painter.setPen(QPen(t.line, 1.0));
+    painter.drawRoundedRect(chip.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    painter.setPen(t.text);
+    painter.drawText(chip, Qt::AlignCenter, text);
+    painter.restore();
+    return chip;
+}
+
+} // namespace usar::widgets

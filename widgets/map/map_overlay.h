@@ -1,0 +1,26 @@
+// Fixed overlay of the map that does not move with it: scale bar, axes, legends, probe, focus ring.
+#pragma once
+
+#include <QPainter>
+
+#include "widgets/map/height_layer.h"
+#include "widgets/map/map_content.h"
+
+namespace usar::widgets {
+
+/// State that only the view has; neither content nor transform contain it.
+struct MapOverlay {
+    QString probe;        ///< "x 31.2  y −8.0  z 4.31 m  hits 7"; empty while the cursor is not on the map
+    QString following;    ///< name of the robot that the view follows; empty: none
+    bool focused = false; ///< the map has the keyboard focus
+    bool legend = true;   ///< legends of heights and marks are drawn
+};
+
+/// Area around the axes that is dimmed, in pixels; labels stay out of it.
+QRectF axesGlass_px(const MapTransform& transform);
+
+/// Paints over all layers, once per frame; leaves antialiasing on. GUI thread.
+void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
+                  const MapTransform& transform);
+
+} // namespace usar::widgets

@@ -1,0 +1,342 @@
+#include "widgets/map/map_painter.h"
+
+#include <cmath>
+
+#include <QPainterPath>
+
+#include "widgets/models/figures.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr double scale_bar_px = 56.0; ///< height of the scale bar with its text above the lower edge
+
+Vec2 flat(const Vec3& point) {
+    return point.head<2>();
+}
+
+QColor faded(QColor color, double alpha) {
+    color.setAlphaF(static_cast<float>(alpha));
+    return color;
+}
+
+} // namespace
+
+MapPainter::MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights,
+                       const TraceLayer& traces, const MapTransform& transform)
+    : painter_(painter)
+    , content_(content)
+    , heights_(heights)
+    , traces_(traces)
+    , transform_(transform)
+    , tokens_(tokens())
+    , labels_(placeMapLabels(content, transform)) {}
+
+void MapPainter::paintLayers() {
+    for (std::size_t i = 0; i < map_layer_count; ++i) {
+        if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
+            continue;
+        painter_.save();
+        painter_.setOpacity(content_.layers[i].opacity);
+        paint(static_cast<MapLayer>(i));
+        painter_.restore();
+    }
+}
+
+void MapPainter::paint(MapLayer layer) {
+    switch (layer) {
+    case MapLayer::World:
+        return paintWorld();
+    case MapLayer::Grid:
+        return paintGrid();
+    case MapLayer::Heights:
+        return paintHeights();
+    case MapLayer::Area:
+        return paintArea();
+    case MapLayer::Lanes:
+        return paintLanes();
+    case MapLayer::Trails:
+        return paintTrails();
+    case MapLayer::Traces:
+        return traces_.paint(painter_, transform_);
+    case MapLayer::Marks:
+        return paintMarks();
+    case MapLayer::Objects:
+        return paintObjects();
+    case MapLayer::StartPoses:
+        return paintStartPoses();
+    case MapLayer::Laser:
+        return paintLaser();
+    case MapLayer::Goals:
+        return paintGoals();
+    case MapLayer::Radio:
+        return paintRadio();
+    case MapLayer::Robots:
+        return paintRobots();
+    }
+}
+
+void MapPainter::paintWorld() {
+    if (content_.world_in_map) {
+        const QRectF world = transform_.toScreen(*content_.world_in_map);
+        painter_.fillRect(world, tokens_.ground);
+        paintBackgroundImage();
+        painter_.setOpacity(1.0); // Frame and name stay readable, however faint the picture is.
+        painter_.setPen(QPen(tokens_.text_muted, 1.0));
+        painter_.setBrush(Qt::NoBrush);
+        painter_.drawRect(world);
+        painter_.setFont(themeFont(FontRole::Small));
+        painter_.drawText(world.topLeft() + QPointF(0.0, -gap::small), content_.world_name);
+    }
+}
+
+void MapPainter::paintBackgroundImage() {
+    if (content_.background.isNull())
+        return;
+    const Rectangle& at = content_.background_in_map;
+    painter_.save();
+    painter_.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (transform_.orientation == MapOrientation::XUp) {
+        painter_.translate(transform_.toScreen(Vec2(at.min_m.x(), at.max_m.y())));
+        painter_.rotate(-90.0);
+        const double s = transform_.pixels_per_m;
+        painter_.drawImage(QRectF(0.0, 0.0, at.width_m() * s, at.height_m() * s), content_.background);
+    } else {
+        painter_.drawImage(transform_.toScreen(at), content_.background);
+    }
+    painter_.restore();
+}
+
+void MapPainter::paintGrid() {
+    const double step_m = roundStep(96.0 / transform_.pixels_per_m);
+    Rectangle seen = transform_.visible();
+    if (const auto& world = content_.world_in_map)
+        seen = {seen.min_m.cwiseMax(world->min_m), seen.max_m.cwiseMin(world->max_m)};
+    if (seen.empty())
+        return;
+    QVector<QLineF> lines;
+    for (double x = std::ceil(seen.min_m.x() / step_m) * step_m; x <= seen.max_m.x(); x += step_m)
+        lines << QLineF(transform_.toScreen(Vec2(x, seen.min_m.y())), transform_.toScreen(Vec2(x, seen.max_m.y())));
+    for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
+        lines << QLineF(transform_.toScreen(Vec2(seen.min_m.x(), y)), transform_.toScreen(Vec2(seen.max_m.x(), y)));
+    painter_.setRenderHint(QPainter::Antialiasing, false);
+    painter_.setPen(QPen(faded(tokens_.line, 0.55), 1.0));
+    painter_.drawLines(lines);
+}
+
+void MapPainter::paintHeights() {
+    const double cell_m = heights_.cellSize_m();
+    const QRectF viewport(QPointF(), transform_.viewport);
+    painter_.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    for (const auto& [index, picture] : heights_.pages()) {
+        const QRectF on_screen = transform_.toScreen(pageRectangle(index, cell_m));
+        if (!on_screen.intersects(viewport))
+            continue;
+        // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
+        const QRect target(QPoint(qRound(on_screen.left()), qRound(on_screen.top())),
+                           QPoint(qRound(on_screen.right()) - 1, qRound(on_screen.bottom()) - 1));
+        painter_.drawImage(target, picture.levelFor(transform_.pixels_per_m * cell_m));
+    }
+}
+
+void MapPainter::paintArea() {
+    if (!content_.area.area_in_map || content_.area.area_in_map->empty())
+        return;
+    const Rectangle& area = *content_.area.area_in_map;
+    const QRectF rect = transform_.toScreen(area);
+    painter_.setPen(Qt::NoPen);
+    painter_.fillRect(rect, faded(tokens_.accent, content_.area.editing ? 0.12 : 0.06));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(tokens_.background, 3.0));
+    painter_.drawRect(rect);
+    QPen dashed(tokens_.accent, 1.5);
+    dashed.setDashPattern({5.0, 3.0});
+    painter_.setPen(dashed);
+    painter_.drawRect(rect);
+    if (content_.area.editing)
+        paintAreaHandles(area);
+    QString text = QStringLiteral("x %1 × y %2 m").arg(figure(area.width_m(), 1), figure(area.height_m(), 1));
+    if (!content_.area.summary.isEmpty())
+        text += QStringLiteral("  ·  ") + content_.area.summary;
+    const double below = rect.bottom() + gap::small;
+    if (below + gap::large < transform_.viewport.height() - scale_bar_px)
+        paintChip(painter_, QPointF(rect.left(), below), text, Qt::AlignLeft | Qt::AlignTop);
+    else
+        paintChip(painter_, QPointF(rect.left() + gap::small, rect.top() + gap::small), text,
+                  Qt::AlignLeft | Qt::AlignTop);
+}
+
+void MapPainter::paintAreaHandles(const Rectangle& area) {
+    for (const AreaGrip grip : area_handles) {
+        const bool hot = content_.area.hot_grip == grip;
+        const double half = hot ? 6.0 : 4.5;
+        const QPointF at = transform_.toScreen(gripPoint(area, grip));
+        painter_.setPen(QPen(tokens_.accent, 1.5));
+        painter_.setBrush(hot ? tokens_.accent : tokens_.surface);
+        painter_.drawRect(QRectF(at.x() - half, at.y() - half, 2.0 * half, 2.0 * half));
+    }
+}
+
+void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
+    if (points_m.size() < 2)
+        return;
+    const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-8.0, -8.0, 8.0, 8.0);
+    QVector<QLineF> lines;
+    lines.reserve(static_cast<qsizetype>(points_m.size()));
+    QPointF last = transform_.toScreen(points_m.front());
+    for (std::size_t i = 1; i < points_m.size(); ++i) {
+        const QPointF next = transform_.toScreen(points_m[i]);
+        if (i + 1 < points_m.size() && (next - last).manhattanLength() < 1.5)
+            continue;
+        if (QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
+            lines << QLineF(last, next);
+        last = next;
+    }
+    painter_.drawLines(lines);
+}
+
+void MapPainter::paintLanes() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.setPen(QPen(faded(tokens_.accent, 0.75), 1.0));
+    paintSegments(content_.area.lanes_in_map_m);
+    if (content_.area.lanes_in_map_m.empty())
+        return;
+    painter_.setBrush(tokens_.accent);
+    painter_.setPen(QPen(tokens_.background, 1.0));
+    painter_.drawEllipse(transform_.toScreen(content_.area.lanes_in_map_m.front()), 4.0, 4.0);
+}
+
+void MapPainter::paintTrails() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [name, robot] : content_.robots) {
+        painter_.setPen(QPen(robotColor(robot.robot.number), 1.5));
+        paintSegments(robot.trail.points_m());
+    }
+}
+
+void MapPainter::paintMarks() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0);
+    QVector<QPointF> path;
+    for (const agent::MapMark& mark : content_.marks) {
+        const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
+        if (!sight.contains(at))
+            continue;
+        if (mark.kind != agent::MarkKind::Path)
+            continue;
+        if (path.empty() || (at - path.back()).manhattanLength() >= 3.0)
+            path << at;
+    }
+    painter_.setPen(QPen(markColor(agent::MarkKind::Path), 3.0, Qt::SolidLine, Qt::SquareCap));
+    painter_.drawPoints(path.data(), static_cast<int>(path.size()));
+    for (const agent::MapMark& mark : content_.marks)
+        if (const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
+            mark.kind != agent::MarkKind::Path && sight.contains(at))
+            paintMark(painter_, mark.kind, at, 10.0);
+}
+
+void MapPainter::paintStartPoses() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t i = 0; i < content_.start_poses.size(); ++i)
+        paintStartPose(i);
+}
+
+void MapPainter::paintStartPose(std::size_t start_pose) {
+    const protocol::StartPose& pose = content_.start_poses[start_pose];
+    const bool hot = content_.hot_start_pose == start_pose;
+    painter_.save();
+    painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
+    paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
+    painter_.restore();
+    if (const auto& box = labels_.start_poses[start_pose])
+        paintLabel(*box, QString::fromStdString(pose.name), hot);
+}
+
+void MapPainter::paintLaser() {
+    for (const auto& [name, robot] : content_.robots) {
+        QVector<QPointF> points;
+        for (const Vec3& hit : robot.hits_in_map_m)
+            if (hit.allFinite())
+                points << transform_.toScreen(flat(hit));
+        painter_.setPen(QPen(tokens_.laser, 2.0, Qt::SolidLine, Qt::SquareCap));
+        painter_.drawPoints(points.data(), static_cast<int>(points.size()));
+    }
+}
+
+void MapPainter::paintGoals() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [name, robot] : content_.robots) {
+        if (!robot.goal_in_map_m)
+            continue;
+        const QPointF from = transform_.toScreen(flat(robot.robot.base_in_map.position_m));
+        const QPointF to = transform_.toScreen(flat(*robot.goal_in_map_m));
+        QPen pen(robotColor(robot.robot.number), 1.5);
+        pen.setDashPattern({2.0, 3.0});
+        painter_.setPen(pen);
+        painter_.drawLine(from, to);
+        painter_.setPen(QPen(robotColor(robot.robot.number), 2.0));
+        painter_.setBrush(Qt::NoBrush);
+        painter_.drawEllipse(to, 6.0, 6.0);
+        painter_.drawPoint(to);
+    }
+}
+
+void MapPainter::paintRadio() {
+    constexpr double room_px = 96.0; // Shorter links have no figure.
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (const RadioLink& link : content_.radio_links) {
+        const auto a = content_.robots.find(link.a);
+        const auto b = content_.robots.find(link.b);
+        if (a == content_.robots.end() || b == content_.robots.end())
+            continue;
+        const RadioQuality quality = radioQuality(link.strength_dbm);
+        const QLineF line(transform_.toScreen(flat(a->second.robot.base_in_map.position_m)),
+                          transform_.toScreen(flat(b->second.robot.base_in_map.position_m)));
+        QPen pen(radioColor(quality), 2.0);
+        if (quality == RadioQuality::Lost || quality == RadioQuality::Unknown)
+            pen.setDashPattern({2.0, 4.0});
+        painter_.setPen(pen);
+        painter_.drawLine(line);
+        if (link.strength_dbm && line.length() >= room_px)
+            paintChip(painter_, line.center(), figure(*link.strength_dbm, 0) + QStringLiteral(" dBm"),
+                      Qt::AlignHCenter | Qt::AlignBottom);
+    }
+}
+
+void MapPainter::paintRobots() {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [name, robot] : content_.robots)
+        paintRobot(robot);
+}
+
+void MapPainter::paintRobot(const RobotOnMap& on_map) {
+    const MapRobot& robot = on_map.robot;
+    const QPointF at = transform_.toScreen(flat(robot.base_in_map.position_m));
+    const bool selected = robot.name == content_.selected_robot;
+    painter_.save();
+    painter_.translate(at);
+    if (selected) {
+        painter_.setPen(QPen(tokens_.text, 2.0));
+        painter_.setBrush(faded(tokens_.background, 0.35));
+        painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
+    }
+    if (robot.station)
+        paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
+    else
+        paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad), robotColor(robot.number),
+                         robot.stale);
+    painter_.restore();
+    paintLabel(labels_.robots.at(robot.name), robotLabel(robot), selected);
+}
+
+void MapPainter::paintLabel(const QRectF& box, const QString& text, bool bold) {
+    painter_.setFont(themeFont(FontRole::Small, bold ? QFont::DemiBold : QFont::Normal));
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(faded(tokens_.background, 0.72));
+    painter_.drawRoundedRect(box, 3.0, 3.0);
+    painter_.setPen(tokens_.text);
+    painter_.drawText(box, Qt::AlignCenter, text);
+}
+
+} // namespace usar::widgets

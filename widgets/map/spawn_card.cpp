@@ -1,0 +1,166 @@
+#include "widgets/map/spawn_card.h"
+
+#include <QApplication>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QRegularExpressionValidator>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+constexpr int pose_gap_px = gap::large; ///< distance from the pose to the corner that the map passes to openFor
+}
+
+SpawnCard::SpawnCard(QWidget* over)
+    : QFrame(over)
+    , title_(new QLabel(this))
+    , class_(new QComboBox(this))
+    , name_(new QLineEdit(this))
+    , behavior_(new QComboBox(this))
+    , spawn_(new QPushButton(tr("Spawn"), this)) {
+    setProperty("role", "card");
+    setAccessibleName(tr("Spawn a robot"));
+    setAutoFillBackground(true);
+    title_->setProperty("role", "title");
+    class_->setAccessibleName(tr("Robot class"));
+    class_->setToolTip(tr("Which robot the server makes"));
+    name_->setAccessibleName(tr("Robot name"));
+    name_->setToolTip(tr("Letters, digits, - and _; every robot needs its own"));
+    name_->setTextMargins(2, 0, 2, 0);
+    // The protocol has no quotes: a space or a brace would end the name.
+    name_->setValidator(
+        new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));
+    behavior_->setAccessibleName(tr("Behavior"));
+    behavior_->setToolTip(tr("What will drive it; can be changed until it starts"));
+    spawn_->setProperty("role", "primary");
+    spawn_->setToolTip(tr("Puts the robot here (Return)"));
+    for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
+        control->setMinimumHeight(minimum_target);
+    auto* close = new QToolButton(this);
+    close->setIcon(icon(QStringLiteral("clear")));
+    close->setAutoRaise(true);
+    close->setMinimumSize(minimum_target, minimum_target);
+    close->setAccessibleName(tr("Close"));
+    close->setToolTip(tr("Close (Esc)"));
+    auto* head = new QHBoxLayout;
+    head->addWidget(title_, 1);
+    head->addWidget(close);
+    auto* form = new QFormLayout;
+    form->addRow(tr("Robot"), class_);
+    form->addRow(tr("Name"), name_);
+    form->addRow(tr("Behavior"), behavior_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::medium, gap::small, gap::medium, gap::medium);
+    column->setSpacing(gap::small);
+    column->addLayout(head);
+    column->addLayout(form);
+    column->addWidget(spawn_, 0, Qt::AlignRight);
+    hide();
+    over->installEventFilter(this);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(spawn_, &QPushButton::clicked, this, &SpawnCard::spawn);
+    connect(class_, &QComboBox::currentIndexChanged, this, &SpawnCard::listBehaviors);
+    connect(name_, &QLineEdit::textChanged, this, [this] { spawn_->setEnabled(name_->hasAcceptableInput()); });
+}
+
+void SpawnCard::setRobots(const std::vector<agent::RobotDescription>& robots) {
+    const QString chosen = class_->currentData().toString();
+    const QSignalBlocker quiet(class_);
+    robots_ = robots;
+    class_->clear();
+    for (const auto& robot : robots_)
+        class_->addItem(QString::fromStdString(robot.name), QString::fromStdString(robot.class_name));
+    class_->setCurrentIndex(std::max(0, class_->findData(chosen)));
+    listBehaviors();
+}
+
+void SpawnCard::listBehaviors() {
+    behavior_->clear();
+    const int row = class_->currentIndex();
+    if (row >= 0 && row < static_cast<int>(robots_.size()))
+        for (const auto& behavior : robots_[static_cast<std::size_t>(row)].behaviors) {
+            behavior_->addItem(QString::fromStdString(behavior.name), QString::fromStdString(behavior.id));
+            behavior_->setItemData(behavior_->count() - 1, QString::fromStdString(behavior.help), Qt::ToolTipRole);
+        }
+    behavior_->addItem(tr("None"), QString());
+    preferBehavior(preferred_behavior_);
+}
+
+void SpawnCard::chooseClass(const QString& class_name) {
+    if (const int row = class_->findData(class_name); row >= 0)
+        class_->setCurrentIndex(row);
+}
+
+void SpawnCard::preferBehavior(const QString& id) {
+    preferred_behavior_ = id;
+    if (const int row = id.isEmpty() ? -1 : behavior_->findData(id); row >= 0)
+        behavior_->setCurrentIndex(row);
+}
+
+void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at) {
+    start_pose_ = start_pose;
+    title_->setText(tr("Spawn at %1").arg(pose_name));
+    name_->setText(robot_name);
+    adjustSize();
+    QPoint corner = parentWidget()->mapFromGlobal(at);
+    const QSize room = parentWidget()->size() - size();
+    // Opens on the other side instead of covering the pose, where the second click of a double-click must arrive.
+    if (corner.x() > room.width())
+        corner.rx() -= width() + 2 * pose_gap_px;
+    move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
+    show();
+    raise();
+    spawn_->setFocus();
+}
+
+SpawnChoice SpawnCard::choice() const {
+    return {start_pose_, class_->currentData().toString(), name_->text(), behavior_->currentData().toString()};
+}
+
+SpawnChoice SpawnCard::lastChoice(int start_pose, const QString& robot_name) const {
+    SpawnChoice last = choice();
+    last.start_pose = start_pose;
+    last.robot_name = robot_name;
+    return last;
+}
+
+void SpawnCard::spawn() {
+    if (!name_->hasAcceptableInput())
+        return;
+    hide();
+    emit spawnRequested(choice());
+}
+
+void SpawnCard::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        hide();
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        spawn();
+    } else {
+        QFrame::keyPressEvent(event);
+    }
+}
+
+void SpawnCard::hideEvent(QHideEvent* event) {
+    if (isAncestorOf(QApplication::focusWidget()))
+        parentWidget()->setFocus();
+    QFrame::hideEvent(event);
+}
+
+bool SpawnCard::eventFilter(QObject* watched, QEvent* event) {
+    // Qt sends a double-click event instead of the second press.
+    const bool spawns_elsewhere =
+        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Return;
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
+        event->type() == QEvent::Wheel || spawns_elsewhere)
+        hide();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,341 @@
+#include "widgets/map/world_panel.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QDrag>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QSignalBlocker>
+
+#include "widgets/map/map_view.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+#include "widgets/style/tool_button.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int palette_columns = 4;
+constexpr int object_icon_px = 24;
+
+QuantityBox* makeBox(const QString& name, const QString& unit, double lowest, double highest, QWidget* parent) {
+    auto* box = new QuantityBox(parent);
+    box->setAccessibleName(name);
+    box->setToolTip(name);
+    box->setRange(lowest, highest);
+    box->setDecimals(2);
+    box->setSingleStep(0.1);
+    box->setSuffix(unit);
+    box->setMinimumWidth(56);
+    return box;
+}
+
+QLabel* makeCaption(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", "muted");
+    return label;
+}
+
+QIcon colorIcon(protocol::TraceColor color) {
+    QPixmap pixmap(16, 16);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
+    painter.setBrush(widgets::traceColor(color));
+    painter.drawEllipse(QPointF(8.0, 8.0), 6.0, 6.0);
+    return pixmap;
+}
+
+QToolButton* buttonFor(QAction* action, QWidget* parent) {
+    auto* button = makeToolButton(action->toolTip(), parent);
+    button->setDefaultAction(action);
+    button->setAccessibleName(action->text());
+    return button;
+}
+
+} // namespace
+
+WorldPanel::WorldPanel(QWidget* parent)
+    : QWidget(parent)
+    , palette_(new QGridLayout)
+    , buttons_(new QButtonGroup(this))
+    , other_class_(new QLineEdit(this))
+    , model_(new ObjectListModel(this))
+    , list_(new QTreeView(this))
+    , object_row_(new QHBoxLayout) {
+    setAccessibleName(tr("World"));
+    buttons_->setExclusive(false); // A second click releases the button.
+    palette_->setSpacing(gap::tiny);
+    other_class_->setPlaceholderText(tr("Other class, e.g. USARModels.Pallet"));
+    other_class_->setAccessibleName(tr("Other class"));
+    other_class_->setToolTip(tr("A class that only this server knows; then click on the map"));
+    other_class_->setClearButtonEnabled(true);
+    other_class_->setMinimumHeight(minimum_target);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    column->setSpacing(gap::tiny);
+    column->addLayout(palette_);
+    column->addWidget(other_class_);
+    column->addLayout(makeSizeRow());
+    makeList();
+    column->addWidget(list_, 1);
+    column->addLayout(object_row_);
+    column->addLayout(makeWayRow());
+    column->addLayout(makeTraceRow());
+    trouble_ = new EmptyState(this);
+    trouble_->hide();
+    connect(other_class_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        if (!text.isEmpty())
+            choose(-1);
+        emit choiceChanged();
+    });
+}
+
+QHBoxLayout* WorldPanel::makeSizeRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    row->addWidget(makeCaption(tr("Size m"), this));
+    const QStringList names{tr("Length or diameter"), tr("Width"), tr("Height")};
+    for (int axis = 0; axis < 3; ++axis) {
+        size_m_[axis] = makeBox(names[axis], {}, 0.02, 50.0, this);
+        size_m_[axis]->setValue(1.0);
+        size_m_[axis]->setEnabled(false);
+        row->addWidget(size_m_[axis], 1);
+        connect(size_m_[axis], &QDoubleSpinBox::valueChanged, this, &WorldPanel::choiceChanged);
+    }
+    return row;
+}
+
+void WorldPanel::makeList() {
+    list_->setModel(model_);
+    list_->setAccessibleName(tr("Objects of the world"));
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setAlternatingRowColors(true);
+    list_->setMinimumHeight(72);
+    QHeaderView* header = list_->header();
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(ObjectListModel::Name, QHeaderView::Stretch);
+    header->setMinimumSectionSize(minimum_target);
+    const QFontMetrics metrics(themeFont());
+    const std::pair<int, QString> widths[] = {{ObjectListModel::Place, QStringLiteral("−000.0  −000.0")},
+                                              {ObjectListModel::Speed, QStringLiteral("00.0")}};
+    for (const auto& [section, sample] : widths)
+        header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::small);
+    empty_list_ = new EmptyState(list_->viewport());
+    empty_list_->setText(tr("No objects"), tr("Press a button above, then click on the map."));
+    auto* remove = new QAction(tr("Delete"), list_);
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    list_->addAction(remove);
+    connect(remove, &QAction::triggered, this, &WorldPanel::requestRemoval);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
+        if (!quiet_)
+            emit objectSelected(current.isValid() ? model_->object(current.row()).name : QString());
+    });
+}
+
+QHBoxLayout* WorldPanel::makeWayRow() {
+    way_row_ = new QHBoxLayout;
+    way_row_->setSpacing(gap::tiny);
+    speed_ = makeBox(tr("Speed along the way, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
+    speed_->setValue(0.5);
+    way_row_->addWidget(speed_);
+    loop_ = makeToolButton(tr("Begins anew at the first way point"), this, QStringLiteral("reset"));
+    loop_->setCheckable(true);
+    way_row_->addWidget(loop_);
+    way_row_->addStretch(1);
+    return way_row_;
+}
+
+QHBoxLayout* WorldPanel::makeTraceRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    trace_ = makeToolButton(tr("Trace"), this, QStringLiteral("trace"));
+    trace_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    row->addWidget(trace_);
+    trace_color_ = new QComboBox(this);
+    trace_color_->setAccessibleName(tr("Color of the trace"));
+    trace_color_->setToolTip(tr("Color of the marks that the selected robot leaves from now on"));
+    for (const protocol::TraceColor color : all_trace_colors)
+        trace_color_->addItem(colorIcon(color), traceColorName(color));
+    row->addWidget(trace_color_);
+    row->addStretch(1);
+    connect(trace_color_, &QComboBox::activated, this,
+            [this](int index) { emit traceColorChosen(static_cast<protocol::TraceColor>(index)); });
+    return row;
+}
+
+void WorldPanel::setKinds(const std::vector<PaletteKind>& kinds) {
+    for (QAbstractButton* button : buttons_->buttons())
+        delete button;
+    kinds_ = kinds;
+    for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
+        const PaletteKind& kind = kinds[static_cast<std::size_t>(i)];
+        auto* button = makeToolButton(
+            tr("%1, %2 × %3 × %4 m: press, then click on the map; or drag it there. Shift-click brings several.")
+                .arg(kind.class_name)
+                .arg(kind.size_m.x())
+                .arg(kind.size_m.y())
+                .arg(kind.size_m.z()),
+            this, kind.icon);
+        button->setAccessibleName(kind.class_name);
+        button->setText(kind.class_name);
+        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        button->setIconSize({object_icon_px, object_icon_px});
+        button->setFont(themeFont(FontRole::Small));
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->installEventFilter(this);
+        buttons_->addButton(button, i);
+        palette_->addWidget(button, i / palette_columns, i % palette_columns);
+        connect(button, &QToolButton::clicked, this, [this, i](bool down) { choose(down ? i : -1); });
+    }
+}
+
+void WorldPanel::setActions(const std::vector<QAction*>& object, const std::vector<QAction*>& way, QAction* trace) {
+    for (QAction* action : object)
+        action ? object_row_->addWidget(buttonFor(action, this)) : object_row_->addStretch(1);
+    object_row_->setSpacing(gap::tiny);
+    for (QAction* action : way)
+        action ? way_row_->addWidget(buttonFor(action, this)) : way_row_->addStretch(1);
+    trace_->setDefaultAction(trace);
+}
+
+void WorldPanel::setObjects(const std::vector<MapObject>& objects) {
+    const QModelIndex current = list_->currentIndex();
+    const QString selected = current.isValid() ? model_->object(current.row()).name : QString();
+    {
+        const QScopedValueRollback quiet(quiet_, true);
+        model_->setObjects(objects);
+    }
+    selectObject(selected);
+    empty_list_->setVisible(objects.empty());
+}
+
+void WorldPanel::selectObject(const QString& name) {
+    const QScopedValueRollback quiet(quiet_, true);
+    const int row = model_->rowOf(name);
+    list_->setCurrentIndex(row < 0 ? QModelIndex() : model_->index(row, 0));
+}
+
+void WorldPanel::setTrouble(const QString& title, const QString& hint) {
+    trouble_->setVisible(!title.isEmpty());
+    trouble_->setText(title, hint);
+    trouble_->raise();
+    for (QWidget* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (child != trouble_)
+            child->setVisible(title.isEmpty());
+}
+
+/// Selects a kind by its index; -1: none.
+void WorldPanel::choose(int kind) {
+    for (QAbstractButton* button : buttons_->buttons())
+        button->setChecked(buttons_->id(button) == kind);
+    if (kind >= 0) {
+        const QSignalBlocker quiet(other_class_);
+        other_class_->clear();
+        const PaletteKind& chosen = kinds_[static_cast<std::size_t>(kind)];
+        for (int axis = 0; axis < 3; ++axis) {
+            const QSignalBlocker quiet_box(size_m_[axis]);
+            size_m_[axis]->setValue(chosen.size_m[axis]);
+        }
+        size_m_[1]->setEnabled(chosen.form == ObjectForm::Box);
+        size_m_[2]->setEnabled(chosen.form != ObjectForm::Sphere);
+    }
+    size_m_[0]->setEnabled(kind >= 0);
+    if (kind < 0)
+        for (QuantityBox* box : size_m_)
+            box->setEnabled(false);
+    emit choiceChanged();
+}
+
+const PaletteKind* WorldPanel::chosen() const {
+    const QAbstractButton* down = nullptr;
+    for (const QAbstractButton* button : buttons_->buttons())
+        if (button->isChecked())
+            down = button;
+    return down ? &kinds_[static_cast<std::size_t>(buttons_->id(const_cast<QAbstractButton*>(down)))] : nullptr;
+}
+
+std::optional<PaletteChoice> WorldPanel::choice() const {
+    const PaletteKind* const kind = chosen();
+    if (!kind && other_class_->text().trimmed().isEmpty())
+        return std::nullopt;
+    if (!kind)
+        return PaletteChoice{other_class_->text().trimmed()};
+    PaletteChoice choice{kind->class_name, {}, {}, kind->form, kind->conveyor};
+    choice.size_m = {size_m_[0]->value(), size_m_[1]->value(), size_m_[2]->value()};
+    if (kind->form != ObjectForm::Box)
+        choice.size_m.y() = choice.size_m.x();
+    if (kind->form == ObjectForm::Sphere)
+        choice.size_m.z() = choice.size_m.x();
+    choice.scale = choice.size_m.cwiseQuotient(kind->size_m);
+    return choice;
+}
+
+void WorldPanel::disarm() {
+    if (!choice())
+        return;
+    {
+        const QSignalBlocker quiet(other_class_);
+        other_class_->clear();
+    }
+    choose(-1);
+}
+
+bool WorldPanel::loop() const {
+    return loop_->isChecked();
+}
+
+void WorldPanel::setTraceColor(protocol::TraceColor color) {
+    trace_color_->setCurrentIndex(static_cast<int>(color));
+}
+
+protocol::TraceColor WorldPanel::traceColor() const {
+    return static_cast<protocol::TraceColor>(trace_color_->currentIndex());
+}
+
+void WorldPanel::requestRemoval() {
+    if (const QModelIndex current = list_->currentIndex(); current.isValid())
+        emit removeRequested(model_->object(current.row()).name);
+}
+
+bool WorldPanel::eventFilter(QObject* watched, QEvent* event) {
+    auto* const button = qobject_cast<QToolButton*>(watched);
+    if (!button || (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseMove))
+        return QWidget::eventFilter(watched, event);
+    const auto* const mouse = static_cast<QMouseEvent*>(event);
+    if (event->type() == QEvent::MouseButtonPress) {
+        pressed_at_ = mouse->pos();
+    } else if (mouse->buttons() & Qt::LeftButton &&
+               (mouse->pos() - pressed_at_).manhattanLength() >= QApplication::startDragDistance()) {
+        drag(button);
+        return true;
+    }
+    return false;
+}
+
+void WorldPanel::drag(QToolButton* button) {
+    button->setDown(false);
+    choose(buttons_->id(button));
+    auto* const drag = new QDrag(this);
+    auto* const mime = new QMimeData;
+    mime->setData(object_mime, button->text().toUtf8());
+    drag->setMimeData(mime);
+    drag->setPixmap(button->icon().pixmap(object_icon_px, object_icon_px));
+    drag->exec(Qt::CopyAction);
+    disarm(); // Dropped on the map or elsewhere.
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,121 @@
+// Panel for editing the world: a palette of object classes, the list of objects, and actions on them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTreeView>
+#include <QWidget>
+
+#include "core/protocol/commands/trace.h"
+#include "widgets/models/map/object_list_model.h"
+#include "widgets/panels/quantity_box.h"
+
+class QAction;
+class QButtonGroup;
+class QGridLayout;
+class QHBoxLayout;
+class QToolButton;
+
+namespace usar::widgets {
+
+class EmptyState;
+
+/// A class of objects that the server can make; `size_m` is its size at a scale of 1.
+struct PaletteKind {
+    QString class_name;
+    QString icon; ///< name for icons.h
+    ObjectForm form = ObjectForm::Box;
+    Vec3 size_m = Vec3::Ones();
+    bool conveyor = false; ///< it has a belt instead of way points
+};
+
+/// The object that the next click on the map would place.
+struct PaletteChoice {
+    QString class_name;
+    Vec3 size_m = Vec3::Ones();
+    /// Factor per axis relative to the size of the kind.
+    Vec3 scale = Vec3::Ones();
+    ObjectForm form = ObjectForm::Box;
+    bool conveyor = false;
+};
+
+/// State comes in by setters, choices go out by signals. The user presses a button of the palette and clicks on the
+/// map, or drags the button there. GUI thread.
+class WorldPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit WorldPanel(QWidget* parent = nullptr);
+
+    /// Replaces the palette; the first kinds come first.
+    void setKinds(const std::vector<PaletteKind>& kinds);
+    /// Sets the buttons for actions on the selected object, on its way, and for the robot's trace; nullptr makes a gap.
+    /// The actions must outlive the panel.
+    void setActions(const std::vector<QAction*>& object, const std::vector<QAction*>& way, QAction* trace);
+    /// Replaces all objects; the selection stays with its object.
+    void setObjects(const std::vector<MapObject>& objects);
+    /// Emits nothing; an empty or unknown name clears the selection.
+    void selectObject(const QString& name);
+    /// Covers the panel with the reason why no object can be placed; an empty `title` removes it.
+    void setTrouble(const QString& title, const QString& hint);
+
+    /// The chosen class and size; nullopt while no button of the palette is pressed and no other class is typed.
+    std::optional<PaletteChoice> choice() const;
+    /// Releases the button of the palette and clears the typed class.
+    void disarm();
+    /// Speed along the way, or of the belt; negative runs a belt backward.
+    double speed_m_s() const { return speed_->value(); }
+    /// True if the way should start again at its first way point.
+    bool loop() const;
+    /// Emits nothing.
+    void setTraceColor(protocol::TraceColor color);
+    protocol::TraceColor traceColor() const;
+    const ObjectListModel& model() const { return *model_; }
+    QSize sizeHint() const override { return {260, 420}; }
+
+signals:
+    /// Another class or size was chosen, or none.
+    void choiceChanged();
+    /// By the user; empty: none.
+    void objectSelected(const QString& name);
+    /// The user pressed Delete in the list.
+    void removeRequested(const QString& name);
+    /// The user chose the color of future trace marks.
+    void traceColorChosen(usar::protocol::TraceColor color);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void makeList();
+    QHBoxLayout* makeSizeRow();
+    QHBoxLayout* makeWayRow();
+    QHBoxLayout* makeTraceRow();
+    void choose(int kind);
+    void drag(QToolButton* button);
+    void requestRemoval();
+    const PaletteKind* chosen() const;
+
+    std::vector<PaletteKind> kinds_;
+    QGridLayout* palette_;
+    QButtonGroup* buttons_;
+    QLineEdit* other_class_;
+    QuantityBox* size_m_[3];
+    ObjectListModel* model_;
+    QTreeView* list_;
+    EmptyState* empty_list_;
+    QHBoxLayout* object_row_;
+    QHBoxLayout* way_row_;
+    QuantityBox* speed_;
+    QToolButton* loop_;
+    QToolButton* trace_;
+    QComboBox* trace_color_;
+    EmptyState* trouble_;
+    QPoint pressed_at_;
+    bool quiet_ = false; ///< the program changes the selection, not the user
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,54 @@
+// Tool bar above the list of traffic: search text and filters.
+#pragma once
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QTimer>
+#include <QWidget>
+
+#include "widgets/messages/type_choice_button.h"
+#include "widgets/models/messages/message_filter.h"
+
+namespace usar::widgets {
+
+/// Filters by text, name, types and direction; the filter for lines with errors is the action passed in. An invalid
+/// regular expression is reported at its field and does not filter. GUI thread.
+class MessageFilterBar : public QWidget {
+    Q_OBJECT
+public:
+    /// `only_trouble` gets a button here and must outlive the bar.
+    explicit MessageFilterBar(QAction* only_trouble, QWidget* parent = nullptr);
+
+    /// The filter as set here; its connection is always empty, because it is chosen elsewhere.
+    MessageFilter filter() const;
+    /// Sets all fields and emits filterChanged once.
+    void setFilter(const MessageFilter& filter);
+    TypeChoiceButton* types() const { return types_; }
+    /// Appends a button for `action` to the row.
+    void addButton(QAction* action);
+    /// Moves the focus to the search field and selects its text.
+    void focusSearch();
+    /// Small, because the fields can shrink.
+    QSize minimumSizeHint() const override { return {200, QWidget::minimumSizeHint().height()}; }
+
+signals:
+    void filterChanged();
+
+private:
+    /// The search text; empty while it is an invalid regular expression.
+    QString validWords() const;
+    /// Marks an invalid regular expression and explains it in the tooltip.
+    void showExpression();
+
+    QLineEdit* search_;
+    QLineEdit* name_;
+    TypeChoiceButton* types_;
+    QComboBox* way_;
+    QAction* only_trouble_;
+    QHBoxLayout* row_;
+    bool setting_ = false;
+};
+
+} // namespace usar::widgets

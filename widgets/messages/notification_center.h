@@ -1,0 +1,73 @@
+// The tab in which every error and event can be read again: grouped, counted, and grayed out when over.
+#pragma once
+
+#include <QAction>
+#include <QLabel>
+#include <QListView>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/models/messages/notification_model.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+
+/// Owns the model; toasts are made from it (toast_stack.h). Notifications that arrive while the tab is visible count as
+/// read, and showing it marks all as read. Nothing here is modal or takes the focus. Texts are complete sentences: what
+/// happened, to what, what to do. GUI thread.
+class NotificationCenter : public QWidget {
+    Q_OBJECT
+public:
+    explicit NotificationCenter(QWidget* parent = nullptr);
+
+    NotificationModel* model() const { return model_; }
+    /// Number of unread groups, not reports: 137 lost links are one.
+    int unread() const { return model_->unread(); }
+    /// The sheet that says that nothing has happened yet; shown while there are no rows.
+    EmptyState* emptyState() const { return empty_state_; }
+    QSize sizeHint() const override { return {400, 220}; }
+
+public slots:
+    /// `key` identifies the problem: further reports with the same key are counted, not listed separately. `when` is
+    /// wall time. Warnings and errors are also shown as toasts, unless `toast` says otherwise.
+    void push(const QString& key, usar::Severity severity, const QString& text,
+              const QDateTime& when = QDateTime::currentDateTime(), std::optional<bool> toast = std::nullopt);
+    /// The same with the current time; a note that the user waits for ("Saved 5 files") deserves a toast.
+    void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
+    /// The same with the current time and a button beside the sentence; NotificationModel::offerTaken is emitted when
+    /// it is clicked.
+    void push(const QString& key, usar::Severity severity, const QString& text, const usar::widgets::Offer& offer);
+    /// The problem with this key is over; its row stays, grayed out.
+    void cured(const QString& key);
+    /// Removes all rows, also open ones.
+    void clearAll();
+
+signals:
+    /// For the tab's title.
+    void unreadChanged(int unread);
+    /// Double-click or Return: show the place that the notification refers to.
+    void activated(const QString& key);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* makeTools();
+    void copySelected();
+    /// Makes an action of the list's context menu; its shortcut works while the list has the focus.
+    QAction* addRowAction(const QString& text, const QKeySequence& keys);
+    /// Updates the action for the offer of the current row.
+    void showOffer();
+    void updateState();
+
+    NotificationModel* model_;
+    QListView* view_;
+    QLabel* summary_;
+    QAction* take_offer_ = nullptr;
+    QToolButton* clear_cured_ = nullptr;
+    QToolButton* clear_all_ = nullptr;
+    EmptyState* empty_state_;
+};
+
+} // namespace usar::widgets

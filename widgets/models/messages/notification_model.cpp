@@ -1,0 +1,148 @@
+#include "widgets/models/messages/notification_model.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+QString severityWord(Severity severity) {
+    switch (severity) {
+    case Severity::Error:
+        return QCoreApplication::translate("Notification", "Error");
+    case Severity::Warning:
+        return QCoreApplication::translate("Notification", "Warning");
+    case Severity::Note:
+        break;
+    }
+    return QCoreApplication::translate("Notification", "Note");
+}
+
+QString severityIcon(Severity severity) {
+    switch (severity) {
+    case Severity::Error:
+        return QStringLiteral("error");
+    case Severity::Warning:
+        return QStringLiteral("warning");
+    case Severity::Note:
+        break;
+    }
+    return QStringLiteral("note");
+}
+
+QColor severityColor(Severity severity) {
+    switch (severity) {
+    case Severity::Error:
+        return tokens().danger;
+    case Severity::Warning:
+        return tokens().caution;
+    case Severity::Note:
+        break;
+    }
+    return tokens().accent;
+}
+
+void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
+                             std::optional<bool> toast, const Offer& offer) {
+    Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note), offer};
+    if (const std::optional<int> known = indexOf(key)) {
+        fresh.count = row(*known).cured ? 1 : row(*known).count + 1;
+        if (*known > 0) {
+            beginMoveRows({}, *known, *known, {}, 0);
+            std::rotate(rows_.begin(), rows_.begin() + *known, rows_.begin() + *known + 1);
+            endMoveRows();
+        }
+        rows_.front() = fresh;
+        emit dataChanged(index(0), index(0));
+    } else {
+        beginInsertRows({}, 0, 0);
+        rows_.push_front(fresh);
+        endInsertRows();
+    }
+    if (rowCount() > capacity) {
+        beginRemoveRows({}, capacity, capacity);
+        rows_.pop_back();
+        endRemoveRows();
+    }
+    tellUnread();
+    emit pushed(fresh);
+}
+
+void NotificationModel::cure(const QString& key) {
+    const std::optional<int> known = indexOf(key);
+    if (!known || row(*known).cured)
+        return;
+    Notification& healed = rows_[static_cast<std::size_t>(*known)];
+    healed.cured = true;
+    healed.unread = false;
+    emit dataChanged(index(*known), index(*known));
+    tellUnread();
+    emit cured(key);
+}
+
+void NotificationModel::takeOffer(const QString& key) {
+    if (const std::optional<int> known = indexOf(key); known && row(*known).offers())
+        emit offerTaken(key);
+}
+
+void NotificationModel::clear() {
+    beginResetModel();
+    rows_.clear();
+    endResetModel();
+    tellUnread();
+}
+
+void NotificationModel::clearCured() {
+    for (int i = rowCount() - 1; i >= 0; --i) {
+        if (!row(i).cured)
+            continue;
+        beginRemoveRows({}, i, i);
+        rows_.erase(rows_.begin() + i);
+        endRemoveRows();
+    }
+}
+
+void NotificationModel::markRead() {
+    for (Notification& each : rows_)
+        each.unread = false;
+    tellUnread();
+}
+
+int NotificationModel::unread() const {
+    return static_cast<int>(std::ranges::count_if(rows_, &Notification::unread));
+}
+
+int NotificationModel::openCount() const {
+    return static_cast<int>(std::ranges::count(rows_, false, &Notification::cured));
+}
+
+int NotificationModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant NotificationModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::AccessibleTextRole))
+        return {};
+    const Notification& n = row(index.row());
+    QString text = severityWord(n.severity) + QStringLiteral(": ") + n.text;
+    if (n.count > 1)
+        text += QStringLiteral(" ×%1").arg(n.count);
+    if (n.offers() && role == Qt::AccessibleTextRole)
+        text += tr(" Press Return to do this: %1.").arg(n.offer.text);
+    return n.cured ? text + QStringLiteral(" (") + tr("cured") + u')' : text;
+}
+
+std::optional<int> NotificationModel::indexOf(const QString& key) const {
+    const auto found = std::ranges::find(rows_, key, &Notification::key);
+    return found == rows_.end() ? std::nullopt : std::optional(static_cast<int>(found - rows_.begin()));
+}
+
+void NotificationModel::tellUnread() {
+    const int now = unread();
+    if (now != std::exchange(told_unread_, now))
+        emit unreadChanged(now);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,199 @@
+#include "widgets/models/plan/breakpoint_list.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QObject>
+#include <QStringList>
+
+#include "core/posh/trace/trace_text.h"
+
+namespace usar::widgets {
+
+namespace {
+
+using posh::ActResult;
+using posh::BreakOn;
+using posh::Breakpoint;
+
+constexpr std::array on_words{std::pair{BreakOn::Before, "before"},
+                              std::pair{BreakOn::After, "after"},
+                              std::pair{BreakOn::Result, "result"},
+                              std::pair{BreakOn::VerdictChange, "verdict"},
+                              std::pair{BreakOn::Interruption, "interruption"},
+                              std::pair{BreakOn::Written, "written"}};
+constexpr std::array results{ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed};
+
+QString resultWord(ActResult result) {
+    const std::string_view word = posh::toText(result);
+    return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
+}
+
+QJsonObject jsonOf(const Breakpoint& breakpoint) {
+    const auto word = std::ranges::find(on_words, breakpoint.on, &std::pair<BreakOn, const char*>::first);
+    QJsonObject json{{"path", QString::fromStdString(breakpoint.path)},
+                     {"names", QString::fromStdString(breakpoint.names)},
+                     {"on", word->second}};
+    if (breakpoint.on == BreakOn::Result)
+        json["result"] = resultWord(breakpoint.result);
+    if (breakpoint.on == BreakOn::Written)
+        json["key"] = QString::fromStdString(breakpoint.key);
+    if (!breakpoint.condition.empty())
+        json["condition"] = QString::fromStdString(breakpoint.condition);
+    if (breakpoint.skip > 0)
+        json["skip"] = static_cast<qint64>(breakpoint.skip);
+    if (breakpoint.once)
+        json["once"] = true;
+    if (!breakpoint.enabled)
+        json["enabled"] = false;
+    return json;
+}
+
+/// Returns nullopt if the object is not a valid breakpoint.
+std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
+    Breakpoint breakpoint;
+    breakpoint.path = json["path"].toString().toStdString();
+    breakpoint.names = json["names"].toString().toStdString();
+    const QString on = json["on"].toString();
+    const auto word = std::ranges::find_if(on_words, [&](const auto& one) { return on == QLatin1String(one.second); });
+    if (word == on_words.end() || breakpoint.names.empty())
+        return std::nullopt;
+    breakpoint.on = word->first;
+    breakpoint.key = json["key"].toString().toStdString();
+    if (breakpoint.on == BreakOn::Written && breakpoint.key.empty())
+        return std::nullopt;
+    for (const ActResult result : results)
+        if (json["result"].toString() == resultWord(result))
+            breakpoint.result = result;
+    breakpoint.condition = json["condition"].toString().toStdString();
+    if (!posh::Breakpoints::checkCondition(breakpoint.condition))
+        return std::nullopt;
+    breakpoint.skip = static_cast<std::uint64_t>(std::max<qint64>(0, json["skip"].toInteger()));
+    breakpoint.once = json["once"].toBool();
+    breakpoint.enabled = json["enabled"].toBool(true);
+    return breakpoint;
+}
+
+bool isOfPlan(const Breakpoint& breakpoint, std::string_view name) {
+    const std::string_view names = breakpoint.names;
+    return names.starts_with(name) && (names.size() == name.size() || names.substr(name.size()).starts_with(" ▸ "));
+}
+
+} // namespace
+
+const Breakpoint* BreakpointList::find(int id) const {
+    const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id);
+    return found == all_.end() ? nullptr : &found->what;
+}
+
+int BreakpointList::add(Breakpoint breakpoint) {
+    all_.push_back({next_id_, std::move(breakpoint)});
+    return next_id_++;
+}
+
+void BreakpointList::change(int id, Breakpoint breakpoint) {
+    if (const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id); found != all_.end())
+        found->what = std::move(breakpoint);
+}
+
+void BreakpointList::remove(int id) {
+    std::erase_if(all_, [id](const agent::PlanBreakpoint& one) { return one.id == id; });
+}
+
+std::vector<int> BreakpointList::ofPlan(std::string_view name) const {
+    std::vector<int> ids;
+    for (const auto& [id, what] : all_)
+        if (isOfPlan(what, name))
+            ids.push_back(id);
+    return ids;
+}
+
+std::vector<int> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
+    std::vector<int> ids;
+    for (const auto& [id, what] : all_)
+        if (what.on == BreakOn::Written && what.key == key && isOfPlan(what, plan_name))
+            ids.push_back(id);
+    return ids;
+}
+
+std::vector<int> BreakpointList::atPath(std::string_view plan_name, std::string_view path) const {
+    std::vector<int> ids;
+    for (const auto& [id, what] : all_)
+        if (what.path == path && what.on != BreakOn::Written && isOfPlan(what, plan_name))
+            ids.push_back(id);
+    return ids;
+}
+
+void BreakpointList::repairPaths(const posh::Program& program) {
+    for (auto& [id, what] : all_) {
+        if (!isOfPlan(what, program.title))
+            continue;
+        const posh::Index place = posh::findPlace(program, what.path, what.names);
+        what.path = place == posh::nowhere ? std::string() : posh::pathOf(program, place);
+    }
+}
+
+QByteArray BreakpointList::toJson() const {
+    QJsonArray list;
+    for (const auto& [id, what] : all_)
+        list.append(jsonOf(what));
+    return QJsonDocument(list).toJson(QJsonDocument::Compact);
+}
+
+BreakpointList BreakpointList::fromJson(const QByteArray& json) {
+    BreakpointList list;
+    for (const QJsonValue& one : QJsonDocument::fromJson(json).array())
+        if (auto breakpoint = breakpointOf(one.toObject()))
+            list.add(*std::move(breakpoint));
+    return list;
+}
+
+QString resultText(ActResult result) {
+    switch (result) {
+    case ActResult::Finished:
+        return QObject::tr("finished, in no time");
+    case ActResult::RunningOnce:
+        return QObject::tr("finished");
+    case ActResult::Running:
+        return QObject::tr("goes on");
+    case ActResult::Failed:
+        break;
+    }
+    return QObject::tr("failed");
+}
+
+QString breakOnText(const Breakpoint& breakpoint) {
+    switch (breakpoint.on) {
+    case BreakOn::Before:
+        return QObject::tr("before");
+    case BreakOn::After:
+        return QObject::tr("after");
+    case BreakOn::Result:
+        return QObject::tr("when it answers: %1").arg(resultText(breakpoint.result));
+    case BreakOn::VerdictChange:
+        return QObject::tr("when its verdict changes");
+    case BreakOn::Written:
+        return QObject::tr("when %1 is written").arg(QString::fromStdString(breakpoint.key));
+    case BreakOn::Interruption:
+        break;
+    }
+    return QObject::tr("when it is interrupted");
+}
+
+QString breakpointText(const Breakpoint& breakpoint) {
+    QStringList parts{QString::fromStdString(breakpoint.names).section(QStringLiteral(" ▸ "), -1),
+                      breakOnText(breakpoint)};
+    if (!breakpoint.condition.empty())
+        parts << QObject::tr("if %1").arg(QString::fromStdString(breakpoint.condition));
+    if (breakpoint.skip > 0)
+        parts << QObject::tr("from hit %1 on").arg(breakpoint.skip + 1);
+    if (breakpoint.once)
+        parts << QObject::tr("once");
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace usar::widgets

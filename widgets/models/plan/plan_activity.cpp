@@ -1,0 +1,74 @@
+#include "widgets/models/plan/plan_activity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::widgets {
+
+namespace {
+
+void merge(PlanActivity& into, const PlanActivity& from) {
+    into.running = into.running || from.running;
+    if (from.last_active && (!into.last_active || *from.last_active > *into.last_active))
+        into.last_active = from.last_active;
+    into.started += from.started;
+    into.succeeded += from.succeeded;
+    into.failed += from.failed;
+    into.skipped += from.skipped;
+    if (!from.hold_back.isEmpty())
+        into.hold_back = from.hold_back;
+    if (from.answer && (!into.answer || from.answer->asked > into.answer->asked))
+        into.answer = from.answer;
+}
+
+} // namespace
+
+void PlanStates::reset(const PlanTree& tree) {
+    states_.assign(static_cast<std::size_t>(tree.size()), {});
+    paths_.reset();
+    node_of_path_.clear();
+    strangers_ = 0;
+}
+
+void PlanStates::take(const PlanTree& tree, const PlanSnapshot& snapshot) {
+    if (snapshot.paths != paths_) {
+        paths_ = snapshot.paths;
+        node_of_path_.clear();
+        if (paths_)
+            for (const std::string& path : *paths_)
+                node_of_path_.push_back(tree.find(path));
+        strangers_ = static_cast<int>(std::count(node_of_path_.begin(), node_of_path_.end(), -1));
+    }
+    now_ = snapshot.now;
+    states_.assign(static_cast<std::size_t>(tree.size()), {});
+    const std::size_t count = std::min(node_of_path_.size(), snapshot.activities.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const int node = node_of_path_[i];
+        if (node < 0)
+            continue;
+        merge(states_[static_cast<std::size_t>(node)], snapshot.activities[i]);
+        if (const int drawn = tree[node].link; drawn >= 0)
+            merge(states_[static_cast<std::size_t>(drawn)], snapshot.activities[i]);
+    }
+}
+
+double PlanStates::recency(int node) const {
+    const PlanActivity& state = (*this)[node];
+    if (state.running)
+        return 1.0;
+    if (!state.last_active)
+        return 0.0;
+    const double age_s = std::max(0.0, (now_ - *state.last_active).count());
+    const double left = std::exp2(-age_s / half_life.count());
+    return left < 0.02 ? 0.0 : left;
+}
+
+std::vector<int> PlanStates::running(const PlanTree& tree) const {
+    std::vector<int> nodes;
+    for (int node = 0; node < tree.size(); ++node)
+        if ((*this)[node].running && !tree[node].in_card)
+            nodes.push_back(node);
+    return nodes;
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,344 @@
+#include "widgets/models/plan/plan_gestures.h"
+
+#include <QObject>
+
+#include "core/posh/edit/plan_phrase.h"
+
+namespace usar::widgets {
+
+using namespace usar::posh;
+
+namespace {
+
+QString nameText(const Plan& plan, const PlanPart& part) {
+    const Name* const name = nameOf(plan, part);
+    return name ? QString::fromStdString(name->text) : QString();
+}
+
+/// Returns the number after "/A:" at the start of a segment.
+std::optional<std::size_t> stepNumber(const std::string& segment) {
+    if (!segment.starts_with("/A:"))
+        return std::nullopt;
+    std::size_t number = 0;
+    for (std::size_t i = 3; i < segment.size() && segment[i] >= '0' && segment[i] <= '9'; ++i)
+        number = number * 10 + static_cast<std::size_t>(segment[i] - '0');
+    return number;
+}
+
+std::size_t levelsOf(const Form& form) {
+    std::size_t levels = 0;
+    std::visit(
+        [&levels](const auto& any) {
+            if constexpr (requires { any.levels; })
+                levels = any.levels.size();
+        },
+        form);
+    return levels;
+}
+
+bool hasMembers(const Form& form) {
+    return std::holds_alternative<Competence>(form) || std::holds_alternative<Collection>(form);
+}
+
+} // namespace
+
+std::optional<PlanPart> partOfNode(const Plan& plan, const PlanTree& tree, int node) {
+    if (node < 0 || node >= tree.size() || tree[node].at.line == 0)
+        return std::nullopt;
+    const auto part = partAt(plan, tree[node].at.offset);
+    return part && nameOf(plan, *part)->at.offset == tree[node].at.offset ? part : std::nullopt;
+}
+
+std::optional<PlanPart> callOfNode(const Plan& plan, const PlanTree& tree, int node) {
+    const auto part = partOfNode(plan, tree, node);
+    if (!part || part->kind == PartKind::Action)
+        return part;
+    if (part->kind != PartKind::Whole || tree[node].parent < 0)
+        return std::nullopt;
+    const auto parent = partOfNode(plan, tree, tree[node].parent);
+    if (!parent)
+        return std::nullopt;
+    if (parent->kind == PartKind::Member)
+        return actionPart(parent->form, parent->level, parent->member);
+    const auto number = stepNumber(tree[node].segment);
+    const PlanPart call{PartKind::Action, parent->form, 0, 0, number.value_or(0)};
+    return callOf(plan, call) ? std::optional(call) : std::nullopt;
+}
+
+int nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& part) {
+    const Name* const name = nameOf(plan, part);
+    if (!name)
+        return -1;
+    int link = -1;
+    for (int node = 0; node < tree.size(); ++node) {
+        if (tree[node].at.offset == name->at.offset && tree[node].at.line > 0) {
+            if (tree[node].link < 0)
+                return node;
+            link = node;
+        } else if (part.kind == PartKind::Action && callOfNode(plan, tree, node) == part) {
+            return node;
+        }
+    }
+    return link;
+}
+
+/// The dragged sense, member or call; `from` is its place in the plan, if it has one.
+struct PlanGestures::Dragged {
+    PartKind kind = PartKind::Action;
+    SenseTest sense;
+    Call call;
+    std::optional<PlanPart> from;
+    QString name;
+};
+
+/// The part that something is dropped on.
+struct PlanGestures::Target {
+    std::optional<PlanPart> part;
+    std::optional<PlanPart> call; ///< call that leads to the part
+    DropZone zone = DropZone::Onto;
+    bool is_step = false;
+    QString name;
+};
+
+std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, int>& source) const {
+    Dragged what;
+    if (const auto* const piece = std::get_if<PlanPiece>(&source)) {
+        what.kind = piece->is_sense ? PartKind::Sense : PartKind::Action;
+        what.name = piece->words.section(QLatin1Char(' '), 0, 0).section(QLatin1Char('('), 0, 0);
+        const std::string words = piece->words.toStdString();
+        if (auto sense = piece->is_sense ? readSensePhrase(words) : Result<SenseTest>())
+            what.sense = *std::move(sense);
+        else
+            return std::nullopt;
+        if (auto call = piece->is_sense ? Result<Call>() : readCallPhrase(words))
+            what.call = *std::move(call);
+        else
+            return std::nullopt;
+        return what;
+    }
+    const int node = std::get<int>(source);
+    const auto part = partOfNode(plan_, tree_, node);
+    if (!part)
+        return std::nullopt;
+    what.name = nameText(plan_, *part);
+    what.kind = part->kind;
+    what.from = part;
+    if (part->kind == PartKind::Sense) {
+        what.sense = *senseOf(plan_, *part);
+    } else if (part->kind != PartKind::Member) {
+        what.kind = PartKind::Action;
+        what.from = callOfNode(plan_, tree_, node);
+        if (!what.from && std::holds_alternative<Collection>(plan_.forms[part->form]))
+            return std::nullopt;
+        what.call = what.from ? *callOf(plan_, *what.from) : Call{*nameOf(plan_, *part), {}};
+    }
+    return what;
+}
+
+PlanGestures::Target PlanGestures::targetAt(int node, DropZone zone) const {
+    Target to;
+    to.part = partOfNode(plan_, tree_, node);
+    to.call = callOfNode(plan_, tree_, node);
+    to.zone = zone;
+    if (to.part) {
+        to.name = nameText(plan_, *to.part);
+        to.is_step = isStep(plan_, to.call ? *to.call : *to.part);
+    }
+    return to;
+}
+
+PlanDeed PlanGestures::swap(const Dragged& what, const PlanPart& with) const {
+    return {QObject::tr("Swap %1 with %2").arg(what.name, nameText(plan_, with)),
+            [text = text_, a = *what.from, b = with] { return swapParts(text, a, b); }};
+}
+
+/// For a target that is alone in its level: a new level before or after it. Among equals: another member of that level.
+MemberPlace PlanGestures::placeAt(const Target& to) const {
+    const PlanPart& part = *to.part;
+    const std::size_t behind = to.zone == DropZone::After ? 1 : 0;
+    bool has_equals = false;
+    std::visit(
+        [&](const auto& form) {
+            if constexpr (requires { form.levels; })
+                has_equals = form.levels[part.level].size() > 1;
+        },
+        plan_.forms[part.form]);
+    if (has_equals)
+        return {part.form, part.level, part.member + behind};
+    return {part.form, part.level + behind};
+}
+
+/// Before a last member that is always ready, because nothing after it would ever be reached.
+MemberPlace PlanGestures::endOf(std::size_t form) const {
+    std::size_t level = levelsOf(plan_.forms[form]);
+    std::visit(
+        [&](const auto& any) {
+            if constexpr (requires { any.levels; })
+                if (!any.levels.empty() && any.levels.back().size() == 1 && any.levels.back()[0].trigger.empty())
+                    --level;
+        },
+        plan_.forms[form]);
+    return {form, level};
+}
+
+Senses PlanGestures::firstTrigger(const MemberPlace& place) const {
+    if (place.level >= levelsOf(plan_.forms[place.form]))
+        return {};
+    return {SenseTest{Call{{"fail", {}}, {}}, std::nullopt, std::nullopt}};
+}
+
+std::optional<PlanDeed> PlanGestures::drop(const std::variant<PlanPiece, int>& source, int target,
+                                           DropZone zone) const {
+    const auto* const node = std::get_if<int>(&source);
+    const auto what = node && *node == target ? std::nullopt : dragged(source);
+    if (!what)
+        return std::nullopt;
+    // Only senses can be dropped on a sense row; others mean its card.
+    if (target >= 0 && tree_[target].in_card && what->kind != PartKind::Sense) {
+        target = tree_[target].parent;
+        zone = DropZone::Onto;
+    }
+    if (target < 0 && collectionOf(plan_) && what->kind == PartKind::Action) {
+        for (std::size_t i = 0; i < plan_.forms.size(); ++i)
+            if (std::holds_alternative<Collection>(plan_.forms[i]))
+                return putInto(*what, i);
+    }
+    const Target to = targetAt(target, zone);
+    if (!to.part)
+        return std::nullopt;
+    switch (what->kind) {
+    case PartKind::Sense:
+        return dropSense(*what, to);
+    case PartKind::Member:
+        return dropMember(*what, to);
+    default:
+        return dropCall(*what, to);
+    }
+}
+
+std::optional<PlanDeed> PlanGestures::add(const PlanPiece& piece, int selected) const {
+    const bool is_row = selected >= 0 && tree_[selected].in_card;
+    const bool is_card = selected >= 0 && !piece.is_sense &&
+                         (tree_[selected].kind == PlanNodeKind::Drive ||
+                          tree_[selected].kind == PlanNodeKind::Element || targetAt(selected, DropZone::After).is_step);
+    return drop(piece, selected, is_row || is_card ? DropZone::After : DropZone::Onto);
+}
+
+std::optional<PlanDeed> PlanGestures::dropSense(const Dragged& what, const Target& to) const {
+    if (to.part == what.from)
+        return std::nullopt;
+    if (to.is_step)
+        return dropOnStep(what, to);
+    if (to.part->kind == PartKind::Sense && to.zone == DropZone::Onto) {
+        if (what.from)
+            return swap(what, *to.part);
+        return PlanDeed{QObject::tr("Ask %1 in place of %2").arg(what.name, to.name),
+                        [text = text_, part = *to.part, test = what.sense] { return replaceSense(text, part, test); }};
+    }
+    PlanPart owner =
+        to.part->kind == PartKind::Whole || to.part->kind == PartKind::Member ? *to.part : ownerOf(*to.part);
+    if (to.call && to.call->in_member && to.part->kind == PartKind::Action)
+        owner = ownerOf(*to.call);
+    if (owner.kind == PartKind::Whole && std::holds_alternative<Pattern>(plan_.forms[owner.form]))
+        return putInto(what, owner.form);
+    const QString words = owner.kind == PartKind::Member
+                              ? QObject::tr("Ask %1 for %2").arg(what.name, nameText(plan_, owner))
+                              : QObject::tr("Make %1 the goal of %2").arg(what.name, nameText(plan_, owner));
+    if (what.from && ownerOf(*what.from) == owner && !isStep(plan_, *what.from))
+        return PlanDeed{QObject::tr("Ask %1 at another place").arg(what.name),
+                        [text = text_, a = *what.from, b = *to.part] { return swapParts(text, a, b); }};
+    return PlanDeed{words, [text = text_, owner, test = what.sense, from = what.from]() -> Result<PlanEdit> {
+                        auto added = addSense(text, owner, test);
+                        if (!added || !from)
+                            return added;
+                        auto moved = removePart(added->text, *from);
+                        if (moved)
+                            moved->part = added->part;
+                        return moved;
+                    }};
+}
+
+std::optional<PlanDeed> PlanGestures::dropMember(const Dragged& what, const Target& to) const {
+    const PlanPart from = *what.from;
+    if (to.part->kind == PartKind::Whole && hasMembers(plan_.forms[to.part->form]))
+        return PlanDeed{QObject::tr("Move %1 to %2").arg(what.name, to.name),
+                        [text = text_, from, place = endOf(to.part->form)] { return moveMember(text, from, place); }};
+    if (to.part->kind != PartKind::Member)
+        return std::nullopt;
+    if (to.zone == DropZone::Onto)
+        return swap(what, *to.part);
+    const QString words =
+        to.zone == DropZone::Before ? QObject::tr("Move %1 before %2") : QObject::tr("Move %1 behind %2");
+    return PlanDeed{words.arg(what.name, to.name),
+                    [text = text_, from, place = placeAt(to)] { return moveMember(text, from, place); }};
+}
+
+std::optional<PlanDeed> PlanGestures::dropOnStep(const Dragged& what, const Target& to) const {
+    const PlanPart step = to.call ? *to.call : *to.part;
+    const bool from_step = what.from && isStep(plan_, *what.from);
+    if (to.zone == DropZone::Onto) {
+        if (from_step || (what.from && what.kind == PartKind::Action && step.kind == PartKind::Action))
+            return swap(what, step);
+        if (what.kind == PartKind::Action && step.kind == PartKind::Action && !what.from)
+            return PlanDeed{QObject::tr("Do %1 in place of %2").arg(what.name, to.name),
+                            [text = text_, step, call = what.call] { return replaceCall(text, step, call); }};
+    }
+    const std::size_t index = step.index + (to.zone == DropZone::After ? 1 : 0);
+    const QString words = to.zone == DropZone::After ? QObject::tr("%1 behind %2") : QObject::tr("%1 before %2");
+    if (from_step)
+        return PlanDeed{words.arg(what.name, to.name), [text = text_, from = *what.from, form = step.form, index] {
+                            return moveStep(text, from, form, index);
+                        }};
+    const Step made = what.kind == PartKind::Sense ? Step(what.sense) : Step(what.call);
+    return PlanDeed{words.arg(what.name, to.name),
+                    [text = text_, form = step.form, index, made] { return addStep(text, form, index, made); }};
+}
+
+std::optional<PlanDeed> PlanGestures::dropCall(const Dragged& what, const Target& to) const {
+    const PlanPart& part = *to.part;
+    if (part.kind == PartKind::Whole && (!what.from || !to.call) && !(to.is_step && to.zone != DropZone::Onto))
+        return putInto(what, part.form);
+    if (to.is_step)
+        return dropOnStep(what, to);
+    if (part.kind == PartKind::Member && to.zone != DropZone::Onto) {
+        const MemberPlace place = placeAt(to);
+        const QString words =
+            to.zone == DropZone::Before ? QObject::tr("New %1 before %2") : QObject::tr("New %1 behind %2");
+        return PlanDeed{words.arg(what.name, to.name),
+                        [text = text_, place, call = what.call, trigger = firstTrigger(place)] {
+                            return addMember(text, place, call, trigger);
+                        }};
+    }
+    const PlanPart place = part.kind == PartKind::Member ? actionPart(part.form, part.level, part.member)
+                           : to.call                     ? *to.call
+                                                         : part;
+    if (place.kind != PartKind::Action || what.from == place)
+        return std::nullopt;
+    if (what.from)
+        return swap(what, place);
+    return PlanDeed{QObject::tr("Do %1 in place of %2").arg(what.name, nameText(plan_, place)),
+                    [text = text_, place, call = what.call] { return replaceCall(text, place, call); }};
+}
+
+/// Appends to the form.
+std::optional<PlanDeed> PlanGestures::putInto(const Dragged& what, std::size_t form) const {
+    const QString words = QObject::tr("Put %1 into %2").arg(what.name, nameText(plan_, formPart(form)));
+    if (const auto* const pattern = std::get_if<Pattern>(&plan_.forms[form])) {
+        const Step made = what.kind == PartKind::Sense ? Step(what.sense) : Step(what.call);
+        return PlanDeed{words, [text = text_, form, index = pattern->steps.size(), made] {
+                            return addStep(text, form, index, made);
+                        }};
+    }
+    if (what.kind != PartKind::Action)
+        return std::nullopt;
+    if (std::holds_alternative<Adopt>(plan_.forms[form]))
+        return PlanDeed{words, [text = text_, form, call = what.call] {
+                            return replaceCall(text, {PartKind::Action, form}, call);
+                        }};
+    const MemberPlace place = endOf(form);
+    return PlanDeed{words, [text = text_, place, call = what.call, trigger = firstTrigger(place)] {
+                        return addMember(text, place, call, trigger);
+                    }};
+}
+
+} // namespace usar::widgets

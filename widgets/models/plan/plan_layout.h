@@ -1,0 +1,114 @@
+// Layout of a drawn plan: where each card is, and which nodes are at a point or in a rectangle.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+#include <QString>
+
+#include "widgets/models/plan/plan_folds.h"
+#include "widgets/models/plan/plan_tree.h"
+
+namespace usar::widgets {
+
+/// Measures the width of texts in pixels at a scale of 1.
+struct PlanMetrics {
+    std::function<double(const QString&)> name_px; ///< for the title of a card
+    std::function<double(const QString&)> text_px; ///< for all other text
+    double row_px = 20.0;                          ///< height of the title row and of each sense row
+};
+
+/// Dimensions of the parts of a card in pixels; shared by painting and layout.
+namespace plan_card {
+inline constexpr double padding_px = 8.0;   ///< distance of the contents from the border of a card
+inline constexpr double glyph_px = 20.0;    ///< room for the mark before a title or sense
+inline constexpr double counters_px = 72.0; ///< room for the counters after a title
+inline constexpr double answer_px = 56.0;   ///< room for a sense's newest answer
+inline constexpr double goal_px = 34.0;     ///< room for the word "goal" before a sense of a goal
+inline constexpr double fold_px = 36.0;     ///< room for the fold mark of a card with children
+inline constexpr double widest_px = 420.0;  ///< longer texts are elided; the tooltip shows them
+} // namespace plan_card
+
+/// Natural size of each card in pixels at a scale of 1; empty for senses inside a card.
+std::vector<QSizeF> measurePlan(const PlanTree& tree, const PlanMetrics& metrics);
+
+/// Direction in which children are placed: to the right of their parent (wide views), or below it with an indent, like
+/// an outline (narrow docks).
+enum class PlanFlow { Across, Down };
+
+/// Deterministic and linear in the number of nodes. Every subtree has a band of its own with its card at the top left,
+/// so branches never interleave, and children are in order of priority from top to bottom. Siblings are equally wide.
+/// In pixels at a scale of 1; the first card is at the origin.
+class PlanLayout {
+public:
+    PlanLayout() = default;
+    PlanLayout(const PlanTree& tree, const PlanFolds& folds, const std::vector<QSizeF>& sizes, double row_px,
+               PlanFlow flow);
+
+    PlanFlow flow() const { return flow_; }
+    /// Bounding box of all cards.
+    const QRectF& bounds() const { return bounds_; }
+    /// Box of a card, or of a sense's row in its card; null if it is folded away.
+    QRectF box(const PlanTree& tree, int node) const;
+    /// False for folded nodes and for senses inside a card.
+    bool shown(int node) const { return !boxes_[static_cast<std::size_t>(node)].isNull(); }
+    /// Points where the line from a card to its children starts, and where the line from its parent ends.
+    QPointF exit(int node) const;
+    QPointF entry(int node) const;
+
+    /// The sense row or card at that point; -1 if there is none. Logarithmic in the number of siblings.
+    int nodeAt(const PlanTree& tree, const QPointF& point) const;
+    /// Calls `visit(node)` for the cards whose subtree touches the rectangle, in the order of the tree; this includes
+    /// cards that only have lines to children in it. The cost is proportional to the number of cards found.
+    template <class Visit>
+    void forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const;
+    /// The same as a list.
+    std::vector<int> nodesIn(const PlanTree& tree, const QRectF& area) const;
+
+private:
+    /// Vertical gap above the sibling at index `before`.
+    double gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const;
+    /// Height of each node's subtree.
+    std::vector<double> bandHeights(const PlanTree& tree, const PlanFolds& folds,
+                                    const std::vector<QSizeF>& sizes) const;
+    /// Sets the boxes of all visible cards.
+    void place(const PlanTree& tree, const PlanFolds& folds, const std::vector<QSizeF>& sizes,
+               const std::vector<double>& heights);
+    /// Computes the bands from the boxes.
+    void uniteBands(const PlanTree& tree);
+    /// Index of the first child whose band does not end above `top`.
+    std::size_t firstBelow(std::span<const int> children, double top) const;
+
+    PlanFlow flow_ = PlanFlow::Across;
+    double row_px_ = 20.0;
+    std::vector<QRectF> boxes_; ///< null: folded away, or inside a card
+    std::vector<QRectF> bands_; ///< bounding box of the card and everything below it
+    std::vector<int> roots_;
+    QRectF bounds_;
+};
+
+template <class Visit>
+void PlanLayout::forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const {
+    std::vector<int> open(roots_.rbegin(), roots_.rend());
+    while (!open.empty()) {
+        const int node = open.back();
+        open.pop_back();
+        if (!shown(node) || !bands_[static_cast<std::size_t>(node)].intersects(area))
+            continue;
+        visit(node);
+        const std::span<const int> children = tree.children(node);
+        const std::size_t first = firstBelow(children, area.top());
+        std::size_t end = first;
+        while (end < children.size() && bands_[static_cast<std::size_t>(children[end])].top() <= area.bottom() &&
+               shown(children[end]))
+            ++end;
+        for (std::size_t i = end; i-- > first;)
+            open.push_back(children[i]);
+    }
+}
+
+} // namespace usar::widgets

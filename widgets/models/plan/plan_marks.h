@@ -1,0 +1,42 @@
+// Marks on the parts of a drawn plan: breakpoints, pins and disabled drives that the user has set, and the halt.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QString>
+#include <QStringList>
+
+#include "widgets/models/plan/plan_tree.h"
+
+namespace usar::widgets {
+
+/// The marks on one part of a plan.
+struct PlanMark {
+    std::string path;          ///< path of the part, as the engine names it
+    int breakpoints = 0;       ///< number of enabled breakpoints
+    int breakpoints_off = 0;   ///< number of disabled breakpoints
+    bool conditional = false;  ///< one of them has a condition or ignores its first hits
+    bool pinned = false;       ///< pinned to an answer that the user chose
+    bool switched_off = false; ///< a drive that the user has disabled
+    bool halted = false;       ///< the plan is halted here
+    QStringList words{};       ///< all of this in words for the user
+    bool operator==(const PlanMark&) const = default;
+};
+
+/// The marks by node of a drawn plan. A node that is drawn once for several places has the marks of all of them.
+class PlanMarks {
+public:
+    PlanMarks() = default;
+    PlanMarks(const PlanTree& tree, const std::vector<PlanMark>& marks);
+
+    /// Returns nullptr for a node without marks.
+    const PlanMark* at(int node) const;
+    bool empty() const { return by_node_.empty(); }
+
+private:
+    std::map<int, PlanMark> by_node_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,68 @@
+#include "widgets/models/plan/plan_places.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace usar::widgets {
+
+namespace {
+
+/// Returns the size of the code point at `position` in bytes of UTF-8 and in units of UTF-16.
+std::pair<int, int> sizesAt(const QString& line, int position) {
+    const bool two =
+        line[position].isHighSurrogate() && position + 1 < line.size() && line[position + 1].isLowSurrogate();
+    const char16_t unit = line[position].unicode();
+    return {two ? 4 : unit < 0x80 ? 1 : unit < 0x800 ? 2 : 3, two ? 2 : 1};
+}
+
+} // namespace
+
+QString editorText(std::string_view plan_text) {
+    QString text = QString::fromUtf8(plan_text.data(), static_cast<qsizetype>(plan_text.size()));
+    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
+    for (QChar& c : text)
+        if (c == u'\r' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator)
+            c = u' ';
+    return text;
+}
+
+TextRange rangeOf(const posh::Spot& spot, const QString& line) {
+    const int end = static_cast<int>(line.size());
+    int start = 0;
+    for (std::uint32_t column = 1; column < spot.column && start < end; ++column)
+        start += sizesAt(line, start).second;
+    int length = 0;
+    for (int bytes = 0; bytes < static_cast<int>(spot.length) && start + length < end;) {
+        const auto [in_utf8, units] = sizesAt(line, start + length);
+        bytes += in_utf8;
+        length += units;
+    }
+    if (start >= end) // After the last character: mark that one.
+        return {std::max(0, end - 1), std::min(1, end)};
+    return {start, std::max(1, length)};
+}
+
+int columnOf(const QString& line, int position) {
+    int column = 1;
+    for (int at = 0; at < std::min(position, static_cast<int>(line.size())); ++column)
+        at += sizesAt(line, at).second;
+    return column;
+}
+
+int nodeAtPlace(const PlanTree& tree, int line, int column) {
+    const std::pair place(static_cast<std::uint32_t>(std::max(0, line)),
+                          static_cast<std::uint32_t>(std::max(0, column)));
+    int found = -1;
+    std::pair<std::uint32_t, std::uint32_t> found_at;
+    for (int node = 0; node < tree.size(); ++node) {
+        const PlanNode& what = tree[node];
+        const std::pair at(what.at.line, what.at.column);
+        if (at.first > 0 && at <= place && what.link < 0 && (found < 0 || at > found_at)) {
+            found = node;
+            found_at = at;
+        }
+    }
+    return found;
+}
+
+} // namespace usar::widgets

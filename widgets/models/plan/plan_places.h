@@ -1,0 +1,34 @@
+// Converts places in a plan's text to positions in a QString, and finds the part of the drawn plan at a place.
+#pragma once
+
+#include <string_view>
+
+#include <QString>
+
+#include "core/posh/model/plan.h"
+#include "widgets/models/plan/plan_tree.h"
+
+namespace usar::widgets {
+
+/// Returns a plan's text as an editor shows it, with the same lines as its reader counts: CR LF ends one line; a lone
+/// CR and other characters that Qt would take for line ends become blanks.
+QString editorText(std::string_view plan_text);
+
+/// A range of UTF-16 units within one line of that text.
+struct TextRange {
+    int start = 0;
+    int length = 0;
+    bool operator==(const TextRange&) const = default;
+};
+
+/// Converts a spot, which counts code points and bytes, to a range that stays within its line; at least one unit long
+/// unless the line is empty. `line` is the text of the spot's line.
+TextRange rangeOf(const posh::Spot& spot, const QString& line);
+/// Column of a position in a line, in code points from 1.
+int columnOf(const QString& line, int position);
+
+/// The node whose text begins last at or before this place (line and column count from 1); -1 if there is none or the
+/// plan was not read from text.
+int nodeAtPlace(const PlanTree& tree, int line, int column);
+
+} // namespace usar::widgets

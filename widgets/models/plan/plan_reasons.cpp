@@ -1,0 +1,140 @@
+#include "widgets/models/plan/plan_reasons.h"
+
+#include <algorithm>
+
+#include <QObject>
+#include <QStringList>
+
+#include "widgets/models/figures.h"
+
+namespace usar::widgets {
+
+namespace {
+
+class ReasonCollector {
+public:
+    ReasonCollector(const PlanTree& tree, const PlanStates& states) : tree_(tree), states_(states) {}
+
+    std::vector<PlanReason> collect(int node) {
+        std::vector<int> way;
+        for (int at = node; at >= 0; at = tree_[at].parent)
+            way.push_back(at);
+        for (auto at = way.rbegin(); at != way.rend(); ++at)
+            explain(*at);
+        return std::move(reasons_);
+    }
+
+private:
+    void say(PlanVerdict verdict, int node, const QString& text) { reasons_.push_back({verdict, text, node}); }
+
+    void explain(int node) {
+        if (!states_[node].running) {
+            explainRival(node);
+            if (!states_[node].hold_back.isEmpty())
+                say(PlanVerdict::No, node,
+                    QObject::tr("%1 is held back by %2").arg(tree_[node].name, states_[node].hold_back));
+        }
+        for (int sense = node + 1; sense <= node + tree_[node].senses; ++sense)
+            explainSense(node, sense);
+        const int parent = tree_[node].parent;
+        // A sense that is a step of a pattern; those in the card of the parent were explained with it.
+        if (tree_[node].kind == PlanNodeKind::Sense && node > parent + tree_[parent].senses)
+            explainSense(parent, node);
+    }
+
+    /// Only one of several siblings runs, so another one may have taken precedence.
+    void explainRival(int node) {
+        const int parent = tree_[node].parent;
+        if (parent < 0)
+            return;
+        for (const int sibling : tree_.children(parent)) {
+            if (sibling == node || !states_[sibling].running)
+                continue;
+            if (tree_[node].level < 0)
+                say(sibling < node ? PlanVerdict::No : PlanVerdict::Open, sibling,
+                    sibling < node
+                        ? QObject::tr("%1 comes before it and runs now").arg(tree_[sibling].name)
+                        : QObject::tr("It is over: %1 comes after it and runs now").arg(tree_[sibling].name));
+            else if (tree_[sibling].level <= tree_[node].level)
+                say(PlanVerdict::No, sibling,
+                    tree_[sibling].level == tree_[node].level
+                        ? QObject::tr("%1, its equal, runs now").arg(tree_[sibling].name)
+                        : QObject::tr("%1 runs now and goes before %2").arg(tree_[sibling].name, tree_[node].name));
+        }
+    }
+
+    void explainSense(int owner, int sense) {
+        const PlanNode& what = tree_[sense];
+        const PlanActivity& state = states_[sense];
+        // A goal ends its owner, so a goal that holds is a reason against running, and one that does not hold is no
+        // reason.
+        if (what.of_goal && state.answer && !state.answer->holds)
+            return;
+        const PlanVerdict verdict = !state.answer                         ? PlanVerdict::Open
+                                    : state.answer->holds != what.of_goal ? PlanVerdict::Yes
+                                                                          : PlanVerdict::No;
+        const QString call = what.name + (what.detail.isEmpty() ? QString() : u' ' + what.detail);
+        say(verdict, sense,
+            what.of_goal
+                ? QObject::tr("%1, goal: %2 – %3").arg(tree_[owner].name, call, answerText(state, states_.now()))
+                : QObject::tr("%1: %2 – %3").arg(tree_[owner].name, call, answerText(state, states_.now())));
+    }
+
+    const PlanTree& tree_;
+    const PlanStates& states_;
+    std::vector<PlanReason> reasons_;
+};
+
+} // namespace
+
+std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, int node) {
+    return ReasonCollector(tree, states).collect(node);
+}
+
+QString planVerdict(const PlanTree& tree, const PlanStates& states, int node) {
+    const QString& name = tree[node].name;
+    const PlanActivity& state = states[node];
+    if (tree[node].kind == PlanNodeKind::Sense && tree[node].in_card)
+        return !state.answer         ? QObject::tr("%1 has not been asked yet").arg(name)
+               : state.answer->holds ? QObject::tr("%1 holds").arg(name)
+                                     : QObject::tr("%1 does not hold").arg(name);
+    if (state.running)
+        return QObject::tr("%1 runs now").arg(name);
+    const auto reasons = planReasons(tree, states, node);
+    const auto refusals =
+        std::count_if(reasons.begin(), reasons.end(), [](const auto& r) { return r.verdict == PlanVerdict::No; });
+    if (refusals > 0)
+        return refusals == 1 ? QObject::tr("%1 does not run, for one reason:").arg(name)
+                             : QObject::tr("%1 does not run, for %2 reasons:").arg(name).arg(refusals);
+    return state.last_active ? QObject::tr("%1 does not run now; nothing refused it last").arg(name)
+                             : QObject::tr("%1 has not run yet; nothing has refused it").arg(name);
+}
+
+QString answerText(const PlanActivity& state, Seconds now) {
+    if (!state.answer)
+        return QObject::tr("not asked yet");
+    return (state.answer->holds ? QObject::tr("yes, it is %1, for %2") : QObject::tr("no, it is %1, for %2"))
+        .arg(state.answer->value, ageText(now - state.answer->since));
+}
+
+QString countersText(const PlanActivity& state) {
+    QStringList parts;
+    const auto add = [&](std::uint64_t count, const QString& one, const QString& many) {
+        if (count > 0)
+            parts << (count == 1 ? one : many.arg(count));
+    };
+    add(state.started, QObject::tr("1 start"), QObject::tr("%1 starts"));
+    add(state.succeeded, QObject::tr("1 success"), QObject::tr("%1 successes"));
+    add(state.failed, QObject::tr("1 failure"), QObject::tr("%1 failures"));
+    add(state.skipped, QObject::tr("held back once"), QObject::tr("held back %1 times"));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString lastRunText(const PlanActivity& state, Seconds now) {
+    if (state.running)
+        return QObject::tr("runs now");
+    return state.last_active ? QObject::tr("ran %1 ago").arg(ageText(now - *state.last_active))
+                             : QObject::tr("has not run yet");
+}
+
+} // namespace usar::widgets

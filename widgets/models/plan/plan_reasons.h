@@ -1,0 +1,35 @@
+// Explains why an element of a running plan runs or does not: which sense refused it, with which value, since when.
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "widgets/models/plan/plan_activity.h"
+
+namespace usar::widgets {
+
+/// Effect of a cause: it favors running, prevents it, or is not known yet.
+enum class PlanVerdict { Yes, No, Open };
+
+/// One cause as a sentence; `node` is the part that it refers to, which may be another one than asked about.
+struct PlanReason {
+    PlanVerdict verdict = PlanVerdict::Open;
+    QString text;
+    int node = -1;
+    bool operator==(const PlanReason&) const = default;
+};
+
+/// The verdict in one sentence: "avoid does not run, for one reason:".
+QString planVerdict(const PlanTree& tree, const PlanStates& states, int node);
+/// The causes, in order from the root to the node.
+std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, int node);
+
+/// "no, it is 0.12, for 8.0 s": the sense's newest answer, and how long this has been the verdict.
+QString answerText(const PlanActivity& state, Seconds now);
+/// "12 starts, 9 successes, 2 failures, held back 4 times"; empty if all are 0.
+QString countersText(const PlanActivity& state);
+/// "runs now", "ran 3.2 s ago", "has not run yet".
+QString lastRunText(const PlanActivity& state, Seconds now);
+
+} // namespace usar::widgets

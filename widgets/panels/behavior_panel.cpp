@@ -1,0 +1,320 @@
+#include "widgets/panels/behavior_panel.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+QLabel* mutedLabel(const QString& text = {}) {
+    auto* label = new QLabel(text);
+    label->setProperty("role", "muted");
+    label->setWordWrap(true);
+    return label;
+}
+
+/// Compares everything that the panel shows except the name.
+bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescription& other) {
+    return one.id == other.id && one.help == other.help && one.needs_area == other.needs_area &&
+           one.plan_name == other.plan_name;
+}
+
+} // namespace
+
+BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
+    : QWidget(parent)
+    , robot_label_(new QLabel)
+    , behavior_box_(new QComboBox)
+    , rescan_(new QToolButton)
+    , help_label_(mutedLabel())
+    , isolated_(new QCheckBox(tr("In a process of its own")))
+    , plan_(new PlanChoice)
+    , area_box_(new QWidget)
+    , area_form_(new AreaForm)
+    , area_tool_(new QToolButton)
+    , summary_label_(mutedLabel())
+    , start_(new QPushButton(tr("Start")))
+    , pause_(new QPushButton(tr("Pause")))
+    , land_(new QPushButton(tr("Land now")))
+    , stop_(new QPushButton(tr("Stop"))) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    layout->setSpacing(gap::small);
+    robot_label_->setProperty("role", "title");
+    robot_label_->setWordWrap(true);
+    behavior_box_->setAccessibleName(tr("Behavior"));
+    behavior_box_->setToolTip(tr("What the selected robot should do"));
+    behavior_box_->setMinimumHeight(minimum_target);
+    layout->addWidget(robot_label_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    row->addWidget(behavior_box_, 1);
+    row->addWidget(rescan_);
+    rescan_->hide();
+    layout->addLayout(row);
+    layout->addWidget(help_label_);
+    layout->addWidget(plan_);
+    isolated_->setToolTip(
+        tr("A behavior that crashes or hangs there ends alone: its robot stops, you are told where it "
+           "died, and nothing else is disturbed. Costs well below a millisecond a tick"));
+    isolated_->setMinimumHeight(minimum_target);
+    layout->addWidget(isolated_);
+    connect(isolated_, &QCheckBox::clicked, this, &BehaviorPanel::isolationChosen);
+    makeAreaBox();
+    layout->addWidget(area_box_);
+    layout->addWidget(summary_label_);
+    summary_label_->hide();
+    layout->addWidget(parameter_form, 1);
+    layout->addWidget(makeButtons());
+    connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this] {
+        showBehavior();
+        emit behaviorChosen(QString::fromStdString(behaviorId()));
+    });
+    setRunState(RunState::NoRobot, {});
+}
+
+void BehaviorPanel::makeAreaBox() {
+    auto* layout = new QVBoxLayout(area_box_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(gap::tiny);
+    auto* row = new QHBoxLayout;
+    auto* title = new QLabel(tr("Mission area"));
+    title->setProperty("role", "title");
+    area_tool_->setIcon(icon("area"));
+    area_tool_->setText(tr("Draw"));
+    area_tool_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    area_tool_->setCheckable(true);
+    area_tool_->setMinimumHeight(minimum_target);
+    area_tool_->setToolTip(tr("Draw the mission area on the map (A)"));
+    row->addWidget(title, 1);
+    row->addWidget(area_tool_);
+    layout->addLayout(row);
+    layout->addWidget(area_form_);
+    connect(area_tool_, &QToolButton::clicked, this, &BehaviorPanel::areaToolToggled);
+    connect(area_form_, &AreaForm::areaChanged, this, &BehaviorPanel::areaTyped);
+}
+
+QWidget* BehaviorPanel::makeButtons() {
+    auto* box = new QWidget;
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(gap::tiny);
+    start_->setProperty("role", "primary");
+    start_->setIcon(icon("play", tokens().on_fill));
+    pause_->setIcon(icon("pause"));
+    land_->setIcon(icon("land"));
+    stop_->setIcon(icon("stop"));
+    pause_->setCheckable(true);
+    start_->setStatusTip(tr("Start the behavior with this area and these parameters"));
+    pause_->setStatusTip(tr("Hold position; press again to go on"));
+    land_->setStatusTip(tr("Land here and now; what was scanned is kept"));
+    stop_->setStatusTip(tr("End the behavior; the robot stops where it is"));
+    for (QPushButton* button : buttons()) {
+        // A click leaves the focus on the map, where the arrow keys pan; Tab still reaches the button.
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setToolTip(button->statusTip());
+        button->setMinimumHeight(minimum_target);
+    }
+    grid->addWidget(start_, 0, 0, 1, 3);
+    grid->addWidget(pause_, 1, 0);
+    grid->addWidget(land_, 1, 1);
+    grid->addWidget(stop_, 1, 2);
+    for (QPushButton* button : buttons())
+        connect(button, &QPushButton::clicked, this, [this, button] { press(button); });
+    return box;
+}
+
+std::array<QPushButton*, 4> BehaviorPanel::buttons() const {
+    return {start_, pause_, land_, stop_};
+}
+
+void BehaviorPanel::press(QPushButton* button) {
+    const bool pause = pause_->isChecked();
+    if (const auto driver = actions_.find(button); driver != actions_.end())
+        driver->second->trigger();
+    else if (button == start_)
+        emit startRequested();
+    else if (button == pause_)
+        emit pauseRequested(pause);
+    else if (button == land_)
+        emit landRequested();
+    else
+        emit stopRequested();
+    pause_->setChecked(run_state_ == RunState::Paused); // The state of the robot counts, not the click.
+}
+
+void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
+    QAction* const actions[] = {start, pause, land, stop};
+    for (std::size_t i = 0; i < buttons().size(); ++i) {
+        QPushButton* button = buttons()[i];
+        QAction* action = actions[i];
+        if (!action)
+            continue;
+        actions_[button] = action;
+        const auto follow = [this, button, action] {
+            const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+            button->setToolTip(keys.isEmpty() ? button->statusTip()
+                                              : QStringLiteral("%1 (%2)").arg(button->statusTip(), keys));
+            enable(button, action->isEnabled());
+        };
+        connect(action, &QAction::changed, button, follow);
+        follow();
+    }
+}
+
+void BehaviorPanel::setRescanAction(QAction* action) {
+    rescan_->setDefaultAction(action);
+    rescan_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    rescan_->setAccessibleName(action->text());
+    rescan_->setMinimumSize(minimum_target, minimum_target);
+    rescan_->setFocusPolicy(Qt::TabFocus);
+    rescan_->show();
+}
+
+void BehaviorPanel::enable(QPushButton* button, bool on) {
+    if (on || !button->hasFocus())
+        return button->setEnabled(on);
+    // Qt would move the focus of a disabled button to an arbitrary widget; by the next turn of the event loop its
+    // neighbor is enabled and can take the focus.
+    QMetaObject::invokeMethod(
+        button,
+        [this, button] {
+            const auto driver = actions_.find(button);
+            if (driver != actions_.end() ? driver->second->isEnabled() : mayPress(button))
+                return;
+            const auto all = buttons();
+            const auto next = std::ranges::find_if(
+                all, [&](const QPushButton* other) { return other != button && other->isEnabled(); });
+            if (next != all.end())
+                (*next)->setFocus(Qt::OtherFocusReason);
+            button->setEnabled(false);
+        },
+        Qt::QueuedConnection);
+}
+
+bool BehaviorPanel::mayPress(const QPushButton* button) const {
+    return button == start_ ? run_state_ == RunState::Ready : busy();
+}
+
+void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors) {
+    const std::string chosen = behaviorId();
+    const auto before = std::exchange(behaviors_, behaviors);
+    {
+        const QSignalBlocker blocker(behavior_box_);
+        behavior_box_->clear();
+        for (const agent::BehaviorDescription& behavior : behaviors_) {
+            behavior_box_->addItem(QString::fromStdString(behavior.name), QString::fromStdString(behavior.id));
+            behavior_box_->setItemData(behavior_box_->count() - 1, QString::fromStdString(behavior.help),
+                                       Qt::ToolTipRole);
+        }
+        const int index = behavior_box_->findData(QString::fromStdString(chosen));
+        behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
+    }
+    behavior_box_->setEnabled(!busy() && !behaviors_.empty());
+    isolated_->setEnabled(behavior_box_->isEnabled());
+    const auto old = std::ranges::find(before, behaviorId(), &agent::BehaviorDescription::id);
+    if (old == before.end() || !looksLike(*old, behaviors_[static_cast<std::size_t>(behavior_box_->currentIndex())]))
+        showBehavior();
+    if (behaviorId() != chosen)
+        emit behaviorChosen(QString::fromStdString(behaviorId()));
+}
+
+/// Shows what depends on the chosen behavior: its help, its plan, its area.
+void BehaviorPanel::showBehavior() {
+    const int row = behavior_box_->currentIndex();
+    area_box_->setVisible(needsArea());
+    if (row < 0) {
+        help_label_->setText(tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
+                                "command drives it."));
+        plan_->setBehavior({}, {});
+        return fitHelp();
+    }
+    const agent::BehaviorDescription& shown = behaviors_[static_cast<std::size_t>(row)];
+    help_label_->setText(QString::fromStdString(shown.help));
+    behavior_box_->setToolTip(tr("What the selected robot should do\n%1").arg(help_label_->text()));
+    plan_->setBehavior(shown.id, QString::fromStdString(shown.plan_name));
+    fitHelp();
+}
+
+void BehaviorPanel::fitHelp() {
+    constexpr int a_parameter_px = 40; // In addition to the minimum height of the form.
+    const int needed_px = layout()->totalMinimumHeightForWidth(width());
+    const int help_px = help_label_->heightForWidth(width() - 2 * gap::small) + gap::small;
+    const int without_px = help_label_->isHidden() ? needed_px : needed_px - help_px;
+    help_label_->setHidden(without_px + help_px + a_parameter_px > height());
+}
+
+void BehaviorPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitHelp();
+}
+
+bool BehaviorPanel::needsArea() const {
+    const int row = behavior_box_->currentIndex();
+    return row < 0 || behaviors_[static_cast<std::size_t>(row)].needs_area;
+}
+
+bool BehaviorPanel::busy() const {
+    return run_state_ == RunState::Running || run_state_ == RunState::Paused;
+}
+
+void BehaviorPanel::chooseBehavior(const std::string& id) {
+    const int index = behavior_box_->findData(QString::fromStdString(id));
+    if (index >= 0)
+        behavior_box_->setCurrentIndex(index);
+}
+
+bool BehaviorPanel::isolated() const {
+    return isolated_->isChecked();
+}
+
+void BehaviorPanel::setIsolated(bool isolated) {
+    isolated_->setChecked(isolated);
+}
+
+std::string BehaviorPanel::behaviorId() const {
+    return behavior_box_->currentData().toString().toStdString();
+}
+
+void BehaviorPanel::setPlanSummary(const QString& summary) {
+    summary_label_->setText(summary);
+    summary_label_->setVisible(!summary.isEmpty());
+    fitHelp();
+}
+
+void BehaviorPanel::setAreaToolActive(bool active) {
+    area_tool_->setChecked(active);
+}
+
+bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
+    robot_label_->setText(robot_name.isEmpty()         ? tr("No robot yet: double-click a start pose")
+                          : state == RunState::NoRobot ? tr("%1 is not spawned").arg(robot_name)
+                          : state == RunState::Replay  ? tr("%1: nothing can be started").arg(robot_name)
+                                                       : robot_name);
+    if (std::exchange(run_state_, state) == state)
+        return false;
+    for (QPushButton* button : buttons())
+        if (!actions_.contains(button))
+            enable(button, mayPress(button));
+    pause_->setChecked(state == RunState::Paused);
+    pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
+    behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
+    isolated_->setEnabled(behavior_box_->isEnabled());
+    return true;
+}
+
+} // namespace usar::widgets

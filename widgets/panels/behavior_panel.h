@@ -1,0 +1,128 @@
+// Panel that says what the selected robot should do: behavior, mission area, parameters, and the buttons that run it.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "core/agent/robot_plugin.h"
+#include "core/base/geometry.h"
+#include "widgets/panels/area_form.h"
+#include "widgets/panels/plan_choice.h"
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace usar::widgets {
+
+/// State of the selected robot's behavior; decides which buttons are enabled.
+enum class RunState { NoRobot, Ready, Running, Paused, Replay };
+
+/// Reports the user's wishes as signals and shows the state it is given; makes no decisions itself. GUI thread.
+class BehaviorPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// `parameter_form` is shown below the area; the panel becomes its parent.
+    explicit BehaviorPanel(QWidget* parameter_form, QWidget* parent = nullptr);
+
+    /// Keeps the current choice if it is among them, else chooses the first. Emits behaviorChosen only if the choice
+    /// changed.
+    void setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors);
+    /// Chooses and emits behaviorChosen as if the user had done it; an unknown id changes nothing.
+    void chooseBehavior(const std::string& id);
+    /// Id of the chosen behavior; empty if the list is empty.
+    std::string behaviorId() const;
+
+    /// The plan of the chosen behavior; the widget is hidden for behaviors without a plan.
+    PlanChoice& plan() { return *plan_; }
+    const PlanChoice& plan() const { return *plan_; }
+    /// True if the chosen behavior needs a mission area, and if none is chosen.
+    bool needsArea() const;
+    /// True if the chosen behavior should run in a process of its own. Setting it emits nothing.
+    bool isolated() const;
+    void setIsolated(bool isolated);
+
+    /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
+    /// need no area.
+    void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
+    /// Values outside the world's extent are marked in the form.
+    void setAreaLimits(const Rectangle& world_in_map) { area_form_->setLimits(world_in_map); }
+    /// For real servers, which do not tell the extent of their world.
+    void clearAreaLimits() { area_form_->clearLimits(); }
+    /// The typed area, corners in order; empty() if they enclose nothing.
+    Rectangle area() const { return area_form_->area(); }
+    /// "5 lanes · 312 m · 6 min 10 s", or why there are no lanes; empty hides the line.
+    void setPlanSummary(const QString& summary);
+    /// Enables the buttons that fit the state. Returns true if the state changed.
+    bool setRunState(RunState state, const QString& robot_name);
+    /// Shows whether the map's area tool is active; emits nothing.
+    void setAreaToolActive(bool active);
+    /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
+    /// their shortcuts, and the corresponding signals are no longer emitted. A null action leaves its button unchanged.
+    /// The actions must live as long as the panel, or be destroyed with it.
+    void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
+    /// Shows this action as a button beside the list of behaviors.
+    void setRescanAction(QAction* action);
+
+signals:
+    /// By the user, or because setBehaviors or chooseBehavior changed the choice.
+    void behaviorChosen(const QString& id);
+    /// By the user; an empty rectangle if the typed values enclose nothing.
+    void areaTyped(const usar::Rectangle& area_in_map);
+    /// The user wants to start (true) or stop (false) drawing the area on the map.
+    void areaToolToggled(bool active);
+    /// By the user only.
+    void isolationChosen(bool isolated);
+    /// Start the chosen behavior; plan(), area() and isolated() say how.
+    void startRequested();
+    /// True: pause, false: resume. The button shows the new state only when setRunState reports it.
+    void pauseRequested(bool paused);
+    /// Land here and now.
+    void landRequested();
+    /// End the behavior; the robot stops where it is.
+    void stopRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void showBehavior();
+    /// Hides the help line if there is no room for it; the list's tooltip still has it.
+    void fitHelp();
+    void makeAreaBox();
+    QWidget* makeButtons();
+    std::array<QPushButton*, 4> buttons() const;
+    void press(QPushButton* button);
+    /// True if the run state allows this button; used for buttons without an action.
+    bool mayPress(const QPushButton* button) const;
+    /// Moves the focus to another button before the one that has it is disabled.
+    void enable(QPushButton* button, bool on);
+    bool busy() const;
+
+    std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
+    QLabel* robot_label_;
+    QComboBox* behavior_box_;
+    QToolButton* rescan_;
+    QLabel* help_label_;
+    QCheckBox* isolated_;
+    PlanChoice* plan_;
+    QWidget* area_box_;
+    AreaForm* area_form_;
+    QToolButton* area_tool_;
+    QLabel* summary_label_;
+    QPushButton* start_;
+    QPushButton* pause_;
+    QPushButton* land_;
+    QPushButton* stop_;
+    std::map<QPushButton*, QAction*> actions_; ///< the buttons that an action drives
+    std::optional<RunState> run_state_;        ///< nullopt until the first setRunState
+};
+
+} // namespace usar::widgets

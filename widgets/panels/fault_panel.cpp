@@ -1,0 +1,294 @@
+#include "widgets/panels/fault_panel.h"
+
+#include <QHeaderView>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/panels/quantity_box.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/state_dot.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int id_role = Qt::UserRole;
+constexpr int state_role = Qt::UserRole + 1;
+constexpr double longest_s = 1e6;
+
+/// Returns a keyword as the user reads it: "Sensor bias" for "sensor_bias".
+QString titleOf(QString word) {
+    word.replace('_', ' ');
+    return word.left(1).toUpper() + word.mid(1);
+}
+
+/// Returns the label of a quantity: "Toward" for "toward_deg".
+QString labelOf(QString key) {
+    if (key.endsWith("_deg"))
+        key.chop(4);
+    return key.size() == 1 ? key : titleOf(key);
+}
+
+QString wordOf(FaultState state) {
+    switch (state) {
+    case FaultState::ToCome:
+        return FaultPanel::tr("to come");
+    case FaultState::Active:
+        return FaultPanel::tr("active");
+    case FaultState::Over:
+        break;
+    }
+    return FaultPanel::tr("over");
+}
+
+QColor inkOf(FaultState state) {
+    const StateShape shape = state == FaultState::Active   ? StateShape::Bad
+                             : state == FaultState::ToCome ? StateShape::Waiting
+                                                           : StateShape::Off;
+    return stateColor(shape);
+}
+
+/// Makes a field of the form as wide as the form.
+void fillRow(QWidget* field) {
+    field->setMinimumHeight(minimum_target);
+    field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QuantityBox* timeBox(const QString& at_zero, const QString& name) {
+    auto* box = new QuantityBox;
+    box->setRange(0.0, longest_s);
+    box->setDecimals(1);
+    box->setSuffix(FaultPanel::tr(" s"));
+    box->setSpecialValueText(at_zero);
+    box->setAccessibleName(name);
+    fillRow(box);
+    return box;
+}
+
+/// Replaces the names and keeps the current text, even if an editable box no longer has it among its names.
+void setNames(QComboBox* box, const QString& all, const QStringList& names) {
+    const QString shown = box->currentText();
+    const QSignalBlocker quiet(box);
+    box->clear();
+    box->addItem(all);
+    box->addItems(names);
+    const int at = box->findText(shown);
+    if (at >= 0)
+        box->setCurrentIndex(at);
+    else if (box->isEditable() && !shown.isEmpty())
+        box->setEditText(shown);
+}
+
+} // namespace
+
+FaultPanel::FaultPanel(QWidget* parent)
+    : QWidget(parent)
+    , kind_(new QComboBox)
+    , help_(new QLabel)
+    , robot_(new QComboBox)
+    , sensor_(new QComboBox)
+    , from_(timeBox(tr("now"), tr("Begins")))
+    , lasts_(timeBox(tr("until it is ended"), tr("Lasts")))
+    , text_(new QLabel)
+    , inject_(new QPushButton(tr("Inject fault")))
+    , list_(new QTreeWidget)
+    , end_(new QPushButton(tr("End fault"))) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    column->setSpacing(gap::small);
+    makeForm();
+    makeList();
+    empty_state_ = new EmptyState(this);
+    empty_state_->setText(tr("No simulator to break"),
+                          tr("Faults are made by the embedded simulator. Connect to it, and sensors, links, batteries, "
+                             "rotors and the wind can go wrong here on request."));
+    setAvailable(false);
+    setRobots({});
+    setSensors({});
+}
+
+void FaultPanel::makeForm() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    kind_->setAccessibleName(tr("Kind of fault"));
+    kind_->setMinimumHeight(minimum_target);
+    help_->setProperty("role", "muted");
+    help_->setWordWrap(true);
+    auto* rows = new QWidget;
+    form_ = new QFormLayout(rows);
+    form_->setContentsMargins(0, 0, 0, 0);
+    form_->setHorizontalSpacing(gap::medium);
+    form_->setVerticalSpacing(gap::tiny);
+    form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    sensor_->setEditable(true);
+    sensor_->setInsertPolicy(QComboBox::NoInsert);
+    for (auto& [name, box] : {std::pair(tr("Robot"), robot_), std::pair(tr("Sensor"), sensor_)}) {
+        box->setAccessibleName(name);
+        fillRow(box);
+        box->setMinimumContentsLength(8);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        form_->addRow(name, box);
+        connect(box, &QComboBox::currentTextChanged, this, &FaultPanel::showText);
+    }
+    sensor_->setToolTip(tr("By name or type; what is not listed can be typed"));
+    form_->addRow(tr("Begins"), from_);
+    form_->addRow(tr("Lasts"), lasts_);
+    from_->setToolTip(tr("Seconds of simulated time from now"));
+    text_->setFont(codeFont());
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text_->setToolTip(tr("The same as text, for the list \"faults\" of a mission file and for --fault"));
+    text_->setAccessibleName(tr("The fault as text"));
+    inject_->setProperty("role", "primary");
+    column->addWidget(kind_);
+    column->addWidget(help_);
+    column->addWidget(rows);
+    column->addWidget(text_);
+    column->addWidget(inject_);
+    connect(kind_, &QComboBox::currentIndexChanged, this, &FaultPanel::showKind);
+    for (QuantityBox* box : {from_, lasts_})
+        connect(box, &QuantityBox::valueChanged, this, &FaultPanel::showText);
+}
+
+void FaultPanel::makeList() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    list_->setHeaderLabels({tr("Faults of this run"), tr("State")});
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setAccessibleName(tr("Faults of this run"));
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    list_->setMinimumHeight(80);
+    column->addWidget(list_, 1);
+    column->addWidget(end_);
+    connect(list_, &QTreeWidget::itemSelectionChanged, this, &FaultPanel::selectionChanged);
+}
+
+void FaultPanel::setActions(QAction* inject, QAction* end) {
+    for (const auto& [button, action] : {std::pair(inject_, inject), std::pair(end_, end)}) {
+        const auto follow = [button = button, action = action] {
+            button->setEnabled(action->isEnabled());
+            button->setToolTip(action->toolTip());
+        };
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        connect(action, &QAction::changed, button, follow);
+        follow();
+    }
+}
+
+void FaultPanel::setKinds(std::vector<FaultKindInfo> kinds) {
+    kinds_ = std::move(kinds);
+    const QSignalBlocker quiet(kind_);
+    kind_->clear();
+    for (const FaultKindInfo& kind : kinds_)
+        kind_->addItem(titleOf(kind.word), kind.word);
+    showKind();
+}
+
+void FaultPanel::showKind() {
+    for (const Field& field : fields_)
+        form_->removeRow(field.box);
+    fields_.clear();
+    if (kind_->currentIndex() < 0)
+        return;
+    const FaultKindInfo& kind = kinds_[static_cast<std::size_t>(kind_->currentIndex())];
+    help_->setText(kind.help.left(1).toUpper() + kind.help.mid(1) + '.');
+    for (const FaultQuantity& quantity : kind.quantities)
+        fields_.push_back(addNumber(quantity));
+    form_->setRowVisible(robot_, kind.of_robot);
+    form_->setRowVisible(sensor_, kind.of_sensor);
+    showText();
+}
+
+FaultPanel::Field FaultPanel::addNumber(const FaultQuantity& quantity) {
+    auto* box = new QuantityBox;
+    box->setRange(quantity.smallest, quantity.largest);
+    box->setDecimals(4);
+    box->setSingleStep(quantity.largest <= 1.0 ? 0.05 : 1.0);
+    if (!quantity.unit.isEmpty())
+        box->setSuffix(quantity.unit == "deg" ? QStringLiteral("°") : ' ' + quantity.unit);
+    box->setValue(quantity.usual);
+    box->setToolTip(quantity.help.left(1).toUpper() + quantity.help.mid(1));
+    box->setAccessibleName(labelOf(quantity.key));
+    fillRow(box);
+    form_->insertRow(2 + static_cast<int>(fields_.size()), labelOf(quantity.key), box); // Below robot and sensor.
+    connect(box, &QuantityBox::valueChanged, this, &FaultPanel::showText);
+    return {quantity.key, box, quantity.usual};
+}
+
+void FaultPanel::setRobots(const QStringList& names) {
+    setNames(robot_, tr("every robot"), names);
+    showText();
+}
+
+void FaultPanel::setSensors(const QStringList& names) {
+    if (sensor_->lineEdit()->hasFocus())
+        return; // Not while the user is typing there.
+    setNames(sensor_, tr("every sensor"), names);
+    showText();
+}
+
+QString FaultPanel::text() const {
+    if (kind_->currentIndex() < 0)
+        return {};
+    const FaultKindInfo& kind = kinds_[static_cast<std::size_t>(kind_->currentIndex())];
+    QString text = kind.word;
+    if (kind.of_robot && robot_->currentIndex() > 0)
+        text += " robot=" + robot_->currentText();
+    const QString sensor = sensor_->currentText().trimmed();
+    if (kind.of_sensor && !sensor.isEmpty() && sensor != sensor_->itemText(0))
+        text += " sensor=" + sensor;
+    for (const Field& field : fields_)
+        if (field.box->value() != field.usual)
+            text += ' ' + field.key + '=' + QString::number(field.box->value(), 'g', 12);
+    if (from_->value() > 0.0)
+        text += " from=" + QString::number(from_->value(), 'g', 12);
+    if (lasts_->value() > 0.0)
+        text += " for=" + QString::number(lasts_->value(), 'g', 12);
+    return text;
+}
+
+void FaultPanel::showText() {
+    text_->setText(text());
+}
+
+void FaultPanel::setFaults(const std::vector<FaultRow>& faults) {
+    const int selected = endable();
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const FaultRow& fault : faults) {
+        auto* item = new QTreeWidgetItem({fault.text, wordOf(fault.state)});
+        item->setData(0, id_role, fault.id);
+        item->setData(0, state_role, static_cast<int>(fault.state));
+        item->setToolTip(0, fault.text + (fault.when.isEmpty() ? QString() : '\n' + fault.when));
+        item->setForeground(1, inkOf(fault.state));
+        list_->insertTopLevelItem(0, item);
+        if (fault.id == selected && fault.state != FaultState::Over)
+            list_->setCurrentItem(item);
+    }
+    emit selectionChanged();
+}
+
+void FaultPanel::setAvailable(bool on) {
+    empty_state_->setVisible(!on);
+    for (int i = 0; i < layout()->count(); ++i)
+        if (QWidget* part = layout()->itemAt(i)->widget())
+            part->setVisible(on);
+}
+
+int FaultPanel::endable() const {
+    const auto selected = list_->selectedItems();
+    if (selected.isEmpty() || selected.first()->data(0, state_role).toInt() == static_cast<int>(FaultState::Over))
+        return 0;
+    return selected.first()->data(0, id_role).toInt();
+}
+
+bool FaultPanel::anyToEnd() const {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i)
+        if (list_->topLevelItem(i)->data(0, state_role).toInt() != static_cast<int>(FaultState::Over))
+            return true;
+    return false;
+}
+
+} // namespace usar::widgets

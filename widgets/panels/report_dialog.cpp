@@ -1,0 +1,43 @@
+#include "widgets/panels/report_dialog.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+ReportDialog::ReportDialog(const QString& title, const QString& text, QWidget* parent)
+    : QDialog(parent)
+    , text_(new QPlainTextEdit(text, this)) {
+    setWindowTitle(title);
+    text_->setReadOnly(true);
+    text_->setLineWrapMode(QPlainTextEdit::NoWrap); // Keeps columns of figures aligned.
+    text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    text_->setAccessibleName(title);
+    auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* const copied = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
+    copied->setToolTip(tr("What is selected, or all of it, to the clipboard"));
+    auto* const saved = buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole);
+    saved->setToolTip(tr("As text, or as JSON lines for other programs"));
+    connect(copied, &QPushButton::clicked, this, &ReportDialog::copy);
+    connect(saved, &QPushButton::clicked, this, &ReportDialog::saveRequested);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* const column = new QVBoxLayout(this);
+    column->setSpacing(gap::small);
+    column->addWidget(text_, 1);
+    column->addWidget(buttons);
+}
+
+void ReportDialog::copy() {
+    if (text_->textCursor().hasSelection())
+        text_->copy();
+    else
+        QGuiApplication::clipboard()->setText(text());
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,89 @@
+// Draws a plan: cards, the lines between them, what is running, and the answers of senses. Used for screen and paper.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <QFont>
+#include <QPainter>
+
+#include "widgets/models/plan/plan_activity.h"
+#include "widgets/models/plan/plan_layout.h"
+#include "widgets/models/plan/plan_marks.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+/// Everything that a drawing is made of; the references must outlive the painter.
+struct PlanScene {
+    const PlanTree& tree;
+    const PlanLayout& layout;
+    const PlanFolds& folds;
+    const PlanStates& states;
+    const Tokens& colors;
+    /// By node: true if it matches the search; empty: no search.
+    std::vector<bool> found{};
+    /// -1: none.
+    int selected = -1;
+    int hot = -1;                     ///< under the mouse; -1: none
+    bool focused = false;             ///< the view has the keyboard focus
+    const PlanMarks* marks = nullptr; ///< nullptr: no marks
+};
+
+/// Level of detail that a scale has room for: everything; blocks with names; blocks only.
+enum class PlanDetail { Full, Names, Blocks };
+/// Level of detail for a number of screen pixels per layout pixel.
+PlanDetail planDetailAt(double scale);
+
+/// Font in pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
+QFont planFont(bool bold = false);
+/// Text widths in planFont. GUI thread.
+PlanMetrics planMetrics();
+/// "1234", "12k", "3M": at most four characters.
+QString shortCount(std::uint64_t count);
+
+/// The painter's transform maps layout pixels to the device; `scale` is the number of device pixels per layout pixel.
+class PlanPainter {
+public:
+    PlanPainter(QPainter& painter, const PlanScene& scene, double scale);
+    /// Paints everything in `area`, given in layout pixels.
+    void paint(const QRectF& area);
+
+private:
+    void paintLines(const std::vector<int>& nodes, const QRectF& area);
+    void paintLine(int parent, int child, const QColor& color, double width);
+    void paintEquals(int node);
+    void paintCard(int node);
+    void paintBlockName(int node, const QRectF& box);
+    void paintTitle(int node, const QRectF& row);
+    void paintKindMark(int node, const QRectF& place);
+    /// The two return the right edge of the room that is left for the title.
+    double paintCounters(int node, const QRectF& row, double right);
+    double paintFoldMark(int node, const QRectF& row, double right);
+    void paintSenseRow(int sense);
+    double paintAnswer(int sense, const QRectF& row);
+    void paintVerdict(int sense, const QRectF& place);
+    void paintFrames(int node);
+    void paintMarks(int node);
+    void paintBreakpoint(const PlanMark& mark, const QPointF& middle);
+    void paintStand(const QPointF& middle);
+    void paintPin(const QPointF& middle);
+    void paintOff(const QRectF& box);
+    void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
+    void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
+    QColor fillOf(int node) const;
+    /// Line width of at least one device pixel.
+    double thin() const { return 1.0 / std::min(scale_, 1.0); }
+    /// Scale of marks, which shrink less than cards do.
+    double markSize() const { return 1.0 / std::min(1.0, scale_ + 0.3); }
+
+    QPainter& painter_;
+    const PlanScene& scene_;
+    const Tokens& colors_;
+    double scale_;
+    PlanDetail detail_;
+    QFont name_font_;
+    QFont text_font_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,143 @@
+// The plan of a robot with its tools: search, list of what is running, and why a part runs or does not.
+#pragma once
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
+#include <QToolButton>
+
+#include "widgets/plan/plan_halt_bar.h"
+#include "widgets/plan/plan_text_edit.h"
+#include "widgets/plan/plan_time_bar.h"
+#include "widgets/plan/plan_view.h"
+#include "widgets/style/section_stack.h"
+
+namespace usar::widgets {
+
+/// A breakpoint in the panel's list.
+struct BreakpointRow {
+    int id = 0;
+    QString text;
+    QString help;
+    std::string path; ///< path in the plan; empty: the plan has no such place
+    bool enabled = true;
+    bool operator==(const BreakpointRow&) const = default;
+};
+
+/// State comes in by setters, wishes go out by signals. A narrow panel stacks what a wide one shows side by side; in a
+/// low one the lists are in tabs. GUI thread.
+class PlanPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlanPanel(QWidget* parent = nullptr);
+
+    PlanView& view() { return *view_; }
+    /// Shows a plan in the drawing; see PlanView::setPlan.
+    void setPlan(const posh::Plan& plan) { view_->setPlan(plan); }
+    /// Also shows the plan's blackboard.
+    void setSnapshot(PlanSnapshot snapshot);
+    /// The selected key of the plan's blackboard; empty: none.
+    QString selectedKey() const;
+    /// Marks the keys of the blackboard that a breakpoint watches.
+    void setWatchedKeys(const QStringList& keys);
+    /// Sets the text that the plan was read from, shown beside the drawing and in step with it, and the findings of its
+    /// reader. Call it after setPlan; without it the button that shows the text is disabled.
+    void setPlanText(std::string_view text, const posh::Findings& findings);
+    /// Removes plan, text and blackboard.
+    void clear();
+    /// Lists the breakpoints of this plan; the list is hidden while there are none.
+    void setBreakpoints(const std::vector<BreakpointRow>& rows);
+    PlanHaltBar& haltBar() { return *halt_bar_; }
+    PlanTimeBar& timeBar() { return *time_bar_; }
+    PlanTextEdit& textEdit() { return *text_; }
+    /// Sets the robots to choose from; with fewer than two the choice is hidden. Emits nothing.
+    void setRobots(const QStringList& names, const QString& shown);
+    /// Name of the chosen robot; empty if there is none.
+    QString shownRobot() const { return robots_->currentText(); }
+
+    QSize sizeHint() const override { return {1100, 420}; }
+    QSize minimumSizeHint() const override { return {240, 170}; }
+
+signals:
+    /// The user chose another robot.
+    void robotChosen(const QString& name);
+    /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
+    void textRequested(const usar::posh::Spot& at);
+    /// The user wants to save the drawing as a picture.
+    void exportRequested();
+    /// The user enabled or disabled a breakpoint in the list.
+    void breakpointSwitched(int id, bool on);
+    /// The user wants to edit this breakpoint.
+    void breakpointEditRequested(int id);
+    /// The user wants to remove this breakpoint.
+    void breakpointRemoved(int id);
+    /// The selection in the blackboard's list changed; see selectedKey.
+    void keySelected();
+    /// Double-click or Return: toggles whether the plan stops when the selected key is written.
+    void keyActivated();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QBoxLayout* makeSearchRow();
+    QBoxLayout* makeButtonRow();
+    QWidget* makeText();
+    /// Fills the side with the lists: running, reasons, blackboard, breakpoints.
+    void fillSide();
+    void addBreakpointList();
+    void addBoard();
+    void showBoard();
+    QListWidget* makeList(const QString& name, const QString& help);
+    QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
+    /// Switches between the narrow and the wide layout.
+    void arrange();
+    void showTree();
+    void giveFocusBack();
+    void search(const QString& words);
+    void showFound();
+    void showRunning();
+    void showReasons();
+    /// Marks the selected part in the text.
+    void showTextPlace();
+    /// Tints the lines of running parts.
+    void showRunningLines();
+    void showFinding();
+    /// Selects the part that a list item refers to.
+    void jumpTo(const QListWidgetItem* item);
+
+    PlanView* view_;
+    QComboBox* robots_;
+    QLineEdit* search_;
+    QLabel* found_;
+    QToolButton* previous_;
+    QToolButton* next_;
+    QToolButton* text_shown_;
+    QToolButton* expanded_;
+    QBoxLayout* head_;
+    QSplitter* body_;
+    PlanTextEdit* text_;
+    QLabel* finding_;
+    SectionStack* side_;
+    QLabel* running_title_;
+    QListWidget* running_;
+    QLabel* verdict_;
+    QListWidget* reasons_;
+    QListWidget* board_;
+    std::vector<BoardValue> board_values_;
+    QStringList watched_keys_;
+    QListWidget* breakpoints_;
+    PlanHaltBar* halt_bar_;
+    PlanTimeBar* time_bar_;
+    bool slider_waits_ = false; ///< it had the focus before its tree was emptied, and gets it back
+    bool from_text_ = false;    ///< the selection follows the cursor in the text
+    int narrow_ = -1;           ///< 1: narrow layout, 0: wide; -1: not arranged yet
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,141 @@
+#include "widgets/plan/plan_time_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QStyle>
+
+#include "widgets/models/figures.h"
+#include "widgets/style/theme.h"
+#include "widgets/style/time_slider.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int run_steps = 10000;
+constexpr int broad_bar_px = 620;
+
+} // namespace
+
+QString planTimeText(const PlanTime& time) {
+    if (time.cycle == 0)
+        return {};
+    const QString end = figure((time.end - time.begin).count(), 1);
+    if (time.live && !time.replay)
+        return QObject::tr("live, %1 s").arg(end);
+    const QString at = QObject::tr("at %1 s of %2 s").arg(figure((time.shown - time.begin).count(), 1), end);
+    return time.epoch == 0 ? at : QObject::tr("%1, epoch %2 of %3").arg(at).arg(time.epoch).arg(time.epochs);
+}
+
+PlanTimeBar::PlanTimeBar(QWidget* parent)
+    : QWidget(parent)
+    , halt_(new QToolButton(this))
+    , back_(new QToolButton(this))
+    , forward_(new QToolButton(this))
+    , look_back_(new QToolButton(this))
+    , live_(new QToolButton(this))
+    , slider_(new TimeSlider(this))
+    , words_(new QLabel(this)) {
+    setAccessibleName(tr("Moment of the run"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap::tiny);
+    const std::initializer_list<std::pair<QToolButton*, QString>> names{{halt_, tr("Halt or go on")},
+                                                                        {back_, tr("One cycle back")},
+                                                                        {forward_, tr("One cycle forward")},
+                                                                        {look_back_, tr("Replay from here")},
+                                                                        {live_, tr("Back to now")}};
+    for (const auto& [button, name] : names) {
+        button->setAccessibleName(name);
+        button->setToolTip(name);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setMinimumSize(minimum_target, minimum_target);
+    }
+    slider_->setRange(0, run_steps);
+    slider_->setPageStep(run_steps / 20);
+    slider_->setAccessibleName(tr("Moment of the plan's run"));
+    slider_->setToolTip(tr("Click or drag to what the plan did at another moment"));
+    slider_->setMinimumHeight(minimum_target);
+    words_->setAccessibleName(tr("Shown moment of the run"));
+    words_->setToolTip(tr("Since the plan began, by the robot's clock"));
+    words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(QStringLiteral("at 0000.0 s of 0000.0 s")));
+    row->addWidget(halt_);
+    row->addWidget(back_);
+    row->addWidget(forward_);
+    row->addWidget(slider_, 1);
+    row->addWidget(words_);
+    row->addWidget(look_back_);
+    row->addWidget(live_);
+    connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
+    connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // Keys and wheel.
+        if (action == QAbstractSlider::SliderMove || time_.cycle == 0)
+            return;
+        const bool is_step =
+            action == QAbstractSlider::SliderSingleStepAdd || action == QAbstractSlider::SliderSingleStepSub;
+        const QToolButton* const button = action == QAbstractSlider::SliderSingleStepAdd ? forward_ : back_;
+        if (!is_step)
+            emit timeWanted(timeOf(slider_->sliderPosition()));
+        // In a short run a step of the slider is less than a cycle, so it triggers the button instead.
+        else if (button->defaultAction())
+            button->defaultAction()->trigger();
+    });
+    setTime({});
+}
+
+void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAction* look_back, QAction* live) {
+    const std::initializer_list<std::pair<QToolButton*, QAction*>> pairs{
+        {halt_, halt}, {back_, back}, {forward_, forward}, {look_back_, look_back}, {live_, live}};
+    for (const auto& [button, action] : pairs) {
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        button->setAccessibleName(action->text());
+    }
+    arrange();
+}
+
+/// The buttons that apply now (in the past, or in a replay that can be left) are labeled if there is room for text.
+void PlanTimeBar::arrange() {
+    const bool is_past = !time_.live && !time_.replay && time_.cycle != 0;
+    const bool is_broad = width() >= broad_bar_px;
+    const auto styleOf = [is_broad](bool is_offered) {
+        return is_offered && is_broad ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+    };
+    look_back_->setToolButtonStyle(styleOf(is_past));
+    live_->setToolButtonStyle(styleOf(time_.replay && live_->isEnabled()));
+}
+
+void PlanTimeBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+Seconds PlanTimeBar::timeOf(int value) const {
+    return time_.begin + (time_.end - time_.begin) * (static_cast<double>(value) / run_steps);
+}
+
+void PlanTimeBar::setTime(const PlanTime& time) {
+    time_ = time;
+    // A focused slider stays enabled; otherwise its keys would go to a neighbor in the meantime.
+    slider_->setEnabled(time.cycle != 0 || slider_->hasFocus());
+    arrange();
+    const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
+    if (words_->property("role") != role) {
+        words_->setProperty("role", role);
+        words_->style()->unpolish(words_); // Otherwise the color of the previous role would stay.
+        words_->style()->polish(words_);
+    }
+    words_->setText(planTimeText(time));
+    if (slider_->isSliderDown())
+        return;
+    const double span_s = (time.end - time.begin).count();
+    const double part = span_s > 0.0 ? (time.shown - time.begin).count() / span_s : 1.0;
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * run_steps)));
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,181 @@
+// Live drawing of a plan: what is running, the answers of senses, and how often each part started.
+#pragma once
+
+#include <optional>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "core/posh/model/plan.h"
+#include "widgets/models/plan/plan_activity.h"
+#include "widgets/models/plan/plan_folds.h"
+#include "widgets/models/plan/plan_layout.h"
+#include "widgets/models/plan/plan_marks.h"
+
+namespace usar::widgets {
+
+class EmptyState;
+
+/// State comes in by setters, gestures go out by signals; it knows no engine. Snapshots are taken at most every 16 ms,
+/// and not while hidden. Keys when focused: arrows pan (with Shift by a page), + and - zoom, F fits, Ctrl with arrows
+/// moves to the part above, below, left or right, Home and End to the first and last, N and Shift+N step through what
+/// is running, Space folds, Return follows a link or emits activated, Escape clears the selection. GUI thread.
+class PlanView : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlanView(QWidget* parent = nullptr);
+    ~PlanView() override;
+
+    /// Shows a plan; parts with the same names stay folded and selected, counters start again.
+    void setPlan(const posh::Plan& plan);
+    /// Removes the plan and all folds, for another robot or none.
+    void clear();
+    /// The sheet that is shown while there is no plan.
+    EmptyState* emptyState() const { return empty_state_; }
+    /// Shows this state of the run, from the next frame on.
+    void setSnapshot(PlanSnapshot snapshot);
+    /// Replaces all marks; they are kept by path when the plan changes.
+    void setMarks(std::vector<PlanMark> marks);
+    const PlanMarks& marks() const { return marks_; }
+
+    void setSharing(PlanSharing sharing);
+    PlanSharing sharing() const { return sharing_; }
+    /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
+    void setFlow(std::optional<PlanFlow> flow);
+
+    /// The present state of the drawing; node numbers are valid until the next plan or sharing.
+    const PlanTree& tree() const { return tree_; }
+    const PlanStates& states() const { return states_; }
+    const PlanFolds& folds() const { return folds_; }
+    const PlanLayout& layout();
+    int selected() const { return selected_; }
+    /// Selects a node, unfolds the path to it and scrolls to it; -1 clears the selection. Emits selectionChanged if
+    /// the selection changed.
+    void select(int node);
+    /// Selects the node of an engine's path; returns false if there is none.
+    bool selectPath(const std::string& path);
+    void setFolded(int node, bool folded);
+
+    /// Marks the nodes that match and selects the next one after the selection, unless the selection matches. Returns
+    /// the number of matches; 0 without words.
+    int find(const QString& words);
+    /// Selects the next or previous match; wraps around.
+    void findNext(bool backward = false);
+    const std::vector<int>& found() const { return found_; }
+
+    /// Screen pixels per layout pixel.
+    double scale() const { return scale_; }
+    QPointF toScreen(const QPointF& in_layout) const { return (in_layout - corner_) * scale_; }
+    QPointF toLayout(const QPointF& on_screen) const { return on_screen / scale_ + corner_; }
+    /// Shows the beginning of the drawing at a readable size; the whole drawing if it is readable then.
+    void showBeginning();
+    /// Keeps scale and position when the plan changes, until fit() or showBeginning() is called.
+    void holdStill() { framing_ = Framing::Own; }
+    /// Description of a node, as in its tooltip and for screen readers.
+    QString nodeText(int node) const;
+    /// Says in which respect the drawing is incomplete; empty if it is complete.
+    QString reservation() const;
+    /// Number of snapshots taken; stands still while the view is hidden.
+    int newsTaken() const { return news_taken_; }
+
+    /// Size of the whole drawing in pixels at a scale of 1. paintDrawing() draws it in the light theme with its corner
+    /// at the origin; folded parts stay folded.
+    QSizeF drawingSize();
+    void paintDrawing(QPainter& painter);
+
+    QSize sizeHint() const override { return {900, 420}; }
+    QSize minimumSizeHint() const override { return {200, 140}; }
+
+public slots:
+    void fit();
+    void zoomIn();
+    void zoomOut();
+    void foldAll();
+    void unfoldAll();
+    /// Unfolds what is running and folds the rest.
+    void showRunning();
+
+signals:
+    /// -1: nothing is selected.
+    void selectionChanged(int node);
+    /// Double-click or Return on a part that is not a link.
+    void activated(int node);
+    /// The user wants the context menu of a part, which is selected already, or of none (-1).
+    void menuRequested(int node, const QPoint& at_global);
+    /// A snapshot was taken: states() changed.
+    void refreshed();
+    /// The plan or the sharing changed: node numbers changed.
+    void treeChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void rebuild();
+    void takeNews();
+    void relayout();
+    PlanFlow wantedFlow() const;
+    /// Lays out again and keeps the node in its place on the screen.
+    void relayoutAround(int node);
+    int nodeAt(const QPointF& on_screen);
+    /// True if that place is on the node's fold mark or link arrow.
+    bool onFoldMark(int node, const QPointF& on_screen);
+    void bringIntoView(int node);
+    void keepInReach();
+    void zoomAt(const QPointF& on_screen, double factor);
+    void panBy(const QPointF& by_px);
+    bool panByKey(const QKeyEvent& event);
+    bool walkByKey(const QKeyEvent& event);
+    bool actByKey(const QKeyEvent& event);
+    int neighbor(int key) const;
+    int sibling(int node, int by) const;
+    /// Selects the next or previous running node.
+    void walkRunning(int by);
+    /// Follows a link, else folds or unfolds.
+    void open(int node);
+    /// Updates the description for screen readers.
+    void describe();
+
+    posh::Plan plan_;
+    PlanSharing sharing_ = PlanSharing::Once;
+    std::optional<PlanFlow> flow_;
+    PlanTree tree_;
+    PlanFolds folds_;
+    PlanStates states_;
+    PlanSnapshot snapshot_;
+    std::vector<PlanMark> marks_by_path_;
+    PlanMarks marks_;
+    bool news_ = false; ///< the snapshot has not been taken yet
+    int news_taken_ = 0;
+    QTimer tick_;
+    std::vector<QSizeF> sizes_;
+    double row_px_ = 20.0;
+    PlanLayout layout_;
+    bool layout_valid_ = false;
+    double scale_ = 1.0;
+    QPointF corner_; ///< place of the layout that is in the view's top left corner
+    enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< kept when the view is resized
+    std::vector<int> found_;
+    std::vector<bool> found_marks_;
+    int selected_ = -1;
+    int hot_ = -1;
+    bool panning_ = false;
+    bool pressed_ = false;
+    QPointF pressed_at_;
+    QPointF last_at_;
+    EmptyState* empty_state_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,100 @@
+#include "widgets/style/section_stack.h"
+
+#include <algorithm>
+
+#include <QSignalBlocker>
+
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+SectionStack::SectionStack(const QString& name, QWidget* parent)
+    : QWidget(parent)
+    , column_(new QVBoxLayout(this))
+    , tabs_(new QTabBar(this)) {
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(gap::tiny);
+    // By default the layout would demand enough height for all sections stacked.
+    column_->setSizeConstraint(QLayout::SetNoConstraint);
+    tabs_->setAccessibleName(name);
+    tabs_->setExpanding(false);
+    tabs_->setDrawBase(false);
+    tabs_->setUsesScrollButtons(true);
+    tabs_->hide();
+    column_->addWidget(tabs_);
+    connect(tabs_, &QTabBar::currentChanged, this, &SectionStack::arrange);
+}
+
+void SectionStack::add(QLabel* title, QWidget* body, const QString& tab, int stretch) {
+    sections_.push_back({title, body, tab});
+    column_->addWidget(title);
+    column_->addWidget(body, stretch);
+    showTabs();
+}
+
+SectionStack::Section* SectionStack::sectionOf(const QWidget* body) {
+    const auto found = std::ranges::find(sections_, body, &Section::body);
+    return found == sections_.end() ? nullptr : &*found;
+}
+
+void SectionStack::setSectionShown(const QWidget* body, bool shown) {
+    Section* const section = sectionOf(body);
+    if (!section || section->shown == shown)
+        return;
+    section->shown = shown;
+    showTabs();
+}
+
+void SectionStack::setTitleKept(const QWidget* body, bool kept) {
+    Section* const section = sectionOf(body);
+    if (!section || section->keeps_title == kept)
+        return;
+    section->keeps_title = kept;
+    arrange();
+}
+
+void SectionStack::show(const QWidget* body) {
+    for (int i = 0; i < tabs_->count(); ++i)
+        if (sections_[tabs_->tabData(i).toUInt()].body == body)
+            tabs_->setCurrentIndex(i);
+}
+
+/// Makes one tab for each shown section; the current section stays in front if possible.
+void SectionStack::showTabs() {
+    const QSignalBlocker quiet(tabs_);
+    const int front = tabs_->currentIndex();
+    const uint in_front = front < 0 ? 0 : tabs_->tabData(front).toUInt();
+    while (tabs_->count() > 0)
+        tabs_->removeTab(0);
+    for (uint number = 0; number < sections_.size(); ++number) {
+        const Section& section = sections_[number];
+        if (!section.shown)
+            continue;
+        const int tab = tabs_->addTab(section.tab);
+        tabs_->setTabData(tab, number);
+        tabs_->setTabToolTip(tab, section.body->accessibleName());
+        if (number == in_front)
+            tabs_->setCurrentIndex(tab);
+    }
+    arrange();
+}
+
+void SectionStack::arrange() {
+    tabbed_ = height() < tabs_->count() * least_px && tabs_->count() > 1;
+    tabs_->setVisible(tabbed_);
+    const int front = tabs_->currentIndex();
+    for (uint number = 0; number < sections_.size(); ++number) {
+        const Section& section = sections_[number];
+        const bool in_front = front >= 0 && tabs_->tabData(front).toUInt() == number;
+        const bool seen = section.shown && (!tabbed_ || in_front);
+        section.title->setVisible(seen && (!tabbed_ || section.keeps_title));
+        section.body->setVisible(seen);
+    }
+}
+
+void SectionStack::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,240 @@
+#include "widgets/style/theme.h"
+
+#include <cmath>
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QPalette>
+
+#include "widgets/style/outline_style.h"
+#include "widgets/style/style_sheet.h"
+
+namespace usar::widgets {
+
+namespace {
+
+const Tokens dark_tokens = {
+    .background = QColor(0x12161b),
+    .surface = QColor(0x1a2027),
+    .ground = QColor(0x17273a),
+    .raised = QColor(0x252d37),
+    .line = QColor(0x3b4653),
+    .text = QColor(0xe8ecf1),
+    .text_muted = QColor(0xa3afbd),
+    .accent = QColor(0x5cb3ff),
+    .ok = QColor(0x5fd08c),
+    .caution = QColor(0xf5b83d),
+    .danger = QColor(0xff8078),
+    .stale = QColor(0x97a2af),
+    .stop = QColor(0xd6302b),
+    .on_fill = QColor(0xffffff),
+    .laser = QColor(0xff5c8a),
+};
+
+const Tokens light_tokens = {
+    .background = QColor(0xe9edf1),
+    .surface = QColor(0xffffff),
+    .ground = QColor(0xd3e2f2),
+    .raised = QColor(0xf2f5f8),
+    .line = QColor(0xbcc5cf),
+    .text = QColor(0x161c23),
+    .text_muted = QColor(0x515c69),
+    .accent = QColor(0x0a5fb4),
+    .ok = QColor(0x13703a),
+    .caution = QColor(0x855300),
+    .danger = QColor(0xb81f1f),
+    .stale = QColor(0x606b77),
+    .stop = QColor(0xc62828),
+    .on_fill = QColor(0xffffff),
+    .laser = QColor(0xc2185b),
+};
+
+Theme current_theme = Theme::Dark;
+
+QPalette paletteOf(const Tokens& t) {
+    QPalette p;
+    p.setColor(QPalette::Window, t.background);
+    p.setColor(QPalette::WindowText, t.text);
+    p.setColor(QPalette::Base, t.surface);
+    p.setColor(QPalette::AlternateBase, t.raised);
+    p.setColor(QPalette::ToolTipBase, t.raised);
+    p.setColor(QPalette::ToolTipText, t.text);
+    p.setColor(QPalette::Text, t.text);
+    p.setColor(QPalette::Button, t.raised);
+    p.setColor(QPalette::ButtonText, t.text);
+    p.setColor(QPalette::BrightText, t.danger);
+    p.setColor(QPalette::Link, t.accent);
+    p.setColor(QPalette::Highlight, t.accent);
+    p.setColor(QPalette::HighlightedText, inkOn(t.accent));
+    p.setColor(QPalette::PlaceholderText, t.text_muted);
+    p.setColor(QPalette::Light, t.raised.lighter(130));
+    p.setColor(QPalette::Midlight, t.raised.lighter(115));
+    p.setColor(QPalette::Mid, t.line);
+    p.setColor(QPalette::Dark, t.line.darker(120));
+    p.setColor(QPalette::Shadow, t.background.darker(180));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
+        p.setColor(QPalette::Disabled, role, t.stale);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, t.line);
+    return p;
+}
+
+/// Returns the first installed family with digits of equal width; DejaVu is part of every desktop that we support.
+QString family() {
+    static const QString found = [] {
+        const QStringList installed = QFontDatabase::families();
+        for (const char* name : {"Noto Sans", "DejaVu Sans", "Liberation Sans", "Arimo"})
+            if (installed.contains(QLatin1String(name)))
+                return QString::fromLatin1(name);
+        return QFontDatabase::systemFont(QFontDatabase::GeneralFont).family();
+    }();
+    return found;
+}
+
+double linear(double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& c) {
+    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+}
+
+} // namespace
+
+const Tokens& tokens(Theme theme) {
+    return theme == Theme::Dark ? dark_tokens : light_tokens;
+}
+
+const Tokens& tokens() {
+    return tokens(current_theme);
+}
+
+Theme currentTheme() {
+    return current_theme;
+}
+
+void applyTheme(Theme theme) {
+    current_theme = theme;
+    // A style sheet wraps the style, so the style's name is no indication: a property says whether the style has been
+    // set.
+    if (!qApp->property("usar_style_set").toBool()) {
+        QApplication::setStyle(new OutlineStyle);
+        qApp->setProperty("usar_style_set", true);
+    }
+    QApplication::setFont(themeFont());
+    QApplication::setPalette(paletteOf(tokens()));
+    qApp->setStyleSheet(styleSheet(tokens()));
+}
+
+QColor robotColor(int number) {
+    static const std::array<QColor, 9> colors = {QColor(0x56b4e9), QColor(0xe69f00), QColor(0x00b486),
+                                                 QColor(0xf0e442), QColor(0xd55e00), QColor(0xcc79a7),
+                                                 QColor(0x2f7fc4), QColor(0x9a9a9a), QColor(0xb8a1f0)};
+    const int count = static_cast<int>(colors.size());
+    return colors[static_cast<std::size_t>(((number - 1) % count + count) % count)];
+}
+
+QColor inkOn(const QColor& fill) {
+    const QColor black(0x0b0e12);
+    return contrast(black, fill) >= contrast(Qt::white, fill) ? black : QColor(Qt::white);
+}
+
+QColor traceColor(protocol::TraceColor color) {
+    static const std::array<QColor, all_trace_colors.size()> colors = {
+        QColor(0xf0443c), QColor(0xf5d90a), QColor(0x2fbf4f), QColor(0x25c9d8),
+        QColor(0xf4f6f8), QColor(0x3d7eff), QColor(0xb25cff)};
+    return colors[static_cast<std::size_t>(color)];
+}
+
+QString traceColorName(protocol::TraceColor color) {
+    static const std::array<QString, all_trace_colors.size()> names = {
+        QStringLiteral("Red"),   QStringLiteral("Yellow"), QStringLiteral("Green"), QStringLiteral("Cyan"),
+        QStringLiteral("White"), QStringLiteral("Blue"),   QStringLiteral("Purple")};
+    return names[static_cast<std::size_t>(color)];
+}
+
+QColor markColor(agent::MarkKind kind) {
+    switch (kind) {
+    case agent::MarkKind::Path:
+        return QColor(0x23c552);
+    case agent::MarkKind::Diversion:
+        return QColor(0x3d7eff);
+    case agent::MarkKind::LowRisk:
+        return QColor(0xff9500);
+    case agent::MarkKind::HighRisk:
+        return QColor(0xff2d2d);
+    case agent::MarkKind::Recharge:
+        return QColor(0xffdd00);
+    case agent::MarkKind::Landing:
+        return QColor(0xb25cff);
+    case agent::MarkKind::GoalGivenUp:
+        break;
+    }
+    return QColor(0xf2f2f2);
+}
+
+QString markName(agent::MarkKind kind) {
+    switch (kind) {
+    case agent::MarkKind::Path:
+        return QStringLiteral("Path");
+    case agent::MarkKind::Diversion:
+        return QStringLiteral("Diversion");
+    case agent::MarkKind::LowRisk:
+        return QStringLiteral("Low risk");
+    case agent::MarkKind::HighRisk:
+        return QStringLiteral("High risk");
+    case agent::MarkKind::Recharge:
+        return QStringLiteral("Recharge");
+    case agent::MarkKind::Landing:
+        return QStringLiteral("Landing");
+    case agent::MarkKind::GoalGivenUp:
+        break;
+    }
+    return QStringLiteral("Goal given up");
+}
+
+QColor lineColor(LineFamily family, Theme theme) {
+    const bool dark = theme == Theme::Dark;
+    switch (family) {
+    case LineFamily::State:
+        return QColor(dark ? 0x7fd6a4 : 0x13703a);
+    case LineFamily::Range:
+        return QColor(dark ? 0xc9a6ff : 0x6b3fb5);
+    case LineFamily::Pose:
+        return QColor(dark ? 0x5fd3d9 : 0x00696e);
+    case LineFamily::Sensor:
+        return QColor(dark ? 0xf0a37a : 0x9a4310);
+    case LineFamily::Answer:
+        return QColor(dark ? 0xf59ac6 : 0xa3246f);
+    case LineFamily::Drive:
+        return tokens(theme).accent;
+    case LineFamily::Command:
+        return QColor(dark ? 0xa9b9ff : 0x3d49b8);
+    case LineFamily::Other:
+        break;
+    }
+    return tokens(theme).text_muted;
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+QFont themeFont(FontRole role, QFont::Weight weight) {
+    QFont font(family());
+    const double points = role == FontRole::Small ? 8.0 : role == FontRole::Body ? 9.5 : 15.0;
+    font.setPointSizeF(points);
+    font.setWeight(weight);
+    return font;
+}
+
+QFont codeFont() {
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    if (QFontDatabase::families().contains(QStringLiteral("DejaVu Sans Mono")))
+        font.setFamily(QStringLiteral("DejaVu Sans Mono"));
+    font.setPointSizeF(9.0);
+    return font;
+}
+
+} // namespace usar::widgets
