@@ -7,11 +7,11 @@
 #include <QFile>
 
 #include "app/cli/verb_complaint.h"
-#include "app/host/locations.h"
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/mission/files/plan_file.h"
 #include "core/mission/reports/plan_report.h"
 #include "core/mission/session/mission_runner.h"
+#include "core/server/embedded/program_files.h"
 
 namespace usar::app {
 
@@ -64,7 +64,7 @@ int runCheckPlanVerb(const QStringList& arguments) {
     agent::PluginLoader plugins;
     const agent::RobotDescription* robot = nullptr;
     if (request->robot) {
-        plugins.scan(pluginFolders());
+        plugins.scan(server::pluginFolders());
         const auto found = mission::robotForPlans(plugins.robots(), *request->robot);
         if (!found)
             return complain(found.error());

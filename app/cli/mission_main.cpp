@@ -14,13 +14,13 @@
 #include "app/cli/plan_report_verb.h"
 #include "app/cli/replay_verbs.h"
 #include "app/host/headless_simulator.h"
-#include "app/host/locations.h"
 #include "app/host/quit_signals.h"
-#include "app/host/simulator_files.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/files/replay_options.h"
 #include "core/mission/session/progress_text.h"
 #include "core/mission/session/run_summary.h"
+#include "core/server/embedded/program_files.h"
+#include "core/server/embedded/simulator_files.h"
 
 namespace {
 
@@ -75,10 +75,10 @@ mission::RunSummary knownOf(const mission::MissionOptions& options) {
 }
 
 Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options, const mission::Mission& plan) {
-    auto faults = app::readFaults(app::textsOf(plan.faults));
+    auto faults = server::readFaults(server::textsOf(plan.faults));
     if (!faults)
         return tl::unexpected(mission::atValue(plan, "faults", faults.error()));
-    auto more = app::readFaults(options.faults);
+    auto more = server::readFaults(options.faults);
     if (!more)
         return more;
     faults->insert(faults->end(), more->begin(), more->end());
@@ -128,12 +128,12 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
 int run(const mission::MissionOptions& options, mission::Mission plan) {
     applyTo(plan, options);
     agent::PluginLoader plugins;
-    plugins.scan(app::pluginFolders() + options.plugin_folders);
+    plugins.scan(server::pluginFolders() + options.plugin_folders);
     mission::RunOptions run_options;
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
-    run_options.behavior_host = app::behaviorHostProgram();
+    run_options.behavior_host = server::behaviorHostProgram();
     const auto simulator = serverFor(options, plan, run_options);
     if (!simulator) {
         mission::RunSummary known = knownOf(options);

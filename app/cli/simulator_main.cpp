@@ -8,9 +8,9 @@
 #include <QCoreApplication>
 
 #include "app/host/quit_signals.h"
-#include "app/host/simulator_channels.h"
-#include "app/host/simulator_files.h"
 #include "core/base/numbers.h"
+#include "core/server/embedded/simulator_channels.h"
+#include "core/server/embedded/simulator_files.h"
 #include "core/server/simulator_server.h"
 #include "core/sim/simulation.h"
 
@@ -24,7 +24,7 @@ const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"};
 struct Settings {
     QString world;
     quint16 port = 3000;
-    usar::app::ChannelPorts channels;
+    usar::server::ChannelPorts channels;
     usar::server::ImageServerOptions images;
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
@@ -58,7 +58,7 @@ usar::Result<long long> readWhole(const QCommandLineParser& parser, const QStrin
     return *value;
 }
 
-std::vector<std::pair<QString, quint16*>> channelOptions(usar::app::ChannelPorts& ports) {
+std::vector<std::pair<QString, quint16*>> channelOptions(usar::server::ChannelPorts& ports) {
     return {{"image-port", &ports.image},
             {"wireless-port", &ports.wireless},
             {"comserver-port", &ports.comserver},
@@ -84,7 +84,7 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
     if (profile != "ut2004" && profile != "udk")
         return usar::failure("'" + profile.toStdString() + "' is no profile", "--profile", "Say ut2004 or udk");
     settings.profile = profile == "udk" ? usar::protocol::Dialect::Udk : usar::protocol::Dialect::Ut2004;
-    auto faults = usar::app::readFaults(parser.values("fault"));
+    auto faults = usar::server::readFaults(parser.values("fault"));
     if (!faults)
         return tl::unexpected(faults.error());
     settings.faults = *std::move(faults);
@@ -109,7 +109,7 @@ usar::Result<Settings> readSettings(const QCommandLineParser& parser) {
 void addOptions(QCommandLineParser& parser) {
     parser.addHelpOption();
     parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.\n\n" +
-                                     usar::app::faultHelp());
+                                     usar::server::faultHelp());
     parser.addVersionOption();
     parser.addOptions(
         {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
@@ -134,13 +134,13 @@ int complain(const usar::Error& error) {
 }
 
 usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settings& settings) {
-    usar::sim::RobotsRead robots = usar::app::loadRobots();
+    usar::sim::RobotsRead robots = usar::server::loadRobots();
     for (const usar::Error& refused : robots.refused)
         complain(refused);
     auto catalog = std::make_shared<const usar::sim::RobotCatalog>(std::move(robots.robots));
     if (!settings.resume.isEmpty())
-        return usar::app::resumeSimulation(settings.resume, std::move(catalog));
-    auto world = usar::app::loadWorld(settings.world);
+        return usar::server::resumeSimulation(settings.resume, std::move(catalog));
+    auto world = usar::server::loadWorld(settings.world);
     if (!world)
         return tl::unexpected(world.error());
     usar::sim::SimulationOptions options;
@@ -184,7 +184,8 @@ int main(int argc, char** argv) {
     if (!port)
         return complain(port.error());
     server.setPace(settings->pace, settings->factor);
-    const usar::app::OpenChannels channels = usar::app::openChannels(server, settings->channels, settings->images);
+    const usar::server::OpenChannels channels =
+        usar::server::openChannels(server, settings->channels, settings->images);
     for (const QString& sentence : channels.sentences)
         std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData());
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
@@ -200,6 +201,6 @@ int main(int argc, char** argv) {
     const int exit_code = application.exec();
     if (settings->save.isEmpty())
         return exit_code;
-    const auto saved = usar::app::saveSnapshot(server.simulation(), settings->save);
+    const auto saved = usar::server::saveSnapshot(server.simulation(), settings->save);
     return saved ? exit_code : complain(saved.error());
 }

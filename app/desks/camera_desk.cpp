@@ -5,7 +5,7 @@
 #include <QInputDialog>
 #include <QSettings>
 
-#include "app/host/robot_name.h"
+#include "core/mission/fleet/robot_name.h"
 
 namespace usar::app {
 
@@ -136,10 +136,11 @@ void CameraDesk::wire() {
         shown << desk_.commands.action(id);
     view_.setActions(shown);
     server_port_ = static_cast<quint16>(QSettings().value("server/image_port", 5003).toUInt());
-    connect(&desk_.control.simulator(), &SimulatorHost::channelsOpened, this, [this](const ChannelPorts& ports) {
-        embedded_port_ = ports.image;
-        refresh();
-    });
+    connect(&desk_.control.simulator(), &server::SimulatorHost::channelsOpened, this,
+            [this](const server::ChannelPorts& ports) {
+                embedded_port_ = ports.image;
+                refresh();
+            });
     connect(&desk_.control, &MissionControl::classesChanged, this, &CameraDesk::refresh);
     connect(&desk_.control, &MissionControl::robotLinkChanged, this, &CameraDesk::refresh);
     connect(&desk_.control, &MissionControl::robotUpdated, this, [this](int id, const auto& update) {
@@ -169,7 +170,7 @@ void CameraDesk::wireView() {
 }
 
 void CameraDesk::wireFeed() {
-    connect(&feed_, &CameraFeed::statusChanged, this, [this](const link::ImageStatus& status) {
+    connect(&feed_, &mission::CameraFeed::statusChanged, this, [this](const link::ImageStatus& status) {
         const bool moved = status.state != feed_status_.state || status.reason != feed_status_.reason;
         if (status.local_address != feed_status_.local_address)
             attached_.clear();
@@ -177,10 +178,10 @@ void CameraDesk::wireFeed() {
         if (moved)
             refresh();
     });
-    connect(&feed_, &CameraFeed::unreadable, this, [this](const QString& reason) {
+    connect(&feed_, &mission::CameraFeed::unreadable, this, [this](const QString& reason) {
         view_.setEmpty(tr("No picture"), reason, desk_.commands.action("camera.port"));
     });
-    connect(&feed_, &CameraFeed::pictureArrived, this, [this](const QImage& picture, double frames_per_s) {
+    connect(&feed_, &mission::CameraFeed::pictureArrived, this, [this](const QImage& picture, double frames_per_s) {
         if (!live() || !view_.wantsPictures() || !hasCamera().value_or(true))
             return; // the robot that was selected before sent it
         const bool first = view_.isEmpty();

@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "app/desks/desk.h"
-#include "app/feeds/camera_feed.h"
+#include "core/mission/fleet/camera_feed.h"
 #include "core/mission/session/camera_mount.h"
 
 namespace usar::app {
@@ -56,7 +56,7 @@ private:
 
     DeskContext desk_;
     widgets::CameraView& view_;
-    CameraFeed feed_;
+    mission::CameraFeed feed_;
     link::ImageStatus feed_status_;
     mission::CameraMount mount_;
     quint16 embedded_port_ = 0;  ///< of the embedded simulator's image server; 0: there is none

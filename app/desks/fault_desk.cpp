@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/host/simulator_files.h"
+#include "core/server/embedded/simulator_files.h"
 #include "widgets/style/empty_state.h"
 
 namespace usar::app {
@@ -83,7 +83,7 @@ void FaultDesk::wire() {
         if (!branch.isValid())
             showChoices();
     });
-    connect(&desk_.control.simulator(), &SimulatorHost::faultsChanged, this, &FaultDesk::list);
+    connect(&desk_.control.simulator(), &server::SimulatorHost::faultsChanged, this, &FaultDesk::list);
     connect(&desk_.control, &MissionControl::linkChanged, this, &FaultDesk::showChoices);
     connect(&desk_.control, &MissionControl::worldKnown, this, &FaultDesk::showChoices);
     connect(&desk_.control, &MissionControl::robotAdded, this, &FaultDesk::showChoices);
@@ -122,7 +122,7 @@ void FaultDesk::begin(const QStringList& faults) {
     if (faults.isEmpty())
         return;
     QStringList texts;
-    for (const sim::Fault& fault : readFaults(faults).value_or(std::vector<sim::Fault>()))
+    for (const sim::Fault& fault : server::readFaults(faults).value_or(std::vector<sim::Fault>()))
         texts << withoutTimes(fault);
     for (const sim::FaultStatus& one : faults_)
         if (one.phase != sim::FaultPhase::Over && texts.contains(withoutTimes(one.fault)))

@@ -7,9 +7,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "app/host/locations.h"
-#include "app/host/simulator_files.h"
 #include "core/mission/files/mission_writer.h"
+#include "core/server/embedded/program_files.h"
+#include "core/server/embedded/simulator_files.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {
@@ -127,7 +127,7 @@ void MissionDesk::wire() {
     connect(desk_.views.parameters, &widgets::ParameterForm::changed, this, &MissionDesk::applyParameters);
     connect(&desk_.selection, &Selection::changed, this, &MissionDesk::show);
     connect(&desk_.control, &MissionControl::worldKnown, this,
-            [panel](const WorldPicture& world) { panel->setAreaLimits(world.extent_in_map); });
+            [panel](const server::WorldPicture& world) { panel->setAreaLimits(world.extent_in_map); });
     connect(&desk_.control, &MissionControl::startPosesKnown, this,
             [this](const protocol::StartPoses&, const QString& level) {
                 if (awaiting_world_ && awaiting_world_->world == level.toStdString())
@@ -311,7 +311,7 @@ void MissionDesk::start() {
     desk_.control.forgetPreview(); // the behavior itself says what it flies now
     preview_due_.stop();
     begin(id);
-    emit faultsWanted(textsOf(draft.faults));
+    emit faultsWanted(server::textsOf(draft.faults));
     desk_.views.hint->setDone(2, true);
     desk_.views.map->setAreaSummary({}); // it had the preview's figures
     desk_.views.map->fit();
@@ -412,7 +412,7 @@ void MissionDesk::openMission(const QString& path) {
 QString MissionDesk::worldToOpenFor(const mission::Mission& mission) const {
     const QString wanted = QString::fromStdString(mission.world);
     const bool may_change = desk_.control.server().embedded && desk_.control.robots().empty();
-    return may_change && server_.world() != wanted && worldNames().contains(wanted) ? wanted : QString();
+    return may_change && server_.world() != wanted && server::worldNames().contains(wanted) ? wanted : QString();
 }
 
 void MissionDesk::setUp(const mission::Mission& mission) {
@@ -423,7 +423,7 @@ void MissionDesk::setUp(const mission::Mission& mission) {
     const auto prepared = desk_.control.prepareMission(mission);
     if (!prepared)
         return desk_.notices.complain("mission", prepared.error());
-    if (const auto faults = readFaults(textsOf(mission.faults)); !faults)
+    if (const auto faults = server::readFaults(server::textsOf(mission.faults)); !faults)
         return desk_.notices.complain("mission", mission::atValue(mission, "faults", faults.error()));
     selectRobotFor(mission.robot_class);
     desk_.views.behavior->chooseBehavior(mission.behavior);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/host/robot_name.h"
+#include "core/mission/fleet/robot_name.h"
 #include "core/posh/model/literal.h"
 #include "widgets/models/figures.h"
 #include "widgets/plan/breakpoint_dialog.h"

@@ -43,7 +43,7 @@ void PluginDesk::wire() {
     desk_.views.behavior->setRescanAction(desk_.commands.action("plugins.rescan"));
     connect(&desk_.control, &MissionControl::pluginsChanged, this, &PluginDesk::take);
     watch_.watch(desk_.control.plugins().folders());
-    connect(&watch_, &PluginWatch::changed, this, [this] { rescan(false); });
+    connect(&watch_, &agent::PluginWatch::changed, this, [this] { rescan(false); });
 }
 
 void PluginDesk::save(QSettings& settings) const {

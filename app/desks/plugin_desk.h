@@ -6,7 +6,7 @@
 #include <QStringList>
 
 #include "app/desks/desk.h"
-#include "app/feeds/plugin_watch.h"
+#include "core/agent/plugins/plugin_watch.h"
 
 namespace usar::app {
 
@@ -44,7 +44,7 @@ private:
     void tellLoaded(const agent::PluginChange& change);
 
     DeskContext desk_;
-    PluginWatch watch_;
+    agent::PluginWatch watch_;
     QStringList folders_;
     QStringList isolated_; ///< plugins by name
 };

@@ -48,13 +48,13 @@ void RadioDesk::registerCommands() {
 }
 
 void RadioDesk::wire() {
-    connect(&desk_.control.simulator(), &SimulatorHost::channelsOpened, this,
-            [this](const ChannelPorts& ports) { ports_ = ports; });
+    connect(&desk_.control.simulator(), &server::SimulatorHost::channelsOpened, this,
+            [this](const server::ChannelPorts& ports) { ports_ = ports; });
     connect(&desk_.control, &MissionControl::linkChanged, this, &RadioDesk::follow);
     connect(&desk_.control, &MissionControl::robotAdded, this, &RadioDesk::followRobots);
     connect(&desk_.control, &MissionControl::robotRemoved, this, &RadioDesk::followRobots);
-    connect(&watch_, &RadioWatch::reported, this, &RadioDesk::take);
-    connect(&watch_, &RadioWatch::statusChanged, this, [this](const link::LinkStatus& status) {
+    connect(&watch_, &mission::RadioWatch::reported, this, &RadioDesk::take);
+    connect(&watch_, &mission::RadioWatch::statusChanged, this, [this](const link::LinkStatus& status) {
         status_ = status;
         desk_.views.radio->setSource(tr("Wireless server at %1:%2").arg(status.host).arg(status.port));
         explainEmptiness();

@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "app/feeds/radio_watch.h"
+#include "core/mission/fleet/radio_watch.h"
 
 namespace usar::app {
 
@@ -33,8 +33,8 @@ private:
     void explainEmptiness();
 
     DeskContext desk_;
-    RadioWatch watch_;
-    ChannelPorts ports_; ///< of the embedded simulator
+    mission::RadioWatch watch_;
+    server::ChannelPorts ports_; ///< of the embedded simulator
     QStringList robots_;
     link::LinkStatus status_;
     std::map<Pair, bool> linked_; ///< as it was told last

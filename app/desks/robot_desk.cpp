@@ -134,7 +134,7 @@ void RobotDesk::wireMarks() {
         if (presenter_.tracing(desk_.selection.id()))
             trace(true);
     });
-    connect(&desk_.control.simulator(), &SimulatorHost::marksLeft, this,
+    connect(&desk_.control.simulator(), &server::SimulatorHost::marksLeft, this,
             [this](const std::vector<sim::TraceMark>& marks) {
                 const bool none_before = desk_.views.map->traces().empty();
                 for (const sim::TraceMark& mark : marks)

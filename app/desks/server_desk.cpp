@@ -7,7 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "app/host/locations.h"
+#include "core/server/embedded/program_files.h"
 
 namespace usar::app {
 
@@ -67,7 +67,7 @@ void ServerDesk::registerWorldCommands() {
     const auto nothing_runs = [this] {
         return std::ranges::none_of(desk_.control.robots(), [](const Robot* robot) { return robot->running(); });
     };
-    for (const QString& name : worldNames())
+    for (const QString& name : server::worldNames())
         desk_.commands.add(
             {"world." + name,
              titleOf(name),
@@ -169,9 +169,9 @@ void ServerDesk::wire() {
 void ServerDesk::wireLoading() {
     auto* const strip = desk_.views.progress;
     connect(strip, &widgets::ProgressStrip::cancelRequested, this, &ServerDesk::abandonLoading);
-    connect(&loader_, &SimulationLoader::progressed, strip, &widgets::ProgressStrip::setProgress);
-    connect(&loader_, &SimulationLoader::loaded, this, &ServerDesk::takeLoaded);
-    connect(&loader_, &SimulationLoader::refused, this, [this](const QString& reason) {
+    connect(&loader_, &server::SimulationLoader::progressed, strip, &widgets::ProgressStrip::setProgress);
+    connect(&loader_, &server::SimulationLoader::loaded, this, &ServerDesk::takeLoaded);
+    connect(&loader_, &server::SimulationLoader::refused, this, [this](const QString& reason) {
         desk_.views.progress->end();
         emit loadingEnded();
         desk_.commands.refresh();
@@ -180,14 +180,14 @@ void ServerDesk::wireLoading() {
 }
 
 void ServerDesk::wireSimulator() {
-    SimulatorHost* const simulator = &desk_.control.simulator();
-    connect(simulator, &SimulatorHost::snapshotSaved, this, [this](const QString& path) {
+    server::SimulatorHost* const simulator = &desk_.control.simulator();
+    connect(simulator, &server::SimulatorHost::snapshotSaved, this, [this](const QString& path) {
         desk_.notices.cure("snapshot");
         desk_.notices.say(Severity::Note, "snapshot-saved", tr("Snapshot saved: %1").arg(path));
     });
-    connect(simulator, &SimulatorHost::snapshotFailed, this,
+    connect(simulator, &server::SimulatorHost::snapshotFailed, this,
             [this](const QString& reason) { desk_.notices.say(Severity::Error, "snapshot", reason); });
-    connect(simulator, &SimulatorHost::robotLearned, this, &ServerDesk::learned);
+    connect(simulator, &server::SimulatorHost::robotLearned, this, &ServerDesk::learned);
 }
 
 void ServerDesk::restore(const QSettings& settings) {
@@ -203,7 +203,7 @@ void ServerDesk::save(QSettings& settings) const {
 
 void ServerDesk::fillWorldMenu(QMenu* menu) const {
     QStringList ids;
-    for (const QString& name : worldNames())
+    for (const QString& name : server::worldNames())
         ids << "world." + name;
     desk_.commands.fill(menu, ids + QStringList{"-", "world.folder"});
 }
@@ -243,7 +243,7 @@ void ServerDesk::showLink(const link::LinkStatus& status) {
         desk_.views.connection->setRate(std::nullopt);
 }
 
-void ServerDesk::showWorld(const WorldPicture& world) {
+void ServerDesk::showWorld(const server::WorldPicture& world) {
     desk_.views.map->setWorld(world.extent_in_map, world.name);
     desk_.views.map->setBackground(world.relief, world.extent_in_map);
     desk_.views.map->fitWorld();
@@ -271,28 +271,28 @@ void ServerDesk::learned(const QString& file, const QString& class_name) {
 }
 
 void ServerDesk::openSnapshot(const QString& path) {
-    SimulatorSpec spec = server_.simulator;
+    server::SimulatorSpec spec = server_.simulator;
     spec.snapshot = path;
     load(spec, tr("Taking up %1").arg(QFileInfo(path).fileName()));
 }
 
 void ServerDesk::openWorld(const QString& name_or_folder) {
-    SimulatorSpec spec = server_.simulator;
+    server::SimulatorSpec spec = server_.simulator;
     spec.world = name_or_folder;
     load(spec, tr("Opening %1").arg(titleOf(QDir(name_or_folder).dirName())));
 }
 
-void ServerDesk::load(const SimulatorSpec& spec, const QString& what) {
+void ServerDesk::load(const server::SimulatorSpec& spec, const QString& what) {
     emit loadingEnded(); // of the world before, if one was still loading
     loader_.load(spec);
     desk_.views.progress->begin(what);
     desk_.commands.refresh();
 }
 
-void ServerDesk::takeLoaded(const SimulatorSpec& spec) {
+void ServerDesk::takeLoaded(const server::SimulatorSpec& spec) {
     desk_.views.progress->end();
     desk_.notices.cure("simulator");
-    const SimulatorSpec usual = server_.simulator;
+    const server::SimulatorSpec usual = server_.simulator;
     server_.simulator = spec;
     desk_.views.connection->setServer(widgets::ServerChoice::Embedded);
     connectTo(widgets::ServerChoice::Embedded, {}, 0);

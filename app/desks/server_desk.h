@@ -6,7 +6,7 @@
 #include <QSettings>
 
 #include "app/desks/desk.h"
-#include "app/host/simulation_loader.h"
+#include "core/server/embedded/simulation_loader.h"
 
 namespace usar::app {
 
@@ -53,16 +53,16 @@ private:
     /// Also cancels a world that is still loading.
     void disconnectFromServer();
     void showLink(const link::LinkStatus& status);
-    void showWorld(const WorldPicture& world);
-    void load(const SimulatorSpec& spec, const QString& what);
-    void takeLoaded(const SimulatorSpec& spec);
+    void showWorld(const server::WorldPicture& world);
+    void load(const server::SimulatorSpec& spec, const QString& what);
+    void takeLoaded(const server::SimulatorSpec& spec);
     /// The user canceled it.
     void abandonLoading();
     void learned(const QString& file, const QString& class_name);
 
     DeskContext desk_;
     ServerTarget server_; ///< what the next connection is made to
-    SimulationLoader loader_;
+    server::SimulationLoader loader_;
     link::LinkState link_state_ = link::LinkState::Disconnected;
 };
 

@@ -49,7 +49,7 @@ void TimeDesk::wire() {
     connect(desk_.views.time, &widgets::TimeBar::pauseRequested, this, &TimeDesk::pause);
     connect(desk_.views.time, &widgets::TimeBar::stepRequested, this, &TimeDesk::step);
     connect(desk_.views.time, &widgets::TimeBar::speedRequested, this, &TimeDesk::setSpeed);
-    connect(&desk_.control.simulator(), &SimulatorHost::figuresChanged, this,
+    connect(&desk_.control.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) {
                 desk_.views.time->setRealTimeFactor(figures.real_time_factor);
                 server_now_ = figures.now;

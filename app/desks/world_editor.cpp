@@ -70,8 +70,8 @@ void WorldEditor::wire() {
                              commands_.action("robot.trace"));
     connect(&control_, &MissionControl::linkChanged, this, &WorldEditor::setServer);
     connect(&control_, &MissionControl::worldKnown, this, &WorldEditor::setWorld);
-    connect(&link_, &WorldLink::changed, this, &WorldEditor::show);
-    connect(&link_, &WorldLink::noticed, this, [this](const mission::Notice& notice) {
+    connect(&link_, &mission::WorldLink::changed, this, &WorldEditor::show);
+    connect(&link_, &mission::WorldLink::noticed, this, [this](const mission::Notice& notice) {
         const QString key = QString::fromStdString(notice.topic);
         if (notice.over)
             notices_.cure(key);
@@ -88,7 +88,7 @@ void WorldEditor::wire() {
     connect(views_.world, &widgets::WorldPanel::objectSelected, this, &WorldEditor::select);
     connect(views_.world, &widgets::WorldPanel::removeRequested, this, &WorldEditor::remove);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
-    connect(&control_.simulator(), &SimulatorHost::figuresChanged, this,
+    connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
     wireMap();
     showState();
@@ -127,7 +127,7 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
     refresh();
 }
 
-void WorldEditor::setWorld(const WorldPicture& world) {
+void WorldEditor::setWorld(const server::WorldPicture& world) {
     ground_ = world.ground;
     own_objects_ = world.objects;
     setClasses();

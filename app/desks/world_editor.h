@@ -8,7 +8,7 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "app/feeds/world_link.h"
+#include "core/mission/fleet/world_link.h"
 #include "core/sim/world/terrain.h"
 
 namespace usar::app {
@@ -31,7 +31,7 @@ private:
     void setServer(const link::LinkStatus& status);
     /// The embedded world. Without it heights are guessed from the map and the start poses, and an object whose class
     /// the server does not tell cannot be brought back.
-    void setWorld(const WorldPicture& world);
+    void setWorld(const server::WorldPicture& world);
     void registerWayCommands();
     void wireMap();
     void refresh();
@@ -70,7 +70,7 @@ private:
     WindowViews& views_;
     widgets::CommandRegistry& commands_;
     NoticeDesk& notices_;
-    WorldLink link_;
+    mission::WorldLink link_;
     std::shared_ptr<const sim::Terrain> ground_;
     std::map<QString, QString> own_objects_; ///< classes of what the embedded world began with, by name
     QString host_;

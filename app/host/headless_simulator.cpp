@@ -1,13 +1,13 @@
 #include "app/host/headless_simulator.h"
 
-#include "app/host/simulator_files.h"
 #include "app/host/true_figures.h"
 #include "core/link/across_threads.h"
+#include "core/server/embedded/simulator_files.h"
 
 namespace usar::app {
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, const HeadlessSpec& spec) {
-    auto loaded = loadWorld(world);
+    auto loaded = server::loadWorld(world);
     if (!loaded)
         return tl::unexpected(loaded.error());
     return serve(*std::move(loaded), spec);
@@ -18,7 +18,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     options.seed = spec.seed;
     options.faults = spec.faults;
     options.battery_life = sim::survey_battery_life;
-    sim::RobotsRead robots = loadRobots();
+    sim::RobotsRead robots = server::loadRobots();
     for (const Error& refused : robots.refused)
         qWarning("%s", refused.text().c_str());
     options.robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "app/host/locations.h"
-#include "app/host/simulator_files.h"
+#include "app/host/true_figures.h"
 #include "core/mission/files/mission_check.h"
+#include "core/server/embedded/program_files.h"
+#include "core/server/embedded/simulator_files.h"
 
 namespace usar::app {
 
@@ -24,8 +25,8 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
         keeper_.giveUpWaiting();
         emit readyToClose();
     });
-    connect(&keeper_, &ScanKeeper::saved, this, &MissionControl::exported);
-    connect(&keeper_, &ScanKeeper::failed, this, [this](int id, const QString& reason) {
+    connect(&keeper_, &mission::ScanKeeper::saved, this, &MissionControl::exported);
+    connect(&keeper_, &mission::ScanKeeper::failed, this, [this](int id, const QString& reason) {
         patience_.stop();
         note(Severity::Error, "export", reason);
         emit exportFailed(id, reason);
@@ -34,8 +35,8 @@ MissionControl::MissionControl(QObject* parent) : QObject(parent) {
 }
 
 void MissionControl::wireSimulator() {
-    connect(&simulator_, &SimulatorHost::ready, this,
-            [this](quint16 port, const WorldPicture& world, const auto& waiting) {
+    connect(&simulator_, &server::SimulatorHost::ready, this,
+            [this](quint16 port, const server::WorldPicture& world, const auto& waiting) {
                 port_ = port;
                 waiting_ = waiting;
                 world_ = world;
@@ -43,35 +44,36 @@ void MissionControl::wireSimulator() {
                 emit classesChanged();
                 openNext();
             });
-    connect(&simulator_, &SimulatorHost::robotLearned, this,
+    connect(&simulator_, &server::SimulatorHost::robotLearned, this,
             [this](const QString&, const QString& class_name, bool has_camera) { learn(class_name, has_camera); });
-    connect(&simulator_, &SimulatorHost::failed, this, [this](const QString& reason) {
+    connect(&simulator_, &server::SimulatorHost::failed, this, [this](const QString& reason) {
         note(Severity::Error, "simulator", tr("The embedded simulator did not start. %1").arg(reason));
     });
-    connect(&simulator_, &SimulatorHost::noted, this,
+    connect(&simulator_, &server::SimulatorHost::noted, this,
             [this](const QString& sentence) { note(Severity::Note, "simulator-log", sentence); });
-    connect(&simulator_, &SimulatorHost::robotRefused, this,
+    connect(&simulator_, &server::SimulatorHost::robotRefused, this,
             [this](const QString& sentence) { note(Severity::Warning, "robot-file", sentence); });
-    connect(&simulator_, &SimulatorHost::movedPort, this,
+    connect(&simulator_, &server::SimulatorHost::movedPort, this,
             [this](const QString& sentence) { note(Severity::Warning, "simulator-port/" + sentence, sentence); });
-    connect(&simulator_, &SimulatorHost::faultTurned, this, [this](const QString& sentence) {
+    connect(&simulator_, &server::SimulatorHost::faultTurned, this, [this](const QString& sentence) {
         for (const auto& [id, robot] : robots_)
             if (!robot->isReplay())
                 robot->noteFault(sentence);
     });
-    connect(&simulator_, &SimulatorHost::robotsChanged, this, [this](const std::vector<sim::RobotTruth>& truths) {
-        for (const auto& [id, robot] : robots_)
-            for (const sim::RobotTruth& truth : truths)
-                if (truth.name == robot->view().spawn.robot_name)
-                    truths_[id] = truth;
-    });
+    connect(&simulator_, &server::SimulatorHost::robotsChanged, this,
+            [this](const std::vector<sim::RobotTruth>& truths) {
+                for (const auto& [id, robot] : robots_)
+                    for (const sim::RobotTruth& truth : truths)
+                        if (truth.name == robot->view().spawn.robot_name)
+                            truths_[id] = trueFiguresOf(truth);
+            });
 }
 
 MissionControl::~MissionControl() = default;
 
 void MissionControl::isolatePlugins(const QStringList& names, const QString& marks_folder) {
     plugins_.setPolicy(
-        {.host_program = behaviorHostProgram(), .isolated = names, .marks = agent::PluginMarks(marks_folder)});
+        {.host_program = server::behaviorHostProgram(), .isolated = names, .marks = agent::PluginMarks(marks_folder)});
 }
 
 void MissionControl::connectTo(const ServerTarget& target) {
@@ -157,7 +159,7 @@ void MissionControl::connectRobot(Robot* robot) {
         if (!wanted.empty() && !path.isEmpty())
             open(path, wanted.key(), wanted.mapped());
     });
-    keeper_.watch(*robot, [this, robot]() -> std::optional<sim::RobotTruth> {
+    keeper_.watch(*robot, [this, robot]() -> std::optional<mission::TrueFigures> {
         const auto truth = truths_.find(robot->view().id);
         return truth == truths_.end() ? std::nullopt : std::optional(truth->second);
     });
@@ -326,7 +328,7 @@ Result<void> MissionControl::startOn(Robot& robot, const StartedBehavior& start)
         return tl::unexpected(parameters.error());
     std::optional<agent::Isolation> isolation;
     if (start.isolated)
-        isolation = {behaviorHostProgram()};
+        isolation = {server::behaviorHostProgram()};
     return robot.startBehavior(plugins_, start.id, start.area_in_map, *parameters, start.plan, isolation);
 }
 
@@ -344,7 +346,7 @@ Result<void> MissionControl::startAgain(int id) {
 Result<void> MissionControl::addFaults(const QStringList& texts) {
     if (!simulator_.running())
         return failure("faults can be made in the embedded simulator only", "", "Connect to it first");
-    auto faults = readFaults(texts);
+    auto faults = server::readFaults(texts);
     if (!faults)
         return tl::unexpected(faults.error());
     simulator_.addFaults(*faults);

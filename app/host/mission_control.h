@@ -10,20 +10,24 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/host/robot.h"
-#include "app/host/scan_keeper.h"
-#include "app/host/simulator_host.h"
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/mission/files/mission_file.h"
+#include "core/mission/fleet/robot.h"
+#include "core/mission/fleet/scan_keeper.h"
+#include "core/server/embedded/simulator_host.h"
 
 namespace usar::app {
+
+using mission::Robot;
+using mission::RobotView;
+using mission::StartedBehavior;
 
 /// Where robots live: in the simulator that comes with the program, or on a server.
 struct ServerTarget {
     bool embedded = true;
     QString host = "127.0.0.1";
     quint16 port = 3000;
-    SimulatorSpec simulator;
+    server::SimulatorSpec simulator;
 };
 
 /// Notification key for the end of this robot's behavior.
@@ -49,13 +53,13 @@ public:
     /// Makes the next rescan query this plugin, even if its file is unchanged.
     void askPluginAgain(const QString& file) { plugins_.forget(file); }
     const agent::PluginLoader& plugins() const { return plugins_; }
-    SimulatorHost& simulator() { return simulator_; }
+    server::SimulatorHost& simulator() { return simulator_; }
     const ServerTarget& server() const { return target_; }
     const QString& level() const { return level_; }
     /// Where robots can be spawned; empty until the server has told.
     const std::vector<protocol::StartPose>& startPoses() const { return start_poses_; }
     /// The embedded simulator's world; empty on a real server.
-    const WorldPicture& world() const { return world_; }
+    const server::WorldPicture& world() const { return world_; }
     /// What plugins can drive, and then what the embedded simulator has besides, which only commands drive.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
 
@@ -128,7 +132,7 @@ signals:
     /// Of what has answered.
     void pluginsChanged(const std::vector<usar::agent::PluginChange>& changes);
     void linkChanged(const usar::link::LinkStatus& status);
-    void worldKnown(const usar::app::WorldPicture& world);
+    void worldKnown(const usar::server::WorldPicture& world);
     /// Other robots can be spawned now.
     void classesChanged();
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
@@ -178,22 +182,22 @@ private:
     void note(Severity severity, const QString& key, const QString& text);
 
     agent::PluginLoader plugins_;
-    SimulatorHost simulator_;
-    ScanKeeper keeper_;
+    server::SimulatorHost simulator_;
+    mission::ScanKeeper keeper_;
     QTimer patience_; ///< runs while the window waits to close
     ServerTarget target_;
     QString host_;
     quint16 port_ = 0;
     QString level_;
     std::vector<protocol::StartPose> start_poses_;
-    WorldPicture world_; ///< empty on a real server
+    server::WorldPicture world_; ///< empty on a real server
     std::map<int, std::unique_ptr<Robot>> robots_;
     std::unique_ptr<Robot> next_;                 ///< connected, not spawned
     std::vector<std::unique_ptr<Robot>> opening_; ///< replays that are not open yet
     std::map<int, Seconds> wanted_moments_;       ///< by connection: to look back on, once it is in the file
     bool recording_ = true;
     bool time_stopped_ = false;                    ///< of the embedded simulator
-    std::map<int, sim::RobotTruth> truths_;        ///< for the summary only
+    std::map<int, mission::TrueFigures> truths_;   ///< of robots by id; for the summary only
     std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each
     bool closing_ = false;
 };

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/host/robot_name.h"
+#include "core/mission/fleet/robot_name.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "widgets/style/theme.h"

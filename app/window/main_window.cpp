@@ -9,8 +9,8 @@
 #include <QMessageBox>
 #include <QScreen>
 
-#include "app/host/locations.h"
 #include "app/window/menus.h"
+#include "core/server/embedded/program_files.h"
 #include "widgets/commands/escape_twice.h"
 #include "widgets/commands/own_keys.h"
 #include "widgets/models/figures.h"
@@ -22,7 +22,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , options_(options)
     , commands_(this)
     , views_(makeViews(*this))
-    , plugins_(desk_, options.plugin_folders.isEmpty() ? pluginFolders() : options.plugin_folders)
+    , plugins_(desk_, options.plugin_folders.isEmpty() ? server::pluginFolders() : options.plugin_folders)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
     control_.setResultFolder(options.result_folder);

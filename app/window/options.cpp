@@ -2,8 +2,8 @@
 
 #include <QCommandLineParser>
 
-#include "app/host/locations.h"
-#include "app/host/simulator_files.h"
+#include "core/server/embedded/program_files.h"
+#include "core/server/embedded/simulator_files.h"
 
 namespace usar::app {
 
@@ -40,7 +40,7 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
     if (!port)
         return tl::unexpected(port.error());
     server.simulator.port = *port;
-    auto faults = readFaults(parser.values("fault"));
+    auto faults = server::readFaults(parser.values("fault"));
     if (!faults)
         return tl::unexpected(faults.error());
     server.simulator.faults = *std::move(faults);
@@ -81,7 +81,7 @@ Result<Options> readOptions(const QStringList& arguments) {
     Options options;
     options.result_folder = parser.value("out");
     if (parser.isSet("plugins"))
-        options.plugin_folders = pluginFolders() + parser.values("plugins");
+        options.plugin_folders = server::pluginFolders() + parser.values("plugins");
     const QString file = parser.positionalArguments().value(0);
     (file.endsWith(".usarrec")    ? options.recording
      : file.endsWith(".usarsnap") ? options.server.simulator.snapshot

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <QTreeView>
 
-#include "app/host/simulator_host.h"
+#include "core/server/embedded/simulator_host.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
@@ -32,7 +32,7 @@ public:
     explicit Debugger(WindowPage& page)
         : page_(page)
         , panel_(*page.window().views().plan)
-        , clock_(&page.window().control().simulator(), &app::SimulatorHost::figuresChanged) {}
+        , clock_(&page.window().control().simulator(), &server::SimulatorHost::figuresChanged) {}
 
     /// A click on the part of that name.
     bool select(const QString& name, PlanNodeKind kind) {
@@ -57,7 +57,7 @@ public:
         QTest::qFail(qPrintable("no button says " + text), __FILE__, __LINE__);
     }
     std::optional<agent::PlanHalted> halted() const {
-        const app::RobotView* robot = page_.robot(1);
+        const mission::RobotView* robot = page_.robot(1);
         return robot ? robot->halted : std::nullopt;
     }
     Seconds robotTime() const { return page_.robot(1)->figures.now; }
@@ -331,7 +331,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     const Seconds flown_until = page.robot(1)->figures.now;
     debugger.press("Replay from here");
     const auto arrived = [&] {
-        const app::RobotView* const replay = page.robot(2);
+        const mission::RobotView* const replay = page.robot(2);
         return replay && replay->figures.replay && !replay->figures.replay->seeking &&
                std::abs((replay->figures.now - moment).count()) < 0.25 && debugger.time().shown == moment;
     };

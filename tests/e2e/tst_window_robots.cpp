@@ -131,7 +131,7 @@ void tst_WindowRobots::aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands() {
     QCOMPARE(classes->currentText(), QString("P2AT"));
     page.press("Spawn");
     const auto speaks = [&] {
-        const app::RobotView* robot = page.robot(1);
+        const mission::RobotView* robot = page.robot(1);
         return robot && robot->figures.spawned;
     };
     QTRY_VERIFY_WITH_TIMEOUT(speaks(), soon_ms);

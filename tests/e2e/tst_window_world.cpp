@@ -235,7 +235,7 @@ private slots:
     void marksOfSomebodyElsesRobotAreSeen() {
         WorldPage page;
         quint16 port = 0;
-        connect(&page.window().control().simulator(), &app::SimulatorHost::ready, &page.window(),
+        connect(&page.window().control().simulator(), &server::SimulatorHost::ready, &page.window(),
                 [&](quint16 bots) { port = bots; });
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses() && port != 0, soon_ms);
         QTcpSocket other;

@@ -181,11 +181,11 @@ void WindowPage::screenshot(const QString& name) {
 }
 
 std::size_t WindowPage::knownTiles() const {
-    const app::RobotView* view = robot(window_->selectedRobot());
+    const mission::RobotView* view = robot(window_->selectedRobot());
     return view ? view->tiles.size() : 0;
 }
 
-const app::RobotView* WindowPage::robot(int id) const {
-    const app::Robot* robot = window_->control().robot(id);
+const mission::RobotView* WindowPage::robot(int id) const {
+    const mission::Robot* robot = window_->control().robot(id);
     return robot ? &robot->view() : nullptr;
 }

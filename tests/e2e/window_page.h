@@ -73,7 +73,7 @@ public:
 
     QString connectionText() { return window_->views().connection->statusText(); }
     std::size_t knownTiles() const;
-    const usar::app::RobotView* robot(int id) const;
+    const usar::mission::RobotView* robot(int id) const;
 
 private:
     QPoint onMap(const usar::Vec2& point_in_map_m);

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <QTimer>
 
-namespace usar::app {
+namespace usar::agent {
 
 /// Watches folders and the files in them; a linker writes in many steps, so the word comes once nothing has moved for a
 /// while. GUI thread.
@@ -25,4 +25,4 @@ private:
     QTimer calm_;
 };
 
-} // namespace usar::app
+} // namespace usar::agent

@@ -1,4 +1,4 @@
-#include "app/host/robot.h"
+#include "core/mission/fleet/robot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 namespace {
 
@@ -308,4 +308,4 @@ void Robot::take(const agent::Published& published) {
                published);
 }
 
-} // namespace usar::app
+} // namespace usar::mission

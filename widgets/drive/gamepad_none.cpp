@@ -1,7 +1,7 @@
 // Without SDL 2 in the build: there is never a gamepad.
-#include "app/feeds/gamepad.h"
+#include "widgets/drive/gamepad.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 class Gamepad::Reader {};
 
@@ -15,4 +15,4 @@ bool Gamepad::supported() {
 
 void Gamepad::start() {}
 
-} // namespace usar::app
+} // namespace usar::widgets

@@ -1,10 +1,10 @@
-#include "app/feeds/world_link.h"
+#include "core/mission/fleet/world_link.h"
 
 #include <utility>
 
 #include "core/link/across_threads.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 WorldLink::WorldLink(QObject* parent) : QObject(parent), session_(new mission::WorldSession) {
     thread_.setObjectName("world");
@@ -52,4 +52,4 @@ void WorldLink::send(const protocol::Command& command) {
     later([=](mission::WorldSession& session) { session.send(command); });
 }
 
-} // namespace usar::app
+} // namespace usar::mission

@@ -6,7 +6,7 @@
 
 #include "core/link/wireless_client.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 /// Lives in the GUI thread; its client and socket live in theirs.
 class RadioWatch : public QObject {
@@ -28,4 +28,4 @@ private:
     link::WirelessClient* client_; ///< lives in thread_ and is deleted there
 };
 
-} // namespace usar::app
+} // namespace usar::mission

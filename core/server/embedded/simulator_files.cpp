@@ -1,12 +1,12 @@
-#include "app/host/simulator_files.h"
+#include "core/server/embedded/simulator_files.h"
 
 #include <QFile>
 #include <QSaveFile>
 
-#include "app/host/locations.h"
+#include "core/server/embedded/program_files.h"
 #include "core/sim/world/world_reader.h"
 
-namespace usar::app {
+namespace usar::server {
 
 Result<sim::World> loadWorld(const QString& name_or_folder) {
     const Result<QString> folder = findWorld(name_or_folder);
@@ -96,4 +96,4 @@ QString faultHelp() {
     return help;
 }
 
-} // namespace usar::app
+} // namespace usar::server

@@ -2,14 +2,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/host/locations.h"
+#include "core/server/embedded/program_files.h"
 #include "tests/suite/suite.h"
 
-namespace tst_locations {
+namespace tst_program_files {
 
 using namespace usar;
 
-class tst_Locations : public QObject {
+class tst_ProgramFiles : public QObject {
     Q_OBJECT
 private slots:
     void findsAWorldByItsName();
@@ -19,43 +19,43 @@ private slots:
     void whereThereIsNoWorldAtAllTheMendIsTold();
 };
 
-void tst_Locations::findsAWorldByItsName() {
+void tst_ProgramFiles::findsAWorldByItsName() {
     QTemporaryDir worlds;
     QVERIFY(QDir(worlds.path()).mkdir("marsh"));
-    QCOMPARE(app::findWorldIn(worlds.path(), "marsh").value_or(""), worlds.filePath("marsh"));
+    QCOMPARE(server::findWorldIn(worlds.path(), "marsh").value_or(""), worlds.filePath("marsh"));
 }
 
-void tst_Locations::findsAWorldByItsFolder() {
+void tst_ProgramFiles::findsAWorldByItsFolder() {
     QTemporaryDir elsewhere;
-    QCOMPARE(app::findWorldIn("/no/worlds", elsewhere.path()).value_or(""), elsewhere.path());
+    QCOMPARE(server::findWorldIn("/no/worlds", elsewhere.path()).value_or(""), elsewhere.path());
 }
 
-void tst_Locations::anUnknownWorldListsTheKnownOnes() {
+void tst_ProgramFiles::anUnknownWorldListsTheKnownOnes() {
     QTemporaryDir worlds;
     QVERIFY(QDir(worlds.path()).mkdir("marsh") && QDir(worlds.path()).mkdir("hill"));
-    const auto found = app::findWorldIn(worlds.path(), "moon");
+    const auto found = server::findWorldIn(worlds.path(), "moon");
     QVERIFY(!found);
     QCOMPARE(QString::fromStdString(found.error().text()),
              QString("world moon: there is no such world. Known in %1 are: hill, marsh.").arg(worlds.path()));
 }
 
-void tst_Locations::whereThereIsNoWorldAtAllTheMendIsTold_data() {
+void tst_ProgramFiles::whereThereIsNoWorldAtAllTheMendIsTold_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("a name") << "moon";
     QTest::newRow("a path") << "/no/moon";
     QTest::newRow("nothing") << "";
 }
 
-void tst_Locations::whereThereIsNoWorldAtAllTheMendIsTold() {
+void tst_ProgramFiles::whereThereIsNoWorldAtAllTheMendIsTold() {
     QFETCH(QString, name);
-    const auto found = app::findWorldIn("/no/worlds", name);
+    const auto found = server::findWorldIn("/no/worlds", name);
     QVERIFY(!found);
     const QString text = QString::fromStdString(found.error().text());
     QVERIFY2(text.contains("There is none at all in /no/worlds; build or install"), qPrintable(text));
 }
 
-USAR_TEST(tst_Locations)
+USAR_TEST(tst_ProgramFiles)
 
-} // namespace tst_locations
+} // namespace tst_program_files
 
-#include "tst_locations.moc"
+#include "tst_program_files.moc"

@@ -3,13 +3,13 @@
 
 #include <QString>
 
-#include "app/host/robot.h"
+#include "core/mission/fleet/robot.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 /// The name it was spawned with, as it stands on the wire.
 inline QString nameOf(const Robot& robot) {
     return QString::fromStdString(robot.view().spawn.robot_name);
 }
 
-} // namespace usar::app
+} // namespace usar::mission

@@ -1,9 +1,9 @@
-#include "app/host/locations.h"
+#include "core/server/embedded/program_files.h"
 
 #include <QCoreApplication>
 #include <QDir>
 
-namespace usar::app {
+namespace usar::server {
 
 namespace {
 
@@ -59,4 +59,4 @@ QStringList pluginFolders() {
     return {firstThere({"../robots", "../lib/usar-mission-control/robots"})};
 }
 
-} // namespace usar::app
+} // namespace usar::server

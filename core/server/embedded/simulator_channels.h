@@ -7,7 +7,7 @@
 #include "core/server/image_server.h"
 #include "core/server/simulator_server.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// Wanted, or listened on; 0 wants a free one and means "none" of what is open.
 struct ChannelPorts {
@@ -31,6 +31,6 @@ struct OpenChannels {
 OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
                           const server::ImageServerOptions& images = {});
 
-} // namespace usar::app
+} // namespace usar::server
 
-Q_DECLARE_METATYPE(usar::app::ChannelPorts)
+Q_DECLARE_METATYPE(usar::server::ChannelPorts)

@@ -1,8 +1,8 @@
-#include "app/feeds/radio_watch.h"
+#include "core/mission/fleet/radio_watch.h"
 
 #include "core/link/across_threads.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 RadioWatch::RadioWatch(QObject* parent) : QObject(parent), client_(new link::WirelessClient) {
     thread_.setObjectName("radio");
@@ -30,4 +30,4 @@ void RadioWatch::setRobots(const QStringList& names) {
     link::post(client_, [client = client_, names] { client->setRobots(names); });
 }
 
-} // namespace usar::app
+} // namespace usar::mission

@@ -14,10 +14,10 @@
 #include <QThreadPool>
 #include <QTimer>
 
-#include "app/host/robot.h"
-#include "core/sim/simulation.h"
+#include "core/mission/fleet/robot.h"
+#include "core/mission/session/run_summary.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 /// Asks robots for their records and writes them in a pool, one at a time. A robot that leaves with an unsaved scan is
 /// kept here until its files lie on the disk. GUI thread; waits for the pool at its end.
@@ -33,7 +33,7 @@ public:
     bool folderChosen() const { return !folder_.isEmpty(); }
 
     /// From now on the robot's records are written when they come. `truth` counts its collisions; it may say nothing.
-    void watch(Robot& robot, std::function<std::optional<sim::RobotTruth>()> truth);
+    void watch(Robot& robot, std::function<std::optional<TrueFigures>()> truth);
     /// The record as it stands now; `saved` or `failed` follows.
     void save(Robot& robot);
     /// Stops it, saves it where there is something to save, and lets it go.
@@ -53,17 +53,17 @@ signals:
     void failed(int id, const QString& reason);
 
 private:
-    void write(Robot& robot, const std::shared_ptr<const mission::ScanRecord>& record);
+    void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
     void written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files);
     bool leaves(const Robot& robot) const;
     void release(Robot& robot);
 
     QThreadPool pool_;
     QString folder_;
-    std::map<const Robot*, std::function<std::optional<sim::RobotTruth>()>> truths_;
+    std::map<const Robot*, std::function<std::optional<TrueFigures>()>> truths_;
     std::set<const Robot*> awaited_;
     std::vector<std::unique_ptr<Robot>> leaving_;
     int writing_ = 0;
 };
 
-} // namespace usar::app
+} // namespace usar::mission

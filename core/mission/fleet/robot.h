@@ -11,7 +11,7 @@
 #include "core/agent/behavior_start.h"
 #include "core/mission/session/robot_session.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 /// Newest values, for a view that is shown late or switched to this robot.
 struct RobotView {
@@ -136,4 +136,4 @@ private:
     std::optional<agent::PlanText> asked_plan_; ///< to take the place of the one that runs
 };
 
-} // namespace usar::app
+} // namespace usar::mission

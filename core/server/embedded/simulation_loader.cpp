@@ -1,4 +1,4 @@
-#include "app/host/simulation_loader.h"
+#include "core/server/embedded/simulation_loader.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@
 #include "core/link/across_threads.h"
 #include "core/protocol/commands/spawn.h"
 
-namespace usar::app {
+namespace usar::server {
 
 namespace {
 
@@ -113,4 +113,4 @@ void SimulationLoader::load(const SimulatorSpec& spec) {
     thread->start();
 }
 
-} // namespace usar::app
+} // namespace usar::server

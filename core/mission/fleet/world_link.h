@@ -6,7 +6,7 @@
 
 #include "core/mission/session/world_session.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 /// Lives in the GUI thread; calls are queued to the session and never wait.
 class WorldLink : public QObject {
@@ -37,4 +37,4 @@ private:
     std::shared_ptr<const mission::WorldView> view_ = std::make_shared<const mission::WorldView>();
 };
 
-} // namespace usar::app
+} // namespace usar::mission

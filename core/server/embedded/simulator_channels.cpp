@@ -1,11 +1,11 @@
-#include "app/host/simulator_channels.h"
+#include "core/server/embedded/simulator_channels.h"
 
 #include "core/server/com_interface.h"
 #include "core/server/com_server.h"
 #include "core/server/radio_relay.h"
 #include "core/server/wireless_server.h"
 
-namespace usar::app {
+namespace usar::server {
 
 namespace {
 
@@ -51,4 +51,4 @@ OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& w
     return open;
 }
 
-} // namespace usar::app
+} // namespace usar::server

@@ -14,7 +14,7 @@
 #include "core/sim/simulation.h"
 #include "core/sim/world/world.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// By name, or from a folder.
 Result<sim::World> loadWorld(const QString& name_or_folder);
@@ -37,4 +37,4 @@ Result<std::vector<sim::Fault>> readFaults(const QStringList& texts);
 /// What --help says of --fault: every kind with its keys.
 QString faultHelp();
 
-} // namespace usar::app
+} // namespace usar::server

@@ -1,10 +1,10 @@
-#include "app/feeds/plugin_watch.h"
+#include "core/agent/plugins/plugin_watch.h"
 
 #include <chrono>
 
 #include <QDir>
 
-namespace usar::app {
+namespace usar::agent {
 
 namespace {
 
@@ -28,4 +28,4 @@ void PluginWatch::watch(const QStringList& folders) {
     }
 }
 
-} // namespace usar::app
+} // namespace usar::agent

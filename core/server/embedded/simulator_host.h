@@ -7,12 +7,12 @@
 #include <QObject>
 #include <QThread>
 
-#include "app/host/simulation_loader.h"
-#include "app/host/world_picture.h"
 #include "core/base/geometry.h"
+#include "core/server/embedded/simulation_loader.h"
+#include "core/server/embedded/world_picture.h"
 #include "core/server/simulator_server.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.
 class SimulatorHost : public QObject {
@@ -40,7 +40,7 @@ public:
 
 signals:
     /// `waiting` are the robots of a snapshot: each wants a connection that says INIT with its name.
-    void ready(quint16 port, const usar::app::WorldPicture& world,
+    void ready(quint16 port, const usar::server::WorldPicture& world,
                const std::vector<usar::sim::Simulation::Orphan>& waiting);
     void snapshotSaved(const QString& path);
     void snapshotFailed(const QString& reason);
@@ -53,7 +53,7 @@ signals:
     /// The wanted port belongs to another program; one sentence with the port that was taken instead.
     void movedPort(const QString& sentence);
     /// Before `ready`: where its further channels listen.
-    void channelsOpened(const usar::app::ChannelPorts& ports);
+    void channelsOpened(const usar::server::ChannelPorts& ports);
     void figuresChanged(const usar::server::SimulatorFigures& figures);
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
@@ -66,10 +66,10 @@ private:
     void launch(const SimulatorSpec& spec);
     void retire();
 
-    QThread* thread_ = nullptr;               ///< of the simulator that runs; deletes itself when it has ended
-    QObject* worker_ = nullptr;               ///< lives in thread_: context of what runs there
+    QThread* thread_ = nullptr;                 ///< of the simulator that runs; deletes itself when it has ended
+    QObject* worker_ = nullptr;                 ///< lives in thread_: context of what runs there
     server::SimulatorServer* server_ = nullptr; ///< lives in thread_, owned by worker_
-    std::optional<SimulatorSpec> next_;       ///< starts when the one before has let go of its port
+    std::optional<SimulatorSpec> next_;         ///< starts when the one before has let go of its port
 };
 
-} // namespace usar::app
+} // namespace usar::server

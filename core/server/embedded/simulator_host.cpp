@@ -1,12 +1,12 @@
-#include "app/host/simulator_host.h"
+#include "core/server/embedded/simulator_host.h"
 
 #include <utility>
 
-#include "app/host/simulator_files.h"
-#include "app/host/world_picture.h"
 #include "core/link/across_threads.h"
+#include "core/server/embedded/simulator_files.h"
+#include "core/server/embedded/world_picture.h"
 
-namespace usar::app {
+namespace usar::server {
 
 SimulatorHost::SimulatorHost(QObject* parent) : QObject(parent) {}
 
@@ -137,7 +137,7 @@ void SimulatorHost::saveSnapshot(const QString& path) {
     if (!server_)
         return;
     link::post(server_, [this, server = server_, path] {
-        const auto saved = app::saveSnapshot(server->simulation(), path);
+        const auto saved = server::saveSnapshot(server->simulation(), path);
         if (saved)
             emit snapshotSaved(path);
         else
@@ -155,4 +155,4 @@ void SimulatorHost::stepOnce() {
         link::post(server_, [server = server_] { server->stepOnce(); });
 }
 
-} // namespace usar::app
+} // namespace usar::server

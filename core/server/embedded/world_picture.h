@@ -11,7 +11,7 @@
 #include "core/base/geometry.h"
 #include "core/sim/world/world.h"
 
-namespace usar::app {
+namespace usar::server {
 
 struct WorldPicture {
     QString name;
@@ -26,4 +26,4 @@ struct WorldPicture {
 /// Without trees, for they are what a robot should find. Classes are left to whoever knows them.
 WorldPicture pictureOf(const sim::World& world);
 
-} // namespace usar::app
+} // namespace usar::server

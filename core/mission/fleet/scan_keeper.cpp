@@ -1,18 +1,17 @@
-#include "app/host/scan_keeper.h"
+#include "core/mission/fleet/scan_keeper.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/host/true_figures.h"
 #include "core/link/across_threads.h"
 #include "core/mission/files/result_writer.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 namespace {
 
 /// Figures of the robot for the summary beside the pictures.
-QJsonObject summaryOf(const RobotView& view, const std::optional<sim::RobotTruth>& truth) {
+QJsonObject summaryOf(const RobotView& view, const std::optional<TrueFigures>& truth) {
     QJsonObject summary{
         {"behavior", QString::fromStdString(view.behavior_id)},
         {"lines_received", static_cast<qint64>(view.figures.lines_received)},
@@ -24,8 +23,7 @@ QJsonObject summaryOf(const RobotView& view, const std::optional<sim::RobotTruth
         summary["distance_m"] = view.status->distance_flown_m;
         summary["charges"] = view.status->charges;
     }
-    const auto figures = truth ? std::optional(trueFiguresOf(*truth)) : std::nullopt;
-    const QJsonObject known = mission::toJson(figures);
+    const QJsonObject known = toJson(truth);
     for (auto one = known.begin(); one != known.end(); ++one)
         summary[one.key()] = one.value();
     return summary;
@@ -53,10 +51,10 @@ void ScanKeeper::retry() {
 }
 
 QString ScanKeeper::folder() const {
-    return folder_.isEmpty() ? mission::defaultResultFolder() : folder_;
+    return folder_.isEmpty() ? defaultResultFolder() : folder_;
 }
 
-void ScanKeeper::watch(Robot& robot, std::function<std::optional<sim::RobotTruth>()> truth) {
+void ScanKeeper::watch(Robot& robot, std::function<std::optional<TrueFigures>()> truth) {
     truths_[&robot] = std::move(truth);
     connect(&robot, &Robot::recordReady, this, [this, &robot](const auto& record) { write(robot, record); });
     connect(&robot, &QObject::destroyed, this, [this, gone = &robot] {
@@ -82,7 +80,7 @@ void ScanKeeper::takeLeave(std::unique_ptr<Robot> robot) {
     }
 }
 
-void ScanKeeper::write(Robot& robot, const std::shared_ptr<const mission::ScanRecord>& record) {
+void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& record) {
     awaited_.erase(&robot);
     if (record->raster.empty() && leaves(robot))
         return release(robot);
@@ -91,7 +89,7 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const mission::ScanRe
     const QJsonObject summary = summaryOf(robot.view(), truth == truths_.end() ? std::nullopt : truth->second());
     ++writing_;
     pool_.start(HandedOver([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
-        const Result<QStringList> files = mission::writeResults(*record, summary, to);
+        const Result<QStringList> files = writeResults(*record, summary, to);
         link::post(this, [this, id, who, files] { written(id, who, files); });
     }));
 }
@@ -130,4 +128,4 @@ void ScanKeeper::forgetLeaving() {
     leaving_.clear();
 }
 
-} // namespace usar::app
+} // namespace usar::mission

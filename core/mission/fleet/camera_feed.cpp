@@ -1,12 +1,12 @@
-#include "app/feeds/camera_feed.h"
+#include "core/mission/fleet/camera_feed.h"
 
 #include <utility>
 
-#include "app/feeds/camera_receiver.h"
 #include "core/link/across_threads.h"
 #include "core/mission/files/camera_picture.h"
+#include "core/mission/fleet/camera_receiver.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 namespace {
 
@@ -75,4 +75,4 @@ void CameraFeed::setWanted(bool wanted) {
     later([=](link::ImageClient& client) { client.setWanted(wanted); });
 }
 
-} // namespace usar::app
+} // namespace usar::mission

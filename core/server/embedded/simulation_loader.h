@@ -8,10 +8,10 @@
 #include <QObject>
 #include <QStringList>
 
-#include "app/host/simulator_channels.h"
-#include "app/host/simulator_files.h"
+#include "core/server/embedded/simulator_channels.h"
+#include "core/server/embedded/simulator_files.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// Not started yet, and what was found on the way.
 struct LoadedSimulation {
@@ -56,7 +56,7 @@ signals:
     /// Of a snapshot's run, some times a second.
     void progressed(Seconds done, Seconds whole);
     /// With SimulatorSpec::loaded.
-    void loaded(const usar::app::SimulatorSpec& spec);
+    void loaded(const usar::server::SimulatorSpec& spec);
     /// One sentence with place, reason and mend.
     void refused(const QString& reason);
 
@@ -64,4 +64,4 @@ private:
     std::shared_ptr<std::atomic<bool>> stop_; ///< of the one that loads
 };
 
-} // namespace usar::app
+} // namespace usar::server

@@ -7,7 +7,7 @@
 
 #include "core/link/image_client.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 class CameraReceiver;
 
@@ -41,4 +41,4 @@ private:
     bool wanted_ = false;
 };
 
-} // namespace usar::app
+} // namespace usar::mission

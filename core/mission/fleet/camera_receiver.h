@@ -8,7 +8,7 @@
 
 #include "core/link/image_client.h"
 
-namespace usar::app {
+namespace usar::mission {
 
 class CameraReceiver : public QObject {
     Q_OBJECT
@@ -26,4 +26,4 @@ private:
     void take(link::ImageType type, const QByteArray& data);
 };
 
-} // namespace usar::app
+} // namespace usar::mission

@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// The folder of this name among the worlds that come with the program, or the text itself where it names a folder.
 /// The error lists the names that are there, or says what to do where there are none.
@@ -22,4 +22,4 @@ QStringList pluginFolders();
 /// The program that behaviors run in where they have a process of their own.
 QString behaviorHostProgram();
 
-} // namespace usar::app
+} // namespace usar::server

@@ -8,11 +8,11 @@
 
 #include <QThread>
 
-#include "app/feeds/gamepad.h"
 #include "core/link/across_threads.h"
 #include "core/mission/hand/stick_shaper.h"
+#include "widgets/drive/gamepad.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 namespace {
 
@@ -151,4 +151,4 @@ void Gamepad::start() {
         reader_ = std::make_unique<Reader>(*this);
 }
 
-} // namespace usar::app
+} // namespace usar::widgets

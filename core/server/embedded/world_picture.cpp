@@ -1,11 +1,11 @@
-#include "app/host/world_picture.h"
+#include "core/server/embedded/world_picture.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QPainter>
 
-namespace usar::app {
+namespace usar::server {
 
 namespace {
 
@@ -92,4 +92,4 @@ WorldPicture pictureOf(const sim::World& world) {
     return picture;
 }
 
-} // namespace usar::app
+} // namespace usar::server
