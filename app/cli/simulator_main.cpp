@@ -9,6 +9,7 @@
 
 #include "app/host/quit_signals.h"
 #include "core/base/numbers.h"
+#include "core/protocol/usual_values.h"
 #include "core/server/embedded/simulator_channels.h"
 #include "core/server/embedded/simulator_files.h"
 #include "core/server/simulator_server.h"
@@ -23,7 +24,7 @@ const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"};
 
 struct Settings {
     QString world;
-    quint16 port = 3000;
+    quint16 port = usar::protocol::usual_port::bot;
     usar::server::ChannelPorts channels;
     usar::server::ImageServerOptions images;
     std::uint64_t seed = 1;
@@ -113,13 +114,17 @@ void addOptions(QCommandLineParser& parser) {
     parser.addVersionOption();
     parser.addOptions(
         {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
-         {"port", "TCP port; 0 chooses a free one.", "number", "3000"},
-         {"image-port", "TCP port of the image server; 0 chooses a free one.", "number", "5003"},
+         {"port", "TCP port; 0 chooses a free one.", "number", QString::number(usar::protocol::usual_port::bot)},
+         {"image-port", "TCP port of the image server; 0 chooses a free one.", "number",
+          QString::number(usar::protocol::usual_port::image)},
          {"image-type", "How pictures are sent: raw, or a JPEG from superb to bad.", "type", "good"},
          {"image-first", "The image server sends its first picture unasked, as the oldest one did."},
-         {"wireless-port", "TCP port of the wireless server.", "number", "50000"},
-         {"comserver-port", "TCP port of the ComServer.", "number", "5874"},
-         {"cominterface-port", "TCP port that a wireless server of somebody else's asks.", "number", "7435"},
+         {"wireless-port", "TCP port of the wireless server.", "number",
+          QString::number(usar::protocol::usual_port::wireless)},
+         {"comserver-port", "TCP port of the ComServer.", "number",
+          QString::number(usar::protocol::usual_port::com_server)},
+         {"cominterface-port", "TCP port that a wireless server of somebody else's asks.", "number",
+          QString::number(usar::protocol::usual_port::com_interface)},
          {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
          {"profile", "How the server speaks: ut2004 or udk.", "profile", "ut2004"},
          {"resume", "A snapshot to go on from; world, seed, profile and faults are its own.", "file"},

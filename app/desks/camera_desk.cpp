@@ -92,7 +92,7 @@ void CameraDesk::registerCommands() {
     desk_.commands.add({"camera.port",
                         tr("Image server's port…"),
                         group,
-                        tr("Where a real server's pictures come from; usually 5003"),
+                        tr("Where a real server's pictures come from; usually %1").arg(protocol::usual_port::image),
                         "",
                         {}},
                        [this](bool) { chooseImagePort(); });
@@ -135,7 +135,7 @@ void CameraDesk::wire() {
     for (const char* const id : {"camera.center", "camera.light", "camera.save"})
         shown << desk_.commands.action(id);
     view_.setActions(shown);
-    server_port_ = static_cast<quint16>(QSettings().value("server/image_port", 5003).toUInt());
+    server_port_ = static_cast<quint16>(QSettings().value("server/image_port", server_port_).toUInt());
     connect(&desk_.control.simulator(), &server::SimulatorHost::channelsOpened, this,
             [this](const server::ChannelPorts& ports) {
                 embedded_port_ = ports.image;

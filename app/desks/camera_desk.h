@@ -11,6 +11,7 @@
 #include "app/desks/desk.h"
 #include "core/mission/fleet/camera_feed.h"
 #include "core/mission/session/camera_mount.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::app {
 
@@ -59,8 +60,9 @@ private:
     mission::CameraFeed feed_;
     link::ImageStatus feed_status_;
     mission::CameraMount mount_;
-    quint16 embedded_port_ = 0;  ///< of the embedded simulator's image server; 0: there is none
-    quint16 server_port_ = 5003; ///< of a real server's image server, on the same host as its bot port
+    quint16 embedded_port_ = 0; ///< of the embedded simulator's image server; 0: there is none
+    quint16 server_port_ =
+        protocol::usual_port::image; ///< of a real server's image server, on the same host as its bot port
     int questions_ = 0;
     QTimer answer_timer_;
     QTimer turn_timer_;

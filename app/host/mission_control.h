@@ -14,6 +14,7 @@
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/scan_keeper.h"
+#include "core/protocol/usual_values.h"
 #include "core/server/embedded/simulator_host.h"
 
 namespace usar::app {
@@ -26,7 +27,7 @@ using mission::StartedBehavior;
 struct ServerTarget {
     bool embedded = true;
     QString host = "127.0.0.1";
-    quint16 port = 3000;
+    quint16 port = protocol::usual_port::bot;
     server::SimulatorSpec simulator;
 };
 

@@ -5,6 +5,7 @@
 #include "core/mission/fleet/robot_name.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
+#include "core/protocol/usual_values.h"
 #include "widgets/style/theme.h"
 
 namespace usar::app {
@@ -72,8 +73,6 @@ QString wordFor(const mission::ControlState& state) {
     }
     return state.device.empty() ? QObject::tr("gamepad") : QString::fromStdString(state.device);
 }
-
-constexpr double usual_scan_maximum_m = 20.0;
 
 /// A UDK server does not say what flies.
 widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
@@ -186,17 +185,16 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     if (const auto* state = newest<protocol::RobotState>(update))
         scan_plane_ = scanPlaneOf(state->kind);
     if (const auto* scan = newest<protocol::RangeScan>(update))
-        views_.laser->setScan(*scan, usual_scan_maximum_m, scan_plane_);
+        views_.laser->setScan(*scan, protocol::usual_scanner_maximum_m, scan_plane_);
     if (update.ground)
         views_.terrain->setProfile(*update.ground);
     if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
         views_.sonars->setZones(*zones);
     } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
-        constexpr double usual_maximum_m = 5.0; // of every USARSim sonar until its CONF says otherwise
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
-        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, usual_maximum_m));
+        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, protocol::usual_sonar_maximum_m));
     }
     showLinkState(view.id);
 }

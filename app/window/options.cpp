@@ -55,6 +55,7 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
 
 Result<Options> readOptions(const QStringList& arguments) {
     QCommandLineParser parser;
+    const ServerTarget usual;
     parser.setApplicationDescription("Watch, drive and program robots in the USARSim simulator.");
     parser.addHelpOption();
     parser.addVersionOption();
@@ -63,8 +64,9 @@ Result<Options> readOptions(const QStringList& arguments) {
          {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
          {"seed", "Seed of the embedded simulator.", "number", "1"},
          {"fault", "Something that goes wrong in the embedded simulator; usar-sim --help lists them.", "text"},
-         {"port", "Port of the embedded simulator.", "port", "3000"},
-         {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port", "50000"},
+         {"port", "Port of the embedded simulator.", "port", QString::number(usual.port)},
+         {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port",
+          QString::number(usual.simulator.channels.wireless)},
          {"out", "Folder for results.", "folder"},
          {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
          {"theme", "light or dark.", "theme"}});

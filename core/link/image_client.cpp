@@ -1,4 +1,5 @@
 #include "core/link/image_client.h"
+#include "core/protocol/usual_values.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,8 +48,9 @@ ImageClient::ImageClient(QObject* parent)
         if (!open_ || status_.state == ImageState::Waiting)
             return;
         if (error == QAbstractSocket::ConnectionRefusedError)
-            return failed(
-                tr("No image server listens at %1. Start one there, or check its port (usually 5003).").arg(place()));
+            return failed(tr("No image server listens at %1. Start one there, or check its port (usually %2).")
+                              .arg(place())
+                              .arg(protocol::usual_port::image));
         if (error == QAbstractSocket::RemoteHostClosedError)
             return failed(tr("The image server at %1 closed the connection.").arg(place()));
         failed(tr("Trouble with the image server at %1: %2.").arg(place(), socket_.errorString()));
@@ -135,7 +137,9 @@ bool ImageClient::takeHead() {
     const auto type = static_cast<std::uint8_t>(head_[0]);
     const auto bytes = qFromBigEndian<quint32>(head_.constData() + 1);
     if (type > last_image_type || bytes == 0) {
-        failed(tr("%1 does not speak the image server's protocol. Check the port (usually 5003).").arg(place()));
+        failed(tr("%1 does not speak the image server's protocol. Check the port (usually %2).")
+                   .arg(place())
+                   .arg(protocol::usual_port::image));
         return false;
     }
     if (bytes > limits_.most_bytes) {

@@ -14,6 +14,7 @@
 #include "core/link/greeting_check.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/traffic_counts.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::link {
 
@@ -109,7 +110,7 @@ private:
     std::function<void(std::string_view)> take_bytes_;
     LinkLimits limits_;
     QString service_ = QStringLiteral("USARSim");
-    quint16 usual_port_ = 3000;
+    quint16 usual_port_ = protocol::usual_port::bot;
     protocol::LineSplitter splitter_;
     GreetingCheck greeting_;
     protocol::TrafficCounts counts_;

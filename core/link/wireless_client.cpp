@@ -5,12 +5,12 @@
 
 #include "core/base/numbers.h"
 #include "core/protocol/segments.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::link {
 
 namespace {
 
-constexpr quint16 usual_port = 50000;
 constexpr std::chrono::milliseconds usual_interval{1000};
 
 QString text(std::string_view bytes) {
@@ -77,7 +77,7 @@ std::unique_ptr<WirelessClient::Line> WirelessClient::makeLine(const QString& na
     auto line = std::make_unique<Line>();
     Line* const one = line.get();
     one->name = name;
-    one->link.setService(QStringLiteral("WSS"), usual_port);
+    one->link.setService(QStringLiteral("WSS"), protocol::usual_port::wireless);
     one->link.setLimits(limits_);
     one->link.setLineTaker([this, one](std::string_view said) { take(*one, said); });
     connect(&one->link, &TcpLink::opened, this, [one] {

@@ -1,4 +1,5 @@
 #include "core/mapping/scan_integrator.h"
+#include "core/mapping/hit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ void computeHits(const Beams& beams, const Pose& scanner_in_map, std::vector<Vec
     hits.assign(beams.ranges_m.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
     for (std::size_t k = 0; placed && k < hits.size(); ++k) {
         const double range_m = beams.ranges_m[k];
-        if (!(range_m > 0.0 && range_m < beams.maximum_m))
+        if (!(range_m > 0.0 && isHit(range_m, beams.maximum_m)))
             continue;
         const double angle_rad = -beams.fov_rad / 2.0 + double(k) * beams.resolution_rad;
         const Vec3 hit_in_scanner_m(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad), 0.0);

@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include "core/protocol/usual_values.h"
 #include "core/server/radio_field.h"
 #include "core/server/request_server.h"
 
@@ -18,7 +19,7 @@ namespace usar::server {
 class ComInterface : public QObject {
     Q_OBJECT
 public:
-    static constexpr quint16 usual_port = 7435;
+    static constexpr quint16 usual_port = protocol::usual_port::com_interface;
 
     ComInterface(const sim::Simulation& simulation, RadioField& field, QObject* parent = nullptr);
 

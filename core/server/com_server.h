@@ -10,6 +10,7 @@
 
 #include <QObject>
 
+#include "core/protocol/usual_values.h"
 #include "core/server/radio_relay.h"
 #include "core/server/request_server.h"
 
@@ -23,7 +24,7 @@ namespace usar::server {
 class ComServer : public QObject {
     Q_OBJECT
 public:
-    static constexpr quint16 usual_port = 5874;
+    static constexpr quint16 usual_port = protocol::usual_port::com_server;
 
     explicit ComServer(RadioRelay& relay, QObject* parent = nullptr);
 

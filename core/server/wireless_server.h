@@ -9,6 +9,7 @@
 
 #include <QObject>
 
+#include "core/protocol/usual_values.h"
 #include "core/server/radio_relay.h"
 #include "core/server/request_server.h"
 
@@ -22,7 +23,7 @@ namespace usar::server {
 class WirelessServer : public QObject {
     Q_OBJECT
 public:
-    static constexpr quint16 usual_port = 50000;
+    static constexpr quint16 usual_port = protocol::usual_port::wireless;
 
     explicit WirelessServer(RadioRelay& relay, QObject* parent = nullptr);
 

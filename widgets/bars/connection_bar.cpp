@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 
+#include "core/protocol/usual_values.h"
 #include "widgets/models/figures.h"
 #include "widgets/style/elided_label.h"
 #include "widgets/style/icons.h"
@@ -99,10 +100,10 @@ void ConnectionBar::setUpAddress() {
     host_->setTextMargins(2, 0, 2, 0); // Same distance to the frame as in the port's box.
     host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
     port_->setRange(1, 65535);
-    port_->setValue(3000);
+    port_->setValue(protocol::usual_port::bot);
     port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     port_->setAccessibleName(tr("Port"));
-    port_->setToolTip(tr("TCP port of the server; USARSim listens on 3000"));
+    port_->setToolTip(tr("TCP port of the server; USARSim listens on %1").arg(protocol::usual_port::bot));
     button_->setIcon(icon(QStringLiteral("plug")));
     button_->setText(tr("Disconnect")); // The longest text, so that the neighbors do not move.
     button_width_px_ = button_->sizeHint().width();

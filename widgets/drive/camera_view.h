@@ -10,6 +10,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "core/protocol/usual_values.h"
+
 class QAction;
 
 namespace usar::widgets {

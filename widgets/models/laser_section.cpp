@@ -1,5 +1,7 @@
 #include "widgets/models/laser_section.h"
 
+#include "core/mapping/hit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +29,7 @@ LaserSection laserSection(const protocol::RangeScan& scan, double maximum_m) {
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
         const double range_m = scan.ranges_m[i];
         const double angle_rad = scan.beamAngle_rad(i);
-        const bool hit = std::isfinite(range_m) && range_m < maximum_m;
+        const bool hit = mapping::isHit(range_m, maximum_m);
         const double length_m = hit ? range_m : maximum_m;
         section.rays.push_back({QPointF(-std::sin(angle_rad), std::cos(angle_rad)) * length_m, hit});
         if (!hit)

@@ -7,6 +7,7 @@
 #include <QPointF>
 
 #include "core/protocol/sensors/range_scan.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::widgets {
 
@@ -20,7 +21,7 @@ struct LaserRay {
 /// A scan prepared for painting; without rays there is no scan yet.
 struct LaserSection {
     std::vector<LaserRay> rays; ///< one per beam, in the order of the scan
-    double maximum_m = 20.0;
+    double maximum_m = protocol::usual_scanner_maximum_m;
     /// Distance in the direction of the beam at angle 0: mean of the hits within 2 degrees of it; nullopt: no hits.
     std::optional<double> clearance_m;
     /// Shortest range of all hits; nullopt: no hits.

@@ -8,15 +8,16 @@
 
 #include "core/agent/published.h"
 #include "core/modules/sensor.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::widgets {
 
 /// One sensor of the ring: range along its beam in meters, and the limits below which a reading is a risk.
 struct SonarColumn {
     QString name;
-    double range_m = 0.0;          ///< NaN if the server sent no number
-    double maximum_m = 5.0;        ///< full height of the column
-    double low_risk_below_m = 0.0; ///< 0: no zone known
+    double range_m = 0.0;                               ///< NaN if the server sent no number
+    double maximum_m = protocol::usual_sonar_maximum_m; ///< full height of the column
+    double low_risk_below_m = 0.0;                      ///< 0: no zone known
     double high_risk_below_m = 0.0;
     agent::Risk risk = agent::Risk::None;
     bool operator==(const SonarColumn&) const = default;

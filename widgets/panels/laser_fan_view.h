@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "core/protocol/usual_values.h"
 #include "widgets/models/laser_section.h"
 
 namespace usar::widgets {
@@ -20,7 +21,8 @@ public:
 
     /// Replaces the picture, which then counts as fresh. `maximum_m` is the scanner's maximum range in meters, which
     /// the scan itself does not carry.
-    void setScan(const protocol::RangeScan& scan, double maximum_m = 20.0, ScanPlane plane = ScanPlane::Below);
+    void setScan(const protocol::RangeScan& scan, double maximum_m = protocol::usual_scanner_maximum_m,
+                 ScanPlane plane = ScanPlane::Below);
     /// Shows the sentence that says what will appear here.
     void clear();
     /// Draws the scan gray, with the word "stale", because it may be out of date.

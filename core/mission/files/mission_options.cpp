@@ -46,7 +46,7 @@ Result<void> takeOption(const QString& name, const QString& value, MissionOption
 } // namespace
 
 Result<ServerAddress> readServerAddress(const QString& text) {
-    ServerAddress address{text, 3000};
+    ServerAddress address{text};
     const qsizetype colon = text.lastIndexOf(':');
     const bool has_port = colon >= 0 && !text.endsWith(']') && (text.count(':') == 1 || text.at(colon - 1) == ']');
     if (has_port) {

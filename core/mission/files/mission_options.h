@@ -8,13 +8,14 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::mission {
 
 /// A server to connect to.
 struct ServerAddress {
     QString host;
-    quint16 port = 3000;
+    quint16 port = protocol::usual_port::bot;
     bool operator==(const ServerAddress&) const = default;
 };
 

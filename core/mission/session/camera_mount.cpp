@@ -39,7 +39,8 @@ CameraMount::News CameraMount::takeCameras(const std::vector<protocol::CameraCon
     cameras_.clear();
     for (const protocol::CameraConfiguration& camera : cameras)
         if (camera.default_fov_rad || camera.picture_width_px)
-            cameras_.push_back({camera, camera.fov_rad.value_or(camera.default_fov_rad.value_or(usual_fov_rad))});
+            cameras_.push_back(
+                {camera, camera.fov_rad.value_or(camera.default_fov_rad.value_or(protocol::usual_camera_fov_rad))});
     shown_ = std::min(shown_, cameras_.empty() ? 0 : cameras_.size() - 1);
     return News::Cameras;
 }
@@ -105,7 +106,7 @@ void CameraMount::resetZoom() {
 }
 
 bool CameraMount::turnBy(double right, double up) {
-    const double fov_rad = shown() ? shown()->fov_rad : usual_fov_rad;
+    const double fov_rad = shown() ? shown()->fov_rad : protocol::usual_camera_fov_rad;
     return turn(right * fov_rad, up * fov_rad);
 }
 

@@ -10,6 +10,7 @@
 #include "core/protocol/command.h"
 #include "core/protocol/info/configurations.h"
 #include "core/protocol/info_message.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::mission {
 
@@ -17,12 +18,9 @@ namespace usar::mission {
 /// take one SET a tick, so SETs wait in a queue, and only the newest of each kind. Angles are radians. A plain value.
 class CameraMount {
 public:
-    /// The angle of view of a USARSim camera whose server does not tell it (80 degrees).
-    static constexpr double usual_fov_rad = 1.396;
-
     struct Camera {
         protocol::CameraConfiguration configuration;
-        double fov_rad = usual_fov_rad;
+        double fov_rad = protocol::usual_camera_fov_rad;
     };
     /// What a message changed for somebody who shows this.
     enum class News { None, Cameras, Picture, Abilities };

@@ -15,6 +15,7 @@
 #include "core/mission/session/mission_score.h"
 #include "core/mission/session/robot_session.h"
 #include "core/mission/session/run_summary.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::mission {
 
@@ -30,7 +31,7 @@ struct RunLimits {
 /// Options of one run.
 struct RunOptions {
     QString host = "127.0.0.1";
-    quint16 port = 3000;
+    quint16 port = protocol::usual_port::bot;
     bool lockstep = true;   ///< ask for it; a real server does not answer
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder

@@ -9,6 +9,7 @@
 
 #include "core/mission/session/scan_mapper.h"
 #include "core/mission/session/session_update.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::mission {
 
@@ -19,7 +20,7 @@ public:
     /// Per frame; a quarter of a million lines a second, more than one session reads.
     static constexpr std::size_t line_limit = 4000;
     /// Length of the terrain profile, ahead and behind: the range of the belly scanner.
-    static constexpr double profile_reach_m = 20.0;
+    static constexpr double profile_reach_m = protocol::usual_scanner_maximum_m;
 
     void addLine(protocol::InfoLine line);
     void addCommand(SentCommand command);

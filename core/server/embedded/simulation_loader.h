@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "core/protocol/usual_values.h"
 #include "core/server/embedded/simulator_channels.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -27,7 +28,8 @@ struct SimulatorSpec {
     quint64 seed = 1;
     std::vector<sim::Fault> faults{};
     QStringList robot_files{}; ///< beside those that come with the program
-    quint16 port = 3000;       ///< another one is taken where it is in use; 0 chooses free ones for the channels, too
+    /// Another one is taken where it is in use; 0 chooses free ones for the channels, too.
+    quint16 port = protocol::usual_port::bot;
     ChannelPorts channels{};
     std::shared_ptr<LoadedSimulation> loaded{}; ///< ready already, for one start
 };

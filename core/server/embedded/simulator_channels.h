@@ -4,6 +4,7 @@
 #include <QMetaType>
 #include <QStringList>
 
+#include "core/protocol/usual_values.h"
 #include "core/server/image_server.h"
 #include "core/server/simulator_server.h"
 
@@ -11,10 +12,10 @@ namespace usar::server {
 
 /// Wanted, or listened on; 0 wants a free one and means "none" of what is open.
 struct ChannelPorts {
-    quint16 image = 5003;
-    quint16 wireless = 50000;
-    quint16 comserver = 5874;
-    quint16 cominterface = 7435;
+    quint16 image = protocol::usual_port::image;
+    quint16 wireless = protocol::usual_port::wireless;
+    quint16 comserver = protocol::usual_port::com_server;
+    quint16 cominterface = protocol::usual_port::com_interface;
     bool operator==(const ChannelPorts&) const = default;
 
     /// Free ones for all: for a simulator whose bot port is chosen freely, too.

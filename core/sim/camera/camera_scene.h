@@ -13,6 +13,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "core/protocol/usual_values.h"
 #include "core/sim/physics/still_world.h"
 #include "core/sim/world/articulation.h"
 
@@ -41,7 +42,7 @@ struct SeenFrom {
     std::string robot;
     std::string camera;
     Eigen::Isometry3d camera_in_map = Eigen::Isometry3d::Identity();
-    double field_of_view_rad = 1.396; ///< horizontally
+    double field_of_view_rad = protocol::usual_camera_fov_rad; ///< horizontally
     int width_px = 320;
     int height_px = 240;
 };

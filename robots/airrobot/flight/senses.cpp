@@ -1,4 +1,5 @@
 #include "robots/airrobot/flight/senses.h"
+#include "core/mapping/hit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,6 @@ namespace usar::airrobot {
 namespace {
 
 constexpr Seconds never{1e9};
-/// Readings this close to the maximum are not echoes ([SD]: more than 4.99 m of 5 m is free).
-constexpr double echo_tolerance_m = 0.02;
 constexpr std::size_t middle_rays = 10;
 
 SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_map) {
@@ -19,7 +18,7 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
     echo.bearing_rad = mount.sonar_in_base.yaw_rad;
     echo.range_m = std::min(range_m, mount.maximum_m);
     echo.maximum_m = mount.maximum_m;
-    echo.hit = range_m < mount.maximum_m - echo_tolerance_m;
+    echo.hit = mapping::isHit(range_m, mount.maximum_m);
     echo.origin_in_map_m = sonar_in_map.position_m;
     echo.center_in_map_m = sonar_in_map * Vec3(echo.range_m, 0.0, 0.0);
     const double spread_m = echo.range_m * std::tan(mount.beam_rad / 2.0);
@@ -34,7 +33,7 @@ std::vector<Vec3> hitsOf(const protocol::RangeScan& scan, const Pose& scanner_in
     hits.reserve(scan.ranges_m.size());
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
         const double range_m = scan.ranges_m[i];
-        if (!(range_m > 0.0) || range_m > maximum_m - echo_tolerance_m)
+        if (!(range_m > 0.0 && mapping::isHit(range_m, maximum_m)))
             continue;
         const double angle_rad = scan.beamAngle_rad(i);
         hits.push_back(transform * Vec3(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad), 0.0));

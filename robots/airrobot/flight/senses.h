@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/modules/robot_modules.h"
+#include "core/protocol/usual_values.h"
 #include "robots/airrobot/flight/course_filter.h"
 #include "robots/airrobot/flight/pose_history.h"
 #include "robots/airrobot/flight/sensor_layout.h"
@@ -27,7 +28,7 @@ struct SonarEcho {
     std::string name;
     double bearing_rad = 0.0; ///< direction of the sonar in the robot's frame, counterclockwise
     double range_m = 0.0;
-    double maximum_m = 5.0;
+    double maximum_m = protocol::usual_sonar_maximum_m;
     bool hit = false; ///< false if nothing is within the maximum range
     Vec3 origin_in_map_m = Vec3::Zero();
     Vec3 center_in_map_m = Vec3::Zero();

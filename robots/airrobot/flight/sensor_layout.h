@@ -6,6 +6,7 @@
 
 #include "core/base/geometry.h"
 #include "core/protocol/info/answers.h"
+#include "core/protocol/usual_values.h"
 
 namespace usar::airrobot {
 
@@ -13,8 +14,8 @@ namespace usar::airrobot {
 struct SonarMount {
     std::string name;
     Pose sonar_in_base;
-    double maximum_m = 5.0;          ///< reach
-    double beam_rad = radians(15.0); ///< full angle of the cone
+    double maximum_m = protocol::usual_sonar_maximum_m; ///< reach
+    double beam_rad = radians(15.0);                    ///< full angle of the cone
     bool operator==(const SonarMount&) const = default;
 };
 
@@ -23,9 +24,9 @@ struct SensorLayout {
     std::vector<SonarMount> sonars; ///< left to right
     std::string scanner_name;       ///< empty means the first scanner that sends readings
     Pose scanner_in_base;
-    double scanner_maximum_m = 20.0; ///< reach of the scanner
-    double maximum_speed_m_s = 2.0;  ///< horizontal speed
-    double maximum_climb_m_s = 2.0;  ///< vertical speed, up and down
+    double scanner_maximum_m = protocol::usual_scanner_maximum_m; ///< reach of the scanner
+    double maximum_speed_m_s = 2.0;                               ///< horizontal speed
+    double maximum_climb_m_s = 2.0;                               ///< vertical speed, up and down
     double maximum_turn_rad_s = radians(100.0);
     bool operator==(const SensorLayout&) const = default;
 };
