@@ -1,10 +1,11 @@
 #include "core/agent/behavior_host.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 
 #include "core/base/text.h"
+#include "core/protocol/sensors/silence.h"
+#include "core/protocol/zero_drives.h"
 
 namespace usar::agent {
 
@@ -12,11 +13,6 @@ namespace {
 
 /// Sensors report several times per second; one that has been silent for this long may not exist.
 constexpr Seconds sensors_silent{3.0};
-
-/// Sensors that report only if they detect something (usarsim-protocol 5); their silence means nothing.
-constexpr std::array<std::string_view, 10> silent_by_nature{
-    "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
-    "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
 
 /// A visitor that returns the sensor's type on the wire; empty for messages that do not come from sensors.
 struct SensorType {
@@ -31,11 +27,8 @@ struct SensorType {
 } // namespace
 
 protocol::Command lastResort(protocol::VehicleKind kind) {
-    if (kind == protocol::VehicleKind::Ground)
-        return protocol::SkidDrive{0.0, 0.0};
-    if (kind == protocol::VehicleKind::Nautic)
-        return protocol::NauticDrive{0.0, 0.0, 0.0};
-    return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
+    const std::vector<protocol::Command> zeros = protocol::zeroDrives(kind);
+    return zeros.empty() ? protocol::AerialDrive{0.0, 0.0, 0.0, 0.0} : zeros.front();
 }
 
 BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
@@ -43,9 +36,7 @@ BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behav
     : behavior_(std::move(behavior))
     , behavior_id_(std::move(behavior_id))
     , sensors_missed_(std::move(sensors_needed)) {
-    std::erase_if(sensors_missed_, [](const std::string& type) {
-        return std::ranges::any_of(silent_by_nature, [&](std::string_view one) { return sameWord(one, type); });
-    });
+    std::erase_if(sensors_missed_, [](const std::string& type) { return !protocol::speaksAlways(type); });
 }
 
 BehaviorHost::~BehaviorHost() = default;

@@ -111,7 +111,7 @@ void tst_MapPicture::marksHaveTheThesisColors() {
     QFETCH(int, kind);
     QFETCH(int, hue_low);
     QFETCH(int, hue_high);
-    const QColor color = markStyle(MarkKind(kind)).color;
+    const QColor color = QColor(usar::agent::styleOf(MarkKind(kind)).rgb);
     const int hue = color.hue() < 10 ? color.hue() + 360 : color.hue();
     QVERIFY2(hue >= hue_low && hue <= hue_high, qPrintable(QString::number(color.hue())));
     ScanRecord record = flatScan(100, 100);
@@ -126,8 +126,8 @@ void tst_MapPicture::marksLieWhereTheyHappened() {
     record.marks.push_back({MarkKind::Recharge, {9.75, -29.75, 6}, {}, {}});
     record.path_m = {{39.75, -9.75, 6}};
     const QImage picture = mapPicture(record);
-    QCOMPARE(picture.pixelColor(120, 360), markStyle(MarkKind::Recharge).color);
-    QCOMPARE(picture.pixelColor(480, 120), markStyle(MarkKind::Path).color);
+    QCOMPARE(picture.pixelColor(120, 360), QColor(usar::agent::styleOf(MarkKind::Recharge).rgb));
+    QCOMPARE(picture.pixelColor(480, 120), QColor(usar::agent::styleOf(MarkKind::Path).rgb));
 }
 
 void tst_MapPicture::theWayHomeOutsideTheMapIsShown() {
@@ -135,7 +135,7 @@ void tst_MapPicture::theWayHomeOutsideTheMapIsShown() {
     record.marks.push_back({MarkKind::Recharge, {-20, -25, 0}, {}, {}});
     const QImage picture = mapPicture(record);
     QVERIFY(picture.width() > 800);
-    QVERIFY(count(picture, markStyle(MarkKind::Recharge).color, 600) >= 5);
+    QVERIFY(count(picture, QColor(usar::agent::styleOf(MarkKind::Recharge).rgb), 600) >= 5);
 }
 
 void tst_MapPicture::garbledPositionsDoNotStretchThePicture() {
@@ -214,8 +214,8 @@ void tst_MapPicture::drawsASampleToLookAt() {
     QVERIFY(picture.save(USAR_BINARY_DIR "/sample_picture.png"));
     for (const MarkKind kind : {MarkKind::Path, MarkKind::Diversion, MarkKind::LowRisk, MarkKind::HighRisk,
                                 MarkKind::Recharge, MarkKind::Landing, MarkKind::GoalGivenUp})
-        QVERIFY(count(picture, markStyle(kind).color, picture.height()) >
-                count(picture, markStyle(kind).color, 720)); // on the map and again in the legend
+        QVERIFY(count(picture, QColor(usar::agent::styleOf(kind).rgb), picture.height()) >
+                count(picture, QColor(usar::agent::styleOf(kind).rgb), 720)); // on the map and again in the legend
 }
 
 USAR_TEST(tst_MapPicture)

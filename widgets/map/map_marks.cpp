@@ -48,28 +48,28 @@ LayerStates firstLayers() {
 
 namespace {
 
-QPainterPath markShape(agent::MarkKind kind, double r) {
+QPainterPath markShape(agent::MarkShape kind, double r) {
     QPainterPath shape;
     switch (kind) {
-    case agent::MarkKind::Path:
+    case agent::MarkShape::Dot:
         shape.addEllipse(QPointF(), 0.5 * r, 0.5 * r);
         break;
-    case agent::MarkKind::Diversion:
+    case agent::MarkShape::Diamond:
         shape.addPolygon(QPolygonF({{0, -r}, {r, 0}, {0, r}, {-r, 0}, {0, -r}}));
         break;
-    case agent::MarkKind::LowRisk:
+    case agent::MarkShape::Disc:
         shape.addEllipse(QPointF(), 0.7 * r, 0.7 * r);
         break;
-    case agent::MarkKind::HighRisk:
+    case agent::MarkShape::Triangle:
         shape.addPolygon(QPolygonF({{0, -r}, {r, 0.8 * r}, {-r, 0.8 * r}, {0, -r}}));
         break;
-    case agent::MarkKind::Recharge:
+    case agent::MarkShape::Square:
         shape.addRect(-r, -r, 2 * r, 2 * r);
         break;
-    case agent::MarkKind::Landing:
+    case agent::MarkShape::Ring:
         shape.addEllipse(QPointF(), r, r);
         break;
-    case agent::MarkKind::GoalGivenUp:
+    case agent::MarkShape::Cross:
         shape.addPolygon(QPolygonF({{-r, -r},
                                     {0, -0.35 * r},
                                     {r, -r},
@@ -92,7 +92,7 @@ void paintMark(QPainter& painter, agent::MarkKind kind, const QPointF& center_px
     painter.translate(center_px);
     painter.setPen(QPen(QColor(0, 0, 0, 200), 1.0));
     painter.setBrush(markColor(kind));
-    painter.drawPath(markShape(kind, size_px / 2.0));
+    painter.drawPath(markShape(agent::styleOf(kind).shape, size_px / 2.0));
     painter.restore();
 }
 

@@ -1,11 +1,10 @@
 #include "widgets/models/laser_section.h"
 
-#include "core/mapping/hit.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/geometry.h"
+#include "core/mapping/hit.h"
 
 namespace usar::widgets {
 

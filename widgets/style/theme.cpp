@@ -153,43 +153,12 @@ QString traceColorName(protocol::TraceColor color) {
 }
 
 QColor markColor(agent::MarkKind kind) {
-    switch (kind) {
-    case agent::MarkKind::Path:
-        return QColor(0x23c552);
-    case agent::MarkKind::Diversion:
-        return QColor(0x3d7eff);
-    case agent::MarkKind::LowRisk:
-        return QColor(0xff9500);
-    case agent::MarkKind::HighRisk:
-        return QColor(0xff2d2d);
-    case agent::MarkKind::Recharge:
-        return QColor(0xffdd00);
-    case agent::MarkKind::Landing:
-        return QColor(0xb25cff);
-    case agent::MarkKind::GoalGivenUp:
-        break;
-    }
-    return QColor(0xf2f2f2);
+    return QColor(agent::styleOf(kind).rgb);
 }
 
 QString markName(agent::MarkKind kind) {
-    switch (kind) {
-    case agent::MarkKind::Path:
-        return QStringLiteral("Path");
-    case agent::MarkKind::Diversion:
-        return QStringLiteral("Diversion");
-    case agent::MarkKind::LowRisk:
-        return QStringLiteral("Low risk");
-    case agent::MarkKind::HighRisk:
-        return QStringLiteral("High risk");
-    case agent::MarkKind::Recharge:
-        return QStringLiteral("Recharge");
-    case agent::MarkKind::Landing:
-        return QStringLiteral("Landing");
-    case agent::MarkKind::GoalGivenUp:
-        break;
-    }
-    return QStringLiteral("Goal given up");
+    const std::string_view name = agent::styleOf(kind).name;
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 QColor lineColor(LineFamily family, Theme theme) {

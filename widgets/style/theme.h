@@ -6,7 +6,7 @@
 #include <QColor>
 #include <QFont>
 
-#include "core/agent/published.h"
+#include "core/agent/mark_style.h"
 #include "core/protocol/commands/trace.h"
 
 namespace usar::widgets {
@@ -67,9 +67,7 @@ QColor lineColor(LineFamily family, Theme theme);
 
 /// "Low risk": the name beside the color, for legends and tooltips.
 QString markName(agent::MarkKind kind);
-inline constexpr std::array all_mark_kinds = {
-    agent::MarkKind::Path,     agent::MarkKind::Diversion, agent::MarkKind::LowRisk,    agent::MarkKind::HighRisk,
-    agent::MarkKind::Recharge, agent::MarkKind::Landing,   agent::MarkKind::GoalGivenUp};
+using agent::all_mark_kinds;
 
 /// WCAG 2 contrast ratio of two opaque colors, 1..21.
 double contrast(const QColor& a, const QColor& b);

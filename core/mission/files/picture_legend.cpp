@@ -14,6 +14,15 @@ namespace usar::mission {
 
 namespace {
 
+QColor colorOf(const agent::MarkStyle& style) {
+    return QColor(style.rgb);
+}
+
+/// "low risk": the legend is in lowercase.
+QString labelOf(MarkKind kind) {
+    return QString::fromStdString(std::string(agent::styleOf(kind).name)).toLower();
+}
+
 using agent::MarkKind;
 
 constexpr std::array mark_order{MarkKind::Path,     MarkKind::Diversion, MarkKind::LowRisk,    MarkKind::HighRisk,
@@ -49,7 +58,7 @@ int flowMarks(double width_px, double text_px, const Place& place) {
     double x = text_px;
     int line = 0;
     for (const MarkKind kind : mark_order) {
-        const double entry_px = textWidth(markStyle(kind).label, text_px) + 3.0 * text_px;
+        const double entry_px = textWidth(labelOf(kind), text_px) + 3.0 * text_px;
         if (x + entry_px > width_px && x > text_px) {
             x = text_px;
             ++line;
@@ -97,46 +106,27 @@ void drawScaleBar(QPainter& painter, double pixels_per_m, double text_px, const 
 
 } // namespace
 
-MarkStyle markStyle(MarkKind kind) {
-    switch (kind) {
-    case MarkKind::Path:
-        return {QColor(0, 214, 70), "path"};
-    case MarkKind::Diversion:
-        return {QColor(40, 110, 255), "diversion"};
-    case MarkKind::LowRisk:
-        return {QColor(255, 150, 20), "low risk"};
-    case MarkKind::HighRisk:
-        return {QColor(240, 20, 30), "high risk"};
-    case MarkKind::Recharge:
-        return {QColor(255, 230, 0), "recharge needed"};
-    case MarkKind::Landing:
-        return {QColor(190, 70, 255), "landing"};
-    case MarkKind::GoalGivenUp:
-        break;
-    }
-    return {QColor(255, 255, 255), "goal given up"};
-}
-
 void drawMark(QPainter& painter, MarkKind kind, const QPointF& center, double unit_px) {
-    const QColor color = markStyle(kind).color;
+    const agent::MarkStyle& style = agent::styleOf(kind);
+    const QColor color = colorOf(style);
     painter.setPen(QPen(rim_color, std::max(1.0, unit_px * 0.4)));
     painter.setBrush(color);
-    if (kind == MarkKind::Recharge) {
+    if (style.shape == agent::MarkShape::Square) {
         painter.drawRect(QRectF(center.x() - 1.7 * unit_px, center.y() - 1.7 * unit_px, 3.4 * unit_px, 3.4 * unit_px));
-    } else if (kind == MarkKind::Landing) {
+    } else if (style.shape == agent::MarkShape::Ring) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(rim_color, unit_px * 1.7));
         painter.drawEllipse(center, 2.6 * unit_px, 2.6 * unit_px);
         painter.setPen(QPen(color, unit_px));
         painter.drawEllipse(center, 2.6 * unit_px, 2.6 * unit_px);
-    } else if (kind == MarkKind::GoalGivenUp) {
+    } else if (style.shape == agent::MarkShape::Cross) {
         const QPointF slash(1.6 * unit_px, 1.6 * unit_px), back(1.6 * unit_px, -1.6 * unit_px);
         for (const QPen& pen : {QPen(rim_color, unit_px * 1.6), QPen(color, unit_px * 0.8)}) {
             painter.setPen(pen);
             painter.drawLine(center - slash, center + slash);
             painter.drawLine(center - back, center + back);
         }
-    } else if (kind == MarkKind::Path) {
+    } else if (style.shape == agent::MarkShape::Dot) {
         painter.setPen(Qt::NoPen); // Path dots are close together: their rims would form a black line.
         painter.drawEllipse(center, unit_px, unit_px);
     } else {
@@ -173,7 +163,7 @@ void Legend::draw(QPainter& painter, const QRect& strip) const {
         const double middle_px = (4.9 + 1.7 * line) * text_px;
         drawMark(painter, kind, {x + 0.6 * text_px, middle_px}, text_px * 0.19);
         painter.setPen(ink_color);
-        drawText(painter, {x + 1.6 * text_px, middle_px + 0.35 * text_px}, markStyle(kind).label);
+        drawText(painter, {x + 1.6 * text_px, middle_px + 0.35 * text_px}, labelOf(kind));
     });
     painter.restore();
 }

@@ -8,19 +8,12 @@
 #include <QRect>
 #include <QString>
 
-#include "core/agent/published.h"
+#include "core/agent/mark_style.h"
 #include "core/mapping/height_map.h"
 
 class QPainter;
 
 namespace usar::mission {
-
-/// Appearance of a kind of mark, in the colors of the thesis.
-struct MarkStyle {
-    QColor color;
-    QString label;
-};
-MarkStyle markStyle(agent::MarkKind kind);
 
 /// Draws one mark around `center`: dots, yellow squares for recharges, violet circles for landings, crosses for
 /// abandoned goals; `unit_px` is the radius of a dot. A dark rim keeps all but path dots legible on light ground.

@@ -12,6 +12,7 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "core/agent/mark_style.h"
 #include "core/base/numbers.h"
 #include "core/mission/files/map_picture.h"
 #include "core/mission/files/scan_metadata.h"
@@ -85,34 +86,13 @@ private:
     std::optional<Error> error_;
 };
 
-QString markName(agent::MarkKind kind) {
-    using agent::MarkKind;
-    switch (kind) {
-    case MarkKind::Path:
-        return "path";
-    case MarkKind::Diversion:
-        return "diversion";
-    case MarkKind::LowRisk:
-        return "low_risk";
-    case MarkKind::HighRisk:
-        return "high_risk";
-    case MarkKind::Recharge:
-        return "recharge";
-    case MarkKind::Landing:
-        return "landing";
-    case MarkKind::GoalGivenUp:
-        break;
-    }
-    return "goal_given_up";
-}
-
 /// Marks except those of the path, of which there are thousands.
 QJsonArray marksOf(const ScanRecord& record) {
     QJsonArray marks;
     for (const agent::MapMark& mark : record.marks) {
         if (mark.kind == agent::MarkKind::Path)
             continue;
-        marks.append(QJsonObject{{"kind", markName(mark.kind)},
+        marks.append(QJsonObject{{"kind", QString::fromStdString(std::string(agent::styleOf(mark.kind).word))},
                                  {"x_m", mark.position_in_map_m.x()},
                                  {"y_m", mark.position_in_map_m.y()},
                                  {"z_m", mark.position_in_map_m.z()},

@@ -8,6 +8,7 @@
 
 #include "core/mission/session/stream_name.h"
 #include "core/protocol/command_writer.h"
+#include "core/protocol/zero_drives.h"
 
 namespace usar::mission {
 
@@ -355,7 +356,7 @@ std::vector<protocol::Command> RobotSession::Private::stops(const std::optional<
     const auto& latest = state->latest();
     std::vector<protocol::Command> stops;
     if (!safe)
-        stops = zeroDrives(latest ? latest->kind : protocol::VehicleKind::Unknown);
+        stops = protocol::zeroDrives(latest ? latest->kind : protocol::VehicleKind::Unknown);
     for (const protocol::Command& stop : moving.stops()) {
         if ((!safe || stop.index() != safe->index()) && std::ranges::find(stops, stop) == stops.end())
             stops.push_back(stop);

@@ -78,23 +78,6 @@ bool sameThing(const Command& a, const Command& b) {
 
 } // namespace
 
-std::vector<Command> zeroDrives(VehicleKind kind) {
-    switch (kind) {
-    case VehicleKind::Ground:
-        return {no_spin};
-    case VehicleKind::Aerial:
-        return {no_flight};
-    case VehicleKind::Nautic:
-        return stopsOf(NauticDrive{});
-    case VehicleKind::Legged:
-    case VehicleKind::StaticPlatform:
-        return {};
-    case VehicleKind::Unknown:
-        break;
-    }
-    return {no_flight, no_spin};
-}
-
 void MovingParts::sent(const Command& command) {
     if (const auto* const raw = std::get_if<RawCommand>(&command)) {
         Diagnostics ignored;

@@ -9,11 +9,6 @@
 
 namespace usar::mission {
 
-/// Zero DRIVEs for a kind of vehicle. An unknown one (UDK's aerial vehicle does not identify itself as one) gets both
-/// that for the air and that for the ground; legged robots and static platforms get none, because they move by their
-/// joints.
-std::vector<protocol::Command> zeroDrives(protocol::VehicleKind kind);
-
 /// Keeps track of what was set in motion on this connection. Joints that were sent to an angle stay where they are when
 /// they are stopped; those with a speed or a torque get speed 0, and so do links of mission packages.
 class MovingParts {

@@ -1,23 +1,17 @@
 #include "core/mission/session/sensor_watch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/protocol/sensors/silence.h"
 
 namespace usar::mission {
 
 namespace {
 
-/// Types that send nothing while there is nothing to report (usarsim-protocol 5).
-constexpr std::array<std::string_view, 10> not_watched{
-    "RFID",  "RFIDTag", "VictRFID", "VictSensor",   "HumanMotion",
-    "Sound", "Helper",  "Acoustic", "ObjectSensor", "GroundTruthPlayers"};
-
 bool isWatched(std::string_view type) {
-    return !type.empty() &&
-           std::ranges::none_of(not_watched, [type](std::string_view one) { return sameWord(one, type); });
+    return !type.empty() && protocol::speaksAlways(type);
 }
 
 /// The first lines of a tick may come before the first one that contains the server's time, which may be hours.

@@ -20,6 +20,7 @@ struct SoundReading {
     std::optional<Seconds> duration{}; ///< length of the sound
 
     static constexpr std::string_view wire_types = "Sound";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() {
         return std::tuple(
             item("Loudness", &SoundReading::loudness_db, "loudness", "dB", Crossing::None, Decimals::TwoRounded),
@@ -56,6 +57,7 @@ struct AcousticReading {
     std::vector<HeardSound> sounds{};
 
     static constexpr std::string_view wire_types = "Acoustic";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() { return std::tuple(item("None", &AcousticReading::silence, "silence")); }
     static constexpr auto groups() { return protocol::groups("Direction", &AcousticReading::sounds, "Far"); }
     bool operator==(const AcousticReading&) const = default;
@@ -86,6 +88,7 @@ struct BallReading {
     std::optional<bool> visible{};
 
     static constexpr std::string_view wire_types = "Helper";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() {
         return std::tuple(item("Pos3D", &BallReading::position, "position"),
                           item("Visible", &BallReading::visible, "visible"));
@@ -130,6 +133,7 @@ struct ObjectsReading {
     std::vector<SeenObject> objects{};
 
     static constexpr std::string_view wire_types = "ObjectSensor";
+    static constexpr bool speaks_always = false;
     static constexpr auto groups() { return protocol::groups("Object", &ObjectsReading::objects); }
     bool operator==(const ObjectsReading&) const = default;
 };

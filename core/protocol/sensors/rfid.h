@@ -33,6 +33,7 @@ struct RfidReading {
     std::string type = "RFID"; ///< value of Type on the wire
 
     static constexpr std::string_view wire_types = "RFID|RFIDTag";
+    static constexpr bool speaks_always = false;
     static constexpr auto groups() { return protocol::groups("ID", &RfidReading::tags); }
     bool operator==(const RfidReading&) const = default;
 };

@@ -32,6 +32,7 @@ struct VictimReading {
     std::optional<std::string> status{};
 
     static constexpr std::string_view wire_types = "VictSensor";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() { return std::tuple(item("Status", &VictimReading::status, "status")); }
     static constexpr auto groups() { return protocol::groups("PartName", &VictimReading::parts); }
     bool operator==(const VictimReading&) const = default;
@@ -62,6 +63,7 @@ struct VictimTagReading {
     std::vector<TaggedVictim> victims{};
 
     static constexpr std::string_view wire_types = "VictRFID";
+    static constexpr bool speaks_always = false;
     static constexpr auto groups() { return protocol::groups("ID", &VictimTagReading::victims, "VictimId"); }
     bool operator==(const VictimTagReading&) const = default;
 };
@@ -74,6 +76,7 @@ struct HumanMotionReading {
     double probability = 0.0; ///< 0..1
 
     static constexpr std::string_view wire_types = "HumanMotion";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() {
         return std::tuple(
             item("Prob", &HumanMotionReading::probability, "probability", "", Crossing::None, Decimals::TwoRounded));
@@ -108,6 +111,7 @@ struct PlayersReading {
     std::vector<Player> players{};
 
     static constexpr std::string_view wire_types = "GroundTruthPlayers";
+    static constexpr bool speaks_always = false;
     static constexpr auto items() { return std::tuple(item("Players", &PlayersReading::count, "count")); }
     static constexpr auto groups() { return protocol::groups("PlayerNum", &PlayersReading::players); }
     bool operator==(const PlayersReading&) const = default;
