@@ -19,7 +19,7 @@ QColor colorOf(const agent::MarkStyle& style) {
 }
 
 /// "low risk": the legend is in lowercase.
-QString labelOf(MarkKind kind) {
+QString labelOf(agent::MarkKind kind) {
     return QString::fromStdString(std::string(agent::styleOf(kind).name)).toLower();
 }
 
