@@ -88,7 +88,6 @@ private:
     QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
     void arrange();
     void showTree();
-    void giveFocusBack();
     void search(const QString& words);
     void showFound();
     void showRunning();
