@@ -346,7 +346,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     const std::size_t flown = page.robot(2)->trail_m.size() - 1;
     QVERIFY((page.robot(2)->trail_m[flown] - page.robot(1)->trail_m[flown]).norm() < 0.5);
     QVERIFY(page.notified("not ended").isEmpty() && page.notified("damaged").isEmpty());
-    QCOMPARE(QApplication::focusWidget(), slider); // so that the next keys step
+    QTRY_COMPARE(QApplication::focusWidget(), slider); // so that the next keys step
     const std::uint64_t cycle = debugger.time().cycle;
     const auto shows = [&](std::uint64_t wanted) {
         return debugger.time().cycle == wanted && !page.robot(2)->figures.replay->seeking &&

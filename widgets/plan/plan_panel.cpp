@@ -10,7 +10,6 @@
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include "core/posh/language/plan_reader.h"
@@ -136,19 +135,13 @@ void PlanPanel::showTree() {
     }
     side_->setVisible(!empty);
     time_bar_->setVisible(!empty);
-    if (slider_waits_ && !empty)
-        QTimer::singleShot(0, this, &PlanPanel::giveFocusBack); // when the slider knows the plan's moments
+    if (!empty && std::exchange(slider_waits_, false) && view_->hasFocus()) {
+        QSlider* const slider = time_bar_->slider();
+        slider->setEnabled(true); // it may not know the plan's moments yet, and a disabled one takes no focus
+        slider->setFocus();
+    }
     showRunning();
     search(search_->text());
-}
-
-/// A replay that is wound back empties the tree once more before its plan comes; the slider then waits on.
-void PlanPanel::giveFocusBack() {
-    if (view_->tree().empty() || !std::exchange(slider_waits_, false) || !view_->hasFocus())
-        return;
-    QSlider* const slider = time_bar_->slider();
-    slider->setEnabled(true); // it may not know the moments yet, and a disabled one takes no focus
-    slider->setFocus();
 }
 
 QBoxLayout* PlanPanel::makeSearchRow() {

@@ -99,7 +99,6 @@ private:
     /// Switches between the narrow and the wide layout.
     void arrange();
     void showTree();
-    void giveFocusBack();
     void search(const QString& words);
     void showFound();
     void showRunning();
