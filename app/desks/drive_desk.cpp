@@ -73,7 +73,7 @@ void DriveDesk::wire() {
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { take(id, *update); });
     connect(&control_, &MissionControl::robotLinkChanged, this, &DriveDesk::refresh);
     connect(views_.driver, &widgets::ControlBadge::clicked, this, &DriveDesk::openDock);
-    connect(&gamepad_, &widgets::Gamepad::plugged, this,
+    connect(&gamepad_, &Gamepad::plugged, this,
             [this](const QString& name) { notices_.note("gamepad", tr("The gamepad %1 is plugged in.").arg(name)); });
 }
 
@@ -186,8 +186,8 @@ void DriveDesk::stopRobot() {
 }
 
 void DriveDesk::wireGamepad() {
-    connect(&gamepad_, &widgets::Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
-    connect(&gamepad_, &widgets::Gamepad::unplugged, this, [this](const QString& name) {
+    connect(&gamepad_, &Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
+    connect(&gamepad_, &Gamepad::unplugged, this, [this](const QString& name) {
         Stick& stick = asked_[static_cast<std::size_t>(HandSource::Gamepad)];
         if (!stick.centered())
             letGo(tr("the gamepad %1 was unplugged").arg(name));
@@ -195,15 +195,14 @@ void DriveDesk::wireGamepad() {
         say(HandSource::Gamepad);
         showGamepad();
     });
-    connect(&gamepad_, &widgets::Gamepad::plugged, this, &DriveDesk::showGamepad);
-    connect(&gamepad_, &widgets::Gamepad::stopPressed, this,
-            [this] { letGo(tr("the gamepad's stop button was pressed")); });
-    connect(&gamepad_, &widgets::Gamepad::takePressed, this, [this] { requestControl(!taken_); });
+    connect(&gamepad_, &Gamepad::plugged, this, &DriveDesk::showGamepad);
+    connect(&gamepad_, &Gamepad::stopPressed, this, [this] { letGo(tr("the gamepad's stop button was pressed")); });
+    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken_); });
     showGamepad();
 }
 
 void DriveDesk::showGamepad() {
-    if (!widgets::Gamepad::supported())
+    if (!Gamepad::supported())
         return views_.drive->setGamepad(tr("Gamepad: this program was built without SDL 2."));
     views_.drive->setGamepad(gamepad_.name().isEmpty() ? tr("Gamepad: none plugged in")
                                                        : tr("Gamepad: %1").arg(gamepad_.name()));

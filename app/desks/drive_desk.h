@@ -8,9 +8,9 @@
 #include <QTimer>
 
 #include "app/desks/desk.h"
+#include "app/host/gamepad.h"
 #include "core/mission/session/velocity_watch.h"
 #include "widgets/drive/drive_keys.h"
-#include "widgets/drive/gamepad.h"
 
 namespace usar::app {
 
@@ -32,7 +32,7 @@ public:
     bool taken() const { return taken_; }
     double speedShare() const;
     void setSpeedShare(double share);
-    widgets::Gamepad& gamepad() { return gamepad_; }
+    Gamepad& gamepad() { return gamepad_; }
 
 signals:
     /// Nobody can drive faster than the clock on the wall.
@@ -65,7 +65,7 @@ private:
     Selection& selection_;
     NoticeDesk& notices_;
     widgets::DriveKeys keys_;
-    widgets::Gamepad gamepad_;
+    Gamepad gamepad_;
     QTimer beat_;
     std::array<Stick, 3> asked_; ///< by source
     mission::VelocityWatch velocity_;

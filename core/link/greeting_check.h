@@ -6,7 +6,7 @@
 namespace usar::link {
 
 /// A line of the protocol is a type word of letters, digits and underscores, followed by nothing or by a segment
-/// (usarsim-protocol 1.1). One such line with a segment proves that this is USARSim. Until then, control bytes, a known
+/// (protocol.md 1.1). One such line with a segment proves that this is USARSim. Until then, control bytes, a known
 /// greeting of another protocol (HTTP, SSH, SMTP …) or three lines of another shape prove that it is not; a single
 /// garbled line does not. Plain class, one per connection, reset for the next.
 class GreetingCheck {

@@ -64,7 +64,7 @@ public:
 
 signals:
     void statusChanged(const usar::link::ImageStatus& status);
-    /// `data` is a JPEG file, or for ImageType::Raw the pixels as usarsim-protocol 6.1 packs them.
+    /// `data` is a JPEG file, or for ImageType::Raw the pixels as protocol.md 6.1 packs them.
     void frameReceived(usar::link::ImageType type, const QByteArray& data);
 
 private:

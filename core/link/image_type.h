@@ -1,4 +1,4 @@
-// Packing of an image server's frame (usarsim-protocol 6.1).
+// Packing of an image server's frame (protocol.md 6.1).
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ struct CommandRule {
     std::span<const SegmentRule> segments;
 };
 
-/// Every command of usarsim-protocol 5 and the additional ones of our own server.
+/// Every command of protocol.md 5 and the additional ones of our own server.
 std::span<const CommandRule> commandRules();
 
 /// A suggestion; `text` is to replace the bytes [from, cursor) of the line.

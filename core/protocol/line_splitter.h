@@ -12,7 +12,7 @@ namespace usar::protocol {
 /// reading continues after it. Each connection owns one splitter and uses it in its own thread.
 class LineSplitter {
 public:
-    /// 4 MiB. No server limits its lines, and depth images reach hundreds of kilobytes (usarsim-protocol 1.1).
+    /// 4 MiB. No server limits its lines, and depth images reach hundreds of kilobytes (protocol.md 1.1).
     static constexpr std::size_t default_cap_bytes = 4u << 20;
 
     explicit LineSplitter(std::size_t cap_bytes = default_cap_bytes);

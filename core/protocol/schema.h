@@ -18,7 +18,7 @@ namespace usar::protocol {
 enum class Crossing { None, Vector, Angles, Turn, Planar };
 
 /// Unreal rounds to two decimals when it prints a bare float or a whole vector, and truncates when its formatter prints
-/// four decimals (usarsim-protocol 1.7).
+/// four decimals (protocol.md 1.7).
 enum class Decimals { TwoRounded, FourCut };
 
 /// One segment and the member that holds its value. `key` is its key on the wire, `other_key` the key in other versions

@@ -22,7 +22,7 @@ struct Segment {
 };
 
 /// A tokenized line. Segments are an ordered list and never a map: repeated keys are normal, and a segment belongs to
-/// the last group-opening key before it (usarsim-protocol 1.4). All texts are views into the line given to `read`,
+/// the last group-opening key before it (protocol.md 1.4). All texts are views into the line given to `read`,
 /// which must outlive their use. Reuse the object, so that reading allocates nothing in steady state.
 class Segments {
 public:
@@ -56,7 +56,7 @@ private:
 };
 
 /// Splits the value of a Name segment that holds several pairs, `{Name F1 Range 4.5604}`. The syntax does not
-/// distinguish it from a value with spaces, but the rule of usarsim-protocol 1.4 does: the key is Name, a positive even
+/// distinguish it from a value with spaces, but the rule of protocol.md 1.4 does: the key is Name, a positive even
 /// number of words follows the first, and the second word begins with a letter. All texts are views into the line.
 class NamedPairs {
 public:

@@ -1,4 +1,4 @@
-// Decides when a robot under TRACE leaves its next mark (usarsim-protocol 5.6).
+// Decides when a robot under TRACE leaves its next mark (protocol.md 5.6).
 #pragma once
 
 #include <optional>

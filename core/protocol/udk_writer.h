@@ -1,4 +1,4 @@
-// Converts values to info lines as a UDK server sends them (usarsim-protocol 7): one line per sensor, with UDK's order
+// Converts values to info lines as a UDK server sends them (protocol.md 7): one line per sensor, with UDK's order
 // and decimals.
 #pragma once
 

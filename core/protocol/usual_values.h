@@ -6,7 +6,7 @@
 
 namespace usar::protocol {
 
-/// TCP ports (protocol.md 1.1 and 6; USARBot.ini and the servers' own defaults).
+/// TCP ports (protocol.md 2.1).
 namespace usual_port {
 inline constexpr std::uint16_t bot = 3000;
 inline constexpr std::uint16_t image = 5003;

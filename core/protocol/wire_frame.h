@@ -1,6 +1,6 @@
 // The only conversion between the protocol's frame and ours. On the wire x is forward, y RIGHT, z DOWN, yaw clockwise,
 // and a positive pitch lifts the nose; internally we follow REP-103 (see core/base/geometry.h). The two frames differ
-// by half a turn about x: y, z, pitch and yaw change sign, x and roll do not (usarsim-protocol 3). The conversion is
+// by half a turn about x: y, z, pitch and yaw change sign, x and roll do not (protocol.md 3). The conversion is
 // its own inverse.
 #pragma once
 

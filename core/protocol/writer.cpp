@@ -231,7 +231,7 @@ void writeInto(LineWriter& line, const Response& response) {
     }
     if (response.parts.empty()) {
         line.segment("Name", response.name);
-        const bool of_tags = std::string_view(response.type).starts_with("RFID"); // usarsim-protocol 4.8
+        const bool of_tags = std::string_view(response.type).starts_with("RFID"); // protocol.md 4.8
         line.segment(of_tags ? "status" : "Status", response.ok ? "OK" : "Failed");
     }
     if (response.tag_id)

@@ -7,7 +7,7 @@
 
 namespace usar::protocol {
 
-/// Appends the line for `message` to `out`, without CR LF. Decimals follow usarsim-protocol 1.7: vectors and the Time
+/// Appends the line for `message` to `out`, without CR LF. Decimals follow protocol.md 1.7: vectors and the Time
 /// of STA and RangeScanner have 2 decimals; formatted floats have 4, truncated toward zero. Angles of INS and
 /// GroundTruth are in [0, 2 pi); the battery is in whole seconds, rounded down. A Setting without text is written as
 /// its number. Reading the line gives the value back to within those decimals.

@@ -1,4 +1,4 @@
-// Framing of what a robot sends on a data link of the ComServer (usarsim-protocol 6.3): "SEND 5 hello;" and "CLOSE;".
+// Framing of what a robot sends on a data link of the ComServer (protocol.md 6.3): "SEND 5 hello;" and "CLOSE;".
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The ComServerInterface (usarsim-protocol 6.4): tells an external wireless server where the radios are and how many
+// The ComServerInterface (protocol.md 6.4): tells an external wireless server where the radios are and how many
 // obstacles stand between them.
 #pragma once
 

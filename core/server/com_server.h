@@ -1,4 +1,4 @@
-// The ComServer, the older radio server inside the game (usarsim-protocol 6.3): plain words, each request ended by a
+// The ComServer, the older radio server inside the game (protocol.md 6.3): plain words, each request ended by a
 // semicolon.
 #pragma once
 

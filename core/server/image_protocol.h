@@ -1,4 +1,4 @@
-// The messages of the image server's protocol (usarsim-protocol 6.1), as values and as bytes.
+// The messages of the image server's protocol (protocol.md 6.1), as values and as bytes.
 #pragma once
 
 #include <cstdint>

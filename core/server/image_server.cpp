@@ -45,7 +45,7 @@ ImageServer::ImageServer(Look look, const ImageServerOptions& options, QObject* 
     thread_.setObjectName("pictures");
     maker_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, maker_, &QObject::deleteLater);
-    connectAcross(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
+    link::connectAcross(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
     thread_.start(QThread::LowPriority); // Simulation ticks take precedence.
 }
 
@@ -53,8 +53,8 @@ ImageServer::~ImageServer() {
     for (const auto& [id, viewer] : viewers_)
         viewer->socket->disconnect(this);
     maker_->giveUp();
-    post(maker_, [this] { thread_.quit(); }); // Runs in the maker's thread, which then deletes the maker.
-    thread_.wait();                           // Waits for at most one picture.
+    link::post(maker_, [this] { thread_.quit(); }); // Runs in the maker's thread, which then deletes the maker.
+    thread_.wait();                                 // Waits for at most one picture.
 }
 
 Result<quint16> ImageServer::listen(quint16 port) {
@@ -126,7 +126,7 @@ void ImageServer::serve(Viewer& viewer) {
     const auto camera = choiceFor(*scene, viewer.socket->peerAddress());
     const PictureOrder order{viewer.id, std::move(scene), camera, viewer.waiting.front(), options_.type};
     viewer.waiting.pop_front();
-    post(maker_, [maker = maker_, order] { maker->make(order); });
+    link::post(maker_, [maker = maker_, order] { maker->make(order); });
 }
 
 void ImageServer::send(quint64 id, const QByteArray& frame) {

@@ -1,4 +1,4 @@
-// The image server: serves pictures of a simulation's cameras over loopback TCP, one per request (usarsim-protocol
+// The image server: serves pictures of a simulation's cameras over loopback TCP, one per request (protocol.md
 // 6.1).
 #pragma once
 

@@ -1,4 +1,4 @@
-// The wireless simulation server, WSS (usarsim-protocol 6.2): reports signal strengths, and ports through which other
+// The wireless simulation server, WSS (protocol.md 6.2): reports signal strengths, and ports through which other
 // robots are reached.
 #pragma once
 

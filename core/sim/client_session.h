@@ -24,7 +24,7 @@ namespace usar::sim {
 
 /// Commands wait in order for the next tick. In lockstep, those after a STEP wait for the tick after it, so that the
 /// time of their arrival cannot change what happens. GETSTARTPOSES and LOCKSTEP are obeyed at once, so that a paused
-/// server answers. At most one query of each kind is pending, and the newest wins (usarsim-protocol 5.4). Owned by a
+/// server answers. At most one query of each kind is pending, and the newest wins (protocol.md 5.4). Owned by a
 /// Simulation; `world` must outlive it.
 class ClientSession {
 public:

@@ -6,7 +6,7 @@
 namespace usar::sim {
 
 /// Multiplicative noise: a range r reads r (1 + N(0, sigma)), clamped to the sensor's limits; a miss reads the maximum
-/// without noise (robots-and-worlds 4.1). Each sensor owns one, with its own random stream.
+/// without noise (robots-and-worlds.md 4.1). Each sensor owns one, with its own random stream.
 class RangeNoise {
 public:
     RangeNoise(double sigma, Random random) : sigma_(sigma), random_(random) {}

@@ -1,5 +1,5 @@
 // Signal strength of one robot's radio at another's: path loss over the distance, minus the loss at what stands in
-// between (usarsim-protocol 6.2).
+// between (protocol.md 6.2).
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ inline constexpr Seconds survey_battery_life{86400.0};
 struct SimulationOptions {
     std::uint64_t seed = 1;
     /// How the server speaks. UDK answers each query at once, sends each sensor on a line of its own and usually ticks
-    /// every 0.1 s (usarsim-protocol 7).
+    /// every 0.1 s (protocol.md 7).
     protocol::Dialect profile = protocol::Dialect::Ut2004;
     Seconds tick{0.2};                            ///< message tick; 0.2 s is UT2004's
     int physics_steps_per_tick = 50;              ///< 250 Hz by default

@@ -1,4 +1,4 @@
-// Obeys CONTROL: creates, moves and removes objects while the simulation runs (usarsim-protocol 5.8).
+// Obeys CONTROL: creates, moves and removes objects while the simulation runs (protocol.md 5.8).
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 
 namespace usar::airrobot {
 
-/// All values are in SI units. [T] marks values from the thesis (4.1, robots-and-worlds 3.1) and [SD] those from the
+/// All values are in SI units. [T] marks values from the thesis (4.1, robots-and-worlds.md 3.1) and [SD] those from the
 /// later client built on it; the others were tuned in the world tall_test. Copied by value: new parameters take effect
 /// at the next tick. parameterSpecs has the limits and a help text for each.
 struct Settings {

@@ -18,7 +18,7 @@ struct JointNames {
     protocol::Token knee;
 };
 
-/// The joint names of the embedded simulator (robots-and-worlds 3.4); the names in UT2004 are unknown.
+/// The joint names of the embedded simulator (robots-and-worlds.md 3.4); the names in UT2004 are unknown.
 const JointNames& namesOf(Leg leg) {
     static const std::array<JointNames, 4> names{{{"LFLeg1", "LFLeg2", "LFLeg3"},
                                                   {"RFLeg1", "RFLeg2", "RFLeg3"},

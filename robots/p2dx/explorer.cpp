@@ -9,7 +9,7 @@ namespace usar::p2dx {
 
 namespace {
 
-// Dimensions of a stock P2DX (robots-and-worlds 3.2).
+// Dimensions of a stock P2DX (robots-and-worlds.md 3.2).
 constexpr double wheel_radius_m = 0.097;
 constexpr double wheel_separation_m = 0.337;
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double middle_rad = radians(10.0);
 constexpr double clearly_nearer = 0.8;
 
-/// The sonars of a stock P2DX from left to right (robots-and-worlds 3.2).
+/// The sonars of a stock P2DX from left to right (robots-and-worlds.md 3.2).
 struct SonarMount {
     const char* name;
     double yaw_rad;

@@ -7,7 +7,7 @@ namespace usar::submarine {
 
 namespace {
 
-// Values of a torpedo-shaped vehicle of REMUS-100 size (robots-and-worlds 3.3); masses include the water that moves
+// Values of a torpedo-shaped vehicle of REMUS-100 size (robots-and-worlds.md 3.3); masses include the water that moves
 // along.
 constexpr double mass_kg = 38.0;
 constexpr double heave_mass_kg = 72.5;

@@ -24,7 +24,7 @@ using namespace usar;
 
 constexpr int lines_per_tick = 10;
 
-/// One tick of a UT2004 server: ten lines with one scan, about 2.3 kB (usarsim-protocol 1.8).
+/// One tick of a UT2004 server: ten lines with one scan, about 2.3 kB (protocol.md 1.8).
 QByteArray oneTick() {
     QByteArray tick =
         "SEN {Time 395.38} {Type RangeScanner} {Name Scanner1} {Resolution 0.0174} {FOV 3.1415} {Range 1.5";

@@ -38,7 +38,7 @@ std::vector<std::string> scanLines() {
     return lines;
 }
 
-/// In the order of a tick (usarsim-protocol 1.8): sonars, scanner, INS, odometry, encoders, ground truth, GPS, a
+/// In the order of a tick (protocol.md 1.8): sonars, scanner, INS, odometry, encoders, ground truth, GPS, a
 /// package, state.
 std::vector<std::string> trafficLines() {
     Random random = seeded(1, 2);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double resolution_rad = pi / 180.0;
 
-/// Belly scanner: x axis down, scan plane across track (robots-and-worlds 3.1).
+/// Belly scanner: x axis down, scan plane across track (robots-and-worlds.md 3.1).
 Pose bellyScanner(const Vec3& position_m, double yaw_rad = 0.0) {
     return {position_m, 0.0, pi / 2.0, yaw_rad};
 }

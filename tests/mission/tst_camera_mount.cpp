@@ -93,7 +93,7 @@ void tst_CameraMount::onlyTheNewestSetOfAKindWaits() {
     mount.zoomTo(1.2);
     const auto set = mount.next();
     QVERIFY(set && std::holds_alternative<protocol::ZoomCamera>(*set));
-    QCOMPARE(std::get<protocol::ZoomCamera>(*set).fov_rad, 1.2);
+    QCOMPARE(std::get<protocol::ZoomCamera>(*set).field_of_view_rad, 1.2);
     QVERIFY(!mount.next());
 }
 

@@ -86,7 +86,11 @@ void tst_TaskDrafts::areasGoWithTheirWorld() {
 }
 
 void tst_TaskDrafts::anotherBehaviorBeginsWithItsOwnValues() {
-    TaskDraft draft{.behavior_id = "one", .plan_path = "a.lap", .area_in_map = area, .values = {{"speed", 2.0}}};
+    TaskDraft draft;
+    draft.behavior_id = "one";
+    draft.plan_path = "a.lap";
+    draft.area_in_map = area;
+    draft.values = {{"speed", 2.0}};
     draft.choose("one");
     QVERIFY(draft.plan_path == "a.lap" && draft.values.size() == 1);
     draft.choose("two");

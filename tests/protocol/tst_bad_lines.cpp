@@ -1,4 +1,4 @@
-// What becomes of malformed info lines: each row of usarsim-protocol 1.6 and 1.7, and a hostile server.
+// What becomes of malformed info lines: each row of protocol.md 1.6 and 1.7, and a hostile server.
 #include <QTest>
 
 #include <cmath>

@@ -255,7 +255,7 @@ void tst_CommandReader::mendsWhatServersTolerate_data() {
                             << diagnostics;
     };
     const auto skid = [](double left_rad_s) { return SkidDrive{.left_rad_s = left_rad_s}; };
-    // The rows of usarsim-protocol 1.6.
+    // The rows of protocol.md 1.6.
     row("unknown type word", "HOVER {Left 1}", RawCommand{"HOVER {Left 1}"}, 0);
     row("unknown segment", "DRIVE {Left 1} {Mood good}", skid(1), 0);
     row("repeated key: the first wins", "DRIVE {Left 1} {Left 2}", skid(1), 0);

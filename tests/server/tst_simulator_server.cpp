@@ -20,7 +20,6 @@
 namespace tst_simulator_server {
 
 using namespace usar;
-using namespace usar::link;
 using namespace usar::server;
 
 namespace {

@@ -8,7 +8,7 @@
 namespace usar::doubles {
 
 /// Terrain and boxes as Bullet knows them, trunks as capped cylinders, round crowns as spheres. Cones are left out:
-/// Bullet gives them a margin of centimetres (robots-and-worlds, section 6). The world must outlive it.
+/// Bullet gives them a margin of centimetres (robots-and-worlds.md, section 6). The world must outlive it.
 class BulletRays {
 public:
     explicit BulletRays(const sim::World& world);

@@ -141,7 +141,7 @@ void tst_SensorNoise::followsItsLaw_data() {
         [](const GpsReading& r) { return (degrees(*r.latitude_rad) - GpsReference{}.latitude_deg) * 111'200.0; });
     const Value west = valueOf<GpsReading>(
         [](const GpsReading& r) { return -(degrees(*r.longitude_rad) - GpsReference{}.longitude_deg) * 71'670.0; });
-    // 0.07 % of the range (robots-and-worlds 4.1), at 4 m
+    // 0.07 % of the range (robots-and-worlds.md 4.1), at 4 m
     QTest::newRow("IR") << "IR" << 8.0 << range << 4.0 << 0.0028;
     QTest::newRow("single ray") << "Range" << 8.0 << range << 4.0 << 0.0028;
     QTest::newRow("range scanner, a beam") << "RangeScanner" << 20.0 << beam << 4.0 << 0.0028;

@@ -57,7 +57,7 @@ struct Udk {
 
 } // namespace
 
-/// usarsim-protocol 7, row by row.
+/// protocol.md 7, row by row.
 class tst_UdkProfile : public QObject {
     Q_OBJECT
 

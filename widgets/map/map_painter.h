@@ -11,7 +11,7 @@
 
 namespace usar::widgets {
 
-/// Each layer has one opacity. Dense layers are images or thin separate segments, never one thick polyline (gui.md
+/// Each layer has one opacity. Dense layers are images or thin separate segments, never one thick polyline (window.md
 /// section 6). GUI thread; everything passed to the constructor must outlive the painter.
 class MapPainter {
 public:

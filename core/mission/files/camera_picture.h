@@ -9,7 +9,7 @@
 
 namespace usar::mission {
 
-/// Decodes the data of a frame, JPEG or raw (usarsim-protocol 6.1). Data that cannot be read, or a picture larger than
+/// Decodes the data of a frame, JPEG or raw (protocol.md 6.1). Data that cannot be read, or a picture larger than
 /// 4096 pixels a side, is an error.
 Result<QImage> cameraPictureOf(link::ImageType type, const QByteArray& data);
 

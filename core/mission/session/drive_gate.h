@@ -9,7 +9,7 @@
 
 namespace usar::mission {
 
-/// Passes at most one DRIVE of each kind (and of each joint) per 50 ms of protocol time (usarsim-protocol 9.2: about 20
+/// Passes at most one DRIVE of each kind (and of each joint) per 50 ms of protocol time (protocol.md 9.2: about 20
 /// Hz) and keeps only the newest meanwhile. Terms that a newer command leaves out are taken from the one that it
 /// replaces, because a server keeps them too; an AckermannDrive is completed from all earlier ones, because UDK accepts
 /// it only complete.

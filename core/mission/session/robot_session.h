@@ -38,7 +38,7 @@ struct SpawnRequest {
 struct SessionLimits {
     link::LinkLimits link;
     Seconds greeting{5.0};               ///< wall: no start poses after connecting
-    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (usarsim-protocol 2.4)
+    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
     Seconds stale{2.0};                  ///< wall: silence of a spawned robot
     Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
     Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released

@@ -8,7 +8,7 @@ namespace usar::mission {
 
 namespace {
 
-constexpr Seconds beat = DriveGate::spacing; // usarsim-protocol 9.2: DRIVE no more often than about 20 Hz.
+constexpr Seconds beat = DriveGate::spacing; // protocol.md 9.2: DRIVE no more often than about 20 Hz.
 constexpr Seconds shortest_silence{1.0};
 constexpr Seconds longest_spacing{3.0}; // Longest time between two STA, at the slowest speed of a simulator.
 

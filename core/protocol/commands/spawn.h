@@ -15,7 +15,7 @@
 
 namespace usar::protocol {
 
-/// The class of base stations of the radio network, which never send data (usarsim-protocol 2.4).
+/// The class of base stations of the radio network, which never send data (protocol.md 2.4).
 inline constexpr std::string_view station_class = "USARBot.ComStation";
 /// True for a station's class name, with or without the package, in any case.
 constexpr bool isStation(std::string_view class_name) {

@@ -63,7 +63,7 @@ struct ConfigurationInfo {
 };
 
 /// The result for one thing. `key` is Name, Config, Viewport1 …, `value` the text after it. A zoom of 0 resets a camera
-/// to its default angle but still reports Failed (usarsim-protocol 4.8).
+/// to its default angle but still reports Failed (protocol.md 4.8).
 struct ResponsePart {
     std::string key{};
     std::string value{};

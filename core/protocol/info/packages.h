@@ -12,7 +12,7 @@ namespace usar::protocol {
 
 /// The state of one joint. `value` is in rad for a revolute joint and in m for a prismatic one, positive along the
 /// joint's own axis. `torque_n_m` is a constant, the maximum torque with a minus sign (UT2004 only;
-/// usarsim-protocol 4.3).
+/// protocol.md 4.3).
 struct LinkState {
     long long link = 0; ///< from 1
     double value = 0.0;

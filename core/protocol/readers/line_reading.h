@@ -43,8 +43,8 @@ public:
         , pairs_(pairs) {}
 
     const Segments& segments() const { return segments_; }
-    /// All segments in order, except Type and Time. With `split_names`, `{Name F1 Range 4.5}` gives two pairs (1.4).
-    /// The result is valid until the next call.
+    /// All segments in order, except Type and Time. With `split_names`, `{Name F1 Range 4.5}` gives two pairs
+    /// (protocol.md 1.4). The result is valid until the next call.
     std::span<const KeyedText> pairs(bool split_names);
     /// Reports a problem; `part`, a view into the line, gives the place. Only the first `most_diagnostics` of a line
     /// are kept, so that a hostile line costs no more than an honest one.
@@ -52,7 +52,8 @@ public:
     void error(std::string_view part, std::string message);
 
     /// The number of the first segment with this key. Absent if the key is missing, and, with a warning, if the value
-    /// is not a plausible number. Junk after a number only gives a warning, because servers accept the number (1.6).
+    /// is not a plausible number. Junk after a number only gives a warning, because servers accept the number
+    /// (protocol.md 1.6).
     std::optional<double> number(std::string_view key);
     /// The same for a text that the caller has found; it must be a view into the line.
     std::optional<double> numberIn(std::string_view value);

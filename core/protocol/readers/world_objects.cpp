@@ -8,7 +8,7 @@ namespace usar::protocol {
 namespace {
 
 /// Splits the value of a Location segment into location and memory. The server's braces are malformed: `{Location x,y,z
-/// {Memory {m} {Rotation r,p,y}` (usarsim-protocol 5.8), so that the tokenizer returns Location and Memory as one
+/// {Memory {m} {Rotation r,p,y}` (protocol.md 5.8), so that the tokenizer returns Location and Memory as one
 /// segment.
 std::pair<std::string_view, std::string_view> splitMemory(std::string_view location) {
     const std::size_t brace = location.find('{');

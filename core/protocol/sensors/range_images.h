@@ -13,7 +13,7 @@ namespace usar::protocol {
 
 /// A scan by a scanner that turns about two axes. `resolution_rad` and `fov_rad` hold the vertical and then the
 /// horizontal value; ranges are in row-major order. No recording of this sensor is known, so the order within a row is
-/// kept as on the wire (usarsim-protocol 4.5).
+/// kept as on the wire (protocol.md 4.5).
 /// On the wire: `SEN {Time 1} {Type RangeScanner3D} {Name S} {Resolution 0.5,0.25} {FOV 1,0.5} {Range 1,2,3}`.
 struct Scan3d {
     std::optional<Seconds> time{};

@@ -26,7 +26,7 @@ struct AltitudeReading {
 };
 
 /// The heading as sent, without a unit: the server truncates the angle to an int and converts it twice
-/// (usarsim-protocol 4.5).
+/// (protocol.md 4.5).
 /// On the wire: `SEN {Time 1} {Type MagneticCompass} {Name c} {MagneticAngle 2}`.
 struct CompassReading {
     std::optional<Seconds> time{};

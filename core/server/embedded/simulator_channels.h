@@ -1,4 +1,4 @@
-// The servers of further channels beside a simulator's bot port (usarsim-protocol 6).
+// The servers of further channels beside a simulator's bot port (protocol.md 6).
 #pragma once
 
 #include <QMetaType>

@@ -1,4 +1,4 @@
-// The picture that the image server shows: the game's window (usarsim-protocol 6.1).
+// The picture that the image server shows: the game's window (protocol.md 6.1).
 #pragma once
 
 #include "core/sim/camera/camera_scene.h"

@@ -186,7 +186,7 @@ void NauticDrive::addTo(protocol::RobotState& state) const {
     state.joints.push_back({"RudderAngle", rudder_rad_});
 }
 
-/// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds 2).
+/// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds.md 2).
 void NauticDrive::addTo(std::vector<protocol::Setting>& settings) const {
     settings.insert(settings.end(), {{"MaxPropellerSpeed", "", hull_.propeller_limit_rad_s},
                                      {"MaxRudderAngle", "", hull_.rudder_limit_rad},

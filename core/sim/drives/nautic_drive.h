@@ -6,7 +6,8 @@
 
 namespace usar::sim {
 
-/// Figures of a torpedo-shaped hull along the base's x axis, after the published REMUS model (robots-and-worlds 3.3).
+/// Figures of a torpedo-shaped hull along the base's x axis, after the published REMUS model
+/// (robots-and-worlds.md 3.3).
 struct HullFigures {
     double radius_m = 0.095;
     double length_m = 1.6;

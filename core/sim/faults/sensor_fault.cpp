@@ -10,7 +10,7 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double metres_per_degree = 111'200.0; // See robots-and-worlds 4.8.
+constexpr double metres_per_degree = 111'200.0; // See robots-and-worlds.md 4.8.
 
 /// Adds the bias to anything that holds numbers.
 class Bias {

@@ -24,7 +24,7 @@ btTransform toBullet(const Pose& pose);
 BodyState bodyState(const btTransform& body_in_map, const btVector3& velocity_m_s, const btVector3& rate_rad_s);
 
 /// Owns shapes and objects; each object's user index is its Surface. One compound for all plants makes a step of an
-/// empty world six times cheaper than 4000 separate bodies (robots-and-worlds 6).
+/// empty world six times cheaper than 4000 separate bodies (robots-and-worlds.md 6).
 class BulletGround {
 public:
     /// `world` must outlive it: its heights are not copied.

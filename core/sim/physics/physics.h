@@ -1,5 +1,5 @@
 // Rigid bodies among a world's fixed parts: the interface that a physics engine implements. Map frame (z up), SI units.
-// No engine header is visible here; see robots-and-worlds 6 for the choice of Bullet.
+// No engine header is visible here; see robots-and-worlds.md 6 for the choice of Bullet.
 #pragma once
 
 #include <compare>

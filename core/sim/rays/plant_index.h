@@ -11,7 +11,7 @@
 
 namespace usar::sim {
 
-/// The buckets are 4 m wide (robots-and-worlds, section 6). A plant is copied into every bucket that its footprint
+/// The buckets are 4 m wide (robots-and-worlds.md, section 6). A plant is copied into every bucket that its footprint
 /// touches, so that a bucket is one run of memory. Independent of the plants it was built from; immutable afterwards.
 class PlantIndex {
 public:

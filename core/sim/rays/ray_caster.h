@@ -23,7 +23,7 @@ struct RayHit {
 };
 
 /// Double precision, map frame. About 4 million rays a second for the belly scanner on one core; tests compare it ray
-/// by ray with the physics engine (method and pitfalls: robots-and-worlds, section 6). Built once from a world that
+/// by ray with the physics engine (method and pitfalls: robots-and-worlds.md, section 6). Built once from a world that
 /// must outlive it. Immutable afterwards, so threads may share it.
 class RayCaster {
 public:

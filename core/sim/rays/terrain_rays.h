@@ -12,7 +12,7 @@
 
 namespace usar::sim {
 
-/// Uses height maxima over 16x16 cells (robots-and-worlds, section 6: 4 Mray/s against Bullet's 0.2), and finer and
+/// Uses height maxima over 16x16 cells (robots-and-worlds.md, section 6: 4 Mray/s against Bullet's 0.2), and finer and
 /// coarser ones for bundles. Watertight: the height of the ray above the ground is followed from cell edge to cell
 /// edge, so no ray slips between triangles. Built once from a terrain that must outlive it; immutable afterwards.
 class TerrainRays {

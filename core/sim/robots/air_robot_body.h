@@ -22,7 +22,7 @@ struct AirRobotSpawn {
 };
 
 /// Breaks on a contact of a rotor disc, on an impulse above 0.5 N s, and on touching down at 1 m/s or faster; then it
-/// falls without control (robots-and-worlds 3.1). It has landed when its legs are on the ground while it is told to
+/// falls without control (robots-and-worlds.md 3.1). It has landed when its legs are on the ground while it is told to
 /// sink: the motors then go idle until it is told to climb. `physics` must outlive it; belongs to one Simulation.
 class AirRobotBody {
 public:

@@ -1,4 +1,4 @@
-// The AirRobot's figures from robots-and-worlds 3.1, with the assumptions made there. SI units, body frame.
+// The AirRobot's figures from robots-and-worlds.md 3.1, with the assumptions made there. SI units, body frame.
 #pragma once
 
 #include <array>

@@ -106,7 +106,7 @@ void Robot::afterStep(Seconds dt) {
     discharge(dt);
 }
 
-/// Counts down the battery. Water ends the battery of a robot that was not made for it (usarsim-protocol 2.6).
+/// Counts down the battery. Water ends the battery of a robot that was not made for it (protocol.md 2.6).
 void Robot::discharge(Seconds dt) {
     if (!alive())
         return;

@@ -72,7 +72,7 @@ public:
     void beforeStep(Seconds dt);
     void afterStep(Seconds dt);
 
-    /// Appends the lines of a tick in UT2004's order (usarsim-protocol 9.1). The `first` tick brings only sensors that
+    /// Appends the lines of a tick in UT2004's order (protocol.md 9.1). The `first` tick brings only sensors that
     /// need no history.
     void measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out);
     /// With an empty battery a robot neither obeys nor answers.

@@ -26,7 +26,7 @@ struct SuiteBirth {
 
 /// Every sensor has a random stream of its own, so sensors and robots added later change nobody's noise. With the
 /// setting `every`, a sensor measures only at each n-th tick. UT2004's sensors measure at each tick, UDK's at intervals
-/// of their own (usarsim-protocol 1.8).
+/// of their own (protocol.md 1.8).
 class SensorSuite {
 public:
     /// Fails for a sensor that cannot be built. `robot` must outlive the suite.

@@ -13,7 +13,7 @@ public:
     void measure(const SensorView&, std::vector<protocol::InfoMessage>&) override {}
     std::vector<protocol::Setting> settings() const override;
     /// Zooms. 0 restores the default and yet reports Failed, as does an angle outside the limits, which is clamped
-    /// (usarsim-protocol 4.8).
+    /// (protocol.md 4.8).
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
     /// Settings as UDK reports them: in degrees, with the current angle, and the camera's place in the picture of an

@@ -6,7 +6,7 @@
 namespace usar::sim {
 
 /// Finds tags within `max_range` (2 m), even behind walls. Reports when the list has changed and is not empty
-/// (usarsim-protocol 9.1). SET Read and Write reach the tags on the last list.
+/// (protocol.md 9.1). SET Read and Write reach the tags on the last list.
 class RfidSensor : public Sensor {
 public:
     using Sensor::Sensor;

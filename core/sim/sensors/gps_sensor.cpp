@@ -45,7 +45,7 @@ void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
         const double share = static_cast<double>(seen - satellites_for_fix) / (satellites_in_sky - satellites_for_fix);
         const double sigma_m = noise_ ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
         const auto error_m = [&] { return sigma_m > 0.0 ? gaussian(random_, sigma_m) : 0.0; };
-        // The map's x points north and its y west; the wire's y points east (usarsim-protocol 3).
+        // The map's x points north and its y west; the wire's y points east (protocol.md 3).
         reading.latitude_rad =
             radians(view.world.gps_reference.latitude_deg + (at_m.x() + error_m()) / meters_per_degree_north);
         reading.longitude_rad =

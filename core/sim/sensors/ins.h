@@ -1,4 +1,5 @@
-// The inertial navigation sensor: a pose estimate that drifts with the distance traveled. Model: robots-and-worlds 4.4.
+// The inertial navigation sensor: a pose estimate that drifts with the distance traveled. Model:
+// robots-and-worlds.md 4.4.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ private:
     Seconds scan_interval_;
 };
 
-/// Dead reckoning from two wheels. Their slip is the only error (robots-and-worlds 4.6). Settings: wheel_radius,
+/// Dead reckoning from two wheels. Their slip is the only error (robots-and-worlds.md 4.6). Settings: wheel_radius,
 /// wheel_separation (m); the words left and right name the joints of the wheels. RESET sets the pose to 0.
 class OdometrySensor : public Sensor {
 public:
@@ -53,7 +53,7 @@ private:
 };
 
 /// A running count of a joint's angle in steps of `resolution` (rad), with each increment off by a share of `sigma`.
-/// With a `sign` of -1 it counts down when the wheel rolls forward, as the P2DX's encoders do (usarsim-protocol 4.5).
+/// With a `sign` of -1 it counts down when the wheel rolls forward, as the P2DX's encoders do (protocol.md 4.5).
 /// RESET sets it to 0.
 class EncoderSensor : public Sensor {
 public:
@@ -111,8 +111,8 @@ public:
     std::vector<protocol::Setting> settings() const override;
 };
 
-/// Model (robots-and-worlds 4.8): twelve satellites above the horizon, each received if the sky toward it is open. Four
-/// give a fix with a noise of 0.83 m, twelve one of 0.25 m.
+/// Model (robots-and-worlds.md 4.8): twelve satellites above the horizon, each received if the sky toward it is open.
+/// Four give a fix with a noise of 0.83 m, twelve one of 0.25 m.
 class GpsSensor : public Sensor {
 public:
     GpsSensor(const SensorModel& model, const SensorBirth& birth);

@@ -1,4 +1,4 @@
-// A line scanner: a fan of single rays. Model: robots-and-worlds 4.1.
+// A line scanner: a fan of single rays. Model: robots-and-worlds.md 4.1.
 #pragma once
 
 #include <string>

@@ -6,8 +6,8 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double scanner_sigma = 0.0007; // See robots-and-worlds 4.1.
-constexpr double sonar_sigma = 0.001;    // See robots-and-worlds 4.2.
+constexpr double scanner_sigma = 0.0007; // See robots-and-worlds.md 4.1.
+constexpr double sonar_sigma = 0.001;    // See robots-and-worlds.md 4.2.
 
 double sigmaOf(const SensorModel& model, const SensorBirth& birth, double usual) {
     return birth.noise ? numberOr(model.numbers, "sigma", usual) : 0.0;

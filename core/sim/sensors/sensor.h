@@ -46,7 +46,7 @@ public:
     /// Appends its line to `out`, or adds its part to the last line there if that is of its type (UT2004 puts all
     /// sensors of a simple type into one line). Adds nothing if there is nothing to report.
     virtual void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) = 0;
-    /// False for sensors that already report at the first tick after INIT (usarsim-protocol 2.4).
+    /// False for sensors that already report at the first tick after INIT (protocol.md 2.4).
     virtual bool needsHistory() const { return true; }
     /// Its settings as CONF reports them.
     virtual std::vector<protocol::Setting> settings() const = 0;
@@ -80,7 +80,7 @@ Readings& lineIn(std::vector<protocol::InfoMessage>& out) {
 /// Makes the sensor of the model's type. Fails if the simulator has no such type, or if the settings make no sense.
 Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const SensorBirth& birth);
 
-/// The position of a type in the order of a tick (usarsim-protocol 9.1). Types that are not named there come between
+/// The position of a type in the order of a tick (protocol.md 9.1). Types that are not named there come between
 /// GPS and the packages.
 int orderOf(std::string_view type);
 

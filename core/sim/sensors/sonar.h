@@ -1,4 +1,4 @@
-// One sonar: the nearest thing in a cone of rays. Model: robots-and-worlds 4.2.
+// One sonar: the nearest thing in a cone of rays. Model: robots-and-worlds.md 4.2.
 #pragma once
 
 #include <string>

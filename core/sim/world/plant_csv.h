@@ -10,8 +10,8 @@
 namespace usar::sim {
 
 /// Reads columns kind (`round` or `cone`: the crown), x, y, z of the base, trunk radius and height, crown radius and
-/// height; meters, map frame, one plant per line after the heading line (robots-and-worlds, section 5). Empty lines are
-/// skipped. An error names the first line that is wrong.
+/// height; meters, map frame, one plant per line after the heading line (robots-and-worlds.md, section 5). Empty lines
+/// are skipped. An error names the first line that is wrong.
 Result<std::vector<Plant>> readPlantCsv(const std::filesystem::path& file);
 /// Writes the same format. The numbers read back exactly.
 Result<void> writePlantCsv(const std::vector<Plant>& plants, const std::filesystem::path& file);

@@ -102,7 +102,7 @@ struct GasSource {
 
 /// Position of the map's origin on Earth; the map's x axis points north. Degrees, north and east positive, as in files
 /// and on the wire, because the GPS sensor counts meters per degree. The default is that of the original simulator
-/// (robots-and-worlds, 4.8).
+/// (robots-and-worlds.md, 4.8).
 struct GpsReference {
     double latitude_deg = 39.0 + 8.0273 / 60.0;
     double longitude_deg = -(77.0 + 12.998 / 60.0);

@@ -8,7 +8,7 @@
 namespace usar::sim {
 
 /// Fractional Brownian motion of value noise: each octave has half the wavelength and half the amplitude of the one
-/// before (robots-and-worlds, section 5). Random lattice values come from a hash of the seed, so points can be
+/// before (robots-and-worlds.md, section 5). Random lattice values come from a hash of the seed, so points can be
 /// evaluated in any order. The absolute value is below 2 * amplitude_m.
 struct FractalNoise {
     std::uint64_t seed = 0;

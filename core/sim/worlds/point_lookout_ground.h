@@ -10,8 +10,8 @@
 
 namespace usar::sim {
 
-/// Follows the thesis's ONS-PointLookout as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A pure
-/// function of seed and point; map frame, meters, the sea's surface at 0.
+/// Follows the thesis's ONS-PointLookout as robots-and-worlds.md, section 5, reconstructs it; all sizes are ours. A
+/// pure function of seed and point; map frame, meters, the sea's surface at 0.
 class PointLookoutGround {
 public:
     explicit PointLookoutGround(std::uint64_t seed);

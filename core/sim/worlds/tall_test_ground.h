@@ -9,8 +9,8 @@
 
 namespace usar::sim {
 
-/// Follows the thesis's DM-TallTestWorld as robots-and-worlds, section 5, reconstructs it; all sizes are ours. A pure
-/// function of seed and point; map frame, meters.
+/// Follows the thesis's DM-TallTestWorld as robots-and-worlds.md, section 5, reconstructs it; all sizes are ours. A
+/// pure function of seed and point; map frame, meters.
 class TallTestGround {
 public:
     explicit TallTestGround(std::uint64_t seed);

@@ -7,7 +7,7 @@
 
 namespace usar::sim {
 
-/// Follows robots-and-worlds, section 5, "Procedural equivalents 2": floor, walls, ceiling, six pillars and nine
+/// Follows robots-and-worlds.md, section 5, "Procedural equivalents 2": floor, walls, ceiling, six pillars and nine
 /// shelves, all boxes. The seed determines how high the shelves are and what is on them. Six RFID tags, two victims
 /// with their gas, and an alarm are there for the sensors of ground robots.
 World makeVmacRoom(std::uint64_t seed);

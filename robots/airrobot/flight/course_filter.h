@@ -8,12 +8,12 @@
 
 namespace usar::airrobot {
 
-/// The INS adds noise to each turn, so its heading drifts by about one degree per right angle (robots-and-worlds 4.4),
-/// which misplaces a scan at 19 m by a third of a meter per degree. Its position does not depend on its heading.
-/// Therefore, after the commanded velocity (robot frame) has been steady for a while, the direction of the INS's
-/// displacement minus the commanded direction is the true heading, with a noise of 3 degrees per tick. This is a Kalman
-/// filter with one state, the correction; turns increase its variance. It does not use ground truth. Owned by one
-/// robot.
+/// The INS adds noise to each turn, so its heading drifts by about one degree per right angle
+/// (robots-and-worlds.md 4.4), which misplaces a scan at 19 m by a third of a meter per degree. Its position does not
+/// depend on its heading. Therefore, after the commanded velocity (robot frame) has been steady for a while, the
+/// direction of the INS's displacement minus the commanded direction is the true heading, with a noise of 3 degrees per
+/// tick. This is a Kalman filter with one state, the correction; turns increase its variance. It does not use ground
+/// truth. Owned by one robot.
 class CourseFilter {
 public:
     /// Takes an INS reading and the velocity that is commanded now. Call it for every reading; it skips readings that

@@ -10,7 +10,7 @@
 namespace usar::airrobot {
 
 /// Poses in the map frame by protocol time. On some servers a scan is one tick older than the other readings with it
-/// (usarsim-protocol 1.8), so it must be placed where the robot was then. Keeps the poses of the last `span`.
+/// (protocol.md 1.8), so it must be placed where the robot was then. Keeps the poses of the last `span`.
 class PoseHistory {
 public:
     explicit PoseHistory(Seconds span = Seconds(2.0)) : span_(span) {}

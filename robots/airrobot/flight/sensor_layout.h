@@ -31,8 +31,8 @@ struct SensorLayout {
     bool operator==(const SensorLayout&) const = default;
 };
 
-/// Returns the stock AirRobot of robots-and-worlds 3.1: nine sonars, every 18 degrees on a ring with a radius of 0.5 m,
-/// and the scanner under the belly, which looks straight down across the direction of flight.
+/// Returns the stock AirRobot of robots-and-worlds.md 3.1: nine sonars, every 18 degrees on a ring with a radius of 0.5
+/// m, and the scanner under the belly, which looks straight down across the direction of flight.
 SensorLayout stockLayout();
 
 /// Each of these stores the values of an answer in `layout` and leaves the rest unchanged. Returns false if the answer

@@ -33,7 +33,7 @@ private:
 };
 
 /// Returns the greatest speed at which the robot, braking with `braking_m_s2` after `latency_s`, stops within `free_m`
-/// (robots-and-worlds 7: v <= sqrt(2 a r), extended by the delay of a sense-act cycle).
+/// (robots-and-worlds.md 7: v <= sqrt(2 a r), extended by the delay of a sense-act cycle).
 double stoppingSpeed_m_s(double free_m, double braking_m_s2, double latency_s = 0.4);
 
 } // namespace usar::airrobot

@@ -1,7 +1,7 @@
 // Without SDL 2 in the build: there is never a gamepad.
-#include "widgets/drive/gamepad.h"
+#include "app/host/gamepad.h"
 
-namespace usar::widgets {
+namespace usar::app {
 
 class Gamepad::Reader {};
 
@@ -15,4 +15,4 @@ bool Gamepad::supported() {
 
 void Gamepad::start() {}
 
-} // namespace usar::widgets
+} // namespace usar::app

@@ -8,11 +8,11 @@
 
 #include <QThread>
 
+#include "app/host/gamepad.h"
 #include "core/link/across_threads.h"
 #include "core/mission/hand/stick_shaper.h"
-#include "widgets/drive/gamepad.h"
 
-namespace usar::widgets {
+namespace usar::app {
 
 namespace {
 
@@ -151,4 +151,4 @@ void Gamepad::start() {
         reader_ = std::make_unique<Reader>(*this);
 }
 
-} // namespace usar::widgets
+} // namespace usar::app

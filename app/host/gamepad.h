@@ -8,7 +8,7 @@
 
 #include "core/base/stick.h"
 
-namespace usar::widgets {
+namespace usar::app {
 
 /// By SDL's mappings, so that buttons and sticks are where they are on every pad. The left stick drives and turns, the
 /// right one goes sideways, up and down; both have a dead zone. Read in a thread of its own; signals come in the thread
@@ -41,4 +41,4 @@ private:
     QString name_;
 };
 
-} // namespace usar::widgets
+} // namespace usar::app
