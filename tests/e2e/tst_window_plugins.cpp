@@ -267,7 +267,7 @@ void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage() {
     QVERIFY(startFlight(page, "faulty/none")); // the other one, in this process
     QVERIFY(page.spawnAt(page.map().content().start_poses.back().name));
     page.window().views().behavior->chooseBehavior(behavior);
-    page.window().views().parameters->setValues({{"ticks", 7LL}});
+    QVERIFY(page.typeParameter("ticks", "7"));
     if (isolated)
         isolationBox(page)->click();
     QVERIFY(!page.window().commands().action("mission.start_again")->isEnabled());
@@ -280,7 +280,7 @@ void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage() {
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("The behavior " + QString::fromStdString(behavior)).isEmpty(), soon_ms);
     QVERIFY(!page.robot(2)->figures.behavior_running);
     page.pressKey(Qt::Key_1); // to another robot, with another behavior's form: the offer is for whom it names
-    page.window().views().parameters->setValues({{"ticks", 3LL}});
+    QVERIFY(page.typeParameter("ticks", "3"));
     QCOMPARE(page.window().selectedRobot(), 1);
 
     const Seconds then = page.robot(2)->figures.now;
@@ -461,7 +461,7 @@ void tst_WindowPlugins::whatIsSetUpOutlivesABuildOfAnIsolatedPlugin() {
     writeOver(folder.filePath("robot.so"), slow);
     WindowPage page({.plugin_folders = {folder.path()}, .settings_folder = settings.path()});
     QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"Idle at last"}, soon_ms);
-    page.window().views().parameters->setValues({{"speed_m_s", 0.5}});
+    QVERIFY(page.typeParameter("speed_m_s", "0.5"));
     qputenv("USAR_TEST_SLOW_S", "0.5");
     writeOver(folder.filePath("robot.so"), slow);
     QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"slow/idle (asking…)"}, soon_ms);

@@ -11,6 +11,7 @@
 #include <QUrl>
 
 #include "core/link/recording_reader.h"
+#include "widgets/panels/parameter_row.h"
 
 using namespace usar;
 
@@ -129,6 +130,19 @@ void WindowPage::typeArea(const Rectangle& area_in_map) {
                 QTest::keyClicks(box, QString::number(value_m, 'f', 1));
                 QTest::keyClick(box, Qt::Key_Return);
             }
+}
+
+bool WindowPage::typeParameter(const std::string& id, const QString& text) {
+    for (usar::widgets::ParameterRow* row : window_->findChildren<usar::widgets::ParameterRow*>()) {
+        auto* const field = row->findChild<QLineEdit*>();
+        if (row->spec().id != id || !field)
+            continue;
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        return true;
+    }
+    return false;
 }
 
 bool WindowPage::spawnAt(const std::string& start_pose) {

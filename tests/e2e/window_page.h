@@ -49,6 +49,8 @@ public:
     bool dropFile(const QString& path);
     /// Into the form's four fields.
     void typeArea(const usar::Rectangle& area_in_map);
+    /// Types it into the field of that parameter and leaves the field, as a person does. False where there is none.
+    bool typeParameter(const std::string& id, const QString& text);
     /// Over the map's start pose, and until the robot has spoken.
     bool spawnAt(const std::string& start_pose);
     /// Until the robot's own clock is that much later; false where it is not soon.
