@@ -58,6 +58,7 @@ void MainWindow::begin() {
 
 void MainWindow::registerCommands() {
     mission_.registerCommands();
+    task_.registerCommands();
     files_.registerCommands();
     commands_.add({"file.quit",
                    tr("Quit"),
@@ -100,6 +101,7 @@ void MainWindow::wireDesks() {
     // The order is that in which desks hear of one event: a task before what is shown of it, the title last.
     plugins_.wire();
     server_.wire();
+    task_.wire();
     mission_.wire();
     robots_.wire();
     plan_.wire();
@@ -129,16 +131,17 @@ void MainWindow::wireDesks() {
 }
 
 void MainWindow::connectDesks() {
-    connect(&server_, &ServerDesk::leavingWorld, &mission_, &MissionDesk::leaveWorld);
+    connect(&server_, &ServerDesk::leavingWorld, &task_, &TaskDesk::leaveWorld);
     connect(&server_, &ServerDesk::leavingWorld, &time_, &TimeDesk::begin);
     connect(&server_, &ServerDesk::loadingEnded, &mission_, &MissionDesk::forgetAwaitedWorld);
     connect(&plugins_, &PluginDesk::changed, &robots_, &RobotDesk::listClasses);
+    connect(&plugins_, &PluginDesk::changed, this, [this] { selection_.select(selection_.id()); });
     connect(&plugins_, &PluginDesk::changed, &mission_, &MissionDesk::takePlugins);
-    connect(&mission_, &MissionDesk::begun, &plan_, &PlanDesk::begin);
-    connect(&mission_, &MissionDesk::begun, &robots_, &RobotDesk::showRow);
-    connect(&mission_, &MissionDesk::faultsWanted, &faults_, &FaultDesk::begin);
-    connect(&mission_, &MissionDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
-    connect(&workshop_, &PlanWorkshop::planChosen, &mission_, &MissionDesk::takePlan);
+    connect(&task_, &TaskDesk::begun, &plan_, &PlanDesk::begin);
+    connect(&task_, &TaskDesk::begun, &robots_, &RobotDesk::showRow);
+    connect(&task_, &TaskDesk::faultsWanted, &faults_, &FaultDesk::begin);
+    connect(&task_, &TaskDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
+    connect(&workshop_, &PlanWorkshop::planChosen, &task_, &TaskDesk::takePlan);
     connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);

@@ -18,6 +18,7 @@
 #include "app/desks/replay_desk.h"
 #include "app/desks/robot_desk.h"
 #include "app/desks/server_desk.h"
+#include "app/desks/task_desk.h"
 #include "app/desks/time_desk.h"
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
@@ -76,7 +77,8 @@ private:
     DeskContext desk_{control_, views_, commands_, selection_, notices_, this};
     PluginDesk plugins_;
     ServerDesk server_;
-    MissionDesk mission_{desk_, plugins_, server_};
+    TaskDesk task_{desk_, plugins_};
+    MissionDesk mission_{desk_, server_, task_};
     RobotDesk robots_{desk_};
     PlanDesk plan_{desk_};
     PlanWorkshop workshop_{desk_};
