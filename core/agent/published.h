@@ -102,7 +102,7 @@ struct BehaviorFinished {
     bool operator==(const BehaviorFinished&) const = default;
 };
 
-/// The events of a POSH plan since the last PlanTrace, as a piece of a trace file (core/posh/trace_file.h). The pieces
+/// The events of a POSH plan since the last PlanTrace, as a piece of a trace file (core/posh/trace/trace_file.h). The pieces
 /// of a run in sequence form such a file, which includes the text of the plan.
 struct PlanTrace {
     std::string bytes;

@@ -19,7 +19,7 @@ struct PlanRuns {
 
 /// Traces of plans from one file.
 struct RecordedTraces {
-    std::vector<std::string> traces; ///< each the bytes of a trace file (core/posh/trace_file.h)
+    std::vector<std::string> traces; ///< each the bytes of a trace file (core/posh/trace/trace_file.h)
     std::string complaint;           ///< a sentence about what is missing from the file, or empty
 };
 
