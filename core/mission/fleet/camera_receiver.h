@@ -21,7 +21,9 @@ public:
     std::atomic<int> unseen = 0; ///< number of pictures that the GUI thread has not taken yet
 
 signals:
+    /// Counts as unseen until the receiver decrements `unseen`.
     void pictureArrived(const QImage& picture, double frames_per_s);
+    /// The frame could not be decoded; `reason` is one sentence.
     void unreadable(const QString& reason);
 
 private:

@@ -1,5 +1,4 @@
-// Locations of the program's own files: beside the program in a build tree, below the prefix once installed. Paths are
-// absolute.
+// Locations of the program's own files: beside the program in a build tree, below the prefix once installed.
 #pragma once
 
 #include <QString>

@@ -59,7 +59,7 @@ public:
     bool busy() const { return stop_ != nullptr; }
 
 signals:
-    /// Simulated time of a snapshot's run that has been replayed, and all of it; up to ten times a second.
+    /// While a snapshot is resumed, up to ten times a second: simulated time replayed so far, and in total.
     void progressed(Seconds done, Seconds whole);
     /// `spec` is the requested one with SimulatorSpec::loaded set.
     void loaded(const usar::server::SimulatorSpec& spec);

@@ -14,9 +14,9 @@
 
 namespace usar::server {
 
-/// Starts, paces and stops the simulator. Belongs to the GUI thread, which also gets the signals; loading and serving
-/// happen in the simulator's thread, and only the destructor waits for that. While no simulator is ready, calls other
-/// than start and stop are ignored.
+/// Starts, paces and stops the simulator. Belongs to the GUI thread; loading and serving happen in the simulator's
+/// thread, for which only the destructor waits. Some signals are emitted in that thread, so receivers need Qt's default
+/// connection type. While no simulator is ready, calls other than start and stop are ignored.
 class SimulatorHost : public QObject {
     Q_OBJECT
 public:
@@ -62,7 +62,7 @@ signals:
     void movedPort(const QString& sentence);
     /// Emitted before `ready`, with the ports on which the other channels listen.
     void channelsOpened(const usar::server::ChannelPorts& ports);
-    /// The following signals are those of SimulatorServer.
+    // The following signals are those of SimulatorServer.
     void figuresChanged(const usar::server::SimulatorFigures& figures);
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
