@@ -19,7 +19,7 @@ MissionDesk::MissionDesk(const DeskContext& context, PluginDesk& plugins, Server
     , plugins_(plugins)
     , server_(server) {
     preview_due_.setSingleShot(true);
-    preview_due_.setInterval(std::chrono::milliseconds(150)); // a quick one does not flicker
+    preview_due_.setInterval(std::chrono::milliseconds(150)); // Avoids flicker if the preview is quick.
     connect(&preview_due_, &QTimer::timeout, this,
             [this] { clearPreview(tr("Asking the plugin's process what this would come to…")); });
 }
@@ -175,7 +175,7 @@ void MissionDesk::wireRun() {
     connect(&desk_.control, &MissionControl::behaviorFinished, this, &MissionDesk::refreshRunState);
     connect(&desk_.control, &MissionControl::behaviorBroke, this, &MissionDesk::offerToStartAgain);
     connect(&desk_.control, &MissionControl::replayAdded, this, [this](int id) {
-        drafts_.copy(desk_.control.lookedBackOn(id), id); // what is set up is not the replay's
+        drafts_.copy(desk_.control.lookedBackOn(id), id); // A replay starts from the draft of its robot.
     });
     connect(&desk_.control, &MissionControl::robotRemoved, this, [this](int id) {
         if (desk_.notices.offers(missionKey(id)))
@@ -186,13 +186,13 @@ void MissionDesk::wireRun() {
 
 void MissionDesk::leaveWorld() {
     desk_.views.behavior->setArea(std::nullopt);
-    desk_.views.behavior->clearAreaLimits(); // until the world is known; a real server's never is
+    desk_.views.behavior->clearAreaLimits(); // Until the world is known, which a real server's never is.
     drafts_.forgetAreas();
 }
 
 void MissionDesk::show(int robot_id) {
     drafts_.show(robot_id);
-    const mission::TaskDraft draft = drafts_.shown(); // a copy: another list may choose another behavior for a moment
+    const mission::TaskDraft draft = drafts_.shown(); // A copy: setBehaviors may briefly choose another behavior.
     const Robot* robot = desk_.selection.robot();
     const auto known = desk_.control.plugins().kinds();
     const auto described = std::ranges::find_if(known, [&](const agent::RobotDescription& description) {
@@ -223,7 +223,7 @@ void MissionDesk::showChosenBehavior() {
         panel->plan().choose(QString::fromStdString(draft.plan_path));
     }
     draft.choose(id);
-    if (behavior) { // a plugin that is still being asked has no form yet, and the draft is kept for it
+    if (behavior) { // Otherwise its plugin has not answered yet and has no form, so the draft is kept.
         draft.values = form->values();
         draft.plan_path = panel->plan().path().toStdString();
     }
@@ -243,7 +243,7 @@ void MissionDesk::takePlan() {
 void MissionDesk::takePlugins() {
     desk_.selection.select(desk_.selection.id());
     if (awaiting_plugin_)
-        setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // or waits on
+        setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // It may have to wait again.
 }
 
 void MissionDesk::setArea(const Rectangle& area_in_map) {
@@ -251,7 +251,7 @@ void MissionDesk::setArea(const Rectangle& area_in_map) {
     askForPreview();
 }
 
-/// A behavior says which area it works on; that one is shown.
+/// Shows the area that a behavior in a replay works on.
 void MissionDesk::takeTask(const mission::SessionUpdate& update) {
     auto* const map = desk_.views.map;
     if (!update.task || map->area() == update.task->area_in_map)
@@ -272,7 +272,7 @@ void MissionDesk::askForPreview() {
         return;
     desk_.views.hint->setDone(1, !draft.area().empty());
     if (draft.area().empty() || !desk_.views.behavior->needsArea() || draft.behavior_id.empty())
-        return clearPreview({}); // the area form says what to do
+        return clearPreview({}); // The area form says what to do.
     preview_due_.start();
     desk_.control.preview(desk_.selection.id(), draft.behavior_id, draft.area(), draft.values,
                           [this](const auto& preview) { showPreview(preview); });
@@ -308,12 +308,12 @@ void MissionDesk::start() {
                                                      QString::fromStdString(draft.plan_path), isolated);
     if (!started)
         return desk_.notices.complain("start", started.error());
-    desk_.control.forgetPreview(); // the behavior itself says what it flies now
+    desk_.control.forgetPreview(); // The behavior now publishes its own path.
     preview_due_.stop();
     begin(id);
     emit faultsWanted(server::textsOf(draft.faults));
     desk_.views.hint->setDone(2, true);
-    desk_.views.map->setAreaSummary({}); // it had the preview's figures
+    desk_.views.map->setAreaSummary({}); // It showed the preview's figures.
     desk_.views.map->fit();
     refreshRunState();
 }
