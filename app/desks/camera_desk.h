@@ -39,11 +39,14 @@ private:
     bool canTurn() const;
     /// True if the selected robot has a camera; nullopt while that is unknown.
     std::optional<bool> hasCamera() const;
+    /// Starts over, because another robot was selected.
     void select();
     void take(const mission::SessionUpdate& update);
     /// Updates the view and the connection to the image server after any change that may affect them.
     void refresh();
+    /// Asks for the robot's cameras.
     void ask();
+    /// Sends AttachCamera for the chosen camera.
     void attach();
     /// Shows the names of the cameras, and the zoom of the chosen one.
     void showCamera();

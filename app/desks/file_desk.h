@@ -12,7 +12,8 @@
 
 namespace usar::app {
 
-/// Knows which desk opens which kind of file. GUI thread.
+/// Passes each kind of file to the desk that opens it. The folder for results is kept in the settings if the user has
+/// chosen one. GUI thread.
 class FileDesk : public QObject {
     Q_OBJECT
 public:

@@ -82,13 +82,15 @@ private:
     /// Ids of the breakpoints at the selected card, of this type or of any.
     std::vector<int> breakpointsSelected(std::optional<posh::BreakOn> on = std::nullopt);
 
-    // What the behavior of a live robot has published.
+    // These take what the behavior of a live robot has published.
     void takeNews(int id, const agent::PlanHalted& halted);
     void takeNews(int id, const agent::PlanResumed&);
     void takeNews(int id, const agent::PlanReplaced& replaced);
     void takeNews(int, const auto&) {}
 
+    /// Removes the breakpoints of this type at the selected card, or sets one if there is none.
     void toggleBreakpoint(posh::BreakOn on);
+    /// Does the same for the selected key of the blackboard.
     void toggleKeyBreakpoint();
     void editBreakpoint(int id);
     void editSelected();
@@ -100,11 +102,14 @@ private:
     void runToSelected();
     /// Removes the breakpoints of "run to here".
     void dropTemporary();
+    /// Shows the next epoch of the shown cycle; after the last one, runs one more cycle.
     void stepEpoch();
+    /// Asks for the answer to pin to the selected sense or act, or removes its pin.
     void pinSelected();
     void toggleDrive();
     /// Sends the pins to the selected robot and shows them.
     void pinsChanged();
+    /// Shows the plan at this time (protocol clock); a replay goes there as a whole.
     void goTo(Seconds time);
     void stepBy(int cycles);
     void showReport();

@@ -79,7 +79,7 @@ void PlanDesk::registerTimeCommands() {
         [this](bool) { showReport(); }, known);
 }
 
-/// In a replay, all views go to that moment. For a live robot only the plan is shown as it was; the robot continues.
+/// For a replay, all views go to that moment. For a live robot, only the plan is shown as it was; the robot continues.
 void PlanDesk::goTo(Seconds time) {
     if (Robot* const shown = robot(); shown && shown->isReplay()) {
         constexpr Seconds behind{0.02}; // So that the cycle at that time has been played.

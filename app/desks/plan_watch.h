@@ -32,7 +32,7 @@ public:
 
     /// True if no plan decides at the shown moment.
     bool empty() const { return !activity().program(); }
-    /// The plan, its text and the problems in it; unchanged while `empty`.
+    /// The plan, its text and the problems in it. While `empty` they are those of the last plan, if there was one.
     const posh::Plan& plan() const { return reading_.plan; }
     const std::string& planText() const { return text_; }
     const posh::Findings& findings() const { return reading_.findings; }

@@ -6,7 +6,7 @@
 
 namespace usar::app {
 
-/// The height over ground is absent for a robot that has not dived.
+/// Copies all figures; the height over ground is absent for a robot that has not dived.
 inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
     mission::TrueFigures figures;
     figures.collisions = robot.collisions;
