@@ -175,7 +175,7 @@ void DriveDesk::letGo(const QString& reason) {
     views_.drive->letGo();
 }
 
-/// Stops the robot, whether a behavior or the user drives it, and ends control.
+/// Stops the robot, no matter whether a behavior or the user drives it, and ends control.
 void DriveDesk::stopRobot() {
     if (!robot() || robot()->isReplay())
         return;

@@ -71,7 +71,7 @@ private:
     /// Index of the newest moment heard so far (a replay may have been rewound); nullopt before the first.
     std::optional<std::size_t> heardMoment() const;
     std::optional<std::size_t> shownMoment() const { return moment_ ? moment_ : heardMoment(); }
-    /// nullopt as the moment: follow the run.
+    /// Shows this moment, or follows the run for nullopt.
     News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);
 
     posh::RunHistory history_;

@@ -41,7 +41,7 @@ public:
     /// Calls `go_on` at once if nothing would be lost, otherwise after the user has saved or discarded the changes;
     /// never if the user cancels. A second call while the question is open replaces the first one's `go_on`.
     void letGo(std::function<void()> go_on);
-    /// nullptr until the editor is opened for the first time.
+    /// Returns nullptr until the editor is opened for the first time.
     widgets::PlanEditor* editor() const { return editor_; }
 
 signals:

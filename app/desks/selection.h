@@ -15,7 +15,7 @@ public:
     explicit Selection(const MissionControl& control) : control_(control) {}
 
     int id() const { return id_; }
-    /// nullptr while no robot is selected.
+    /// Returns nullptr while no robot is selected.
     Robot* robot() const { return control_.robot(id_); }
     /// Selects this robot, or none if there is no such robot. Selecting the current one again makes all desks show it
     /// again.

@@ -79,9 +79,10 @@ public:
     /// cannot be controlled.
     void setPace(server::Pace pace, double factor);
     /// Spawns a robot and returns its id, the lowest free one; an empty name means the next free "R1". Fails if all ids
-    /// or the name are taken, no class is given, or there is no link. `RobotView::figures` tells when it has come.
+    /// or the name are taken, no class is given, or there is no link. Whether the server has confirmed the robot is in
+    /// `RobotView::figures`.
     Result<int> spawn(mission::SpawnRequest request);
-    /// nullptr if there is no such robot. The pointer is valid until the robot is removed.
+    /// Returns nullptr if there is no such robot. The pointer is valid until the robot is removed.
     Robot* robot(int id) const;
     /// All robots, replays included, in the order of their ids.
     std::vector<Robot*> robots() const;

@@ -97,8 +97,7 @@ void MainWindow::wire() {
 }
 
 void MainWindow::wireDesks() {
-    // This is the order in which the desks receive an event: a task is set before it is shown, and the title comes
-    // last.
+    // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     plugins_.wire();
     server_.wire();
     mission_.wire();
