@@ -1,4 +1,5 @@
-// usar-behavior-host: one behavior in a process of its own. Started by mission-control and usar-mission, never by hand.
+// usar-behavior-host: runs one behavior in a process of its own. It is started by mission-control and usar-mission,
+// never by hand.
 #include <cstdio>
 
 #include <QCoreApplication>

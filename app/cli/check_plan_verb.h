@@ -1,13 +1,13 @@
-// `usar-mission check-plan [--robot NAME] FILE…`: POSH plans in, a JSON object for each finding out.
+// `usar-mission check-plan [--robot NAME] FILE…`: checks POSH plans and prints one JSON object per finding.
 #pragma once
 
 #include <QStringList>
 
 namespace usar::app {
 
-/// `arguments` begin with the verb. With a robot the plans are checked against its senses and acts, too. 0 where no
-/// plan has an error, 1 where one has, 2 where a file cannot be read; what cannot be read is told on standard error,
-/// and the other files are checked all the same.
+/// Runs the verb; `arguments` begin with it. With --robot the plans are also checked against the robot's senses and
+/// acts. Returns 0 if no plan has an error, 1 if one has, 2 if a file cannot be read or the call is wrong. A file that
+/// cannot be read is reported on standard error, and the other files are still checked.
 int runCheckPlanVerb(const QStringList& arguments);
 
 } // namespace usar::app

@@ -1,12 +1,12 @@
-// `usar-mission lines FILE|-`: protocol lines in, a JSON object for each out.
+// `usar-mission lines FILE|-`: reads protocol lines and prints one JSON object per line.
 #pragma once
 
 #include <QStringList>
 
 namespace usar::app {
 
-/// `arguments` begin with the verb. 0 when every line was clean, 1 where there was a diagnostic, 2 where the file
-/// cannot be read; what is wrong goes to standard error.
+/// Runs the verb; `arguments` begin with it. Returns 0 if no line has a diagnostic, 1 if one has, 2 if the file cannot
+/// be read or the call is wrong, with the reason on standard error.
 int runLinesVerb(const QStringList& arguments);
 
 } // namespace usar::app

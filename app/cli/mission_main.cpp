@@ -1,4 +1,4 @@
-// usar-mission: one mission, headless, and what becomes of its recording.
+// usar-mission: runs one mission without a window; further verbs work on recordings, protocol lines and plans.
 #include <cstdio>
 #include <memory>
 
@@ -26,7 +26,7 @@ namespace {
 
 using namespace usar;
 
-/// A bar that redraws itself on a terminal, else a line for every tenth.
+/// Progress on standard error: a bar that redraws itself on a terminal, otherwise one line per 10 %.
 class ProgressBar {
 public:
     ProgressBar() { wall_.start(); }
@@ -42,7 +42,7 @@ public:
             last_tenth_ = tenth;
         }
     }
-    /// A line of text above the bar.
+    /// Prints a line of text above the bar.
     void say(const std::string& text) {
         std::fprintf(stderr, "%s%s\n", drawn_ ? "\r\x1b[K" : "", text.c_str());
         drawn_ = false;
@@ -60,7 +60,7 @@ int end(int exit_code, const QJsonObject& summary) {
     return exit_code;
 }
 
-/// `known` is what can be told of a run that never began.
+/// Ends the program with an error; `known` contains what is known about the run, which never began.
 int refuse(const Error& error, mission::RunSummary known = {}) {
     std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
     known.reason = error.text();
@@ -85,11 +85,11 @@ Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options,
     return faults;
 }
 
-/// What the command line says goes before what the file says.
+/// Applies the options of the command line, which take precedence over the mission file.
 void applyTo(mission::Mission& plan, const mission::MissionOptions& options) {
     if (!options.behavior.isEmpty()) {
         plan.behavior = options.behavior.toStdString();
-        plan.places.erase("behavior"); // it is not the file that would be wrong
+        plan.places.erase("behavior"); // An error would not be in the file.
     }
     if (!options.plan.isEmpty()) {
         plan.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
@@ -98,8 +98,8 @@ void applyTo(mission::Mission& plan, const mission::MissionOptions& options) {
     plan.isolate = plan.isolate || options.isolate;
 }
 
-/// A simulator of our own for the mission's world, or nullptr where the command line names a server; `run_options` get
-/// what there is to know of either.
+/// Starts an embedded simulator for the mission's world, or returns nullptr if the command line names a server; either
+/// way `run_options` are set accordingly.
 Result<std::unique_ptr<app::HeadlessSimulator>>
 serverFor(const mission::MissionOptions& options, const mission::Mission& plan, mission::RunOptions& run_options) {
     if (options.server) {
@@ -161,7 +161,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
 
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // Pictures contain text, which needs a QGuiApplication.
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
     if (QCoreApplication::arguments().value(1) == "lines")

@@ -1,12 +1,13 @@
-// `usar-mission plan-report FILE…`: recordings and traces of POSH plans in, what their runs came to out.
+// `usar-mission plan-report [--json] FILE…`: reports on the runs of POSH plans in recordings and trace files.
 #pragma once
 
 #include <QStringList>
 
 namespace usar::app {
 
-/// `arguments` begin with the verb; `--json` among them asks for JSON lines. 0 where all files could be read, 2 where
-/// one could not; that is told on standard error, and the others are reported all the same.
+/// Runs the verb; `arguments` begin with it. With --json the report consists of JSON lines. Returns 0 if all files
+/// could be read, 2 if one could not or the call is wrong; that is reported on standard error, and the other files are
+/// still included.
 int runPlanReportVerb(const QStringList& arguments);
 
 } // namespace usar::app

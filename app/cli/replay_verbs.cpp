@@ -73,7 +73,7 @@ int convert(const mission::ReplayOptions& options) {
     QFile output(options.output);
     if (const auto ready = openOutput(options.output, output); !ready)
         return complain(ready.error());
-    // A recording is read in any order, so it must be a file.
+    // A recording is not read in order, so it must be a file.
     const QString file = options.file == "-" ? QString("/dev/stdin") : options.file;
     const auto done =
         to_text ? link::recordingToText(file, output) : link::textToRecording(input, options.file, output);

@@ -1,11 +1,11 @@
-// What usar-mission does with recordings: replay, text and back.
+// The verbs of usar-mission for recordings: replaying them, and converting them to text and back.
 #pragma once
 
 #include <QStringList>
 
 namespace usar::app {
 
-/// `arguments` begin with the verb. The program's exit code; what is wrong goes to standard error.
+/// Runs the verb that `arguments` begin with. Returns the program's exit code; errors go to standard error.
 int runReplayVerb(const QStringList& arguments);
 
 } // namespace usar::app

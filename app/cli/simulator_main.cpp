@@ -1,4 +1,4 @@
-// usar-sim: the simulator alone, for any USARSim client.
+// usar-sim: runs the simulator alone, for any USARSim client.
 
 #include <cmath>
 #include <cstdio>
@@ -20,7 +20,7 @@ namespace {
 using usar::server::Pace;
 
 constexpr int bad_use = 2;
-const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // as link::ImageType
+const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // In the order of link::ImageType.
 
 struct Settings {
     QString world;
@@ -153,7 +153,7 @@ usar::Result<std::unique_ptr<usar::sim::Simulation>> makeSimulation(const Settin
     options.profile = settings.profile;
     options.faults = settings.faults;
     options.world_source = settings.world.toStdString();
-    if (settings.profile == usar::protocol::Dialect::Udk) { // each sensor at its own interval, the state at 10 Hz
+    if (settings.profile == usar::protocol::Dialect::Udk) { // The robot's state at 10 Hz, sensors at their intervals.
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;
     }

@@ -1,4 +1,4 @@
-// How a verb of usar-mission says that it was called wrongly.
+// Reports an error of one of usar-mission's verbs.
 #pragma once
 
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 namespace usar::app {
 
-/// To standard error; the exit code for bad input.
+/// Prints the error to standard error and returns the exit code for bad input.
 inline int complain(const Error& error) {
     std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
     return mission::BadInput;

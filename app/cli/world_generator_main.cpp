@@ -1,4 +1,4 @@
-// usar-make-world NAME SEED FOLDER: writes one of the worlds that come with the program. Runs during the build.
+// usar-make-world NAME SEED FOLDER: writes one of the worlds that come with the program. It is run during the build.
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -16,7 +16,7 @@ constexpr int answer_patience_ms = 2500;
 constexpr int set_patience_ms = 500;
 constexpr int turn_interval_ms = 100;
 constexpr double zoom_step = 1.25;
-constexpr double turn_step = 0.125; ///< of the angle of view
+constexpr double turn_step = 0.125; ///< as a fraction of the angle of view
 const std::string cause = "camera";
 
 QString classOf(const Robot& robot) {
@@ -183,7 +183,7 @@ void CameraDesk::wireFeed() {
     });
     connect(&feed_, &mission::CameraFeed::pictureArrived, this, [this](const QImage& picture, double frames_per_s) {
         if (!live() || !view_.wantsPictures() || !hasCamera().value_or(true))
-            return; // the robot that was selected before sent it
+            return; // It belongs to the robot that was selected before.
         const bool first = view_.isEmpty();
         view_.setPicture(picture, frames_per_s);
         if (first)
@@ -246,8 +246,8 @@ void CameraDesk::showAbilities() {
     desk_.commands.refresh();
 }
 
-/// Asks which cameras the robot has, unless a behavior drives it: a server answers only the newest of two questions,
-/// and the behavior's matter more.
+/// Asks which cameras the robot has, unless a behavior drives it: of two questions a server answers only the newest,
+/// and the behavior's questions are more important.
 void CameraDesk::ask() {
     if (mount_.answered() || answer_timer_.isActive() || questions_ >= most_questions || robot()->running())
         return;
@@ -262,7 +262,7 @@ QString CameraDesk::camerasHere() const {
                              : tr("Spawn a robot that has one: %1.").arg(classes.join(", "));
 }
 
-/// True if there is nothing to be seen; the view then says why, and what helps.
+/// Returns true if there can be no picture; the view then says why, and what the user can do.
 bool CameraDesk::showWhatIsMissing() {
     const bool embedded = desk_.control.server().embedded;
     if (!robot()) {
@@ -320,7 +320,7 @@ void CameraDesk::showCamera() {
                        camera->configuration.largest_fov_rad.value_or(camera->fov_rad)});
 }
 
-/// Tells the server which camera this viewer wants to see. Without it several cameras come as a mosaic.
+/// Tells the server which camera this viewer wants to see; otherwise several cameras are shown as a mosaic.
 void CameraDesk::attach() {
     const auto* const shown = mount_.shown();
     if (!shown || feed_status_.local_address.isEmpty())
@@ -388,7 +388,7 @@ void CameraDesk::chooseImagePort() {
 }
 
 void CameraDesk::chooseWhereToSave() {
-    const QImage picture = view_.picture(); // as it is now, not when the dialog closes
+    const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
     const QString path =
         QFileDialog::getSaveFileName(desk_.window, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
     if (!path.isEmpty())

@@ -1,5 +1,5 @@
-// The camera dock: asks which cameras the selected robot has, where pictures come from, and sends what zooms and turns
-// them.
+// Desk of the camera dock: shows the pictures of the selected robot's camera, zooms and turns it, and switches the
+// headlight.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,17 @@
 
 namespace usar::app {
 
-/// Asks for pictures only while the view is visible and there is a camera to be seen. GUI thread.
+/// Requests pictures only while the view is visible and the selected robot may have a camera. Asks the server which
+/// cameras the robot has; pictures come from the image server of the connected server. GUI thread.
 class CameraDesk : public QObject {
     Q_OBJECT
 public:
     explicit CameraDesk(const DeskContext& context);
 
     void registerCommands();
-    /// Once commands are registered.
+    /// To be called after all commands are registered.
     void wire();
+    /// Saves as PNG or JPEG, by the suffix of `path`; the result is a notice.
     void savePicture(const QImage& picture, const QString& path);
 
 private:
@@ -31,26 +33,36 @@ private:
     void wireView();
     void wireFeed();
     const Robot* robot() const { return desk_.selection.robot(); }
+    /// True if the selected robot is spawned and connected, and no replay.
     bool live() const;
     bool canZoom() const;
     bool canTurn() const;
-    /// Absent while it is not known whether the robot has one.
+    /// True if the selected robot has a camera; nullopt while that is unknown.
     std::optional<bool> hasCamera() const;
+    /// Starts over, because another robot was selected.
     void select();
     void take(const mission::SessionUpdate& update);
-    /// Shows what the view should show; called when something may have changed.
+    /// Updates the view and the connection to the image server after any change that may affect them.
     void refresh();
+    /// Asks for the robot's cameras.
     void ask();
+    /// Sends AttachCamera for the chosen camera.
     void attach();
+    /// Shows the names of the cameras, and the zoom of the chosen one.
     void showCamera();
+    /// Enables and checks the commands according to what the camera can do.
     void showAbilities();
     bool showWhatIsMissing();
+    /// A sentence that names the robots with a camera.
     QString camerasHere() const;
     void turn(double right_rad, double up_rad);
+    /// Sends the wanted direction within 100 ms, together with further turns until then.
     void turnSoon();
     void sendTurn();
     void queueSet(const protocol::Command& set);
+    /// Sends the next queued SET.
     void sendSet();
+    /// Does so at once, or when the previous SET was answered.
     void sendSetSoon();
     void chooseImagePort();
     void chooseWhereToSave();
@@ -60,15 +72,15 @@ private:
     mission::CameraFeed feed_;
     link::ImageStatus feed_status_;
     mission::CameraMount mount_;
-    quint16 embedded_port_ = 0; ///< of the embedded simulator's image server; 0: there is none
-    quint16 server_port_ =
-        protocol::usual_port::image; ///< of a real server's image server, on the same host as its bot port
-    int questions_ = 0;
-    QTimer answer_timer_;
-    QTimer turn_timer_;
-    QTimer set_timer_; ///< runs while a SET waits for its answer
-    QString attached_; ///< robot, camera and address
-    bool was_live_ = false;
+    quint16 embedded_port_ = 0; ///< port of the embedded simulator's image server; 0: there is none
+    /// Port of a real server's image server, which is on the same host as its bot port.
+    quint16 server_port_ = protocol::usual_port::image;
+    int questions_ = 0;     ///< number of times that this robot was asked for its cameras
+    QTimer answer_timer_;   ///< runs while that question waits for its answer
+    QTimer turn_timer_;     ///< runs until the wanted direction is sent
+    QTimer set_timer_;      ///< runs while a SET waits for its answer
+    QString attached_;      ///< robot, camera and address of the last AttachCamera; empty: none
+    bool was_live_ = false; ///< result of `live` at the last refresh
 };
 
 } // namespace usar::app

@@ -1,4 +1,4 @@
-// What each desk of the window works with.
+// The objects that every desk of the window works with.
 #pragma once
 
 #include "app/desks/notice_desk.h"
@@ -9,8 +9,9 @@
 
 namespace usar::app {
 
-/// A desk is one concern of the window: it registers its commands, connects its views to MissionControl, follows the
-/// selection, and saves and restores its own settings. The window owns all of this and every desk.
+/// A desk handles one concern of the window: it registers its commands (`registerCommands`), connects its views to
+/// MissionControl (`wire`), follows the selection, and saves and restores its settings. The window owns all of these
+/// objects and every desk; they outlive the desks.
 struct DeskContext {
     MissionControl& control;
     WindowViews& views;

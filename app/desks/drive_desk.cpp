@@ -131,7 +131,7 @@ void DriveDesk::requestControl(bool take) {
     if (take && live()) {
         since_asked_.start();
         for (const HandSource source : {HandSource::Keys, HandSource::Pad, HandSource::Gamepad})
-            say(source); // what is held already has to be let go first
+            say(source); // A device that is already held must be released before it drives.
         robot()->takeControl();
         setTaken(true);
         gamepad_.start();
@@ -175,7 +175,7 @@ void DriveDesk::letGo(const QString& reason) {
     views_.drive->letGo();
 }
 
-/// Behavior or hand, it ends.
+/// Stops the robot, no matter whether a behavior or the user drives it, and ends control.
 void DriveDesk::stopRobot() {
     if (!robot() || robot()->isReplay())
         return;

@@ -9,7 +9,7 @@ namespace usar::app {
 
 namespace {
 
-/// Streams that are lines of a robot, but no sensor's.
+/// Types of lines that a robot sends but that belong to no sensor.
 const QStringList no_sensors{"STA", "MISSTA", "GEO", "CONF", "RES", "NFO"};
 
 QString textOf(std::string_view text) {
@@ -28,7 +28,7 @@ std::vector<widgets::FaultKindInfo> kindsOf(std::span<const sim::FaultDescriptio
     return infos;
 }
 
-/// The list shows when a fault begins and ends in a column of its own.
+/// The fault as text without its times, which the list shows in a column of their own.
 QString withoutTimes(sim::Fault fault) {
     fault.from = Seconds{0.0};
     fault.lasts = sim::without_end;

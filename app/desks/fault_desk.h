@@ -1,4 +1,4 @@
-// The faults dock: what goes wrong in the embedded simulator on request.
+// Desk of the faults dock: makes things go wrong in the embedded simulator on request.
 #pragma once
 
 #include <vector>
@@ -16,20 +16,21 @@ public:
     explicit FaultDesk(const DeskContext& context) : desk_(context) {}
 
     void registerCommands();
-    /// Once commands are registered.
+    /// To be called after all commands are registered.
     void wire();
-    /// Adds a mission's faults, whose times count from now. Those of an earlier start that are not over end first: two
-    /// winds would blow twice as hard.
+    /// Adds a mission's faults (texts in the syntax of --fault), with times relative to now. Equal faults of an earlier
+    /// start that are not over are ended first, because two winds would blow twice as hard.
     void begin(const QStringList& faults);
 
 private:
+    /// Adds the fault that is set up in the panel.
     void inject();
     /// Enables the panel while the embedded simulator runs, and fills its lists of robots and sensors.
     void showChoices();
     void list(const std::vector<sim::FaultStatus>& faults);
 
     DeskContext desk_;
-    std::vector<sim::FaultStatus> faults_; ///< the embedded simulator's, over or not
+    std::vector<sim::FaultStatus> faults_; ///< all faults of the embedded simulator, including those that are over
 };
 
 } // namespace usar::app

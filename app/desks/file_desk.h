@@ -1,4 +1,4 @@
-// Files of the window: results and where they go, and what is opened by its name.
+// Desk for files: saves results, chooses their folder, and opens files of every kind.
 #pragma once
 
 #include <QMimeData>
@@ -12,7 +12,8 @@
 
 namespace usar::app {
 
-/// Knows which desk opens which kind of file. GUI thread.
+/// Passes each kind of file to the desk that opens it. The folder for results is kept in the settings if the user has
+/// chosen one. GUI thread.
 class FileDesk : public QObject {
     Q_OBJECT
 public:
@@ -23,11 +24,12 @@ public:
     void restore(const QSettings& settings);
     void save(QSettings& settings) const;
 
-    /// The one file of ours that is dragged; empty if it is none, or if there are several.
+    /// Path of the file that is dragged, if it is a single one that `open` can open; otherwise empty.
     static QString fileIn(const QMimeData& data);
-    /// A mission, a plan, a recording, a snapshot, a world's folder or a robot file.
+    /// Opens a mission, plan, recording, snapshot, robot file or world (its folder or its world.sdf). Problems are
+    /// notices.
     void open(const QString& path);
-    /// False if the user chose none.
+    /// Lets the user choose the folder for results; returns false if the user cancels.
     bool chooseResultFolder();
 
 private:

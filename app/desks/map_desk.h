@@ -1,4 +1,4 @@
-// The map's own commands and its layers.
+// Desk of the map: its commands and its layers.
 #pragma once
 
 #include <QObject>
@@ -8,14 +8,15 @@
 
 namespace usar::app {
 
-/// What can be done with the map itself: fit, follow, zoom, and show or hide layers. GUI thread.
+/// Handles what concerns only the view of the map: fitting, following the robot, zooming, and the visibility of layers.
+/// GUI thread.
 class MapDesk : public QObject {
     Q_OBJECT
 public:
     explicit MapDesk(const DeskContext& context) : desk_(context) {}
 
     void registerCommands();
-    /// Once commands are registered.
+    /// To be called after all commands are registered.
     void wire();
     void restore(const QSettings& settings);
     void save(QSettings& settings) const;

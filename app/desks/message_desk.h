@@ -1,4 +1,4 @@
-// The message inspector: its commands, what it sends, and what it remembers.
+// Desk of the messages dock: its commands, the lines that the user sends, and its settings.
 #pragma once
 
 #include <QObject>
@@ -8,8 +8,8 @@
 
 namespace usar::app {
 
-/// Lists the lines of the selected robot's connection, or of the one that waits for a robot, and sends typed commands
-/// there. GUI thread.
+/// Chooses the connection whose lines are listed and to which typed commands are sent: that of the selected robot, or
+/// without one the connection that waits for the next robot. GUI thread.
 class MessageDesk : public QObject {
     Q_OBJECT
 public:
@@ -23,10 +23,12 @@ public:
 private:
     void wireList();
     void raiseDock();
-    /// Another robot is selected, or its connection changed.
+    /// Shows the right connection after another robot was selected or a connection has changed.
     void followConnection();
     void chooseWhereToSave();
+    /// Sends a line from the command box; an error is shown there.
     void sendTyped(const QString& line);
+    /// Sends lines unchanged on the connection that they were copied from, up to the first error.
     void sendAgain(int connection, const QStringList& lines);
 
     DeskContext desk_;

@@ -12,7 +12,7 @@ NoticeDesk::NoticeDesk(MissionControl& control, const WindowViews& views) : view
     connect(&control, &MissionControl::cured, center, &widgets::NotificationCenter::cured);
     connect(center->model(), &widgets::NotificationModel::offerTaken, this, [this](const QString& key) {
         if (const auto offered = offers_.find(key); offered != offers_.end())
-            std::function<void()>(offered->second)(); // a copy: it may cure what it was offered for
+            std::function<void()>(offered->second)(); // A copy, because the call may cure the problem and erase it.
     });
     connect(center->model(), &widgets::NotificationModel::cured, this,
             [this](const QString& key) { offers_.erase(key); });

@@ -1,4 +1,4 @@
-// Notifications of the window: sentences, with a button for those that come with an offer.
+// Desk for notifications: shows sentences to the user, some with a button.
 #pragma once
 
 #include <functional>
@@ -12,26 +12,30 @@
 
 namespace usar::app {
 
-/// `key` says what a sentence is about: the same key again replaces the earlier sentence, and a cure grays it out. GUI
-/// thread.
+/// Every desk reports through this one; it also shows the notices of MissionControl. `key` identifies what a sentence
+/// is about: a sentence with the same key replaces the earlier one, and `cure` grays it out. GUI thread.
 class NoticeDesk : public QObject {
     Q_OBJECT
 public:
     NoticeDesk(MissionControl& control, const WindowViews& views);
 
+    /// Shows a complete sentence; warnings and errors also as a toast.
     void say(Severity severity, const QString& key, const QString& text);
-    /// A note that the user waits for, which is shown as a toast, too.
+    /// Shows a note that the user waits for, also as a toast.
     void note(const QString& key, const QString& text);
+    /// Shows an error.
     void complain(const QString& key, const Error& error);
-    /// With a button beside the sentence that calls `accept` as long as the trouble is not cured.
+    /// Shows a sentence with a button beside it, which calls `accept` as long as the problem is not cured.
     void offer(Severity severity, const QString& key, const QString& text, const widgets::Offer& offer,
                std::function<void()> accept);
+    /// True while the notification with this key has such a button.
     bool offers(const QString& key) const { return offers_.contains(key); }
+    /// The problem is over. An unknown key has no effect.
     void cure(const QString& key);
 
 private:
     const WindowViews& views_;
-    std::map<QString, std::function<void()>> offers_; ///< by the key of the notification
+    std::map<QString, std::function<void()>> offers_; ///< the callbacks of the buttons, by key
 };
 
 } // namespace usar::app

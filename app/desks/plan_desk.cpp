@@ -18,7 +18,7 @@ using News = PlanWatch::News;
 
 namespace {
 
-/// The mark of that path, made where there is none.
+/// Returns the mark with this path; adds one if there is none.
 PlanMark& markAt(std::vector<PlanMark>& marks, const std::string& path) {
     const auto found = std::ranges::find(marks, path, &PlanMark::path);
     return found != marks.end() ? *found : marks.emplace_back(PlanMark{.path = path});
@@ -231,7 +231,7 @@ void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
     views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
-    if (id != selected_ || stepping_) // it will stand still again in a moment
+    if (id != selected_ || stepping_) // While stepping it will be halted again in a moment.
         return;
     showHalt();
     showMarks();
@@ -343,7 +343,7 @@ void PlanDesk::editBreakpoint(int id) {
     dialog->open();
 }
 
-/// The first at the selected part, made where there is none.
+/// Edits the first breakpoint at the selected card; sets one if there is none.
 void PlanDesk::editSelected() {
     if (breakpointsSelected().empty())
         toggleBreakpoint(posh::BreakOn::Before);
@@ -368,7 +368,7 @@ void PlanDesk::dropTemporary() {
     breakpointsChanged();
 }
 
-/// Where one server's time waits for several robots, they go on together.
+/// Robots in lockstep step together, because their server's time waits for all of them.
 void PlanDesk::stepCycle() {
     stepping_ = true;
     for (Robot* each : control_.robots())

@@ -1,4 +1,4 @@
-// What can be done with a plan: commands, the menu of a part, and the wires of its panel.
+// The part of PlanDesk for commands, the context menu of a card, and the connections of the panel.
 #include <algorithm>
 
 #include <QMenu>

@@ -1,4 +1,4 @@
-// The moments of a plan's run: going to them, looking back with all of the window, and what the run came to.
+// The part of PlanDesk for the moments of a run: going to them, replaying from them, and the report; also the picture.
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -79,10 +79,10 @@ void PlanDesk::registerTimeCommands() {
         [this](bool) { showReport(); }, known);
 }
 
-/// A replay goes to that moment with all views; a plan that flies shows what it did, and flies on.
+/// For a replay, all views go to that moment. For a live robot, only the plan is shown as it was; the robot continues.
 void PlanDesk::goTo(Seconds time) {
     if (Robot* const shown = robot(); shown && shown->isReplay()) {
-        constexpr Seconds behind{0.02}; // the cycle itself must have been
+        constexpr Seconds behind{0.02}; // So that the cycle at that time has been played.
         return shown->orderReplay({.seek_clock = time + behind});
     }
     show(watch().goTo(time));
@@ -94,17 +94,17 @@ void PlanDesk::stepBy(int cycles) {
     show(watch().step(cycles));
 }
 
-/// At the shown moment of the plan, or where no plan decides now.
+/// Replays the selected robot from the shown moment of its plan, or from now if there is none.
 void PlanDesk::lookBack() {
     constexpr Seconds behind{0.02};
     const widgets::PlanTime time = watch().time();
-    views_.plan->timeBar().slider()->setFocus(); // the button will be off, and the next keys are those of a replay
+    views_.plan->timeBar().slider()->setFocus(); // The button is disabled now, and the next keys are for the replay.
     control_.lookBack(selected_, time.cycle > 0 ? time.shown + behind : robot()->view().figures.now);
 }
 
 void PlanDesk::backToNow() {
     if (control_.lookedBackOn(selected_) != 0)
-        control_.remove(selected_); // the one that flies is selected in its place
+        control_.remove(selected_); // Selects its live robot.
     show(watch().goLive());
 }
 
@@ -119,7 +119,7 @@ QString PlanDesk::whyNoLookBack() const {
     return {};
 }
 
-/// Commands that are off say why.
+/// Updates the command, whose tooltip says why it is disabled.
 void PlanDesk::showLookBack() {
     const QString why = whyNoLookBack();
     QAction* const action = commands_.action("plan.look_back");
@@ -130,7 +130,7 @@ void PlanDesk::showLookBack() {
     commands_.refresh();
 }
 
-/// Of the run as it was when it was asked for; the robot flies on meanwhile.
+/// Reports on the run up to the time of the call; the robot continues meanwhile.
 void PlanDesk::showReport() {
     const posh::RunStatistics statistics = watch().statistics();
     const QString plan = QString::fromStdString(statistics.program()->title);

@@ -14,7 +14,7 @@ Seconds seconds(std::int64_t time_ms) {
     return Seconds(static_cast<double>(time_ms) / 1000.0);
 }
 
-/// Sixteen digits of a measurement would say less than six.
+/// Numbers are shortened to six digits, which are easier to read than sixteen.
 QString shown(const posh::Value& answer) {
     if (const auto* const number = std::get_if<double>(&answer))
         return QString::fromStdString(posh::toText(posh::Value(QString::number(*number, 'g', 6).toDouble())));
@@ -77,11 +77,12 @@ PlanWatch::News PlanWatch::take(const mission::SessionUpdate& update) {
         }
     heard = heard || (has_moved && is_replay_ && !all_heard_);
     if (heard && moment_)
-        return News::Activity; // of the run; what is shown is as it was
+        return News::Activity; // The run has continued, but the shown moment stays the same.
     return heard ? refresh() : News::None;
 }
 
-/// What a replay says again is known; what differs is another run, or goes on otherwise.
+/// Takes the next piece of the trace. A rewound replay repeats bytes that are known already; bytes that differ begin
+/// another run or continue this one differently, and replace what was known.
 void PlanWatch::hear(const std::string& piece) {
     const std::string_view known = std::string_view(history_.bytes()).substr(heard_, piece.size());
     const bool begins = piece.starts_with(posh::trace_codec::magic);
@@ -106,7 +107,8 @@ void PlanWatch::startWith(const std::string& trace) {
     history_.append(trace);
 }
 
-/// A robot says what a cycle was when the next one begins. Where that is known, a replay need not wait for it.
+/// A robot publishes a cycle when the next one begins. A replay need not wait for that if the trace is known already:
+/// its clock tells which cycle is the current one.
 std::optional<std::size_t> PlanWatch::heardMoment() const {
     const auto& moments = history_.moments();
     if (is_replay_ && heard_ > 0 && now_.count() > 0.0 && !moments.empty()) {

@@ -1,4 +1,4 @@
-// The plan of one robot and what it does, put together from what the robot publishes: now, and at any moment before.
+// The plan of one robot and its activity, now or at any earlier moment, from the traces that the robot publishes.
 #pragma once
 
 #include <memory>
@@ -14,67 +14,76 @@
 
 namespace usar::app {
 
-/// Keeps the trace of the run: a few bytes for each tick. Follows the run, or stands at a moment of it. A replay that
-/// is wound back does not forget what it has heard: it is at an earlier moment of it. GUI thread.
+/// Keeps the trace of the run, a few bytes per tick, and shows one moment of it: it follows the run, or stays at a
+/// chosen moment. If a replay is rewound, the trace heard so far is kept, and an earlier moment of it is shown. One
+/// moment is one cycle of the plan. GUI thread.
 class PlanWatch {
 public:
     PlanWatch() = default;
     PlanWatch(const PlanWatch&) = delete;
     PlanWatch& operator=(const PlanWatch&) = delete;
 
-    /// Of what is shown. Plan: another one, or another text of it.
+    /// The change of what is shown. Plan: another plan, or another text of it; this includes the activity.
     enum class News { None, Activity, Plan };
     News take(const mission::SessionUpdate& update);
-    /// What a replay of that robot's run is going to say, so that all of it can be gone to at once.
+    /// For a replay of the robot that `flown` watches: its trace is expected to come again, so that all of its moments
+    /// can be shown at once. Call it before the replay has published anything.
     void expect(const PlanWatch& flown) { expected_ = flown.history_.bytes(); }
 
-    /// No plan has decided yet.
+    /// True if no plan decides at the shown moment.
     bool empty() const { return !activity().program(); }
+    /// The plan, its text and the problems in it. While `empty` they are those of the last plan, if there was one.
     const posh::Plan& plan() const { return reading_.plan; }
     const std::string& planText() const { return text_; }
     const posh::Findings& findings() const { return reading_.findings; }
     widgets::PlanSnapshot snapshot() const;
-    /// What the shown state is of; null where it is empty.
+    /// The program of the shown plan; null while `empty`.
     const std::shared_ptr<const posh::Program>& program() const { return activity().program(); }
-    /// By place.
+    /// Paths of the program's places, by index; empty while `empty`.
     const std::vector<std::string>& paths() const;
 
+    /// The shown moment and the limits of the run; cycle 0 if nothing is known.
     widgets::PlanTime time() const;
-    /// Of the run up to the shown moment; only where there is a program.
+    /// Statistics of the run up to the shown moment. Must not be called while `empty`.
     const posh::RunStatistics& statistics() const { return activity().statistics(); }
+    /// True while it follows the run.
     bool live() const { return !moment_; }
     News goLive();
-    /// To the cycle that was the newest at that time.
+    /// Shows the cycle that was the newest at that time (protocol clock).
     News goTo(Seconds time);
-    /// So many cycles on or back. Beyond the newest it follows the run.
+    /// Shows the cycle that is so many cycles later, or earlier if negative. At the newest it follows the run.
     News step(int cycles);
-    /// One epoch on, within the shown cycle; None where it was the last.
+    /// Shows the next epoch of the shown cycle; None if the last one, or the whole cycle, is shown.
     News stepEpoch();
-    /// To the first epoch of the newest cycle, unless it has but one.
+    /// Shows the first epoch of the newest cycle; None if the cycle has only one.
     News goToFirstEpoch();
-    /// Of the cycle that is so many behind the shown one, or of the last that is known.
+    /// Time of the cycle that is so many cycles after the shown one, limited to the known ones; 0 if none is shown.
     Seconds timeOfStep(int cycles) const;
 
 private:
+    /// The activity at the shown moment.
     const posh::RunActivity& activity() const { return moment_ || !all_heard_ ? shown_ : history_.newest(); }
     void hear(const std::string& piece);
+    /// Replaces the history by this trace and follows it.
     void startWith(const std::string& trace);
+    /// Computes what is shown after any change.
     News refresh();
     /// Index of the newest moment heard so far (a replay may have been rewound); nullopt before the first.
     std::optional<std::size_t> heardMoment() const;
     std::optional<std::size_t> shownMoment() const { return moment_ ? moment_ : heardMoment(); }
+    /// Shows this moment, or follows the run for nullopt.
     News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);
 
     posh::RunHistory history_;
-    std::string expected_;  ///< the trace of a run, as far as it is known from elsewhere
-    std::size_t heard_ = 0; ///< bytes of `history_`, since a replay was wound back last
-    bool all_heard_ = true;
-    std::optional<std::size_t> moment_; ///< nothing: it follows
-    std::optional<std::size_t> epoch_;  ///< of `moment_`
+    std::string expected_;  ///< the trace that a replay is expected to publish; empty: unknown
+    std::size_t heard_ = 0; ///< number of bytes of `history_` heard since the start or since the last rewind
+    bool all_heard_ = true; ///< `heard_` is all of `history_`
+    std::optional<std::size_t> moment_; ///< chosen moment, as an index in the history; nullopt: it follows the run
+    std::optional<std::size_t> epoch_;  ///< epoch of `moment_` that is shown; nullopt: the whole cycle
     bool is_replay_ = false;
     Seconds now_{0.0};        ///< the robot's clock
-    posh::RunActivity shown_; ///< unless it is the newest of all
-    std::shared_ptr<const posh::Program> program_;
+    posh::RunActivity shown_; ///< activity at the shown moment, unless that is the newest of the history
+    std::shared_ptr<const posh::Program> program_; ///< the program at the last refresh
     std::string text_;
     posh::PlanReading reading_;
     std::shared_ptr<const std::vector<std::string>> paths_;

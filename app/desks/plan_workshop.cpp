@@ -63,7 +63,7 @@ widgets::PlanEditor& PlanWorkshop::opened() {
         return *editor_;
     editor_ = new widgets::PlanEditor;
     editor_->setWindowFlag(Qt::Window);
-    editor_->setAttribute(Qt::WA_QuitOnClose, false); // it belongs to the main window
+    editor_->setAttribute(Qt::WA_QuitOnClose, false); // It belongs to the main window.
     editor_->setObjectName("plan_editor");
     editor_->setKeepingFolder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/plans");
     if (!editor_->restoreGeometry(geometry_))
@@ -104,7 +104,8 @@ void PlanWorkshop::load(const QString& path) {
     });
 }
 
-/// A behavior that a plan decides: the chosen one, or else the first of the chosen one's robot.
+/// Returns the id of a behavior that is controlled by a plan: the chosen one, or else the first such behavior of the
+/// same robot. If there is none, returns the chosen one.
 std::string PlanWorkshop::plannedBehavior() const {
     const auto& plugins = control_.plugins();
     const std::string chosen = views_.behavior->behaviorId();
@@ -253,7 +254,7 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
     connect(box, &QMessageBox::finished, this, [this](int answer) {
-        question_.clear(); // what follows may ask anew
+        question_.clear(); // The next action may ask again.
         const auto next = std::exchange(after_it_, nullptr);
         if (answer == QMessageBox::Save)
             editor_->action("save")->trigger();

@@ -1,4 +1,4 @@
-// A person's own plans: which file decides for a robot, and the editor in which it is written.
+// Desk for the user's own plans: chooses the file that a robot uses, and manages the editor.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace usar::app {
 
-/// The editor is a window of its own beside the main one, for a plan is read together with what the robot does. GUI
-/// thread.
+/// Owns the plan editor, which is made when it is first needed. It is a window of its own beside the main window, so
+/// that the user can read the plan while watching the robot. GUI thread.
 class PlanWorkshop : public QObject {
     Q_OBJECT
 public:
@@ -28,42 +28,48 @@ public:
     void restore(const QSettings& settings);
     void save(QSettings& settings) const;
 
-    /// It decides from the next start on. One that does not fit the robot is shown in the editor, and decides nothing.
+    /// Chooses this file for the robot, from its next start on. A plan that does not fit the robot is not used, but
+    /// shown in the editor. Errors are notices.
     void openPlan(const QString& path);
-    /// The selected robot is another one, or it started or stopped: what the editor checks against, and whether it can
-    /// hand its plan over, may be different.
+    /// Updates the editor when another robot is selected or its behavior starts or ends: the robot that the plan is
+    /// checked against, and the permission to put the plan into the running robot.
     void follow();
-    /// What the followed robot's plan says by now; empty: none decides.
+    /// Sets the current plan of the selected robot; empty: no plan decides.
     void setRunningPlan(const std::string& text);
-    /// Of a plan, not saved.
+    /// True if the plan in the editor has unsaved changes.
     bool hasChanges() const;
-    /// Calls `go_on` at once if nothing would be lost, else after the person has saved or discarded the changes; never
-    /// if they cancel. A second request replaces the action that waits for the open question.
+    /// Calls `go_on` at once if nothing would be lost, otherwise after the user has saved or discarded the changes;
+    /// never if the user cancels. A second call while the question is open replaces the first one's `go_on`.
     void letGo(std::function<void()> go_on);
-    /// Null before it was opened first.
+    /// Returns nullptr until the editor is opened for the first time.
     widgets::PlanEditor* editor() const { return editor_; }
 
 signals:
-    /// Another file decides for the robot that is set up.
+    /// Another file was chosen for the robot that is being set up.
     void planChosen();
 
 private:
+    /// Returns the editor; makes it first if necessary.
     widgets::PlanEditor& opened();
     void connectEditor();
     void choosePlanFile();
     void editPlan();
     void newPlan();
     void show();
-    /// Shows this file in the editor; what cannot be read is said.
+    /// Shows this file in the editor; an error is a notice.
     void load(const QString& path);
-    /// A plan without a file of its own.
+    /// Shows a plan that has no file of its own.
     void edit(const std::string& text, const QString& name);
+    /// Discards the unsaved changes.
     void giveUp();
     void chooseWhereToSave();
     void chooseWhereToExport(posh::Dialect dialect);
     void chooseWhereToSavePicture();
+    /// Replaces the plan of the selected robot while it runs.
     void putIntoRobot(const std::string& text, const QString& name);
+    /// Chooses a saved file for the robot if it fits.
     void takeSaved(const QString& path);
+    /// Chooses behavior and file for the next start.
     void use(const std::string& behavior_id, const QString& path);
     std::string plannedBehavior() const;
     void say(Severity severity, const QString& key, const QString& text);
@@ -76,11 +82,11 @@ private:
     NoticeDesk& notices_;
     QWidget* window_;
     QPointer<widgets::PlanEditor> editor_;
-    QByteArray geometry_;                    ///< of the editor's window, from the last time
+    QByteArray geometry_;                    ///< geometry of the editor's window when it was last closed
     std::optional<std::string> checked_for_; ///< class of the robot whose senses and acts the editor knows
-    std::string running_text_;
-    QPointer<QMessageBox> question_; ///< whether the plan is saved; it stands open
-    std::function<void()> after_it_; ///< what is to be done when it was answered
+    std::string running_text_;               ///< current plan of the selected robot; empty: none
+    QPointer<QMessageBox> question_;         ///< the open question about unsaved changes; null: none
+    std::function<void()> after_it_;         ///< called when it is answered
 };
 
 } // namespace usar::app

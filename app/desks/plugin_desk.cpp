@@ -50,7 +50,7 @@ void PluginDesk::save(QSettings& settings) const {
     settings.setValue("isolated_plugins", isolated_);
 }
 
-/// Marks are kept beside the settings.
+/// Also sets the folder for marks of plugins that have ended the program; it is beside the settings file.
 void PluginDesk::applyIsolation() {
     desk_.control.isolatePlugins(isolated_, QFileInfo(QSettings().fileName()).path() + "/plugins");
 }
@@ -107,7 +107,7 @@ void PluginDesk::tell(const agent::PluginChange& change) {
         return tellRefused(record);
     case agent::PluginNews::Asked:
     case agent::PluginNews::Described:
-        return desk_.notices.cure(record.file); // its row says the rest
+        return desk_.notices.cure(record.file); // The behavior panel shows the rest.
     case agent::PluginNews::Moved:
         desk_.notices.cure(record.file);
         return desk_.notices.say(Severity::Note, "plugin/" + record.file,

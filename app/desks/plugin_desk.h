@@ -1,4 +1,4 @@
-// Robot plugins: which were refused, which are rebuilt while the program runs, and which have their own process.
+// Desk for robot plugins: loads them, reports refused and rebuilt ones, and gives plugins a process of their own.
 #pragma once
 
 #include <QObject>
@@ -10,43 +10,48 @@
 
 namespace usar::app {
 
-/// Loads plugins when it is made, so that what can be spawned is known from the start. GUI thread.
+/// Loads the plugins in its constructor, so that the robots that can be spawned are known from the start, and watches
+/// their files. GUI thread.
 class PluginDesk : public QObject {
     Q_OBJECT
 public:
     PluginDesk(const DeskContext& context, const QStringList& folders);
 
     void registerCommands();
-    /// Once commands are registered.
+    /// To be called after all commands are registered.
     void wire();
     void save(QSettings& settings) const;
-    /// Says which plugins were refused; once the notifications can be seen.
+    /// Reports the refused plugins; to be called once notifications can be seen.
     void tellRefused();
 
-    /// Name of the plugin that has this behavior; empty if none has.
+    /// Name of the plugin that has this behavior; empty if none has it.
     QString pluginOf(const std::string& behavior_id) const;
-    /// Behaviors of this plugin run in a process of their own.
+    /// True if behaviors of this plugin are to run in a process of their own.
     bool isolates(const QString& plugin) const { return isolated_.contains(plugin); }
+    /// Takes effect for behaviors that are started from now on; kept in the settings.
     void setIsolated(const QString& plugin, bool isolated);
 
 signals:
-    /// What can be spawned and started is different now.
+    /// The robots that can be spawned or the behaviors that can be started have changed.
     void changed();
     void isolationChanged();
 
 private:
+    /// Passes the list of isolated plugins to MissionControl.
     void applyIsolation();
     void tellRefused(const agent::PluginRecord& record);
-    /// What was rebuilt decides from the next start on. `asked`: by the user, who is also told if nothing is new.
+    /// Loads new and rebuilt plugins, which are used from the next start on. `asked`: by the user, who is told even if
+    /// nothing has changed.
     void rescan(bool asked);
     void take(const std::vector<agent::PluginChange>& changes);
+    /// Reports a change.
     void tell(const agent::PluginChange& change);
     void tellLoaded(const agent::PluginChange& change);
 
     DeskContext desk_;
     agent::PluginWatch watch_;
     QStringList folders_;
-    QStringList isolated_; ///< plugins by name
+    QStringList isolated_; ///< names of the plugins
 };
 
 } // namespace usar::app

@@ -75,7 +75,7 @@ void RadioDesk::showOnMap(bool on) {
     desk_.views.layers->setLayer(widgets::MapLayer::Radio, state);
 }
 
-/// Two stations on one pose would hear each other best, which is of no use.
+/// Prefers a free start pose, because two stations on one pose would only hear each other well.
 void RadioDesk::spawnStation() {
     const auto robots = desk_.control.robots();
     const auto& poses = desk_.control.startPoses();
@@ -138,12 +138,12 @@ void RadioDesk::take(const link::RadioStrengths& strengths) {
     desk_.views.map->setRadioLinks(links);
 }
 
-/// A link that is lost, once; it is cured when the link is back.
+/// Reports a lost link once, and cures the notice when the link is back.
 void RadioDesk::tell(const widgets::RadioLink& link) {
     const bool linked = link.strength_dbm && *link.strength_dbm >= widgets::radio_cutoff_dbm;
     const auto known = linked_.find({link.a, link.b});
     if (known == linked_.end()) {
-        if (linked) // who has never been heard has lost nothing
+        if (linked) // A pair that was never linked has lost nothing.
             linked_[{link.a, link.b}] = true;
         return;
     }

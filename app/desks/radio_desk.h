@@ -1,4 +1,4 @@
-// The radio dock: links between the robots' radios, on the map, too, and notices when one is lost.
+// Desk of the radio dock: shows the radio links between robots, there and on the map, and reports lost ones.
 #pragma once
 
 #include <map>
@@ -11,34 +11,37 @@
 
 namespace usar::app {
 
-/// Asks the wireless server beside the server that the window is connected to, while there are two radios or more.
-/// GUI thread.
+/// While there are at least two radios, asks the wireless server that belongs to the connected server for their signal
+/// strengths. GUI thread.
 class RadioDesk : public QObject {
     Q_OBJECT
 public:
     explicit RadioDesk(const DeskContext& context);
 
     void registerCommands();
-    /// Once commands are registered.
+    /// To be called after all commands are registered.
     void wire();
 
 private:
     using Pair = std::pair<QString, QString>;
+    /// Spawns a base station on the first free start pose.
     void spawnStation();
     void showOnMap(bool on);
+    /// Connects to the wireless server, or disconnects, with the link to the bot server.
     void follow(const link::LinkStatus& status);
     void followRobots();
     void take(const link::RadioStrengths& strengths);
     void tell(const widgets::RadioLink& link);
+    /// Says in the empty dock why there are no links, and what helps.
     void explainEmptiness();
 
     DeskContext desk_;
     mission::RadioWatch watch_;
-    server::ChannelPorts ports_; ///< of the embedded simulator
-    QStringList robots_;
-    link::LinkStatus status_;
-    std::map<Pair, bool> linked_; ///< as it was told last
-    bool connected_ = false;
+    server::ChannelPorts ports_;  ///< ports of the embedded simulator
+    QStringList robots_;          ///< names of all live robots
+    link::LinkStatus status_;     ///< state of the connection to the wireless server
+    std::map<Pair, bool> linked_; ///< last reported state; only pairs that have been linked
+    bool connected_ = false;      ///< to the bot server
 };
 
 } // namespace usar::app

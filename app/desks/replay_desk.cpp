@@ -11,7 +11,7 @@ void ReplayDesk::registerCommands() {
         const Robot* robot = desk_.selection.robot();
         return robot && robot->isReplay();
     };
-    // From where the replay is by then: at 100 times the pace the bar is seconds behind.
+    // Relative to the replay's position when it takes the order: at 100 times the pace the bar lags by seconds.
     const auto seekBy = [this](Seconds span) { return [this, span](bool) { order({.seek_by = span}); }; };
     commands.add({"file.record",
                   tr("Record"),

@@ -1,4 +1,4 @@
-// The robots: which can be spawned where, the list of those that are there, and what the selected one says.
+// Desk for robots: spawns, lists and removes them, shows their updates, and lets them leave trace marks.
 #pragma once
 
 #include <QObject>
@@ -8,8 +8,7 @@
 
 namespace usar::app {
 
-/// Spawns robots from the map's start poses, lists them, and brings updates to the views by way of its presenter. GUI
-/// thread.
+/// Spawns robots on the map's start poses, and passes their updates to a RobotPresenter, which shows them. GUI thread.
 class RobotDesk : public QObject {
     Q_OBJECT
 public:
@@ -17,11 +16,11 @@ public:
 
     void registerCommands();
     void wire();
-    /// Lists the classes that can be spawned now.
+    /// Offers the classes that can be spawned now in the spawn card.
     void listClasses();
-    /// The row in the list and the arrow on the map, as they stand.
+    /// Updates the robot's row in the list and its arrow on the map.
     void showRow(int id) { presenter_.showRow(id); }
-    /// Sends TRACE for the selected robot, in the color that the palette shows.
+    /// Sends TRACE for the selected robot, with the color chosen in the palette.
     void trace(bool on);
 
 private:
@@ -29,10 +28,13 @@ private:
     void wireRobots();
     void wireSpawning();
     void wireMarks();
+    /// Shows and selects a new robot.
     void welcome(int id);
+    /// Removes a robot from the views; `instead` is selected if the robot was.
     void dismiss(int id, const QString& name, int instead);
     void spawn(const widgets::SpawnChoice& choice);
     void show(int id, const mission::SessionUpdate& update);
+    /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
     void select(const QString& name);
 

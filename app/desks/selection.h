@@ -1,4 +1,4 @@
-// Which robot the window shows.
+// The selected robot: the one that the window shows.
 #pragma once
 
 #include <QObject>
@@ -7,23 +7,25 @@
 
 namespace usar::app {
 
-/// The id of the robot that is shown, 0 while there is none. Every desk shows that robot, and its commands are meant
-/// for it. GUI thread.
+/// Id of the selected robot, 0 while there is none. Every desk shows this robot, and its commands apply to it. GUI
+/// thread.
 class Selection : public QObject {
     Q_OBJECT
 public:
     explicit Selection(const MissionControl& control) : control_(control) {}
 
     int id() const { return id_; }
-    /// Null while no robot is shown.
+    /// Returns nullptr while no robot is selected.
     Robot* robot() const { return control_.robot(id_); }
-    /// Shows no robot if there is none with this id. The id that is selected already shows its robot afresh.
+    /// Selects this robot, or none if there is no such robot. Selecting the current one again makes all desks show it
+    /// again.
     void select(int id) {
         id_ = control_.robot(id) ? id : 0;
         emit changed(id_);
     }
 
 signals:
+    /// Emitted by every `select`, even with the same id. 0: no robot.
     void changed(int id);
 
 private:

@@ -13,7 +13,7 @@ namespace usar::app {
 
 namespace {
 
-/// "point_lookout" as a menu says it: "Point lookout".
+/// Makes the title of a world for menus: "point_lookout" becomes "Point lookout".
 QString titleOf(QString name) {
     name.replace('_', ' ');
     return name.left(1).toUpper() + name.mid(1);
@@ -191,7 +191,8 @@ void ServerDesk::wireSimulator() {
 }
 
 void ServerDesk::restore(const QSettings& settings) {
-    // Offered if a real server is chosen; without a word about it the program always starts in the embedded world.
+    // The address is offered if the user chooses a real server. The program itself always starts with the embedded one
+    // unless the command line says otherwise.
     desk_.views.connection->setAddress(settings.value("server/host", server_.host).toString(),
                                        quint16(settings.value("server/port", server_.port).toUInt()));
 }
@@ -227,7 +228,7 @@ void ServerDesk::connectTo(widgets::ServerChoice choice, const QString& host, qu
     desk_.views.map->clear();
     emit leavingWorld(target.embedded);
     desk_.control.connectTo(target);
-    if (desk_.selection.robot()) // a replay stays, but the map is cleared
+    if (desk_.selection.robot()) // A replay remains, but the map was cleared.
         desk_.selection.select(desk_.selection.id());
 }
 
@@ -264,7 +265,7 @@ void ServerDesk::openRobotFile(const QString& path) {
 void ServerDesk::learned(const QString& file, const QString& class_name) {
     QStringList& files = server_.simulator.robot_files;
     files.removeAll(file);
-    files << file; // for the next world, too
+    files << file; // For the next world, too.
     desk_.notices.cure("robot-file");
     desk_.notices.say(Severity::Note, "robot-learned",
                       tr("%1 can be spawned: click a start pose and choose it.").arg(class_name));
@@ -283,7 +284,7 @@ void ServerDesk::openWorld(const QString& name_or_folder) {
 }
 
 void ServerDesk::load(const server::SimulatorSpec& spec, const QString& what) {
-    emit loadingEnded(); // of the world before, if one was still loading
+    emit loadingEnded(); // Another world that was still being loaded is given up.
     loader_.load(spec);
     desk_.views.progress->begin(what);
     desk_.commands.refresh();
@@ -296,7 +297,7 @@ void ServerDesk::takeLoaded(const server::SimulatorSpec& spec) {
     server_.simulator = spec;
     desk_.views.connection->setServer(widgets::ServerChoice::Embedded);
     connectTo(widgets::ServerChoice::Embedded, {}, 0);
-    server_.simulator = usual; // the next start is from the beginning, and the snapshot's world is only its own
+    server_.simulator = usual; // A snapshot is used once; the next start does not resume it.
     if (spec.snapshot.isEmpty())
         server_.simulator.world = spec.world;
     desk_.commands.refresh();

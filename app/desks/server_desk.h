@@ -1,4 +1,4 @@
-// The server: connecting and disconnecting, and what the embedded simulator is started with.
+// Desk for the server: connects and disconnects, and opens worlds, snapshots and robot files of the embedded simulator.
 #pragma once
 
 #include <QMenu>
@@ -10,8 +10,8 @@
 
 namespace usar::app {
 
-/// Worlds and snapshots are loaded beside the running simulation, which continues until the new one is ready, or if
-/// loading fails or is canceled. GUI thread.
+/// Worlds and snapshots are loaded in the background. The running simulation continues until the new one is ready, or
+/// if loading fails or is canceled. GUI thread.
 class ServerDesk : public QObject {
     Q_OBJECT
 public:
@@ -21,25 +21,28 @@ public:
     void wire();
     void restore(const QSettings& settings);
     void save(QSettings& settings) const;
+    /// Adds the commands that open a world of the embedded simulator.
     void fillWorldMenu(QMenu* menu) const;
 
-    /// Connects to what the command line said.
+    /// Connects to the server that the command line names.
     void begin();
+    /// Restarts the embedded simulator in this world. An error is a notice, here and below.
     void openWorld(const QString& name_or_folder);
-    /// The embedded simulator continues from there.
+    /// Restarts the embedded simulator from this snapshot.
     void openSnapshot(const QString& path);
-    /// The embedded simulator can spawn one more class of robot.
+    /// Adds a robot class to the embedded simulator, which must be running.
     void openRobotFile(const QString& path);
-    /// The world that the embedded simulator is in, or begins in.
+    /// Name of the world of the connected server, or else of the world in which the embedded simulator will start.
     QString world() const;
-    /// Nobody waits any longer for a world that is still loading.
+    /// Cancels the loading of a world or snapshot, if any.
     void cancelLoading();
+    /// State of the link to the server.
     link::LinkState linkState() const { return link_state_; }
 
 signals:
-    /// The old world is gone from now on.
+    /// The old world is left, for the embedded simulator or a real server.
     void leavingWorld(bool for_embedded);
-    /// The world that was being loaded will not come.
+    /// The world or snapshot that was being loaded will not be opened, or another one is loaded instead.
     void loadingEnded();
 
 private:
@@ -49,19 +52,22 @@ private:
     void registerRobotFileCommand();
     void wireLoading();
     void wireSimulator();
+    /// Host and port are ignored for the embedded simulator.
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
-    /// Also cancels a world that is still loading.
+    /// Also cancels the loading of a world or snapshot.
     void disconnectFromServer();
     void showLink(const link::LinkStatus& status);
     void showWorld(const server::WorldPicture& world);
+    /// Starts loading; `what` is shown above the progress.
     void load(const server::SimulatorSpec& spec, const QString& what);
+    /// Starts the embedded simulator with a loaded simulation.
     void takeLoaded(const server::SimulatorSpec& spec);
-    /// The user canceled it.
+    /// Cancels loading at the user's request.
     void abandonLoading();
     void learned(const QString& file, const QString& class_name);
 
     DeskContext desk_;
-    ServerTarget server_; ///< what the next connection is made to
+    ServerTarget server_; ///< the target of the next connection
     server::SimulationLoader loader_;
     link::LinkState link_state_ = link::LinkState::Disconnected;
 };

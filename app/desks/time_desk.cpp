@@ -77,7 +77,7 @@ void TimeDesk::begin(bool steerable) {
 void TimeDesk::pause(bool paused) {
     held_by_plan_ = false;
     if (!paused)
-        plan_.goOn(); // a plan that stays halted would hold its server's time
+        plan_.goOn(); // A plan that stays halted would hold up its server's time.
     desk_.views.time->setPaused(paused);
     emit pausedChanged(paused);
     if (paused)
@@ -97,7 +97,7 @@ void TimeDesk::hold(bool hold) {
     } else if (!hold && held_by_plan_) {
         pause(false);
     } else if (paused) {
-        desk_.control.setPace(server::Pace::Paused, 1.0); // a step is over
+        desk_.control.setPace(server::Pace::Paused, 1.0); // A step is over.
     }
 }
 
@@ -141,7 +141,7 @@ void TimeDesk::showClock() {
         return desk_.views.time->setClock(shown->view().figures.now);
     if (server_now_)
         return desk_.views.time->setClock(*server_now_);
-    for (const Robot* robot : desk_.control.robots()) // a base station hears no time; robots on its server do
+    for (const Robot* robot : desk_.control.robots()) // A base station gets no time; robots on its server do.
         if (!robot->isReplay() && timed(robot))
             return desk_.views.time->setClock(robot->view().figures.now);
 }

@@ -1,4 +1,4 @@
-// The time bar: the embedded simulator's pace, and the clock that is shown.
+// Desk of the time bar: controls the embedded simulator's time and shows the clock.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace usar::app {
 
-/// Pauses, steps and paces simulated time for all robots; a halted plan may hold it, too. GUI thread.
+/// Pauses, steps and paces simulated time for all robots. A halted plan pauses it, too. GUI thread.
 class TimeDesk : public QObject {
     Q_OBJECT
 public:
@@ -18,11 +18,12 @@ public:
 
     void registerCommands();
     void wire();
-    /// Another server is connected to. Only the embedded simulator's time can be steered.
+    /// Prepares for another server. `steerable`: it is the embedded simulator, the only one whose time can be
+    /// controlled.
     void begin(bool steerable);
-    /// `speed`: simulated seconds per second; infinite: as fast as possible.
+    /// `speed`: simulated seconds per real second; infinite: as fast as possible.
     void setSpeed(double speed);
-    /// Real time at most: nobody drives faster than the clock on the wall.
+    /// Limits the speed to real time, because the user drives a robot by hand.
     void slowDown();
 
 signals:
@@ -30,21 +31,21 @@ signals:
 
 private:
     void pause(bool paused);
-    /// Holds time while a plan is halted, and releases it unless the user has paused it meanwhile.
+    /// Pauses time while a plan is halted, and lets it run again unless the user has paused it meanwhile.
     void hold(bool hold);
-    /// One tick, or one cycle of the plans that are halted.
+    /// Makes one tick, or one cycle of the plans that are halted.
     void step();
-    /// Time runs until a plan halts again; the bar still shows a pause.
+    /// Lets time run until a plan halts again; the bar still shows a pause.
     void runOneCycle();
-    /// A fast clock without a behavior only runs batteries down.
+    /// Returns to real time once no behavior runs, because a fast clock would only drain batteries.
     void returnToRealTime();
-    /// The selected robot's time, or the simulator's if it has none.
+    /// Shows the selected robot's time, or else the simulator's, or else that of any robot.
     void showClock();
 
     DeskContext desk_;
     PlanDesk& plan_;
-    std::optional<Seconds> server_now_; ///< the embedded simulator's clock
-    bool held_by_plan_ = false;         ///< a plan stopped the time, not the user
+    std::optional<Seconds> server_now_; ///< the embedded simulator's clock; nullopt: unknown
+    bool held_by_plan_ = false;         ///< time was paused by a plan, not by the user
 };
 
 } // namespace usar::app

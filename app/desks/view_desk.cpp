@@ -88,7 +88,7 @@ void ViewDesk::registerLayouts() {
     for (QDockWidget* dock : desk_.views.docks) {
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
             if (shown)
-                dock->raise(); // it may be one of several tabs
+                dock->raise(); // It may be one of several tabs.
         });
         desk_.commands.adopt({"view.dock." + dock->objectName(),
                               dock->windowTitle(),

@@ -1,4 +1,4 @@
-// How the window looks: theme, layouts of its docks, and the helps that explain it.
+// Desk for the look of the window: theme, layouts of the docks, command palette and help.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,27 @@
 
 namespace usar::app {
 
-/// GUI thread.
+/// Switches the theme and arranges the docks; both are kept in the settings. GUI thread.
 class ViewDesk : public QObject {
     Q_OBJECT
 public:
-    /// `theme`: as the command line wants it; absent: as it was last.
+    /// `theme`: the one that the command line asks for; nullopt: the one used last.
     ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme);
 
     void registerCommands();
+    /// Registers the commands for layouts, and one per dock that shows or hides it.
     void registerLayouts();
-    /// The layouts begin from the window as it is now.
+    /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
     void keepFirstLayout() { first_layout_ = window_.saveState(layout_version); }
     void restore(const QSettings& settings);
     void save(QSettings& settings) const;
 
 private:
     void setTheme(widgets::Theme theme);
-    /// The first layout, with the bottom dock `raised` and this part of the height given to the bottom docks.
+    /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
     void arrange(QDockWidget* raised, double bottom_part);
 
-    static constexpr int layout_version = 5; ///< a layout saved by an older set of docks is not restored
+    static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
     DeskContext desk_;
     QMainWindow& window_;

@@ -17,7 +17,7 @@ using widgets::ObjectForm;
 
 constexpr std::chrono::milliseconds seen_polling{200};
 constexpr std::chrono::milliseconds map_polling{500};
-constexpr double drop_height_m = 0.02; ///< a thing falls that far; none begins inside the ground
+constexpr double drop_height_m = 0.02; ///< new objects start this far above the ground, so that none starts inside it
 constexpr double spin_rad_s = radians(30.0);
 constexpr std::size_t most_undo = 100;
 
@@ -116,7 +116,7 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         known_.clear();
         used_names_.clear();
         deleted_.clear();
-        ground_.reset(); // of the embedded world, which the next server need not have
+        ground_.reset(); // The next server may have another world.
         own_objects_.clear();
         setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
@@ -133,7 +133,7 @@ void WorldEditor::setWorld(const server::WorldPicture& world) {
     setClasses();
 }
 
-/// Of which the server is asked, to learn what is of them.
+/// Sets the classes that the server is asked about to find out which objects belong to them.
 void WorldEditor::setClasses() {
     std::vector<std::string> classes;
     for (const sim::ObjectKind& kind : sim::objectKinds())
@@ -229,7 +229,7 @@ void WorldEditor::select(const QString& name) {
     commands_.refresh();
 }
 
-/// The map takes the choice in hand, or lets it go.
+/// Switches the map to placing the object that is chosen in the palette, or back if none is.
 void WorldEditor::arm() {
     const auto choice = views_.world->choice();
     if (!choice) {
@@ -293,7 +293,8 @@ void WorldEditor::spin() {
     send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
 }
 
-/// Nothing where neither the server nor the embedded world tells of which class it is.
+/// Returns the command that would create this object again; nullopt if neither the server nor the embedded world tells
+/// its class.
 std::optional<protocol::CreateObject> WorldEditor::creationOf(const MapObject& object) const {
     const auto bare = [](const QString& class_name) { return class_name.section('.', -1).toStdString(); };
     const auto own = own_objects_.find(object.name);
@@ -301,12 +302,13 @@ std::optional<protocol::CreateObject> WorldEditor::creationOf(const MapObject& o
                                                       sameWord(bare(own->second), bare(object.kind)));
     if (object.kind.isEmpty() && !is_own)
         return std::nullopt;
-    protocol::CreateObject created{tokenOf(is_own ? own->second : object.kind)}; // a thing of no class goes by its name
+    protocol::CreateObject created{
+        tokenOf(is_own ? own->second : object.kind)}; // A server finds an object without class by its name.
     created.object_name = protocol::Name::mended(object.name.toStdString());
     created.start = object.body_in_map;
     const sim::ObjectKind* const kind = is_own ? nullptr : sim::findObjectKind(object.kind.toStdString());
     if (!kind)
-        return created; // in the size that its class has
+        return created; // With the usual size of its class.
     if (const Vec3 scale = object.size_m.cwiseQuotient(kind->size_m); !scale.isApprox(Vec3::Ones(), 0.02))
         created.scale = scale;
     return created;
@@ -369,7 +371,7 @@ void WorldEditor::clearWay() {
     show();
 }
 
-/// Along its way points; a conveyor without any runs its belt.
+/// Starts or stops the selected object's motion along its way points. A conveyor without way points runs its belt.
 void WorldEditor::follow(bool moving) {
     const MapObject* const object = selected();
     if (!object)

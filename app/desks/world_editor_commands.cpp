@@ -1,4 +1,4 @@
-// What can be done with the objects of the world, as commands.
+// The part of WorldEditor that registers its commands.
 #include "app/desks/world_editor.h"
 
 namespace usar::app {
@@ -72,7 +72,7 @@ void WorldEditor::registerWayCommands() {
         [this](bool on) {
             views_.map->setTool(on ? widgets::MapTool::Waypoint : widgets::MapTool::Pan);
             if (on)
-                views_.map->setFocus(); // for Escape
+                views_.map->setFocus(); // So that it receives Escape.
         },
         one);
     commands_.add(

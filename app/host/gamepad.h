@@ -1,4 +1,4 @@
-// The gamepad that is plugged in, if any: its sticks as one stick, and its buttons.
+// The gamepad that is plugged in, if any: its two sticks as one Stick, and two of its buttons.
 #pragma once
 
 #include <memory>
@@ -10,34 +10,37 @@
 
 namespace usar::app {
 
-/// By SDL's mappings, so that buttons and sticks are where they are on every pad. The left stick drives and turns, the
-/// right one goes sideways, up and down; both have a dead zone. Read in a thread of its own; signals come in the thread
-/// that this lives in, the GUI's. Several pads: the first that was plugged in counts. Without SDL 2 in the build there
-/// is never one.
+/// Uses SDL's mappings, so that sticks and buttons have the same places on every pad. The left stick drives and turns,
+/// the right one moves sideways, up and down; both have a dead zone. The pad is read in a thread of its own; signals
+/// are emitted in the GUI thread, to which this object belongs. If several pads are plugged in, the first one found is
+/// used until it is unplugged. Without SDL 2 in the build there is never a gamepad.
 class Gamepad : public QObject {
     Q_OBJECT
 public:
     explicit Gamepad(QObject* parent = nullptr);
+    /// Waits for the reading thread to end.
     ~Gamepad() override;
 
+    /// False if the program was built without SDL 2.
     static bool supported();
-    /// Begins to look for pads; again: nothing.
+    /// Starts looking for pads; further calls have no effect.
     void start();
-    /// Of the one that counts; empty: none.
+    /// Name of the pad in use; empty: none.
     const QString& name() const { return name_; }
 
 signals:
-    /// It looks for pads now.
+    /// The search for pads has begun; not emitted if SDL cannot be initialized.
     void started();
     void plugged(const QString& name);
     void unplugged(const QString& name);
+    /// The sticks have a new position, with the dead zone applied.
     void moved(const usar::Stick& stick);
     void stopPressed(); ///< the button on the right (B, circle)
-    void takePressed(); ///< Start
+    void takePressed(); ///< the Start button
 
 private:
     class Reader;
-    std::unique_ptr<Reader> reader_;
+    std::unique_ptr<Reader> reader_; ///< null until `start`
     QString name_;
 };
 

@@ -1,4 +1,4 @@
-// Without SDL 2 in the build: there is never a gamepad.
+// Gamepad for builds without SDL 2: there is never one.
 #include "app/host/gamepad.h"
 
 namespace usar::app {

@@ -17,9 +17,9 @@ namespace usar::app {
 namespace {
 
 constexpr std::chrono::milliseconds look_every{8};
-constexpr double dead_zone = 0.18; // worn sticks rest up to that far from the middle
+constexpr double dead_zone = 0.18; // Worn sticks rest up to this far from the center.
 
-/// What a pad says at one moment.
+/// State of a pad at one moment.
 struct PadState {
     Stick stick{};
     bool stop = false;
@@ -30,7 +30,7 @@ double axis(SDL_GameController* pad, SDL_GameControllerAxis which) {
     return std::clamp(SDL_GameControllerGetAxis(pad, which) / 32767.0, -1.0, 1.0);
 }
 
-/// SDL counts to the right and down.
+/// Reads the pad. The signs are inverted, because SDL's axes point right and down.
 PadState read(SDL_GameController* pad) {
     double turn = -axis(pad, SDL_CONTROLLER_AXIS_LEFTX);
     double forward = -axis(pad, SDL_CONTROLLER_AXIS_LEFTY);
@@ -45,7 +45,7 @@ PadState read(SDL_GameController* pad) {
 
 } // namespace
 
-/// The thread that reads. Asks for states instead of events, because SDL has one queue of them for the whole program.
+/// The reading thread. It polls states instead of using events, because SDL has one event queue for the whole program.
 class Gamepad::Reader {
 public:
     explicit Reader(Gamepad& owner) : owner_(owner), thread_(QThread::create([this] { run(); })) {
@@ -62,6 +62,7 @@ public:
     }
 
 private:
+    /// Runs a call with the owner in the owner's thread.
     template <class Call>
     void tell(Call call) {
         link::post(&owner_, [&owner = owner_, call = std::move(call)] { call(owner); });
@@ -76,13 +77,13 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     bool over_ = false;
-    SDL_GameController* pad_ = nullptr; ///< of the thread, as what follows
+    SDL_GameController* pad_ = nullptr; ///< used by the reading thread only, as is `state_`
     PadState state_;
 };
 
 void Gamepad::Reader::run() {
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");               // the program has its own
-    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // SDL knows no window of ours
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");               // The program has its own.
+    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1"); // SDL does not know our window.
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         return;
     SDL_JoystickEventState(SDL_IGNORE);

@@ -33,7 +33,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     host->thread_.setObjectName("simulator");
     host->thread_.start();
     Result<quint16> port;
-    const auto serve = [&] { // sockets and timers are made in the thread that they live in
+    const auto serve = [&] { // Sockets and timers must be made in the thread that uses them.
         host->server_ = new server::SimulatorServer(*std::move(simulation), host->worker_);
         port = host->server_->listen(0);
         host->server_->setTimeBeginsWithRobots(true);

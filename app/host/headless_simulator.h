@@ -1,4 +1,4 @@
-// The embedded simulator for a program without a window.
+// The embedded simulator for programs without a window.
 #pragma once
 
 #include <cstdint>
@@ -20,39 +20,43 @@
 
 namespace usar::app {
 
+/// Options of a headless simulator.
 struct HeadlessSpec {
     std::uint64_t seed = 1;
-    std::optional<double> speed_x{}; ///< simulated seconds per second, absent for as fast as it can
+    std::optional<double> speed_x{}; ///< simulated seconds per real second; absent: as fast as possible
     std::vector<sim::Fault> faults{};
 };
 
-/// Serves one world on a free loopback port from a thread of its own, from `start` until it is destroyed. What it tells
-/// beside the wire is for scores only. Lives in the main thread.
+/// Serves one world on a free loopback port from a thread of its own until it is destroyed; simulated time begins with
+/// the first robot. The truth and the figures that it gives out are for scoring only; behaviors see only what the
+/// server sends. Belongs to the main thread.
 class HeadlessSimulator {
 public:
-    /// An unknown world is an error that lists the known ones.
+    /// Loads a world by name or folder and serves it. An unknown world is an error that lists the known ones.
     static Result<std::unique_ptr<HeadlessSimulator>> start(const QString& world, const HeadlessSpec& spec);
     static Result<std::unique_ptr<HeadlessSimulator>> serve(sim::World world, const HeadlessSpec& spec);
+    /// Waits for the simulator's thread to end.
     ~HeadlessSimulator();
 
     quint16 port() const { return port_; }
+    /// Extent of the world in meters, map frame.
     Rectangle extent() const;
-    /// Valid as long as this object.
+    /// True heights of the world. The functions are valid as long as this object.
     mission::Truth truth() const;
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
-    /// Of the first robot that is there now.
+    /// Figures of the first robot; nullopt if there is none now. Waits for the simulator's thread.
     std::optional<mission::TrueFigures> figures() const;
 
 private:
     HeadlessSimulator() = default;
 
     QThread thread_;
-    QObject* worker_ = new QObject; ///< lives in thread_, owns the server, is deleted there
+    QObject* worker_ = new QObject; ///< belongs to thread_, owns the server, and is deleted there
     server::SimulatorServer* server_ = nullptr;
-    const sim::Simulation* simulation_ =
-        nullptr; ///< the server's; touched from its thread only, but for the still world
-    std::unique_ptr<sim::RayCaster> rays_;
+    /// Owned by the server and used in its thread only, except for the world, which does not change.
+    const sim::Simulation* simulation_ = nullptr;
+    std::unique_ptr<sim::RayCaster> rays_; ///< for `truth`
     quint16 port_ = 0;
 };
 

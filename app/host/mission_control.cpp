@@ -88,7 +88,7 @@ void MissionControl::connectTo(const ServerTarget& target) {
 
 void MissionControl::disconnectFromServer() {
     for (const Robot* robot : robots())
-        if (!robot->isReplay()) // it needs no server
+        if (!robot->isReplay()) // A replay needs no server.
             remove(robot->view().id);
     next_.reset();
     waiting_.clear();
@@ -168,7 +168,7 @@ void MissionControl::connectRobot(Robot* robot) {
 
 void MissionControl::tell(Robot* robot, const mission::Notice& notice) {
     if (notice.topic == "fault" && !robot->isReplay())
-        return; // the simulator says it, once for all robots
+        return; // The simulator reports it once for all robots.
     const QString who = robot->spawned() ? QString::fromStdString(robot->view().spawn.robot_name) : tr("Link");
     const QString key = who + "/" + QString::fromStdString(notice.topic);
     if (notice.over)
@@ -401,7 +401,7 @@ void MissionControl::finished(Robot* robot, bool success, const QString& reason)
         note(success ? Severity::Note : Severity::Warning, key, text);
     emit behaviorFinished(id, success, reason);
     if (!robot->view().tiles.empty())
-        keeper_.save(*robot); // even where all was saved before: now the end belongs to it
+        keeper_.save(*robot); // Even if everything was saved before: the record now includes the end.
     closeWhenSaved();
 }
 
@@ -430,7 +430,7 @@ void MissionControl::prepareToClose() {
     keeper_.retry();
     for (Robot* robot : robots()) {
         if (robot->running())
-            robot->stop(); // what it scanned is saved when it has stopped
+            robot->stop(); // Its scan is saved once it has stopped.
         else if (robot->view().unsaved)
             keeper_.save(*robot);
     }

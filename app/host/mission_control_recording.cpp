@@ -1,4 +1,4 @@
-// Recordings that MissionControl writes and opens.
+// The part of MissionControl that writes and opens recordings.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace usar::app {
 
 namespace {
 
-/// "R1_2026-11-21_18-21-29.usarrec", or with a number behind it where there is such a file.
+/// "R1_2026-11-21_18-21-29.usarrec" in the folder, followed by a number if there is such a file already.
 QString newRecordingIn(const QString& folder, const QString& robot_name) {
     QString safe = robot_name;
     for (QChar& c : safe)
@@ -88,7 +88,7 @@ void MissionControl::connectReplay(Robot* robot) {
         const auto found = std::ranges::find(opening_, robot, &std::unique_ptr<Robot>::get);
         if (found == opening_.end())
             return;
-        found->release()->deleteLater(); // it is the robot itself that is speaking
+        found->release()->deleteLater(); // Later, because the robot is the sender of this signal.
         opening_.erase(found);
     });
     connect(robot, &Robot::linkChanged, this, [this, robot] {

@@ -23,7 +23,7 @@ void onSignal(int number) {
 
 QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
     if (::pipe(signal_pipe.data()) != 0)
-        return; // then Ctrl+C just ends the program
+        return; // Without the pipe, Ctrl+C just ends the program.
     auto* notifier = new QSocketNotifier(signal_pipe[0], QSocketNotifier::Read, this);
     connect(notifier, &QSocketNotifier::activated, this, [this, notifier] {
         notifier->setEnabled(false);

@@ -1,12 +1,13 @@
-// Ctrl+C and a polite kill, as a Qt signal.
+// Delivers Ctrl+C and SIGTERM as a Qt signal.
 #pragma once
 
 #include <QObject>
 
 namespace usar::app {
 
-/// Turns SIGINT and SIGTERM into `quit`, through a pipe: a signal handler may do nothing else. One per program, in the
-/// main thread. A second signal ends the program at once.
+/// Turns SIGINT and SIGTERM into `quit`, through a pipe, because a signal handler can do little more than write to one.
+/// A second signal of the same kind ends the program at once. Create only one per program, in the main thread; the
+/// destructor restores the default handling.
 class QuitSignals : public QObject {
     Q_OBJECT
 public:
@@ -14,6 +15,7 @@ public:
     ~QuitSignals() override;
 
 signals:
+    /// Emitted once, from the event loop.
     void quit();
 };
 

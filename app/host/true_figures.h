@@ -1,4 +1,4 @@
-// What the embedded simulator counted of a robot, as a mission's summary tells it.
+// Converts the embedded simulator's figures about a robot to those of a mission's summary.
 #pragma once
 
 #include "core/mission/session/run_summary.h"
@@ -6,6 +6,7 @@
 
 namespace usar::app {
 
+/// Copies all figures; the height over ground is absent for a robot that has not dived.
 inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
     mission::TrueFigures figures;
     figures.collisions = robot.collisions;

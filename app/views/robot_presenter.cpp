@@ -12,7 +12,7 @@ namespace usar::app {
 
 namespace {
 
-/// Nothing of a replay has been played.
+/// True for a replay of which nothing has been played.
 bool notBegun(const RobotView& view) {
     return !view.recording.isEmpty() && view.figures.lines_received == 0;
 }
@@ -37,7 +37,7 @@ QString stateText(const RobotView& view) {
     return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
 }
 
-/// The newest message of a kind in this update, or nothing.
+/// Returns the newest message of a type in this update, or nullptr.
 template <class Message>
 const Message* newest(const mission::SessionUpdate& update) {
     for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
@@ -46,6 +46,7 @@ const Message* newest(const mission::SessionUpdate& update) {
     return nullptr;
 }
 
+/// Returns the newest value of a type that the behavior published in this update, or nullptr.
 template <class Value>
 const Value* newestPublished(const mission::SessionUpdate& update) {
     for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
@@ -54,7 +55,7 @@ const Value* newestPublished(const mission::SessionUpdate& update) {
     return nullptr;
 }
 
-/// Five messages of the slowest server missed.
+/// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
 bool silent(const std::optional<Seconds>& heard, Seconds now) {
     constexpr Seconds patience{1.0};
     return heard && now - *heard > patience;
@@ -74,7 +75,8 @@ QString wordFor(const mission::ControlState& state) {
     return state.device.empty() ? QObject::tr("gamepad") : QString::fromStdString(state.device);
 }
 
-/// A UDK server does not say what flies.
+/// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
+/// kind.
 widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
     using enum protocol::VehicleKind;
     return kind == Aerial || kind == Unknown ? widgets::ScanPlane::Below : widgets::ScanPlane::Ahead;
@@ -102,7 +104,7 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     showRow(id);
     showOnMap(view, update, selected);
     const std::vector<mission::TraceSpot> spots = traces_[view.connection].take(update);
-    if (!control_.simulator().running() || !view.recording.isEmpty()) // else the simulator tells of all robots' marks
+    if (!control_.simulator().running() || !view.recording.isEmpty()) // Otherwise the simulator reports all marks.
         for (const mission::TraceSpot& spot : spots)
             views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
@@ -129,7 +131,7 @@ void RobotPresenter::restart(const RobotView& view, bool selected) {
     if (!selected)
         return;
     select(view.id);
-    views_.map->clearMarks(); // the update brings those that there are
+    views_.map->clearMarks(); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
 }
 
@@ -154,7 +156,7 @@ void RobotPresenter::showRow(int id) {
 
 void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
     const QString name = QString::fromStdString(view.spawn.robot_name);
-    // Every pose of a fast simulation belongs to the trail, not only the one that is painted.
+    // All poses of a fast simulation belong to the trail, not only the newest one, which is painted.
     for (const agent::Published& published : update.published)
         if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
             views_.map->setRobot({name, view.id, estimate->base_in_map, false});
@@ -225,7 +227,7 @@ void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
     views_.sensors->setNow(update.figures.now);
 }
 
-/// Lines and commands in the order in which they came and went.
+/// Adds lines and commands in the order in which they were received and sent.
 void RobotPresenter::feedMessages(int connection, const mission::SessionUpdate& update) {
     if (update.rewound)
         views_.messages->clear();

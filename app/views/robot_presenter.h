@@ -1,4 +1,4 @@
-// What robots say, put into the views.
+// Shows the robots' updates in the views of the window.
 #pragma once
 
 #include "app/host/mission_control.h"
@@ -12,23 +12,26 @@ class RobotPresenter {
 public:
     RobotPresenter(MissionControl& control, WindowViews& views) : control_(control), views_(views) {}
 
+    /// Shows an update of the robot `id`, which must exist. `selected`: it is the selected one.
     void show(int id, const mission::SessionUpdate& update, bool selected);
-    /// Of a connection that has no robot yet: its lines can be read, too. `selected`: no robot is.
+    /// Shows the lines of a connection that has no robot yet. `selected`: no robot is selected, so its figures are
+    /// shown, too.
     void showLink(int connection, const mission::SessionUpdate& update, bool selected);
-    /// Grey what is no longer true of the selected robot: all of it without a link, else each instrument whose sensor
-    /// is silent. Without a link no update would say so.
+    /// Grays out what is out of date about the selected robot: everything without a link, otherwise each instrument
+    /// whose sensor is silent. To be called when the link changes, because a lost link sends no updates.
     void showLinkState(int id);
-    /// The row in the list and the arrow on the map, as they stand.
+    /// Updates the robot's row in the list and its arrow on the map.
     void showRow(int id);
-    /// Another robot's height map, marks and path replace those on the map; 0 clears them.
+    /// Replaces height map, marks and path on the map, and all instruments, by those of this robot; 0 clears them.
     void select(int id);
-    /// Whether it leaves marks.
+    /// True while the robot leaves trace marks; false for id 0.
     bool tracing(int id) const;
+    /// Color of the robot's trace marks; nullopt if it has sent no update yet.
     std::optional<protocol::TraceColor> traceColor(int id) const;
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:
-    /// A replay was wound back: what was shown of it is void.
+    /// Clears what was shown of a replay that was rewound.
     void restart(const RobotView& view, bool selected);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
@@ -40,14 +43,14 @@ private:
     MissionControl& control_;
     WindowViews& views_;
     std::map<int, mission::TraceWatch> traces_; ///< by connection
-    std::map<int, std::uint64_t> not_shown_;    ///< lines that were left out of updates so far, by connection
-    // Of the selected robot:
-    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below; ///< of the selected robot's scanner
-    std::optional<Seconds> scan_heard_;                         ///< by the protocol's clock
-    std::optional<Seconds> sonar_heard_;
+    std::map<int, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
+    // The following belong to the selected robot.
+    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below;
+    std::optional<Seconds> scan_heard_;  ///< time of the newest scan on the protocol clock; nullopt: none yet
+    std::optional<Seconds> sonar_heard_; ///< the same for sonars
 };
 
-/// Who drives, for chips and lists.
+/// Says who drives the robot, for chips and lists. `robot` may be null; then the words are empty.
 widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot);
 
 } // namespace usar::app

@@ -14,7 +14,7 @@ using namespace usar::widgets;
 QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& name, const QString& title,
                      Qt::DockWidgetArea area, QWidget* content) {
     auto* dock = new QDockWidget(title, &window);
-    dock->setObjectName(name); // saveState finds it by this
+    dock->setObjectName(name); // QMainWindow::saveState identifies it by this.
     dock->setWidget(content);
     window.addDockWidget(area, dock);
     views.docks.push_back(dock);
@@ -30,8 +30,8 @@ QToolBar* addBar(QMainWindow& window, const QString& name, const QString& title)
     return bar;
 }
 
-/// A bar hides its end where the window is narrow; who drives and the stop must always be seen, so they have a bar of
-/// their own.
+/// Makes two bars. In a narrow window a bar hides its end; the driver's badge and the stop button must always be
+/// visible, so they have a bar of their own.
 void makeTopBars(QMainWindow& window, WindowViews& views) {
     auto* bar = addBar(window, "top_bar", QObject::tr("Link and time"));
     bar->addWidget(views.connection = new ConnectionBar);
@@ -59,7 +59,7 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
     layout->addWidget(views.replay = new ReplayBar);
     views.replay->hide();
     layout->addWidget(views.map = new MapView, 1);
-    views.map->setOrientation(MapOrientation::YUp); // as exported pictures and GIS have it
+    views.map->setOrientation(MapOrientation::YUp); // As in exported pictures and in GIS.
     views.spawn_card = new SpawnCard(views.map);
     window.setCentralWidget(center);
 }
@@ -70,14 +70,14 @@ QWidget* makeInstruments(WindowViews& views) {
     layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     layout->setSpacing(gap::small);
     layout->addWidget(views.status = new StatusStrip);
-    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // figures are never squeezed
+    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // Figures are never squeezed.
     layout->addWidget(views.laser = new LaserFanView, 3);
     layout->addWidget(views.terrain = new TerrainProfileView, 2);
     layout->addWidget(views.sonars = new SonarColumnsView, 2);
     return box;
 }
 
-/// The list, what can be sent, and the figures of both.
+/// Makes the message list, the box for raw commands below it, and a row with their counts.
 QWidget* makeInspector(WindowViews& views) {
     auto* box = new QWidget;
     auto* column = new QVBoxLayout(box);
@@ -121,16 +121,16 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     layers->hide();
     auto* faults =
         addDock(window, views, "faults", QObject::tr("Faults"), Qt::LeftDockWidgetArea, views.faults = new FaultPanel);
-    window.tabifyDockWidget(views.docks[1], faults); // over the behavior, where there is height
+    window.tabifyDockWidget(views.docks[1], faults); // On the behavior dock, which is tall enough.
     faults->hide();
     auto* camera =
         addDock(window, views, "camera", QObject::tr("Camera"), Qt::RightDockWidgetArea, views.camera = new CameraView);
-    window.tabifyDockWidget(instruments, camera); // the tallest place
+    window.tabifyDockWidget(instruments, camera); // The tallest place.
     instruments->raise();
     QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
     views.world_dock =
         addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
-    window.tabifyDockWidget(behavior, views.world_dock); // what robots do, and what is there for them
+    window.tabifyDockWidget(behavior, views.world_dock); // Both show what should happen in the world.
     views.drive_dock =
         addDock(window, views, "drive", QObject::tr("Drive"), Qt::LeftDockWidgetArea, views.drive = new DrivePanel);
     window.tabifyDockWidget(views.world_dock, views.drive_dock);
@@ -151,7 +151,7 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
 WindowViews makeViews(QMainWindow& window) {
     WindowViews views;
     window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
-    // Intent and perception keep their full height; history takes from the map.
+    // The left and right docks keep their full height; the bottom docks take theirs from the map.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeTopBars(window, views);

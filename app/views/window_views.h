@@ -1,4 +1,4 @@
-// All views of the window, made and placed once.
+// All views of the window, and the function that makes and places them.
 #pragma once
 
 #include <vector>
@@ -40,23 +40,28 @@
 
 namespace usar::app {
 
-/// Pointers to children of the window; valid as long as the window is.
+/// Pointers to children of the window; valid as long as the window. None is null after `makeViews`.
 struct WindowViews {
+    // Top bars.
     widgets::ConnectionBar* connection = nullptr;
     widgets::TimeBar* time = nullptr;
     widgets::StopButton* stop_all = nullptr;
     widgets::RecordBadge* record = nullptr;
-    widgets::ControlBadge* driver = nullptr; ///< who drives the selected robot
-    widgets::DrivePanel* drive = nullptr;
-    widgets::HintStrip* hint = nullptr;
-    widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is opened
+    widgets::ControlBadge* driver = nullptr; ///< shows who drives the selected robot
+    widgets::DrivePanel* drive = nullptr;    ///< in drive_dock
+
+    // Center: strips above the map, and the map.
+    widgets::HintStrip* hint = nullptr;         ///< the first steps
+    widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
     widgets::ReplayBar* replay = nullptr;       ///< visible while a replay is selected
     widgets::MapView* map = nullptr;
-    widgets::SpawnCard* spawn_card = nullptr;
+    widgets::SpawnCard* spawn_card = nullptr; ///< a sheet in the map
+
+    // Contents of the docks.
     widgets::RobotList* robots = nullptr;
     widgets::BehaviorPanel* behavior = nullptr;
-    widgets::ParameterForm* parameters = nullptr;
-    widgets::StatusStrip* status = nullptr;
+    widgets::ParameterForm* parameters = nullptr; ///< part of `behavior`
+    widgets::StatusStrip* status = nullptr;       ///< figures of the instruments' dock
     widgets::LaserFanView* laser = nullptr;
     widgets::TerrainProfileView* terrain = nullptr;
     widgets::SonarColumnsView* sonars = nullptr;
@@ -67,25 +72,28 @@ struct WindowViews {
     widgets::MessageList* messages = nullptr;
     widgets::CommandBox* command_box = nullptr;
     QLabel* message_count = nullptr;
-    QToolButton* traffic = nullptr; ///< counters of the shown connection
+    QToolButton* traffic = nullptr; ///< line counts of the shown connection
     widgets::NotificationCenter* notifications = nullptr;
     widgets::ToastStack* toasts = nullptr;
     widgets::LayersPanel* layers = nullptr;
     widgets::FaultPanel* faults = nullptr;
-    widgets::WorldPanel* world = nullptr; ///< the palette
+    widgets::WorldPanel* world = nullptr; ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
     widgets::RadioView* radio = nullptr;
+
+    // Docks that desks raise or watch.
     QDockWidget* notifications_dock = nullptr;
     QDockWidget* messages_dock = nullptr;
     QDockWidget* plots_dock = nullptr;
     QDockWidget* plan_dock = nullptr;
     QDockWidget* radio_dock = nullptr;
     QDockWidget* drive_dock = nullptr;
-    std::vector<QDockWidget*> docks; ///< in the order of the View menu
+    std::vector<QDockWidget*> docks; ///< all docks, in the order of the View menu
 };
 
-/// Makes the views, the top bar, the center and the docks of `window.md`: intent on the left, perception on the right,
-/// history below.
+/// Makes the views and places them as `window.md` describes: the link and the time at the top, what robots should do on
+/// the left, the map in the center, what the selected robot perceives on the right, and history at the bottom. To be
+/// called once for a window.
 WindowViews makeViews(QMainWindow& window);
 
 } // namespace usar::app

@@ -1,4 +1,4 @@
-// mission-control: command line to objects, then the event loop.
+// mission-control: reads the command line, makes the window and runs the event loop.
 #include <cstdio>
 
 #include <QApplication>

@@ -34,9 +34,9 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     connectDesks();
     setAcceptDrops(true);
     new widgets::OwnKeys(this);
-    layout()->invalidate(); // or the least size would be that of all docks side by side, before they became tabs
+    layout()->invalidate(); // Otherwise the minimum size would be that of all docks before they became tabs.
     layout()->activate();
-    constexpr int frame_px = 40; // title bar and borders, which the size does not count
+    constexpr int frame_px = 40; // Title bar and borders, which the size does not include.
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     view_.keepFirstLayout();
     restoreSettings();
@@ -48,7 +48,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
     if (!options_.recording.isEmpty()) {
-        views_.time->setSteerable(false); // until a simulator is connected to
+        views_.time->setSteerable(false); // Until a simulator is connected.
         return control_.openRecording(options_.recording);
     }
     server_.begin();
@@ -98,7 +98,7 @@ void MainWindow::wire() {
 }
 
 void MainWindow::wireDesks() {
-    // The order is that in which desks hear of one event: a task before what is shown of it, the title last.
+    // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     plugins_.wire();
     server_.wire();
     task_.wire();
@@ -200,7 +200,7 @@ void MainWindow::saveSettings() {
     plan_.save(settings);
     if (options_.result_folder.isEmpty())
         files_.save(settings);
-    written->moveToThread(nullptr); // whoever deletes it writes it
+    written->moveToThread(nullptr); // It is written by the thread that deletes it.
     disk_.start([written = std::move(written)]() mutable { written.reset(); });
 }
 
@@ -218,7 +218,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::askWhereToSave(const QString& reason) {
     if (!control_.closing() || asking_)
-        return; // the notification says it; the scan is still there
+        return; // The notification reports it, and the scan is still in memory.
     asking_ = true;
     QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
     auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
@@ -246,7 +246,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     saveSettings();
     drive_.leave();
-    server_.cancelLoading(); // nobody waits for it
+    server_.cancelLoading(); // Its result is not needed any more.
     if (may_close_ || !control_.anythingToSave())
         return event->accept();
     event->ignore();

@@ -1,4 +1,4 @@
-// The window: its views in docks, its menus, its layouts, and how it closes.
+// The main window: makes its views, menus and desks, connects them, and saves everything before it closes.
 #pragma once
 
 #include <QMainWindow>
@@ -26,16 +26,21 @@
 
 namespace usar::app {
 
-/// Owns MissionControl, the views and the desks, which do the work. GUI thread.
+/// Owns MissionControl, the views and the desks. The desks do the work; this class makes them, connects them with each
+/// other, and handles what concerns the whole window: title, settings, dropped files and closing. GUI thread.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
+    /// Restores the settings of the last time, but neither shows the window nor connects to a server.
     explicit MainWindow(const Options& options, QWidget* parent = nullptr);
+    /// Waits until the settings are written.
     ~MainWindow() override;
 
-    /// Connects to what the command line said. Apart from the constructor, so that the window is seen first.
+    /// Connects to the server or opens the files that the command line names. Not part of the constructor, so that the
+    /// window can be shown first.
     void begin();
 
+    // For tests.
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
     const WindowViews& views() const { return views_; }
@@ -44,28 +49,36 @@ public:
     ServerDesk& server() { return server_; }
     CameraDesk& camera() { return camera_; }
     const PlanWorkshop& workshop() const { return workshop_; }
-    /// 0 while no robot is selected.
+    /// Id of the selected robot; 0 while none is selected.
     int selectedRobot() const { return selection_.id(); }
 
 protected:
+    /// Closes at once if nothing is left to save. Otherwise robots are stopped and scans saved first, and the window
+    /// closes when that is done; an unsaved plan is asked about.
     void closeEvent(QCloseEvent* event) override;
-    /// The time's controls before words that can be done without: a bar that is too narrow hides its end.
+    /// Leaves out words in a narrow window, so that the time's controls stay visible: a bar that is too long hides its
+    /// end.
     void resizeEvent(QResizeEvent* event) override;
-    /// Files of ours may be dropped anywhere on the window.
+    /// Accepts files that the program can open, anywhere on the window.
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void registerCommands();
+    /// Connects MissionControl and the views that need no desk.
     void wire();
+    /// Lets each desk make its connections.
     void wireDesks();
-    /// What one desk tells another.
+    /// Connects signals of one desk with slots of another.
     void connectDesks();
     void restoreSettings();
-    /// A thread of the pool writes them: a busy disk takes seconds.
+    /// Collects the settings and writes them in a pool thread, because a busy disk may take seconds.
     void saveSettings();
+    /// Shows the progress of the selected robot's behavior in the window's title.
     void showTitle();
+    /// Asks what to do with a scan that could not be saved, if the window is about to close.
     void askWhereToSave(const QString& reason);
+    /// Closes without saving anything more.
     void closeAtOnce();
 
     Options options_;
@@ -93,9 +106,9 @@ private:
     RadioDesk radio_{desk_};
     MapDesk map_{desk_};
     ViewDesk view_;
-    bool asking_ = false; ///< true while the dialog "save elsewhere?" is open
-    bool may_close_ = false;
-    QThreadPool disk_; ///< writes the settings; waited for at the end
+    bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
+    bool may_close_ = false; ///< nothing is left to save, or the user gave it up
+    QThreadPool disk_;       ///< writes the settings; its destructor waits for that
 };
 
 } // namespace usar::app

@@ -1,4 +1,4 @@
-// The menus of the window, made from its commands.
+// Makes the menus of the window from its commands.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,8 @@
 
 namespace usar::app {
 
-/// Every command must be registered. `fill_worlds` fills the menu of the embedded simulator's worlds.
+/// Adds the menus to the bar. All commands must be registered before. `fill_worlds` is called once, with the menu for
+/// the worlds of the embedded simulator, which it fills.
 void makeMenus(QMenuBar& bar, const widgets::CommandRegistry& commands, const std::function<void(QMenu*)>& fill_worlds);
 
 } // namespace usar::app

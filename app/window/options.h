@@ -1,4 +1,4 @@
-// The window's command line as a value.
+// The command line of mission-control as a value.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,18 @@
 
 namespace usar::app {
 
+/// Default-constructed: the options of a call without arguments.
 struct Options {
     ServerTarget server;
-    QString result_folder;               ///< empty: the default
-    std::optional<widgets::Theme> theme; ///< none: the one used last
+    QString result_folder;               ///< empty: the default folder
+    std::optional<widgets::Theme> theme; ///< nullopt: the one used last
     QStringList plugin_folders;          ///< empty: those that come with the program
-    QString mission_file;                ///< or a plan; opened at the start, if any
-    QString recording;                   ///< the same; then no server is connected to
+    QString mission_file;                ///< mission or plan to open at the start; empty: none
+    QString recording;                   ///< recording to replay; then no server is connected; empty: none
 };
 
-/// `arguments` as the program got them, its own name first. Handles --help and --version by ending the program; what is
-/// wrong is an error that names the option.
+/// Reads the arguments of the program, the first of which is its name. For --help and --version it ends the program.
+/// The error names the option that is wrong.
 Result<Options> readOptions(const QStringList& arguments);
 
 } // namespace usar::app

@@ -1,4 +1,4 @@
-// Pictures from an image server, received and unpacked in a thread of their own.
+// Receives and decodes pictures from an image server in a thread of its own.
 #pragma once
 
 #include <QImage>
@@ -11,32 +11,37 @@ namespace usar::mission {
 
 class CameraReceiver;
 
-/// Lives in the GUI thread; calls are queued and never wait.
+/// Belongs to the GUI thread. Calls are queued to the receiving thread and never wait; only the destructor waits for
+/// that thread to end. Pictures are requested only while they are wanted.
 class CameraFeed : public QObject {
     Q_OBJECT
 public:
     explicit CameraFeed(QObject* parent = nullptr);
     ~CameraFeed() override;
 
-    /// Closes what is open, then connects there; the same place again changes nothing.
+    /// Closes any open connection, then connects to this server; a call with the same address changes nothing. Lost
+    /// connections are made again until `close`.
     void open(const QString& host, quint16 port);
     void close();
+    /// Starts or stops requesting pictures; initially false. The connection stays open either way.
     void setWanted(bool wanted);
 
 signals:
-    /// At most three wait for the GUI thread; what comes while it is busy is left out.
+    /// `frames_per_s` is the rate over the last ten pictures. At most three pictures wait for the GUI thread; further
+    /// ones are dropped.
     void pictureArrived(const QImage& picture, double frames_per_s);
     void statusChanged(const usar::link::ImageStatus& status);
-    /// A picture that cannot be read; one sentence.
+    /// A picture could not be decoded; `reason` is one sentence.
     void unreadable(const QString& reason);
 
 private:
+    /// Runs a call with the ImageClient in the receiving thread.
     template <class Call>
     void later(Call call);
 
     QThread thread_;
-    CameraReceiver* receiver_; ///< lives in thread_ and is deleted there
-    QString host_;
+    CameraReceiver* receiver_; ///< belongs to thread_ and is deleted there
+    QString host_;             ///< empty: closed
     quint16 port_ = 0;
     bool wanted_ = false;
 };

@@ -1,4 +1,4 @@
-// The camera feed's half in its own thread.
+// The part of the camera feed that runs in the receiving thread.
 #pragma once
 
 #include <atomic>
@@ -10,19 +10,24 @@
 
 namespace usar::mission {
 
+/// Decodes the frames of its client. Owned by a CameraFeed; apart from `unseen`, it is used in the receiving thread
+/// only.
 class CameraReceiver : public QObject {
     Q_OBJECT
 public:
     CameraReceiver();
 
     link::ImageClient client{this};
-    std::atomic<int> unseen = 0; ///< pictures that the GUI thread has not taken yet
+    std::atomic<int> unseen = 0; ///< number of pictures that the GUI thread has not taken yet
 
 signals:
+    /// Counts as unseen until the receiver decrements `unseen`.
     void pictureArrived(const QImage& picture, double frames_per_s);
+    /// The frame could not be decoded; `reason` is one sentence.
     void unreadable(const QString& reason);
 
 private:
+    /// Decodes a frame, or drops it if too many pictures are unseen.
     void take(link::ImageType type, const QByteArray& data);
 };
 

@@ -16,7 +16,7 @@ struct Overloaded : Calls... {
     using Calls::operator()...;
 };
 
-int connections_made = 0; // of the GUI thread, as all robots are
+int connections_made = 0; // Used in the GUI thread only, where all robots are made.
 
 } // namespace
 
@@ -182,7 +182,9 @@ void Robot::noteFault(const QString& sentence) {
 }
 
 void Robot::startRecording(const QString& path, const mission::RecordingFacts& facts) {
-    later([=](mission::RobotSession& session) { (void)session.startRecording(path, facts); }); // trouble is a notice
+    later([=](mission::RobotSession& session) {
+        (void)session.startRecording(path, facts);
+    }); // A failure is also a notice.
 }
 
 void Robot::stopRecording() {
@@ -212,7 +214,7 @@ void Robot::becomeReplay(int id, const QString& robot_name, const mission::Recor
         view_.cell_size_m = readNumber(found->second).value_or(view_.cell_size_m);
 }
 
-/// A replay was wound back: what was seen until now has not happened yet.
+/// Resets the view, because a replay was rewound: what was shown until now has not happened yet.
 void Robot::forget() {
     RobotView fresh;
     fresh.connection = view_.connection;
@@ -250,7 +252,7 @@ void Robot::take(const mission::SessionUpdate& update) {
     if (update.ground)
         view_.ground = update.ground;
     for (const protocol::InfoLine& line : update.lines) {
-        // Until a behavior says what it believes, the robot's own estimate places it on the map.
+        // Until a behavior publishes its estimate, the robot's INS gives its place on the map.
         if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
             view_.base_in_map = ins->base_in_map;
     }

@@ -1,4 +1,4 @@
-// One robot as the window knows it: its session in a thread of its own, and the newest of what the session said.
+// One robot as the window knows it: its session in a thread of its own, and the session's newest values.
 #pragma once
 
 #include <map>
@@ -13,80 +13,87 @@
 
 namespace usar::mission {
 
-/// Newest values, for a view that is shown late or switched to this robot.
+/// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an
+/// absent value has not been reported yet.
 struct RobotView {
-    int connection = 0; ///< another number for every session of this run of the program
+    int connection = 0; ///< number of the session, unique while the program runs
     int id = 0;         ///< 1-9, the key that selects it; 0 while no robot is spawned
     mission::SpawnRequest spawn;
     link::LinkStatus link;
     mission::SessionFigures figures;
-    std::string behavior_id;
-    Rectangle area_in_map;
+    std::string behavior_id; ///< id of the newest behavior; empty: none was started
+    Rectangle area_in_map;   ///< its area; empty: none
     std::optional<agent::BehaviorStatus> status;
-    std::optional<agent::BehaviorFinished> finished;
-    std::optional<Pose> base_in_map;
-    std::vector<Vec2> trail_m;
+    std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
+    std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
+    std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
     std::vector<agent::MapMark> marks;
-    std::vector<Vec2> planned_m;
+    std::vector<Vec2> planned_m; ///< path that the behavior has planned
     std::optional<Vec3> goal_m;
     std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles;
-    std::optional<mapping::HeightRange> height_range;
+    std::optional<mapping::HeightRange> height_range; ///< of the whole height map; absent: the map is empty
     std::optional<mapping::CourseProfile> ground;
     double cell_size_m = 0.25;                       ///< of the height map
-    std::map<mapping::GridIndex, int> covered_cells; ///< by tile: known cells within the mission area
-    bool paused = false;                             ///< by the person, or until the behavior ends it
-    bool unsaved = false;                            ///< scanned since the last export
-    bool broke = false;                      ///< the behavior ended by a fault of its own; none was started since
-    std::optional<agent::PlanHalted> halted; ///< the plan stands still
-    QString recording;                       ///< the file that is replayed; empty: live
-    int looks_back_on = 0; ///< `connection` of the robot that flew when this replay of it was opened; 0: of none
+    std::map<mapping::GridIndex, int> covered_cells; ///< number of known cells in the mission area, by tile
+    bool paused = false;                             ///< by the user; cleared when the behavior resumes or ends
+    bool unsaved = false;                            ///< something was scanned since the last export
+    bool broke = false;                              ///< the behavior failed by itself, and none was started since
+    std::optional<agent::PlanHalted> halted;         ///< the plan's halt; absent: it is not halted
+    QString recording;                               ///< the file that is replayed; empty: live
+    int looks_back_on = 0; ///< `connection` of the live robot whose past this replay shows; 0: none
 };
 
-/// A behavior as it was started, with what became of its parameters and its plan meanwhile.
+/// A behavior as it was started, with later changes of its parameters and plan applied.
 struct StartedBehavior {
     std::string id;
     Rectangle area_in_map;
     std::map<std::string, agent::ParameterValue> parameters;
-    std::optional<agent::PlanText> plan; ///< in place of the robot's own
-    bool isolated = false;
+    std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
+    bool isolated = false;               ///< it runs in a process of its own
 };
 
-/// Lives in the GUI thread; the session lives in its own. Calls are queued to it and never wait.
+/// Belongs to the GUI thread, while its RobotSession runs in a thread of its own: calls are queued to that thread and
+/// never wait, so their effect shows in a later update. Calls that are not described here do what the session's
+/// function of the same name does.
 class Robot : public QObject {
     Q_OBJECT
 public:
     explicit Robot(QObject* parent = nullptr);
-    /// Says the safe command and closes. Waits two seconds at most: a behavior that hangs hurts only its robot.
+    /// Sends the safe command and closes the connection. Waits at most two seconds for the session's thread, which is
+    /// left behind if a plugin hangs in it.
     ~Robot() override;
 
     const RobotView& view() const { return view_; }
+    /// True once `spawn` or `becomeReplay` was called; the server may not have confirmed the robot yet.
     bool spawned() const { return view_.id != 0; }
-    /// Part of the mission area whose height is known; nothing without an area.
+    /// Percentage of the mission area whose height is known, 0..100; nullopt without an area.
     std::optional<double> coverage_pct() const;
-    /// A behavior of ours: one in a replay has run.
+    /// True while a behavior of ours runs; the one in a replay does not count.
     bool running() const { return view_.figures.behavior_running && !view_.finished && !isReplay(); }
     bool isReplay() const { return !view_.recording.isEmpty(); }
 
+    /// `lockstep`: ask the server to wait for our STEP after each tick.
     void open(const QString& host, quint16 port, bool lockstep);
     void close();
     void spawn(int id, const mission::SpawnRequest& request);
-    /// Plugins are code of other people: what they throw or refuse comes back as an error.
+    /// Plugins are third-party code: if one throws or refuses, this returns an error. `plan` nullopt: the robot's own
+    /// plan. `isolation` nullopt: the behavior runs in this program.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
                                const Rectangle& area_in_map, const agent::ParameterSet& parameters,
                                const std::optional<agent::PlanText>& plan,
                                const std::optional<agent::Isolation>& isolation);
-    /// The newest; nothing before the first.
+    /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }
-    /// True where the cells change by it. A map that has heights keeps its cells; a notice says so.
+    /// Returns true if this changes the cells. A map that has heights keeps its cell size, and a notice says so.
     bool setCellSize(double cell_size_m);
     void order(agent::Order order);
     void setParameters(const agent::ParameterSet& parameters);
-    /// For the plan that decides. Breakpoints are kept for behaviors that start later.
+    /// Controls the plan of the behavior. Breakpoints are also kept for behaviors that start later.
     void control(const agent::PlanControl& control);
     void stop();
-    /// The server's time is stopped on purpose, or runs again.
+    /// `expected`: the server's time is stopped on purpose, so silence is not reported.
     void expectSilence(bool expected);
-    /// The person drives; a behavior that runs is paused. See RobotSession.
+    /// The user drives from now on; a running behavior is paused. See RobotSession.
     void takeControl();
     void giveControlBack();
     void drive(const mission::HandIntent& intent);
@@ -95,13 +102,13 @@ public:
     void requestRecord();
     void startRecording(const QString& path, const mission::RecordingFacts& facts);
     void stopRecording();
-    /// `recordingFlushed` follows once all that happened until now is in the file.
+    /// `recordingFlushed` follows once everything up to now is in the file.
     void flushRecording();
     void noteFault(const QString& sentence);
-    /// Instead of `open`; `replayOpened` or `replayFailed` follows.
+    /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
     void openRecording(const QString& path, int looks_back_on = 0);
     void orderReplay(const mission::ReplayOrder& order);
-    /// From now on it is the robot of that recording.
+    /// Turns this object into the robot of the opened recording.
     void becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts);
     void markSaved() { view_.unsaved = false; }
     void markUnsaved() { view_.unsaved = true; }
@@ -109,11 +116,13 @@ public:
 signals:
     void linkChanged();
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
+    /// Emitted after `view` has taken the update.
     void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void behaviorFinished(bool success, const QString& reason);
+    /// Answers `requestRecord` with a copy of everything that was scanned.
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
-    /// Empty where nothing is recorded.
+    /// `path` is the file, or empty if nothing is recorded.
     void recordingFlushed(const QString& path);
     void replayOpened(const usar::mission::RecordingFacts& facts, const QString& complaint);
     void replayFailed(const QString& reason);
@@ -128,12 +137,12 @@ private:
     void later(Call call);
 
     QThread* thread_;                ///< outlives this object only if a plugin hangs in it
-    mission::RobotSession* session_; ///< lives in thread_ and is deleted there
+    mission::RobotSession* session_; ///< belongs to thread_ and is deleted there
     RobotView view_;
-    bool pause_confirmed_ = false; ///< the behavior has said that it pauses
+    bool pause_confirmed_ = false; ///< the behavior has reported that it is paused
     agent::SetBreakpoints breakpoints_;
     std::optional<StartedBehavior> started_;
-    std::optional<agent::PlanText> asked_plan_; ///< to take the place of the one that runs
+    std::optional<agent::PlanText> asked_plan_; ///< replacement that the running plan has not been exchanged for yet
 };
 
 } // namespace usar::mission

@@ -1,4 +1,4 @@
-// What people call a robot.
+// The name of a robot, for texts in the window.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@
 
 namespace usar::mission {
 
-/// The name it was spawned with, as it stands on the wire.
+/// Returns the name that the robot was spawned with, as in the protocol.
 inline QString nameOf(const Robot& robot) {
     return QString::fromStdString(robot.view().spawn.robot_name);
 }

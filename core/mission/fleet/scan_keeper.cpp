@@ -10,7 +10,7 @@ namespace usar::mission {
 
 namespace {
 
-/// Figures of the robot for the summary beside the pictures.
+/// Makes the summary that is written beside the pictures.
 QJsonObject summaryOf(const RobotView& view, const std::optional<TrueFigures>& truth) {
     QJsonObject summary{
         {"behavior", QString::fromStdString(view.behavior_id)},
@@ -70,7 +70,7 @@ void ScanKeeper::save(Robot& robot) {
 
 void ScanKeeper::takeLeave(std::unique_ptr<Robot> robot) {
     const auto truth = truths_.find(robot.get());
-    if (truth != truths_.end()) // its simulator may go before the record comes
+    if (truth != truths_.end()) // The simulator may be gone before the record arrives.
         truth->second = [last = truth->second()] { return last; };
     robot->stop();
     if (robot->view().unsaved || robot->running() || awaited_.contains(robot.get())) {
@@ -84,7 +84,7 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     awaited_.erase(&robot);
     if (record->raster.empty() && leaves(robot))
         return release(robot);
-    robot.markSaved(); // what comes from here on is not in the record
+    robot.markSaved(); // Now, because what is scanned from here on is not in the record.
     const auto truth = truths_.find(&robot);
     const QJsonObject summary = summaryOf(robot.view(), truth == truths_.end() ? std::nullopt : truth->second());
     ++writing_;
@@ -110,7 +110,7 @@ bool ScanKeeper::leaves(const Robot& robot) const {
     return std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get) != leaving_.end();
 }
 
-/// Later, because it may be the robot itself that is speaking.
+/// Destroys the robot later, because it may be the sender of the current signal.
 void ScanKeeper::release(Robot& robot) {
     const auto found = std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get);
     if (found == leaving_.end())

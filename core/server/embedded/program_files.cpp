@@ -7,7 +7,7 @@ namespace usar::server {
 
 namespace {
 
-/// First of the candidates, relative to the program's folder, that exists; else the first.
+/// Returns the first of the candidates (relative to the program's folder) that exists, or else the first one.
 QString firstThere(const QStringList& candidates) {
     const QDir bin(QCoreApplication::applicationDirPath());
     for (const QString& candidate : candidates)

@@ -1,4 +1,4 @@
-// Where the program's own files are: beside the program in a build tree, below the prefix once installed.
+// Locations of the program's own files: beside the program in a build tree, below the prefix once installed.
 #pragma once
 
 #include <QString>
@@ -8,18 +8,18 @@
 
 namespace usar::server {
 
-/// The folder of this name among the worlds that come with the program, or the text itself where it names a folder.
-/// The error lists the names that are there, or says what to do where there are none.
+/// Returns the folder of a world that comes with the program, by the world's name; a text that is the path of a folder
+/// is returned unchanged. The error lists the known names, or says what to do if there are no worlds at all.
 Result<QString> findWorld(const QString& name_or_folder);
-/// The same with another folder for the worlds.
+/// Does the same with another folder that contains the worlds.
 Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder);
-/// Those that come with the program, by name.
+/// Names of the worlds that come with the program, sorted.
 QStringList worldNames();
 /// The folder of the robot files.
 QString robotsFolder();
-/// Folders that hold behavior plugins, most specific first.
+/// Folders that contain behavior plugins, most specific first.
 QStringList pluginFolders();
-/// The program that behaviors run in where they have a process of their own.
+/// Path of the program that runs behaviors that have a process of their own.
 QString behaviorHostProgram();
 
 } // namespace usar::server

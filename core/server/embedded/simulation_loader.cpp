@@ -98,7 +98,7 @@ void SimulationLoader::load(const SimulatorSpec& spec) {
         auto made = std::make_shared<Result<LoadedSimulation>>(loadSimulation(spec, watch));
         link::post(this, [this, stop, spec, made] {
             if (stop != stop_)
-                return; // given up meanwhile
+                return; // It was canceled meanwhile.
             stop_.reset();
             if (!*made)
                 return emit refused(QString::fromStdString(made->error().text()));

@@ -1,4 +1,4 @@
-// A simulation made ready in a thread of its own: a world that is read, or a snapshot that is lived through again.
+// Prepares a simulation in a thread of its own: reads a world, or replays the run of a snapshot.
 #pragma once
 
 #include <atomic>
@@ -14,56 +14,60 @@
 
 namespace usar::server {
 
-/// Not started yet, and what was found on the way.
+/// A simulation that has not been started yet, and the robots that it knows.
 struct LoadedSimulation {
     std::unique_ptr<sim::Simulation> simulation{};
-    QStringList robot_classes{};  ///< that can be spawned, without package
+    QStringList robot_classes{};  ///< classes that can be spawned, without package
     QStringList camera_classes{}; ///< those of them that have a camera
     QStringList refused_robots{}; ///< one sentence for each robot file that cannot be read
 };
 
+/// Everything that an embedded simulator is started with.
 struct SimulatorSpec {
     QString world = "tall_test"; ///< name or folder
-    QString snapshot{};          ///< a file to go on from; world, seed and faults are then its own
+    QString snapshot{};          ///< file to resume from, with its own world, seed and faults; empty: none
     quint64 seed = 1;
     std::vector<sim::Fault> faults{};
-    QStringList robot_files{}; ///< beside those that come with the program
-    /// Another one is taken where it is in use; 0 chooses free ones for the channels, too.
+    QStringList robot_files{}; ///< in addition to those that come with the program; they replace equal classes
+    /// Bot port. A free one is used instead if it is in use. With 0 it and all channels get free ports.
     quint16 port = protocol::usual_port::bot;
     ChannelPorts channels{};
-    std::shared_ptr<LoadedSimulation> loaded{}; ///< ready already, for one start
+    std::shared_ptr<LoadedSimulation> loaded{}; ///< loaded in advance, for one start; null: the start loads it
 };
 
-/// Whether the robot carries a camera.
+/// True if the robot carries a camera.
 bool hasCamera(const sim::RobotModel& robot);
 
-/// In any thread; takes as long as it takes, but for a snapshot whose run `watch` gives up.
+/// Reads the world, or resumes the snapshot, which takes as long as its run needs unless `watch` cancels it. Blocks;
+/// may be called in any thread. The error says what cannot be read.
 Result<LoadedSimulation> loadSimulation(const SimulatorSpec& spec, const sim::Simulation::ResumeWatch& watch = {});
 
-/// One at a time. Lives in the GUI thread; loading happens in a thread that it owns, and nobody waits for it: while it
-/// loads, and where it fails or is given up, whatever runs goes on.
+/// Loads one simulation at a time. Belongs to the GUI thread; it loads in a thread of its own, and nothing waits for
+/// that. A running simulator is not affected: it continues while another one is loaded, and also if loading fails or is
+/// canceled.
 class SimulationLoader : public QObject {
     Q_OBJECT
 public:
     explicit SimulationLoader(QObject* parent = nullptr);
-    /// Returns when the next tick of a run has been made, or the world has been read.
+    /// Waits until a snapshot's run has reached its next tick, or until the world has been read.
     ~SimulationLoader() override;
 
-    /// Gives up the one before. `loaded` or `refused` follows, unless it is given up.
+    /// Cancels any current loading and starts this one. `loaded` or `refused` follows, unless it is canceled.
     void load(const SimulatorSpec& spec);
+    /// Cancels the current loading, if any, without a signal.
     void giveUp();
     bool busy() const { return stop_ != nullptr; }
 
 signals:
-    /// Of a snapshot's run, some times a second.
+    /// While a snapshot is resumed, up to ten times a second: simulated time replayed so far, and in total.
     void progressed(Seconds done, Seconds whole);
-    /// With SimulatorSpec::loaded.
+    /// `spec` is the requested one with SimulatorSpec::loaded set.
     void loaded(const usar::server::SimulatorSpec& spec);
-    /// One sentence with place, reason and mend.
+    /// `reason` gives place, reason and remedy.
     void refused(const QString& reason);
 
 private:
-    std::shared_ptr<std::atomic<bool>> stop_; ///< of the one that loads
+    std::shared_ptr<std::atomic<bool>> stop_; ///< cancels the current loading; null: nothing is being loaded
 };
 
 } // namespace usar::server

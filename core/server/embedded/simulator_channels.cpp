@@ -9,7 +9,8 @@ namespace usar::server {
 
 namespace {
 
-/// Where it listens: on the wanted port, or else on another one, which is said; 0 where not even that can be had.
+/// Returns the port that the server listens on: the wanted one, or else a free one, about which a sentence is added; 0
+/// if it cannot listen at all.
 template <class Server>
 quint16 listen(Server& server, quint16 wanted, const QString& name, QStringList& sentences) {
     Result<quint16> port = server.listen(wanted);
@@ -30,7 +31,7 @@ void openRadio(server::SimulatorServer& server, const ChannelPorts& wanted, Open
     auto* wireless = new server::WirelessServer(*relay, relay);
     auto* comserver = new server::ComServer(*relay, relay);
     auto* cominterface = new server::ComInterface(server.simulation(), relay->field(), relay);
-    // While time stands still robots come and go all the same.
+    // Figures are also reported while time stands still; robots can come and go then, too.
     QObject::connect(&server, &server::SimulatorServer::ticked, relay, &server::RadioRelay::look);
     QObject::connect(&server, &server::SimulatorServer::figuresChanged, relay, &server::RadioRelay::look);
     QObject::connect(relay, &server::RadioRelay::logged, &server, &server::SimulatorServer::logged);

@@ -1,4 +1,4 @@
-// The servers of further channels beside a simulator's bot port (protocol.md 6).
+// The servers of a simulator's other channels, besides the bot port (protocol.md 6).
 #pragma once
 
 #include <QMetaType>
@@ -10,7 +10,8 @@
 
 namespace usar::server {
 
-/// Wanted, or listened on; 0 wants a free one and means "none" of what is open.
+/// TCP ports of the channels: either those that are wanted (0: any free one) or those that are listened on (0: the
+/// channel could not be opened).
 struct ChannelPorts {
     quint16 image = protocol::usual_port::image;
     quint16 wireless = protocol::usual_port::wireless;
@@ -18,17 +19,18 @@ struct ChannelPorts {
     quint16 cominterface = protocol::usual_port::com_interface;
     bool operator==(const ChannelPorts&) const = default;
 
-    /// Free ones for all: for a simulator whose bot port is chosen freely, too.
+    /// Any free port for every channel, for a simulator that also takes any free bot port.
     static ChannelPorts anywhere() { return {.image = 0, .wireless = 0, .comserver = 0, .cominterface = 0}; }
 };
 
+/// The result of `openChannels`.
 struct OpenChannels {
-    ChannelPorts ports = ChannelPorts::anywhere(); ///< where they listen now
-    QStringList sentences;                         ///< about ports of other programs, each with what was done about it
+    ChannelPorts ports = ChannelPorts::anywhere(); ///< the ports that are listened on
+    QStringList sentences; ///< one for each wanted port that could not be used, with the port used instead
 };
 
-/// Opens them as children of `server`, in its thread; they end with it. A port in use is no failure: another one is
-/// taken, and said.
+/// Opens the channels' servers as children of `server`, in whose thread it must be called. A port in use is not an
+/// error: a free one is used instead, and a sentence says so.
 OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
                           const server::ImageServerOptions& images = {});
 

@@ -1,4 +1,4 @@
-// The worlds and robots that come with the program, read for the embedded simulator.
+// Reads and writes the files of an embedded simulator: worlds, robots and snapshots; also the texts of faults.
 #pragma once
 
 #include <memory>
@@ -16,25 +16,26 @@
 
 namespace usar::server {
 
-/// By name, or from a folder.
+/// Reads a world that comes with the program, by its name, or the world in a folder.
 Result<sim::World> loadWorld(const QString& name_or_folder);
 
-/// What cannot be read is left out and said.
+/// Reads the robot files that come with the program. Files that cannot be read are left out and listed with the reason.
 sim::RobotsRead loadRobots();
 
-/// Goes on from a snapshot's file, in its own world. It takes as long as the run took, divided by some hundred, unless
-/// `watch` gives it up.
+/// Resumes the simulation of a snapshot file (at most 512 MiB) in the snapshot's own world. The run is simulated again,
+/// some hundred times faster than real time, unless `watch` cancels it. Errors name the file.
 Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
                                                           std::shared_ptr<const sim::RobotCatalog> robots,
                                                           const sim::Simulation::ResumeWatch& watch = {});
-/// A file that is there is replaced only by a whole one.
+/// Writes a snapshot of the current state. An existing file is replaced only after everything has been written.
 Result<void> saveSnapshot(const sim::Simulation& simulation, const QString& path);
 
 QStringList textsOf(const std::vector<std::string>& texts);
-/// Of texts as people write them; the first that cannot be read is an error with the text and its mend.
+/// Reads faults from texts in the syntax of --fault. The error names the first text that is not a fault, and the
+/// remedy.
 Result<std::vector<sim::Fault>> readFaults(const QStringList& texts);
 
-/// What --help says of --fault: every kind with its keys.
+/// The part of --help that explains --fault: every kind of fault with its keys, units and ranges.
 QString faultHelp();
 
 } // namespace usar::server

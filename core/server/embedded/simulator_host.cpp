@@ -48,7 +48,7 @@ void SimulatorHost::launch(const SimulatorSpec& spec) {
     link::post(worker_, [this, spec, worker = worker_] { serve(spec, worker); });
 }
 
-/// Sockets and timers end in the thread that they live in, then the thread itself.
+/// Destroys sockets and timers in the simulator's thread, then ends that thread.
 void SimulatorHost::retire() {
     server_ = nullptr;
     if (!worker_)
@@ -83,13 +83,13 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
                            .arg(*port));
     }
     wire(*server);
-    emit faultsChanged(server->simulation().faults()); // those of the one before are gone
+    emit faultsChanged(server->simulation().faults()); // Replaces those of the previous simulator.
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);
     for (const QString& sentence : channels.sentences)
         emit movedPort(sentence);
     link::post(this, [this, server, worker, port = *port, picture, waiting, ports = channels.ports] {
         if (worker != worker_)
-            return; // retired while it was loading
+            return; // It was stopped while it was loading.
         server_ = server;
         emit channelsOpened(ports);
         emit ready(port, picture, waiting);

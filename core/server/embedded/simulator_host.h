@@ -1,4 +1,4 @@
-// The embedded simulator in a thread of its own.
+// Runs the embedded simulator in a thread of its own.
 #pragma once
 
 #include <optional>
@@ -14,46 +14,55 @@
 
 namespace usar::server {
 
-/// Starts, paces and stops the simulator. Lives in the GUI thread; loading and serving happen in its own thread.
+/// Starts, paces and stops the simulator. Belongs to the GUI thread; loading and serving happen in the simulator's
+/// thread, for which only the destructor waits. Some signals are emitted in that thread, so receivers need Qt's default
+/// connection type. While no simulator is ready, calls other than start and stop are ignored.
 class SimulatorHost : public QObject {
     Q_OBJECT
 public:
     explicit SimulatorHost(QObject* parent = nullptr);
     ~SimulatorHost() override;
 
-    /// Ends the one before, without waiting for it here. `ready` or `failed` follows.
+    /// Stops a running simulator without waiting for its end, then starts this one. `ready` or `failed` follows.
     void start(const SimulatorSpec& spec);
     void stop();
+    /// True from `ready` until the simulator is stopped or replaced.
     bool running() const { return server_ != nullptr; }
 
+    /// `factor`: simulated seconds per real second, used with Pace::Factor.
     void setPace(server::Pace pace, double factor);
+    /// While paused, makes one tick.
     void stepOnce();
-    /// Their times count from now.
+    /// The faults' times are relative to now.
     void addFaults(const std::vector<sim::Fault>& faults);
     void endFault(int id);
     /// `snapshotSaved` or `snapshotFailed` follows.
     void saveSnapshot(const QString& path);
-    /// The class of a robot file can be spawned from now on: `robotLearned` or `robotRefused` follows.
+    /// Makes the class of a robot file available for spawning; `robotLearned` or `robotRefused` follows.
     void learn(const QString& robot_file);
-    /// Time goes on without the robots that wait since a snapshot was taken up.
+    /// Removes the robots of a resumed snapshot that no client has claimed, so that time continues without them.
     void letOrphansGo();
 
 signals:
-    /// `waiting` are the robots of a snapshot: each wants a connection that says INIT with its name.
+    /// `waiting` are the robots of a resumed snapshot: time stands still until a connection has sent INIT with the name
+    /// of each.
     void ready(quint16 port, const usar::server::WorldPicture& world,
                const std::vector<usar::sim::Simulation::Orphan>& waiting);
     void snapshotSaved(const QString& path);
     void snapshotFailed(const QString& reason);
-    /// One sentence with the mend.
+    /// The simulator could not be started; `reason` contains the remedy.
     void failed(const QString& reason);
+    /// A sentence of the simulator's log.
     void noted(const QString& sentence);
-    /// A robot file that cannot be read; the others can be spawned.
+    /// A robot file cannot be read; the others can be spawned.
     void robotRefused(const QString& sentence);
+    /// `class_name` is without package.
     void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera);
-    /// The wanted port belongs to another program; one sentence with the port that was taken instead.
+    /// A wanted port is in use by another program; the sentence names the port that is used instead, if any.
     void movedPort(const QString& sentence);
-    /// Before `ready`: where its further channels listen.
+    /// Emitted before `ready`, with the ports on which the other channels listen.
     void channelsOpened(const usar::server::ChannelPorts& ports);
+    // The following signals are those of SimulatorServer.
     void figuresChanged(const usar::server::SimulatorFigures& figures);
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
@@ -61,15 +70,17 @@ signals:
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:
+    /// Loads and serves; runs in the simulator's thread.
     void serve(const SimulatorSpec& spec, QObject* worker);
     void wire(const server::SimulatorServer& server);
+    /// Starts a new thread for the simulator. There must be none.
     void launch(const SimulatorSpec& spec);
     void retire();
 
-    QThread* thread_ = nullptr;                 ///< of the simulator that runs; deletes itself when it has ended
-    QObject* worker_ = nullptr;                 ///< lives in thread_: context of what runs there
-    server::SimulatorServer* server_ = nullptr; ///< lives in thread_, owned by worker_
-    std::optional<SimulatorSpec> next_;         ///< starts when the one before has let go of its port
+    QThread* thread_ = nullptr;                 ///< the simulator's thread; deleted when it has ended
+    QObject* worker_ = nullptr;                 ///< context object of the calls in thread_; null: none runs
+    server::SimulatorServer* server_ = nullptr; ///< belongs to thread_, owned by worker_
+    std::optional<SimulatorSpec> next_;         ///< to be started when the previous thread has ended
 };
 
 } // namespace usar::server

@@ -15,7 +15,7 @@ const QColor water_color(40, 90, 140);
 const QColor building_color(105, 95, 88);
 const QColor building_edge(60, 54, 50);
 
-/// Brightness of the ground under a light from the upper left, 45 degrees high.
+/// Brightness of the ground, 0..255, under a light from +x and +y (upper right in the picture), 45 degrees high.
 int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m) {
     const double slope_x = (terrain.height_m(point_m + Vec2(step_m, 0)) - terrain.height_m(point_m)) / step_m;
     const double slope_y = (terrain.height_m(point_m + Vec2(0, step_m)) - terrain.height_m(point_m)) / step_m;
@@ -24,7 +24,7 @@ int reliefShade(const sim::Terrain& terrain, const Vec2& point_m, double step_m)
     return static_cast<int>(std::lround(255.0 * std::max(0.0, normal.dot(light))));
 }
 
-/// The bed shines through shallow water.
+/// Color of water of this depth; the bed, with brightness `shade`, shines through shallow water.
 QRgb underWater(int shade, double depth_m) {
     const double clear = 0.55 * std::exp(-depth_m / 6.0);
     const auto mixed = [&](int color) { return static_cast<int>(clear * shade + (1.0 - clear) * color); };
@@ -45,7 +45,7 @@ void paintGround(QImage& image, const sim::World& world, const Rectangle& extent
     }
 }
 
-/// Floors and ceilings cover the most of a room, and would hide what stands in it.
+/// True for floors and ceilings, which cover most of the world and would hide everything in it.
 bool coversTheWorld(const sim::Box& box, const Rectangle& extent) {
     return box.size_m.x() * box.size_m.y() > 0.5 * extent.area_m2();
 }

@@ -1,4 +1,4 @@
-// What the window may show of the embedded world before anything is scanned.
+// Facts about the embedded world that the window may show before anything is scanned.
 #pragma once
 
 #include <map>
@@ -13,17 +13,20 @@
 
 namespace usar::server {
 
+/// A value that is passed from the simulator's thread to the GUI. Default-constructed for a real server, whose world is
+/// not known.
 struct WorldPicture {
     QString name;
-    Rectangle extent_in_map;
+    Rectangle extent_in_map;    ///< meters; empty: unknown
     QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
-    QStringList robot_classes;  ///< that can be spawned there, without package
-    QStringList camera_classes; ///< those that have a camera
+    QStringList robot_classes;  ///< classes that can be spawned there, without package
+    QStringList camera_classes; ///< those of them that have a camera
     std::shared_ptr<const sim::Terrain> ground{};
-    std::map<QString, QString> objects{}; ///< that it begins with: their classes, by name
+    std::map<QString, QString> objects{}; ///< classes of the objects that the world starts with, by object name
 };
 
-/// Without trees, for they are what a robot should find. Classes are left to whoever knows them.
+/// Describes a world and draws its relief, with 512 pixels on the longer side. Trees are left out, because the robots
+/// are meant to find them. The lists of classes stay empty; the caller fills them in.
 WorldPicture pictureOf(const sim::World& world);
 
 } // namespace usar::server
