@@ -1,16 +1,5 @@
 #include "core/agent/published.h"
 
-namespace usar::agent {
+#include "core/base/sealed_definitions.h"
 
-Published::Published() = default;
-Published::Published(const Published& other) = default;
-Published::Published(Published&& other) noexcept = default;
-Published& Published::operator=(const Published& other) = default;
-Published& Published::operator=(Published&& other) noexcept = default;
-Published::~Published() = default;
-
-bool Published::operator==(const Published& other) const {
-    return static_cast<const PublishedVariant&>(*this) == static_cast<const PublishedVariant&>(other);
-}
-
-} // namespace usar::agent
+template class usar::Sealed<usar::agent::PublishedVariant>;

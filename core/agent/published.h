@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/alternatives.h"
 #include "core/base/cause.h"
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
 #include "core/base/geometry.h"
+#include "core/base/sealed.h"
 #include "core/posh/model/finding.h"
 
 namespace usar::agent {
@@ -102,8 +102,8 @@ struct BehaviorFinished {
     bool operator==(const BehaviorFinished&) const = default;
 };
 
-/// The events of a POSH plan since the last PlanTrace, as a piece of a trace file (core/posh/trace/trace_file.h). The pieces
-/// of a run in sequence form such a file, which includes the text of the plan.
+/// The events of a POSH plan since the last PlanTrace, as a piece of a trace file (core/posh/trace/trace_file.h). The
+/// pieces of a run in sequence form such a file, which includes the text of the plan.
 struct PlanTrace {
     std::string bytes;
     bool operator==(const PlanTrace&) const = default;
@@ -142,24 +142,9 @@ using PublishedVariant =
     std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal, SonarZones,
                  BehaviorEvent, BehaviorFinished, PlanTrace, PlanHalted, PlanResumed, PlanReplaced>;
 
-/// A published value; use it like the variant that it derives from. The code that copies its alternatives is compiled
-/// only once.
-class Published : public PublishedVariant {
-public:
-    Published();
-    Published(const Published& other);
-    Published(Published&& other) noexcept;
-    Published& operator=(const Published& other);
-    Published& operator=(Published&& other) noexcept;
-    ~Published();
-
-    /// Holds a copy of one of the alternatives.
-    template <AlternativeOf<PublishedVariant> One>
-    Published(One&& one) : PublishedVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
-
-    bool operator==(const Published& other) const;
-    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
-    friend bool operator<(const Published&, const Published&) = delete;
-};
+/// A published value; a variant of all of them.
+using Published = Sealed<PublishedVariant>;
 
 } // namespace usar::agent
+
+extern template class usar::Sealed<usar::agent::PublishedVariant>;

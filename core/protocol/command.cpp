@@ -1,5 +1,7 @@
 #include "core/protocol/command.h"
 
+#include "core/base/sealed_definitions.h"
+
 namespace usar::protocol {
 
 namespace {
@@ -8,17 +10,6 @@ template <class T, class... Kinds>
 constexpr bool is_one_of = (std::is_same_v<T, Kinds> || ...);
 
 } // namespace
-
-Command::Command() = default;
-Command::Command(const Command& other) = default;
-Command::Command(Command&& other) noexcept = default;
-Command& Command::operator=(const Command& other) = default;
-Command& Command::operator=(Command&& other) noexcept = default;
-Command::~Command() = default;
-
-bool Command::operator==(const Command& other) const {
-    return static_cast<const CommandVariant&>(*this) == static_cast<const CommandVariant&>(other);
-}
 
 bool isDrive(const Command& command) {
     return std::visit(
@@ -30,3 +21,5 @@ bool isDrive(const Command& command) {
 }
 
 } // namespace usar::protocol
+
+template class usar::Sealed<usar::protocol::CommandVariant>;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/alternatives.h"
+#include "core/base/sealed.h"
 #include "core/protocol/commands/drive.h"
 #include "core/protocol/commands/joint.h"
 #include "core/protocol/commands/package.h"
@@ -37,27 +37,12 @@ using CommandVariant =
                  AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates, GetPathNodes, GetClosestPathNode,
                  GoToNode, WalkTo, PauseWalk, ResumeWalk, Lockstep, Step, Test, Pause>;
 
-/// A command; use it like the variant that it derives from. The class exists so that the code that copies and compares
-/// fifty alternatives is compiled only once.
-class Command : public CommandVariant {
-public:
-    Command();
-    Command(const Command& other);
-    Command(Command&& other) noexcept;
-    Command& operator=(const Command& other);
-    Command& operator=(Command&& other) noexcept;
-    ~Command();
-
-    /// Holds a copy of one of the alternatives.
-    template <AlternativeOf<CommandVariant> One>
-    Command(One&& one) : CommandVariant(std::in_place_type<std::decay_t<One>>, std::forward<One>(one)) {}
-
-    bool operator==(const Command& other) const;
-    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
-    friend bool operator<(const Command&, const Command&) = delete;
-};
+/// A command; a variant of all of them.
+using Command = Sealed<CommandVariant>;
 
 /// True for any kind of DRIVE and MULTIDRIVE: commands that move a robot and replace the previous command of that kind.
 bool isDrive(const Command& command);
 
 } // namespace usar::protocol
+
+extern template class usar::Sealed<usar::protocol::CommandVariant>;

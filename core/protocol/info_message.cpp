@@ -1,16 +1,5 @@
 #include "core/protocol/info_message.h"
 
-namespace usar::protocol {
+#include "core/base/sealed_definitions.h"
 
-InfoMessage::InfoMessage() = default;
-InfoMessage::InfoMessage(const InfoMessage& other) = default;
-InfoMessage::InfoMessage(InfoMessage&& other) noexcept = default;
-InfoMessage& InfoMessage::operator=(const InfoMessage& other) = default;
-InfoMessage& InfoMessage::operator=(InfoMessage&& other) noexcept = default;
-InfoMessage::~InfoMessage() = default;
-
-bool InfoMessage::operator==(const InfoMessage& other) const {
-    return static_cast<const InfoVariant&>(*this) == static_cast<const InfoVariant&>(other);
-}
-
-} // namespace usar::protocol
+template class usar::Sealed<usar::protocol::InfoVariant>;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/alternatives.h"
 #include "core/base/cause.h"
 #include "core/base/diagnostics.h"
+#include "core/base/sealed.h"
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/game_info.h"
 #include "core/protocol/info/generic.h"
@@ -29,26 +29,8 @@ std::variant<GenericMessage, GameInfo, StartPoses, PathNodes, ClosestPathNode, L
 /// The messages that every server sends, and those of all sensors in the table. GenericMessage is the first one.
 using InfoVariant = decltype(variantWith(SensorTypes{}));
 
-/// A message; use it like the variant that it derives from. The code that copies forty alternatives takes many seconds
-/// to compile, so it is compiled in one place and not wherever a message is stored.
-class InfoMessage : public InfoVariant {
-public:
-    InfoMessage();
-    InfoMessage(const InfoMessage& other);
-    InfoMessage(InfoMessage&& other) noexcept;
-    InfoMessage& operator=(const InfoMessage& other);
-    InfoMessage& operator=(InfoMessage&& other) noexcept;
-    ~InfoMessage();
-
-    /// Holds a copy of one of the alternatives.
-    template <AlternativeOf<InfoVariant> Message>
-    InfoMessage(Message&& message)
-        : InfoVariant(std::in_place_type<std::decay_t<Message>>, std::forward<Message>(message)) {}
-
-    bool operator==(const InfoMessage& other) const;
-    /// Deleted because Qt's meta types look for it and would find the variant's, which needs one for each alternative.
-    friend bool operator<(const InfoMessage&, const InfoMessage&) = delete;
-};
+/// A message; a variant of all of them.
+using InfoMessage = Sealed<InfoVariant>;
 
 /// True if the sensor table has a row for this value of a SEN line's Type, in upper or lower case.
 bool isKnownSensor(std::string_view type);
@@ -63,3 +45,5 @@ struct InfoLine {
 };
 
 } // namespace usar::protocol
+
+extern template class usar::Sealed<usar::protocol::InfoVariant>;
