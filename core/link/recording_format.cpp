@@ -1,7 +1,6 @@
 #include "core/link/recording_format.h"
 
-#include <algorithm>
-#include <array>
+#include <zlib.h>
 
 namespace usar::link::recording {
 
@@ -14,25 +13,6 @@ constexpr std::size_t time_at = 9;
 constexpr std::size_t line_at = 17;
 // Head of the label with which the payload of Out and Note records begins.
 constexpr std::size_t label_head_bytes = 10;
-
-using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
-
-/// Tables for a CRC-32 in steps of eight bytes, so that opening a long recording costs little more than reading it.
-constexpr Tables makeTables() {
-    Tables tables{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-        std::uint32_t value = i;
-        for (int bit = 0; bit < 8; ++bit)
-            value = (value & 1u) ? (value >> 1) ^ 0xEDB88320u : value >> 1;
-        tables[0][i] = value;
-    }
-    for (std::size_t table = 1; table < tables.size(); ++table)
-        for (std::size_t i = 0; i < 256; ++i)
-            tables[table][i] = (tables[table - 1][i] >> 8) ^ tables[0][tables[table - 1][i] & 0xFFu];
-    return tables;
-}
-
-constexpr Tables tables = makeTables();
 
 template <class Unsigned>
 void appendNumber(std::string& out, Unsigned value) {
@@ -77,18 +57,7 @@ void appendOne(std::string& file, const Record& record) {
 } // namespace
 
 std::uint32_t checksum(std::string_view bytes) {
-    std::uint32_t value = 0xFFFFFFFFu;
-    std::size_t i = 0;
-    for (; i + 8 <= bytes.size(); i += 8) {
-        const std::uint32_t low = value ^ numberAt<std::uint32_t>(bytes, i);
-        const auto high = numberAt<std::uint32_t>(bytes, i + 4);
-        value = tables[7][low & 0xFFu] ^ tables[6][(low >> 8) & 0xFFu] ^ tables[5][(low >> 16) & 0xFFu] ^
-                tables[4][low >> 24] ^ tables[3][high & 0xFFu] ^ tables[2][(high >> 8) & 0xFFu] ^
-                tables[1][(high >> 16) & 0xFFu] ^ tables[0][high >> 24];
-    }
-    for (; i < bytes.size(); ++i)
-        value = (value >> 8) ^ tables[0][(value ^ static_cast<unsigned char>(bytes[i])) & 0xFFu];
-    return ~value;
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 void appendHead(std::string& file) {

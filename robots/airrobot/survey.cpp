@@ -76,11 +76,6 @@ SurveyEvent Survey::next(const Settings& settings) {
     return SurveyEvent::LaneEntered;
 }
 
-SurveyEvent Survey::update(const Vec2& position_m, const Settings& settings) {
-    note(position_m);
-    return done() || goalReached(position_m, settings) ? next(settings) : SurveyEvent::None;
-}
-
 SurveyEvent Survey::endPiece(const Settings& settings) {
     piece_start_m_ = pieceEnd_m(settings);
     if (piece_start_m_ < length_m())

@@ -9,7 +9,7 @@
 namespace usar::airrobot {
 
 /// The result of completing a goal. QuadrantDone: the next lane is in another quadrant.
-enum class SurveyEvent { None, LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
+enum class SurveyEvent { LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
 
 /// Follows a coverage plan. A lane is entered at its start, or where it was interrupted, and is divided into goals at
 /// most `goal_distance_m` apart, so that giving up a goal loses only that piece. Works in the map frame. Owned by one
@@ -45,8 +45,6 @@ public:
     bool goalReached(const Vec2& position_m, const Settings& settings) const;
     /// Moves on to the next goal after the present one was reached.
     SurveyEvent next(const Settings& settings);
-    /// Calls note and goalReached, and next if the goal is reached.
-    SurveyEvent update(const Vec2& position_m, const Settings& settings);
     /// Moves on to the next goal because the present one cannot be reached.
     SurveyEvent giveUp(const Settings& settings);
     /// Records that the robot leaves the lane (for the battery). The lane will be entered again at this point.

@@ -3,8 +3,8 @@
 
 #include "app/desks/plan_watch.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
 #include "core/posh/trace/trace_encoder.h"
+#include "tests/doubles/stub_host.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plan_watch {
@@ -36,7 +36,7 @@ public:
         return update;
     }
 
-    posh::StubHost host;
+    test::StubHost host;
 
 private:
     posh::TraceEncoder encoder_;

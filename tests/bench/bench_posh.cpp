@@ -12,7 +12,6 @@
 #include "core/posh/run/engine.h"
 #include "core/posh/trace/trace_encoder.h"
 #include "core/posh/trace/trace_file.h"
-#include "core/posh/trace/trace_ring.h"
 #include "tests/doubles/allocation_counter.h"
 
 namespace {
@@ -130,36 +129,39 @@ std::unique_ptr<Node> drivesTree(World& world, std::int64_t count, bool with_sca
     return root;
 }
 
-void run(benchmark::State& state, bool with_scan, TraceObserver* observer) {
+/// With an encoder the cycles are also traced, as those of a robot are.
+void run(benchmark::State& state, bool with_scan, TraceEncoder* encoder = nullptr) {
     World world;
     BenchHost host(world);
     Engine engine(host, drivesProgram(state.range(0), with_scan));
-    engine.watch(observer);
+    engine.watch(encoder);
     std::int64_t time_ms = 0;
     engine.cycle(Milliseconds(time_ms));
     const std::size_t before = allocations;
     std::size_t allocated = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(engine.cycle(Milliseconds(time_ms += 200)));
+        if (encoder)
+            benchmark::DoNotOptimize(encoder->takeBytes());
         allocated = allocations - before;
     }
     state.counters["allocations"] = static_cast<double>(allocated);
 }
 
 void poshCycle(benchmark::State& state) {
-    run(state, false, nullptr);
+    run(state, false);
 }
 BENCHMARK(poshCycle)->Arg(6)->Arg(20)->Arg(100)->Arg(1000);
 
 void poshCycleTraced(benchmark::State& state) {
-    TraceRing ring;
-    run(state, false, &ring);
+    TraceEncoder encoder(drivesText(state.range(0), false));
+    run(state, false, &encoder);
 }
 BENCHMARK(poshCycleTraced)->Arg(6)->Arg(20)->Arg(100)->Arg(1000);
 
 /// Every drive asks the scan as well: once per cycle here, once per drive in the tree.
 void poshCycleWithScan(benchmark::State& state) {
-    run(state, true, nullptr);
+    run(state, true);
 }
 BENCHMARK(poshCycleWithScan)->Arg(20);
 

@@ -6,10 +6,10 @@
 
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
 #include "core/posh/trace/trace_encoder.h"
 #include "core/posh/trace/trace_file.h"
 #include "core/posh/trace/trace_text.h"
+#include "tests/doubles/stub_host.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr int cycles = 5;
 std::string recorded() {
     const std::string plan = "((AP p (one (near 2 <) two)) (DC d (drives ((a (trigger ((name \"x\"))) p)) ((b c)))) "
                              "(C c (elements ((e (trigger ((near))) walk 2)))))";
-    StubHost host;
+    usar::test::StubHost host;
     host.setSense("near", 1.5);
     host.setSense("name", std::string("x"));
     TraceEncoder encoder(plan);

@@ -11,8 +11,8 @@
 #include "core/mission/reports/run_report_text.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
 #include "core/posh/trace/trace_encoder.h"
+#include "tests/doubles/stub_host.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recorded_runs {
@@ -27,7 +27,7 @@ const std::string other = "((DC other (drives ((way go)))))";
 
 /// What a run of so many cycles, five a second, leaves; `near` for the first of them.
 std::vector<std::string> piecesOf(const std::string& plan, int cycles, int near = 0) {
-    posh::StubHost host;
+    test::StubHost host;
     posh::TraceEncoder encoder(plan);
     posh::Engine engine(host, *posh::compile(posh::readPlan(plan).plan));
     engine.watch(&encoder);
@@ -142,7 +142,7 @@ void tst_RecordedRuns::runsOfOnePlanAddUp() {
 }
 
 void tst_RecordedRuns::aPlanReplacedOnTheWayIsARunOfEach() {
-    posh::StubHost host;
+    test::StubHost host;
     posh::TraceEncoder encoder(rover);
     posh::Engine engine(host, *posh::compile(posh::readPlan(rover).plan));
     engine.watch(&encoder);

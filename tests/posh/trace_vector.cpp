@@ -50,7 +50,7 @@ std::map<std::string, ActResult> resultsOf(const QJsonValue& json) {
     return results;
 }
 
-class VectorHost final : public StubHost {
+class VectorHost final : public usar::test::StubHost {
 public:
     explicit VectorHost(const TraceVector& vector) : vector_(vector) { set(vector.defaults); }
     void begin(const TraceVector::Cycle& cycle) {

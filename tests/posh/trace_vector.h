@@ -10,7 +10,7 @@
 #include <QStringList>
 
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
+#include "tests/doubles/stub_host.h"
 
 using Settings = std::vector<std::pair<std::string, usar::posh::Value>>;
 

@@ -10,14 +10,14 @@
 
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
 #include "core/posh/trace/trace_text.h"
+#include "tests/doubles/stub_host.h"
 
 inline constexpr auto running = usar::posh::ActResult::Running;
 inline constexpr auto failed = usar::posh::ActResult::Failed;
 
 /// As the stub, with acts and senses that can be told to throw; writes down what is called.
-class TrialHost final : public usar::posh::StubHost {
+class TrialHost final : public usar::test::StubHost {
 public:
     using CallSite = usar::posh::CallSite;
     std::set<std::string> throws; ///< "sense NAME", "init NAME", "run NAME", "done NAME"

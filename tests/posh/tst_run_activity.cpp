@@ -3,8 +3,8 @@
 
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/run/stub_host.h"
 #include "core/posh/trace/run_activity.h"
+#include "tests/doubles/stub_host.h"
 #include "tests/suite/suite.h"
 
 namespace tst_run_activity {
@@ -36,7 +36,7 @@ public:
         throw std::runtime_error("no place " + name);
     }
 
-    StubHost host;
+    usar::test::StubHost host;
     RunActivity activity;
     Engine engine;
 };

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QObject>
 #include <QTest>
 
@@ -20,15 +22,21 @@ class tst_Survey : public QObject {
         plan.lane_length_m = 120.0;
         return Survey(plan);
     }
+    /// A tick at this place: what is flown is noted, and a goal that is reached is followed by the next one.
+    std::optional<SurveyEvent> arrive(Survey& survey, const Vec2& at_m) const {
+        survey.note(at_m);
+        if (survey.goalReached(at_m, settings))
+            return survey.next(settings);
+        return std::nullopt;
+    }
     /// Flies straight from goal to goal and tells what happened.
     std::vector<SurveyEvent> flyAll(Survey& survey, Vec2 at_m) const {
         std::vector<SurveyEvent> events;
         for (int i = 0; i < 5000 && !survey.done(); ++i) {
             const Vec2 way_m = survey.aim_m(at_m, settings) - at_m;
             at_m += way_m.normalized() * std::min(0.2, way_m.norm());
-            const SurveyEvent event = survey.update(at_m, settings);
-            if (event != SurveyEvent::None)
-                events.push_back(event);
+            if (const auto event = arrive(survey, at_m))
+                events.push_back(*event);
         }
         return events;
     }
@@ -53,14 +61,14 @@ private slots:
 
     void aimsAheadOnTheLaneAfterADetour() {
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
+        arrive(survey, {0, 0});
         const Vec2 aim_m = survey.aim_m({10, 4}, settings);
         QCOMPARE(aim_m, Vec2(10 + settings.lookahead_m, 0));
     }
 
     void doesNotAimBeyondTheLanesEnd() {
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
+        arrive(survey, {0, 0});
         QCOMPARE(survey.aim_m({58, 0}, settings), Vec2(60, 0));
     }
 
@@ -75,25 +83,25 @@ private slots:
         QFETCH(double, aside_m);
         QFETCH(bool, passed);
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
-        QCOMPARE(survey.update({20, aside_m}, settings) == SurveyEvent::GoalReached, passed);
+        arrive(survey, {0, 0});
+        QCOMPARE(arrive(survey, {20, aside_m}) == SurveyEvent::GoalReached, passed);
     }
 
     void resumesWhereItWasInterrupted() {
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
-        survey.update({33, 0}, settings);
+        arrive(survey, {0, 0});
+        arrive(survey, {33, 0});
         survey.interrupt();
         QVERIFY(!survey.onLane());
         QCOMPARE(survey.goal_m(settings), Vec2(32, 0)); // a metre back, so that no strip is missing
-        QCOMPARE(survey.update({0, 0}, settings), SurveyEvent::None);
-        QCOMPARE(survey.update({32, 0}, settings), SurveyEvent::LaneEntered);
+        QVERIFY(!arrive(survey, {0, 0}));
+        QCOMPARE(arrive(survey, {32, 0}), std::optional(SurveyEvent::LaneEntered));
         QVERIFY(std::abs(survey.doneLength_m() - 32.0) < 1e-9);
     }
 
     void losesOnlyAPieceWhenItGivesUpAGoal() {
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
+        arrive(survey, {0, 0});
         QCOMPARE(survey.goal_m(settings), Vec2(20, 0));
         QCOMPARE(survey.giveUp(settings), SurveyEvent::GoalReached);
         QCOMPARE(survey.goal_m(settings), Vec2(40, 0));
@@ -114,8 +122,8 @@ private slots:
         Survey survey = twoLanes();
         survey.giveUp(settings); // the lane's first 20 m, before it is entered
         QCOMPARE(survey.givenUp_m(), 20.0);
-        survey.update({20, 0}, settings);
-        survey.update({32, 0}, settings);
+        arrive(survey, {20, 0});
+        arrive(survey, {32, 0});
         survey.giveUp(settings); // 8 m of the piece are left
         QCOMPARE(survey.givenUp_m(), 28.0);
         while (!survey.done())
@@ -134,14 +142,14 @@ private slots:
         }
         QVERIFY(survey.done());
         QCOMPARE(survey.giveUp(settings), SurveyEvent::AllDone);
-        QCOMPARE(survey.update({0, 0}, settings), SurveyEvent::AllDone);
+        QCOMPARE(survey.next(settings), SurveyEvent::AllDone);
     }
 
     void hasNoShortLastPiece() {
         settings.goal_distance_m = 25.0; // 60 m: 25 and 35, not 25, 25 and 10
         Survey survey = twoLanes();
-        survey.update({0, 0}, settings);
-        survey.update({25, 0}, settings);
+        arrive(survey, {0, 0});
+        arrive(survey, {25, 0});
         QCOMPARE(survey.goal_m(settings), Vec2(60, 0));
     }
 

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
@@ -67,7 +68,6 @@ std::unique_ptr<QWidget> filledPlot() {
 
 std::unique_ptr<QWidget> filledPlan() {
     auto panel = std::make_unique<PlanPanel>();
-    panel->setRobots({QStringLiteral("R1"), QStringLiteral("R2")}, QStringLiteral("R1"));
     panel->setPlan(planOf(courier_plan));
     panel->setPlanText(courier_plan, {});
     panel->view().find(QStringLiteral("a"));
@@ -107,6 +107,9 @@ std::unique_ptr<QWidget> realServerBar() {
 std::unique_ptr<QWidget> runningBehavior() {
     auto panel = std::make_unique<BehaviorPanel>(filledForm().release());
     panel->setBehaviors({{"airrobot/cpp", "Terrain survey", "Scans.", true, {}}});
+    auto* start = new QAction(panel.get());
+    start->setEnabled(false);
+    panel->setActions(start, new QAction(panel.get()), new QAction(panel.get()), new QAction(panel.get()));
     panel->setRunState(RunState::Running, QStringLiteral("R1"));
     return panel;
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <QAbstractButton>
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -44,7 +43,6 @@ class tst_PlanPanel : public QObject {
 private slots:
     void init();
     void cleanup();
-    void robotsAreChosenAndOneAloneIsNoChoice();
     void runningListJumps();
     void reasonsNameSenseValueAndSince();
     void reasonsJumpToTheirSense();
@@ -96,21 +94,6 @@ QAbstractButton* tst_PlanPanel::button(const QString& part) const {
         if (button->toolTip().contains(part))
             return button;
     return nullptr;
-}
-
-void tst_PlanPanel::robotsAreChosenAndOneAloneIsNoChoice() {
-    auto* box = panel_->findChild<QComboBox*>();
-    QVERIFY(box->isHidden());
-    QSignalSpy chosen(panel_.get(), &PlanPanel::robotChosen);
-    panel_->setRobots({QStringLiteral("R1"), QStringLiteral("R2")}, QStringLiteral("R2"));
-    QVERIFY(box->isVisible());
-    QCOMPARE(panel_->shownRobot(), QStringLiteral("R2"));
-    QCOMPARE(chosen.count(), 0);
-    QTest::keyClick(box, Qt::Key_Up);
-    QCOMPARE(chosen.count(), 1);
-    QCOMPARE(chosen[0][0].toString(), QStringLiteral("R1"));
-    panel_->setRobots({QStringLiteral("R1")}, QStringLiteral("R1"));
-    QVERIFY(box->isHidden());
 }
 
 void tst_PlanPanel::runningListJumps() {

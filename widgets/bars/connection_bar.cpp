@@ -79,10 +79,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     row->addWidget(rate_);
     connect(button_, &QPushButton::clicked, this, &ConnectionBar::press);
     connect(host_, &QLineEdit::returnPressed, this, &ConnectionBar::press);
-    connect(server_, &QComboBox::currentIndexChanged, this, [this] {
-        refresh();
-        emit serverChanged(server());
-    });
+    connect(server_, &QComboBox::currentIndexChanged, this, &ConnectionBar::refresh);
     second_.setInterval(std::chrono::seconds(1));
     connect(&second_, &QTimer::timeout, this, &ConnectionBar::countDown);
     setRate(std::nullopt);

@@ -45,7 +45,7 @@ class ConnectionBar : public QWidget {
 public:
     explicit ConnectionBar(QWidget* parent = nullptr);
 
-    /// Emits serverChanged if the choice changes.
+    /// Emits nothing.
     void setServer(ServerChoice choice);
     /// The current choice, connected or not.
     ServerChoice server() const;
@@ -73,8 +73,6 @@ signals:
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also means "stop trying" while connecting or waiting.
     void disconnectRequested();
-    /// By the user or by setServer.
-    void serverChanged(usar::widgets::ServerChoice choice);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -128,13 +128,12 @@ QWidget* BehaviorPanel::makeButtons() {
         button->setFocusPolicy(Qt::TabFocus);
         button->setToolTip(button->statusTip());
         button->setMinimumHeight(minimum_target);
+        button->setEnabled(false);
     }
     grid->addWidget(start_, 0, 0, 1, 3);
     grid->addWidget(pause_, 1, 0);
     grid->addWidget(land_, 1, 1);
     grid->addWidget(stop_, 1, 2);
-    for (QPushButton* button : buttons())
-        connect(button, &QPushButton::clicked, this, [this, button] { press(button); });
     return box;
 }
 
@@ -142,37 +141,23 @@ std::array<QPushButton*, 4> BehaviorPanel::buttons() const {
     return {start_, pause_, land_, stop_};
 }
 
-void BehaviorPanel::press(QPushButton* button) {
-    const bool pause = pause_->isChecked();
-    if (const auto driver = actions_.find(button); driver != actions_.end())
-        driver->second->trigger();
-    else if (button == start_)
-        emit startRequested();
-    else if (button == pause_)
-        emit pauseRequested(pause);
-    else if (button == land_)
-        emit landRequested();
-    else
-        emit stopRequested();
-    pause_->setChecked(run_state_ == RunState::Paused); // The state of the robot counts, not the click.
-}
-
 void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
     QAction* const actions[] = {start, pause, land, stop};
     for (std::size_t i = 0; i < buttons().size(); ++i) {
         QPushButton* button = buttons()[i];
         QAction* action = actions[i];
-        if (!action)
-            continue;
-        actions_[button] = action;
-        const auto follow = [this, button, action] {
+        const auto show = [this, button, action] {
             const QString keys = action->shortcut().toString(QKeySequence::NativeText);
             button->setToolTip(keys.isEmpty() ? button->statusTip()
                                               : QStringLiteral("%1 (%2)").arg(button->statusTip(), keys));
-            enable(button, action->isEnabled());
+            follow(button, action);
         };
-        connect(action, &QAction::changed, button, follow);
-        follow();
+        connect(action, &QAction::changed, button, show);
+        connect(button, &QPushButton::clicked, this, [this, action] {
+            action->trigger();
+            pause_->setChecked(run_state_ == RunState::Paused); // The state of the robot counts, not the click.
+        });
+        show();
     }
 }
 
@@ -185,16 +170,15 @@ void BehaviorPanel::setRescanAction(QAction* action) {
     rescan_->show();
 }
 
-void BehaviorPanel::enable(QPushButton* button, bool on) {
-    if (on || !button->hasFocus())
-        return button->setEnabled(on);
+void BehaviorPanel::follow(QPushButton* button, const QAction* action) {
+    if (action->isEnabled() || !button->hasFocus())
+        return button->setEnabled(action->isEnabled());
     // Qt would move the focus of a disabled button to an arbitrary widget; by the next turn of the event loop its
     // neighbor is enabled and can take the focus.
     QMetaObject::invokeMethod(
         button,
-        [this, button] {
-            const auto driver = actions_.find(button);
-            if (driver != actions_.end() ? driver->second->isEnabled() : mayPress(button))
+        [this, button, action] {
+            if (action->isEnabled())
                 return;
             const auto all = buttons();
             const auto next = std::ranges::find_if(
@@ -204,10 +188,6 @@ void BehaviorPanel::enable(QPushButton* button, bool on) {
             button->setEnabled(false);
         },
         Qt::QueuedConnection);
-}
-
-bool BehaviorPanel::mayPress(const QPushButton* button) const {
-    return button == start_ ? run_state_ == RunState::Ready : busy();
 }
 
 void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& behaviors) {
@@ -307,9 +287,6 @@ bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
                                                        : robot_name);
     if (std::exchange(run_state_, state) == state)
         return false;
-    for (QPushButton* button : buttons())
-        if (!actions_.contains(button))
-            enable(button, mayPress(button));
     pause_->setChecked(state == RunState::Paused);
     pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
     behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -22,7 +21,7 @@ class QToolButton;
 
 namespace usar::widgets {
 
-/// State of the selected robot's behavior; decides which buttons are enabled.
+/// State of the selected robot's behavior.
 enum class RunState { NoRobot, Ready, Running, Paused, Replay };
 
 /// Reports the user's wishes as signals and shows the state it is given; makes no decisions itself. GUI thread.
@@ -60,13 +59,13 @@ public:
     Rectangle area() const { return area_form_->area(); }
     /// "5 lanes · 312 m · 6 min 10 s", or why there are no lanes; empty hides the line.
     void setPlanSummary(const QString& summary);
-    /// Enables the buttons that fit the state. Returns true if the state changed.
+    /// Shows the state; locks the choice of a behavior while one runs. Returns true if the state changed.
     bool setRunState(RunState state, const QString& robot_name);
     /// Shows whether the map's area tool is active; emits nothing.
     void setAreaToolActive(bool active);
     /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
-    /// their shortcuts, and the corresponding signals are no longer emitted. A null action leaves its button unchanged.
-    /// The actions must live as long as the panel, or be destroyed with it.
+    /// their shortcuts; until then they are disabled. Pause shows a new state only when setRunState reports it. The
+    /// actions must live as long as the panel, or be destroyed with it. To be called once.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
     /// Shows this action as a button beside the list of behaviors.
     void setRescanAction(QAction* action);
@@ -80,14 +79,6 @@ signals:
     void areaToolToggled(bool active);
     /// By the user only.
     void isolationChosen(bool isolated);
-    /// Start the chosen behavior; plan(), area() and isolated() say how.
-    void startRequested();
-    /// True: pause, false: resume. The button shows the new state only when setRunState reports it.
-    void pauseRequested(bool paused);
-    /// Land here and now.
-    void landRequested();
-    /// End the behavior; the robot stops where it is.
-    void stopRequested();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -99,11 +90,9 @@ private:
     void makeAreaBox();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const;
-    void press(QPushButton* button);
-    /// True if the run state allows this button; used for buttons without an action.
-    bool mayPress(const QPushButton* button) const;
-    /// Moves the focus to another button before the one that has it is disabled.
-    void enable(QPushButton* button, bool on);
+    /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is
+    /// disabled.
+    void follow(QPushButton* button, const QAction* action);
     bool busy() const;
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
@@ -121,8 +110,7 @@ private:
     QPushButton* pause_;
     QPushButton* land_;
     QPushButton* stop_;
-    std::map<QPushButton*, QAction*> actions_; ///< the buttons that an action drives
-    std::optional<RunState> run_state_;        ///< nullopt until the first setRunState
+    std::optional<RunState> run_state_; ///< nullopt until the first setRunState
 };
 
 } // namespace usar::widgets

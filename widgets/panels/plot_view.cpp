@@ -188,11 +188,6 @@ void PlotView::addSeries(const QString& path, const QString& unit) {
         listChanged();
 }
 
-void PlotView::removeSeries(const QString& path) {
-    if (store_.remove(path.toStdString()))
-        listChanged();
-}
-
 QStringList PlotView::seriesPaths() const {
     QStringList paths;
     for (const Series& series : store_.series())

@@ -27,8 +27,6 @@ public:
 
     /// Starts to watch a field; `path` as protocol::Field::path() returns it. An empty or known path changes nothing.
     void addSeries(const QString& path, const QString& unit = {});
-    /// Stops watching a field and discards its samples; an unknown path changes nothing.
-    void removeSeries(const QString& path);
     /// In the order in which they were added, which determines the colors.
     QStringList seriesPaths() const;
     /// Removes all series and their samples.

@@ -118,10 +118,8 @@ PlanPanel::PlanPanel(QWidget* parent)
             text_shown_->setChecked(true);
         emit textRequested(view_->tree()[node].at);
     });
-    connect(robots_, &QComboBox::textActivated, this, &PlanPanel::robotChosen);
     side_->hide();
     time_bar_->hide();
-    setRobots({}, {});
     showFound();
     showRunning();
     showReasons();
@@ -147,11 +145,6 @@ void PlanPanel::showTree() {
 QBoxLayout* PlanPanel::makeSearchRow() {
     auto* row = new QHBoxLayout;
     row->setSpacing(gap::tiny);
-    robots_ = new QComboBox(this);
-    robots_->setAccessibleName(tr("Robot"));
-    robots_->setToolTip(tr("Whose plan is shown"));
-    robots_->setMinimumHeight(minimum_target);
-    row->addWidget(robots_);
     search_ = makeSearchLine(tr("Find in the plan"),
                              tr("Names or kinds (drive, competence, element, act, sense, …); Return goes to the next, "
                                 "Shift+Return to the previous (Ctrl+F)"),
@@ -340,14 +333,6 @@ QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
     connect(list, &QListWidget::itemClicked, this, &PlanPanel::jumpTo);
     connect(list, &QListWidget::itemActivated, this, &PlanPanel::jumpTo);
     return list;
-}
-
-void PlanPanel::setRobots(const QStringList& names, const QString& shown) {
-    const QSignalBlocker quiet(robots_);
-    robots_->clear();
-    robots_->addItems(names);
-    robots_->setCurrentText(shown);
-    robots_->setVisible(names.size() > 1);
 }
 
 void PlanPanel::setPlanText(std::string_view text, const posh::Findings& findings) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QBoxLayout>
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -53,17 +52,11 @@ public:
     PlanHaltBar& haltBar() { return *halt_bar_; }
     PlanTimeBar& timeBar() { return *time_bar_; }
     PlanTextEdit& textEdit() { return *text_; }
-    /// Sets the robots to choose from; with fewer than two the choice is hidden. Emits nothing.
-    void setRobots(const QStringList& names, const QString& shown);
-    /// Name of the chosen robot; empty if there is none.
-    QString shownRobot() const { return robots_->currentText(); }
 
     QSize sizeHint() const override { return {1100, 420}; }
     QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
-    /// The user chose another robot.
-    void robotChosen(const QString& name);
     /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
     void textRequested(const usar::posh::Spot& at);
     /// The user wants to save the drawing as a picture.
@@ -112,7 +105,6 @@ private:
     void jumpTo(const QListWidgetItem* item);
 
     PlanView* view_;
-    QComboBox* robots_;
     QLineEdit* search_;
     QLabel* found_;
     QToolButton* previous_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/agent/leg_kinematics.h"
 #include "core/base/text.h"
 
 namespace usar::mission {
@@ -13,8 +14,6 @@ namespace usar::mission {
 namespace {
 
 // Meters, in the plane of a leg, from its hip.
-constexpr double thigh_m = 0.071;
-constexpr double shin_m = 0.072;
 constexpr double upright_m = 0.143; ///< height of the hips above the ground after the spawn
 constexpr double walking_m = 0.11;
 constexpr double feet_forward_m = 0.015; ///< because the head weighs on the front legs
@@ -38,18 +37,14 @@ bool WalkingGait::fits(std::span<const protocol::JointAngle> joints) {
 }
 
 void WalkingGait::place(protocol::MultiDrive& drive, std::string_view leg, double x_m, double z_m) const {
-    const double reach_m2 = x_m * x_m + z_m * z_m;
-    const double cosine = (reach_m2 - thigh_m * thigh_m - shin_m * shin_m) / (2.0 * thigh_m * shin_m);
-    const double knee_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
-    const double hip_rad =
-        std::atan2(x_m, -z_m) + std::atan2(shin_m * std::sin(knee_rad), thigh_m + shin_m * std::cos(knee_rad));
+    const agent::LegAngles angles = agent::legAngles(agent::ers_leg, x_m, -z_m);
     const auto joint = [&](const char* part, double angle_rad) {
         if (const auto name = protocol::Token::make(std::string(leg) + part))
             drive.joints.push_back({*name, angle_rad});
     };
-    joint("Leg1", hip_rad);
+    joint("Leg1", angles.hip_rad);
     joint("Leg2", spread_rad);
-    joint("Leg3", knee_rad);
+    joint("Leg3", angles.knee_rad);
 }
 
 protocol::MultiDrive WalkingGait::stand() const {

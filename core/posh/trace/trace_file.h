@@ -39,8 +39,6 @@ public:
     void extend(std::string_view bytes);
 
     std::size_t cycleCount() const { return cycle_count_; }
-    /// The number of the first recorded cycle; 0 if there is none.
-    std::uint64_t firstCycle() const { return keys_.empty() ? 0 : keys_.front().cycle; }
     /// Describes where a frame of unknown kind ended the trace; empty if there was none.
     const std::string& damage() const { return damage_; }
     const std::string& planText(std::size_t plan) const { return plans_[plan].text; }

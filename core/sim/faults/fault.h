@@ -43,8 +43,6 @@ struct Fault {
 
     /// The number by this name, or its usual value if it is not given; 0 if the kind has no such number.
     double number(std::string_view name) const;
-    /// True from `from` on, until it has lasted as long as it should; the end is excluded.
-    bool activeAt(Seconds now) const { return now >= from && now < from + lasts; }
     /// True if the fault is meant for every robot or for this one.
     bool concerns(std::string_view robot_name) const;
     bool operator==(const Fault&) const = default;

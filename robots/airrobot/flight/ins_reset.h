@@ -19,7 +19,6 @@ enum class ResetState { Idle, Resting, Waiting, Done, Failed };
 class InsReset {
 public:
     void start(Seconds now);
-    void cancel() { state_ = ResetState::Idle; }
     /// Returns Failed if there is no ground truth, or after `reset_attempts` commands without success.
     ResetState step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port, const Settings& settings);
     ResetState state() const { return state_; }

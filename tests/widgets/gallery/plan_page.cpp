@@ -111,7 +111,6 @@ PlanSnapshot midFlight() {
 std::unique_ptr<PlanPanel> panel(QSize size) {
     auto made = std::make_unique<PlanPanel>();
     made->resize(size);
-    made->setRobots({QStringLiteral("R1"), QStringLiteral("R2")}, QStringLiteral("R1"));
     made->setPlan(posh::readPlan(survey).plan);
     made->setSnapshot(midFlight());
     return made;

@@ -24,6 +24,13 @@ BehaviorPanel* behavior(RunState state, const QString& robot) {
     auto* panel = new BehaviorPanel(form);
     panel->setBehaviors({{"airrobot/cpp", "Terrain survey (C++)", "Scans the area in lanes.", true, {}}});
     panel->setAreaLimits({Vec2(-64, -64), Vec2(64, 64)});
+    const auto action = [panel](bool enabled) {
+        auto* made = new QAction(panel);
+        made->setEnabled(enabled);
+        return made;
+    };
+    const bool busy = state == RunState::Running || state == RunState::Paused;
+    panel->setActions(action(state == RunState::Ready), action(busy), action(busy), action(busy));
     panel->setRunState(state, robot);
     return panel;
 }
