@@ -68,7 +68,7 @@ void tst_WindowTiming::lettingAKeyGoIsAStopWithin150Ms() {
 }
 
 /// From the event of the key to the bytes at a server that has a thread of its own, and back to a stop. The figures are
-/// in README; here is asked that no beat or frame is waited for.
+/// in measured.md; here is asked that no beat or frame is waited for.
 void tst_WindowTiming::aKeyIsOnTheWireAtOnce() {
     test::FakeRobotServer server;
     QVERIFY(server.listen());
@@ -118,7 +118,7 @@ void tst_WindowTiming::aKeyIsOnTheWireAtOnce() {
 }
 
 /// From the bytes of a state at a server that has a thread of its own, over the cycle that it causes, to its painting
-/// in the dock. The figures are in README; here is asked that no beat is waited for.
+/// in the dock. The figures are in measured.md; here is asked that no beat is waited for.
 void tst_WindowTiming::aCycleIsSeenAtOnce() {
     const QTemporaryDir folder;
     test::FakeRobotServer server;

@@ -74,7 +74,7 @@ public:
     void interrupt();
     /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.
     void noteFault(const QString& sentence);
-    /// The JSON summary; README lists its keys. Valid after `finished`.
+    /// The JSON summary; headless.md lists its keys. Valid after `finished`.
     const QJsonObject& summary() const;
 
 signals:

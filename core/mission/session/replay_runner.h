@@ -25,7 +25,7 @@ public:
     /// Ends the replay (Ctrl+C); the summary covers what was played.
     void interrupt();
     link::ReplayFigures figures() const { return replayer_.figures(); }
-    /// Summary of the replay; README lists the keys. Valid after `finished`. Counts cover the part that was played.
+    /// Summary of the replay (headless.md lists the keys). Valid after `finished`. Counts only what was played.
     QJsonObject summary() const;
 
 signals:

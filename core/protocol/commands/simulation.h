@@ -5,8 +5,8 @@
 
 namespace usar::protocol {
 
-/// LOCKSTEP: makes our own server wait for a STEP before each tick, or ends this (README, "Faster than real time"). A
-/// real server silently ignores both commands. The answer is LockstepInfo.
+/// LOCKSTEP: makes our own server wait for a STEP before each tick, or ends this (simulator.md, "Faster than real
+/// time"). A real server silently ignores both commands. The answer is LockstepInfo.
 struct Lockstep {
     bool on = true;
     bool operator==(const Lockstep&) const = default;
