@@ -1,15 +1,15 @@
 // What a person does to the world: palette, list and map on one side, the world controller's connection on the other.
 #pragma once
 
-#include <map>
-#include <set>
 #include <vector>
 
 #include <QObject>
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/world_link.h"
-#include "core/sim/world/terrain.h"
+#include "core/mission/session/deleted_objects.h"
+#include "core/mission/session/world_edits.h"
+#include "core/mission/session/world_inventory.h"
 
 namespace usar::app {
 
@@ -29,9 +29,9 @@ public:
 private:
     /// Follows the connection that MissionControl keeps open.
     void setServer(const link::LinkStatus& status);
-    /// The embedded world. Without it heights are guessed from the map and the start poses, and an object whose class
-    /// the server does not tell cannot be brought back.
+    /// The embedded world. Without it an object whose class the server does not tell cannot be brought back.
     void setWorld(const server::WorldPicture& world);
+    void registerDeleteCommands();
     void registerWayCommands();
     void wireMap();
     void refresh();
@@ -47,32 +47,25 @@ private:
     void turn(double angle_rad);
     void spin();
     void remove(const QString& name);
-    void keepForUndo(std::vector<protocol::CreateObject> deleted, const QStringList& lost);
     void setClasses();
     void removeAll();
-    void undo();
+    void removeNamed(const QStringList& names, const protocol::Command& deletion);
     void addWaypoint(const Vec2& at_m);
     void clearWay();
     void follow(bool moving);
     void send(const protocol::Command& command);
     void say(const QString& text);
-    double ground_m(const Vec2& at_m) const;
-    QString unusedName(const QString& class_name) const;
-    std::optional<protocol::CreateObject> creationOf(const widgets::MapObject& object) const;
-
-    /// What the server does not tell of an object, because it came from here.
-    struct Known {
-        std::vector<Vec2> way_m;
-        bool spins = false;
-    };
+    /// Of the embedded world, of what the selected robot has scanned, or guessed from the start poses.
+    mission::GroundHeight ground() const;
 
     MissionControl& control_;
     WindowViews& views_;
+    Selection& selection_;
     widgets::CommandRegistry& commands_;
     NoticeDesk& notices_;
     mission::WorldLink link_;
-    std::shared_ptr<const sim::Terrain> ground_;
-    std::map<QString, QString> own_objects_; ///< classes of what the embedded world began with, by name
+    mission::WorldInventory inventory_;
+    mission::DeletedObjects deleted_;
     QString host_;
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< there
@@ -81,9 +74,6 @@ private:
     QString selected_;
     QString awaited_; ///< is selected when it has come
     std::vector<widgets::MapObject> shown_;
-    std::map<QString, Known> known_;
-    std::set<QString> used_names_;
-    std::vector<std::vector<protocol::CreateObject>> deleted_; ///< newest last: what undo brings back
 };
 
 } // namespace usar::app
