@@ -1,14 +1,13 @@
 // Brings the person's hands to the selected robot: keys, the pad in the dock, a gamepad.
 #pragma once
 
-#include <array>
-
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 #include "app/desks/desk.h"
 #include "app/host/gamepad.h"
+#include "core/mission/hand/hand_requests.h"
 #include "core/mission/session/velocity_watch.h"
 #include "widgets/drive/drive_keys.h"
 
@@ -29,7 +28,7 @@ public:
     void leave();
 
     /// The person has asked for control of the selected robot, or has it.
-    bool taken() const { return taken_; }
+    bool taken() const { return requests_.taken(); }
     double speedShare() const;
     void setSpeedShare(double share);
     Gamepad& gamepad() { return gamepad_; }
@@ -46,7 +45,10 @@ private:
     void openDock();
     Robot* robot() const { return control_.robot(selected_); }
     bool live() const;
-    void setTaken(bool taken);
+    void beginControl();
+    void endControl();
+    void showControl();
+    Seconds wall() const { return Seconds(static_cast<double>(clock_.elapsed()) / 1000.0); }
     void requestControl(bool take);
     void ask(mission::HandSource source, const Stick& stick);
     void repeat();
@@ -67,12 +69,10 @@ private:
     widgets::DriveKeys keys_;
     Gamepad gamepad_;
     QTimer beat_;
-    std::array<Stick, 3> asked_; ///< by source
+    mission::HandRequests requests_;
     mission::VelocityWatch velocity_;
-    QElapsedTimer since_asked_; ///< for control
+    QElapsedTimer clock_; ///< wall time
     int selected_ = 0;
-    bool taken_ = false;
-    bool confirmed_ = false; ///< by the session
 };
 
 } // namespace usar::app
