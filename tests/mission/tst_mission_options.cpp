@@ -67,6 +67,12 @@ void tst_MissionOptions::readsTheCommandLine_data() {
     MissionOptions help;
     help.help = true;
     QTest::newRow("help") << QStringList{"--help"} << help;
+    QTest::newRow("help, whatever else is said") << QStringList{"run", "a.json", "--seed", "7", "-h"} << help;
+    MissionOptions odd = plain;
+    odd.behavior = "--speed";
+    odd.result_folder = "-3";
+    QTest::newRow("values that look like options")
+        << QStringList{"run", "a.json", "--behavior", "--speed", "--out=-3"} << odd;
 }
 
 void tst_MissionOptions::readsTheCommandLine() {
@@ -86,6 +92,11 @@ void tst_MissionOptions::rejectsTheRestAndSaysWhere_data() {
     QTest::newRow("another verb") << QStringList{"fly", "a.json"} << "usar-mission run MISSION.json";
     QTest::newRow("unknown option") << QStringList{"run", "a.json", "--sped", "3"} << "--sped: there is no such option";
     QTest::newRow("value missing") << QStringList{"run", "a.json", "--seed"} << "--seed: the value is missing";
+    QTest::newRow("an option for a value")
+        << QStringList{"run", "a.json", "--out", "x", "--speed"} << "--speed: the value is missing";
+    QTest::newRow("a value for a flag") << QStringList{"run", "a.json", "--isolate=no"}
+                                        << "--isolate: this option takes no value";
+    QTest::newRow("joined value empty") << QStringList{"run", "a.json", "--seed="} << "the seed is not";
     QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
     QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
     QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"} << "--speed 0: the speed is neither";
