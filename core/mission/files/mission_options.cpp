@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <QFileInfo>
+
 #include "core/base/numbers.h"
 #include "core/mission/files/command_line.h"
 #include "core/mission/files/replay_options.h"
@@ -93,6 +95,25 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
                        "Write usar-mission run MISSION.json; --help tells more");
     options.mission_file = words.last();
     return options;
+}
+
+void applyTo(Mission& mission, const MissionOptions& options) {
+    if (!options.behavior.isEmpty()) {
+        mission.behavior = options.behavior.toStdString();
+        mission.places.erase("behavior"); // it is not the file that would be wrong
+    }
+    if (!options.plan.isEmpty()) {
+        mission.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
+        mission.places.erase("plan");
+    }
+    mission.isolate = mission.isolate || options.isolate;
+}
+
+Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission) {
+    if (!options.server || (options.faults.isEmpty() && mission.faults.empty()))
+        return {};
+    return failure("faults can be made in the embedded simulator only", options.server->host.toStdString(),
+                   "Leave out --connect, or the faults");
 }
 
 /// Not the parser's own text: this one is of all verbs, and tells of output and exit codes, too.
