@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 
 #include <QFile>
 
 #include "app/cli/verb_complaint.h"
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/mission/files/plan_file.h"
+#include "core/mission/files/report_options.h"
 #include "core/mission/reports/plan_report.h"
 #include "core/mission/session/mission_runner.h"
 #include "core/server/embedded/program_files.h"
@@ -28,37 +28,10 @@ int checkOne(const QString& name, const agent::RobotDescription* robot, QIODevic
     return *sound ? 0 : 1;
 }
 
-struct Request {
-    std::optional<QString> robot;
-    QStringList files;
-};
-
-Result<Request> readRequest(const QStringList& words) {
-    Request request;
-    bool understood = true;
-    for (qsizetype i = 1; i < words.size(); ++i) {
-        const QString& word = words.at(i);
-        if (word == "--robot" && i + 1 < words.size())
-            request.robot = words.at(++i);
-        else if (word.startsWith("--robot="))
-            request.robot = word.section('=', 1);
-        else if (word == "-" || !word.startsWith('-'))
-            request.files += word;
-        else
-            understood = false;
-    }
-    if (!understood || request.files.isEmpty())
-        return failure(
-            "this is not how to call it", words.join(' ').toStdString(),
-            "Write usar-mission check-plan FILE…, or - for standard input; --robot AirRobot before it checks "
-            "the plans against that robot");
-    return request;
-}
-
 } // namespace
 
 int runCheckPlanVerb(const QStringList& arguments) {
-    const auto request = readRequest(arguments);
+    const auto request = mission::readCheckPlanOptions(arguments);
     if (!request)
         return complain(request.error());
     agent::PluginLoader plugins;

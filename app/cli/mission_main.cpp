@@ -1,11 +1,10 @@
-// usar-mission: runs one mission without a window; further verbs work on recordings, protocol lines and plans.
+// usar-mission: one mission, headless, and what becomes of its recording.
 #include <cstdio>
 #include <memory>
 
 #include <unistd.h>
 
 #include <QElapsedTimer>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QJsonDocument>
 
@@ -17,8 +16,9 @@
 #include "app/host/quit_signals.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/files/replay_options.h"
-#include "core/mission/session/progress_text.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/reports/progress_bar.h"
+#include "core/mission/reports/refused_run.h"
+#include "core/mission/session/mission_runner.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -26,52 +26,19 @@ namespace {
 
 using namespace usar;
 
-/// Progress on standard error: a bar that redraws itself on a terminal, otherwise one line per 10 %.
-class ProgressBar {
-public:
-    ProgressBar() { wall_.start(); }
-
-    void show(const mission::Progress& progress) {
-        const Seconds wall(static_cast<double>(wall_.elapsed()) / 1000.0);
-        const int tenth = static_cast<int>(progress.percent / 10.0);
-        if (is_terminal_) {
-            std::fprintf(stderr, "\r%s\x1b[K", mission::progressLine(progress, wall).c_str());
-            drawn_ = true;
-        } else if (tenth > last_tenth_) {
-            std::fprintf(stderr, "%s\n", mission::progressLine(progress, wall).c_str());
-            last_tenth_ = tenth;
-        }
-    }
-    /// Prints a line of text above the bar.
-    void say(const std::string& text) {
-        std::fprintf(stderr, "%s%s\n", drawn_ ? "\r\x1b[K" : "", text.c_str());
-        drawn_ = false;
-    }
-
-private:
-    const bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
-    QElapsedTimer wall_;
-    int last_tenth_ = -1;
-    bool drawn_ = false;
-};
+void tell(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+}
 
 int end(int exit_code, const QJsonObject& summary) {
     std::printf("%s\n", QJsonDocument(summary).toJson(QJsonDocument::Compact).constData());
     return exit_code;
 }
 
-/// Ends the program with an error; `known` contains what is known about the run, which never began.
-int refuse(const Error& error, mission::RunSummary known = {}) {
-    std::fprintf(stderr, "usar-mission: %s\n", error.text().c_str());
-    known.reason = error.text();
-    return end(mission::BadInput, mission::toJson(known));
-}
-
-mission::RunSummary knownOf(const mission::MissionOptions& options) {
-    mission::RunSummary known;
-    known.behavior = options.behavior.toStdString();
-    known.seed = options.seed;
-    return known;
+int refuse(const Error& error, const mission::MissionOptions* options = nullptr,
+           const mission::Mission* plan = nullptr) {
+    tell("usar-mission: " + error.text() + "\n");
+    return end(mission::BadInput, mission::toJson(mission::refusedRun(error, options, plan)));
 }
 
 Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options, const mission::Mission& plan) {
@@ -85,27 +52,13 @@ Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options,
     return faults;
 }
 
-/// Applies the options of the command line, which take precedence over the mission file.
-void applyTo(mission::Mission& plan, const mission::MissionOptions& options) {
-    if (!options.behavior.isEmpty()) {
-        plan.behavior = options.behavior.toStdString();
-        plan.places.erase("behavior"); // An error would not be in the file.
-    }
-    if (!options.plan.isEmpty()) {
-        plan.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
-        plan.places.erase("plan");
-    }
-    plan.isolate = plan.isolate || options.isolate;
-}
-
-/// Starts an embedded simulator for the mission's world, or returns nullptr if the command line names a server; either
-/// way `run_options` are set accordingly.
+/// A simulator of our own for the mission's world, or nullptr where the command line names a server; `run_options` get
+/// what there is to know of either.
 Result<std::unique_ptr<app::HeadlessSimulator>>
 serverFor(const mission::MissionOptions& options, const mission::Mission& plan, mission::RunOptions& run_options) {
+    if (const auto possible = mission::checkFaultsArePossible(options, plan); !possible)
+        return tl::unexpected(possible.error());
     if (options.server) {
-        if (!(options.faults.isEmpty() && plan.faults.empty()))
-            return tl::unexpected(Error{"faults can be made in the embedded simulator only",
-                                        options.server->host.toStdString(), "Leave out --connect, or the faults"});
         run_options.host = options.server->host;
         run_options.port = options.server->port;
         return nullptr;
@@ -126,7 +79,7 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
 }
 
 int run(const mission::MissionOptions& options, mission::Mission plan) {
-    applyTo(plan, options);
+    mission::applyTo(plan, options);
     agent::PluginLoader plugins;
     plugins.scan(server::pluginFolders() + options.plugin_folders);
     mission::RunOptions run_options;
@@ -135,17 +88,17 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     run_options.recording = options.recording;
     run_options.behavior_host = server::behaviorHostProgram();
     const auto simulator = serverFor(options, plan, run_options);
-    if (!simulator) {
-        mission::RunSummary known = knownOf(options);
-        known.mission = plan.name;
-        known.behavior = plan.behavior;
-        known.plan = plan.plan;
-        return refuse(simulator.error(), known);
-    }
+    if (!simulator)
+        return refuse(simulator.error(), &options, &plan);
     mission::MissionRunner runner(std::move(plan), plugins, std::move(run_options));
-    ProgressBar bar;
-    QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) { bar.show(progress); });
-    QObject::connect(&runner, &mission::MissionRunner::noticed, [&](const auto& notice) { bar.say(notice.text); });
+    mission::ProgressBar bar(::isatty(STDERR_FILENO) == 1);
+    QElapsedTimer wall;
+    wall.start();
+    QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) {
+        tell(bar.show(progress, Seconds(static_cast<double>(wall.elapsed()) / 1000.0)));
+    });
+    QObject::connect(&runner, &mission::MissionRunner::noticed,
+                     [&](const auto& notice) { tell(bar.say(notice.text)); });
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
     if (*simulator)
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
@@ -153,7 +106,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();
     const int exit_code = QCoreApplication::exec();
-    bar.say(runner.summary()["reason"].toString().toStdString());
+    tell(bar.say(runner.summary()["reason"].toString().toStdString()));
     return end(exit_code, runner.summary());
 }
 
@@ -161,7 +114,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
 
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen"); // Pictures contain text, which needs a QGuiApplication.
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
     if (QCoreApplication::arguments().value(1) == "lines")
@@ -180,5 +133,5 @@ int main(int argc, char** argv) {
         return 0;
     }
     auto plan = mission::readMissionFile(options->mission_file);
-    return plan ? run(*options, *std::move(plan)) : refuse(plan.error(), knownOf(*options));
+    return plan ? run(*options, *std::move(plan)) : refuse(plan.error(), &*options);
 }

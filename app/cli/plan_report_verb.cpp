@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/verb_complaint.h"
+#include "core/mission/files/report_options.h"
 #include "core/mission/reports/recorded_runs.h"
 #include "core/mission/reports/run_report_text.h"
 #include "core/mission/session/mission_runner.h"
@@ -30,20 +31,16 @@ int addFile(const QString& file, std::vector<mission::PlanRuns>& plans) {
 } // namespace
 
 int runPlanReportVerb(const QStringList& arguments) {
-    QStringList files = arguments.mid(1);
-    const bool json = files.removeAll("--json") > 0;
-    const bool has_option =
-        std::any_of(files.begin(), files.end(), [](const QString& word) { return word.startsWith('-'); });
-    if (files.isEmpty() || has_option)
-        return complain({"this is not how to call it", arguments.join(' ').toStdString(),
-                         "Write usar-mission plan-report [--json] FILE…, with recordings or traces"});
+    const auto options = mission::readPlanReportOptions(arguments);
+    if (!options)
+        return complain(options.error());
     std::vector<mission::PlanRuns> plans;
     int worst = mission::Done;
-    for (const QString& file : files)
+    for (const QString& file : options->files)
         worst = std::max(worst, addFile(file, plans));
     for (const mission::PlanRuns& plan : plans) {
-        const std::string report = json ? mission::runReportJson(plan.statistics, plan.runs).toStdString()
-                                        : mission::runReportText(plan.statistics, plan.runs);
+        const std::string report = options->json ? mission::runReportJson(plan.statistics, plan.runs).toStdString()
+                                                 : mission::runReportText(plan.statistics, plan.runs);
         std::fwrite(report.data(), 1, report.size(), stdout);
     }
     if (std::fflush(stdout) != 0)

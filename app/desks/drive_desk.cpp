@@ -4,6 +4,7 @@
 
 #include "app/views/robot_presenter.h"
 #include "core/mission/fleet/robot_name.h"
+#include "core/mission/hand/hand_cause.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -14,9 +15,7 @@ using mission::HandSource;
 using mission::Reins;
 
 constexpr int beat_ms = 50;
-constexpr int reins_patience_ms = 1000;
 constexpr double speed_step = 0.1;
-constexpr std::string_view by_hand = "by hand: ";
 
 } // namespace
 
@@ -27,13 +26,14 @@ DriveDesk::DriveDesk(const DeskContext& context)
     , selection_(context.selection)
     , notices_(context.notices)
     , keys_(context.window) {
+    clock_.start();
     beat_.setInterval(beat_ms);
     beat_.setTimerType(Qt::PreciseTimer);
     connect(&beat_, &QTimer::timeout, this, &DriveDesk::repeat);
     connect(&keys_, &widgets::DriveKeys::changed, this, [this](const Stick& stick) { ask(HandSource::Keys, stick); });
     connect(&keys_, &widgets::DriveKeys::stopPressed, this, [this] { letGo(tr("Space was pressed")); });
     connect(&keys_, &widgets::DriveKeys::focusLost, this, [this] {
-        if (std::ranges::any_of(asked_, [](const Stick& stick) { return !stick.centered(); }))
+        if (!requests_.held().empty())
             letGo(tr("the window lost the focus"));
     });
     connect(views_.drive, &widgets::DrivePanel::moved, this,
@@ -46,7 +46,7 @@ DriveDesk::DriveDesk(const DeskContext& context)
 
 void DriveDesk::registerCommands() {
     const QString group = tr("Drive");
-    const auto drives = [this] { return taken_; };
+    const auto drives = [this] { return taken(); };
     commands_.add(
         {"drive.take",
          tr("Drive by hand"),
@@ -107,20 +107,27 @@ void DriveDesk::select(int id) {
 }
 
 void DriveDesk::leave() {
-    if (taken_ && robot()) {
+    if (taken() && robot()) {
         letGo(tr("another robot was selected"));
         robot()->giveControlBack();
     }
-    setTaken(false);
+    endControl();
 }
 
-void DriveDesk::setTaken(bool taken) {
-    if (taken == taken_)
-        return;
-    taken_ = taken;
-    confirmed_ = false;
-    keys_.setActive(taken);
-    if (!taken) {
+void DriveDesk::beginControl() {
+    if (requests_.take(wall()))
+        showControl();
+}
+
+void DriveDesk::endControl() {
+    if (requests_.giveBack())
+        showControl();
+}
+
+/// It was taken, or has ended.
+void DriveDesk::showControl() {
+    keys_.setActive(taken());
+    if (!taken()) {
         views_.drive->letGo();
         beat_.stop();
     }
@@ -129,75 +136,66 @@ void DriveDesk::setTaken(bool taken) {
 
 void DriveDesk::requestControl(bool take) {
     if (take && live()) {
-        since_asked_.start();
-        for (const HandSource source : {HandSource::Keys, HandSource::Pad, HandSource::Gamepad})
-            say(source); // A device that is already held must be released before it drives.
+        for (const HandSource source : mission::HandRequests::sources)
+            say(source); // what is held already has to be let go first
         robot()->takeControl();
-        setTaken(true);
+        beginControl();
         gamepad_.start();
         emit realTimeWanted();
     } else if (robot()) {
         robot()->giveControlBack();
-        setTaken(false);
+        endControl();
     }
     show();
 }
 
 void DriveDesk::ask(mission::HandSource source, const Stick& stick) {
-    asked_[static_cast<std::size_t>(source)] = stick;
-    if (taken_ || stick.centered())
+    if (requests_.move(source, stick))
         say(source);
-    if (taken_ && !stick.centered() && !beat_.isActive())
+    if (taken() && requests_.isHeld(source) && !beat_.isActive())
         beat_.start();
 }
 
 void DriveDesk::say(mission::HandSource source) {
-    if (!robot())
-        return;
-    robot()->drive({source, source == HandSource::Gamepad ? gamepad_.name().toStdString() : std::string(),
-                    asked_[static_cast<std::size_t>(source)], speedShare()});
+    if (robot())
+        robot()->drive(requests_.intentOf(source, gamepad_.name().toStdString(), speedShare()));
 }
 
 void DriveDesk::repeat() {
-    bool held = false;
-    for (const HandSource source : {HandSource::Keys, HandSource::Pad, HandSource::Gamepad})
-        if (!asked_[static_cast<std::size_t>(source)].centered()) {
-            say(source);
-            held = true;
-        }
-    if (!held)
+    const std::vector<HandSource> held = requests_.held();
+    for (const HandSource source : held)
+        say(source);
+    if (held.empty())
         beat_.stop();
 }
 
 void DriveDesk::letGo(const QString& reason) {
-    if (taken_ && robot())
+    if (taken() && robot())
         robot()->stopDriving(reason);
     views_.drive->letGo();
 }
 
-/// Stops the robot, no matter whether a behavior or the user drives it, and ends control.
+/// Behavior or hand, it ends.
 void DriveDesk::stopRobot() {
     if (!robot() || robot()->isReplay())
         return;
     views_.drive->letGo();
     robot()->stop();
-    setTaken(false);
+    endControl();
     show();
 }
 
 void DriveDesk::wireGamepad() {
     connect(&gamepad_, &Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
     connect(&gamepad_, &Gamepad::unplugged, this, [this](const QString& name) {
-        Stick& stick = asked_[static_cast<std::size_t>(HandSource::Gamepad)];
-        if (!stick.centered())
+        if (requests_.isHeld(HandSource::Gamepad))
             letGo(tr("the gamepad %1 was unplugged").arg(name));
-        stick = {};
-        say(HandSource::Gamepad);
+        ask(HandSource::Gamepad, {});
         showGamepad();
     });
     connect(&gamepad_, &Gamepad::plugged, this, &DriveDesk::showGamepad);
     connect(&gamepad_, &Gamepad::stopPressed, this, [this] { letGo(tr("the gamepad's stop button was pressed")); });
-    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken_); });
+    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken()); });
     showGamepad();
 }
 
@@ -211,14 +209,11 @@ void DriveDesk::showGamepad() {
 void DriveDesk::take(int id, const mission::SessionUpdate& update) {
     if (id != selected_)
         return;
-    const mission::ControlState& state = update.figures.control;
-    if (state.reins == Reins::Hand)
-        confirmed_ = true;
-    else if (taken_ && (confirmed_ || since_asked_.elapsed() > reins_patience_ms))
-        setTaken(false);
+    if (requests_.hear(update.figures.control.reins, wall()))
+        showControl();
     velocity_.take(update);
     for (const mission::SentCommand& command : update.commands)
-        if (command.cause.source.starts_with(by_hand) && protocol::isDrive(command.command))
+        if (mission::isHandCause(command.cause.source) && protocol::isDrive(command.command))
             views_.drive->setEcho(QString::fromStdString(command.text));
     const auto twist = velocity_.twist();
     widgets::BodyVelocity shown;
@@ -232,13 +227,13 @@ void DriveDesk::take(int id, const mission::SessionUpdate& update) {
 }
 
 void DriveDesk::refresh() {
-    if (taken_ && !live())
-        setTaken(false);
+    if (!live())
+        endControl();
     show();
 }
 
 QString DriveDesk::noteFor(const mission::ControlState& state) const {
-    if (!taken_)
+    if (!taken())
         return state.reins == Reins::Behavior ? tr("Taking control pauses the behavior.") : QString();
     if (!state.hindrance.empty())
         return QString::fromStdString(state.hindrance);
@@ -279,7 +274,7 @@ void DriveDesk::show() {
     if (!missing) {
         const mission::ControlState& state = here->view().figures.control;
         shown.can_take = true;
-        shown.taken = taken_;
+        shown.taken = taken();
         shown.axes = state.axes;
         shown.asked = state.asked;
         shown.sent = state.sent;
@@ -291,7 +286,7 @@ void DriveDesk::show() {
     if (!(shown == views_.drive->state()))
         views_.drive->setState(shown);
     if (commands_.contains("drive.take"))
-        commands_.action("drive.take")->setChecked(taken_);
+        commands_.action("drive.take")->setChecked(taken());
 }
 
 } // namespace usar::app

@@ -1,7 +1,5 @@
-// Desk for driving by hand: passes the input of keys, the pad in the dock and a gamepad to the selected robot.
+// Brings the person's hands to the selected robot: keys, the pad in the dock, a gamepad.
 #pragma once
-
-#include <array>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -9,63 +7,58 @@
 
 #include "app/desks/desk.h"
 #include "app/host/gamepad.h"
+#include "core/mission/hand/hand_requests.h"
 #include "core/mission/session/velocity_watch.h"
 #include "widgets/drive/drive_keys.h"
 
 namespace usar::app {
 
-/// The robot's session decides who drives (hand_control.h). This desk only reports what each input device requests: on
-/// each change, and twenty times a second while it requests any motion. Everything is released when the window loses
-/// the focus or closes, another robot is selected, or the gamepad is unplugged. GUI thread.
+/// GUI thread. The rules of who drives live in the robot's session (hand_control.h): here is only said what each hand
+/// asks, at once and then twenty times a second while it asks for anything. A lost focus, another selected robot, an
+/// unplugged gamepad and a closing window let everything go.
 class DriveDesk : public QObject {
     Q_OBJECT
 public:
     explicit DriveDesk(const DeskContext& context);
 
     void registerCommands();
-    /// To be called after all commands are registered.
+    /// Once commands are registered.
     void wire();
-    /// Releases everything and gives control back.
+    /// Everything is let go and control is given back.
     void leave();
 
-    /// True if the user has requested control of the selected robot, or has it.
-    bool taken() const { return taken_; }
-    /// Fraction of the robot's top speed at full stick, 0.05..1.
+    /// The person has asked for control of the selected robot, or has it.
+    bool taken() const { return requests_.taken(); }
     double speedShare() const;
     void setSpeedShare(double share);
     Gamepad& gamepad() { return gamepad_; }
 
 signals:
-    /// Control was requested: simulated time should not run faster than real time, in which the user reacts.
+    /// Nobody can drive faster than the clock on the wall.
     void realTimeWanted();
 
 private:
     void select(int id);
-    /// Takes an update of any robot; only that of the selected one is shown.
+    /// An update of any robot; only the selected one's is shown.
     void take(int id, const mission::SessionUpdate& update);
     void refresh();
     void openDock();
-    /// The selected robot, or nullptr.
     Robot* robot() const { return control_.robot(selected_); }
-    /// True if the selected robot can be driven: spawned, connected, no replay and no base station.
     bool live() const;
-    void setTaken(bool taken);
+    void beginControl();
+    void endControl();
+    void showControl();
+    Seconds wall() const { return Seconds(static_cast<double>(clock_.elapsed()) / 1000.0); }
     void requestControl(bool take);
-    /// Stores the position of an input device and reports it.
     void ask(mission::HandSource source, const Stick& stick);
-    /// Reports all devices that request motion.
     void repeat();
-    /// Sends the position of one device to the robot's session.
     void say(mission::HandSource source);
-    /// Stops the motion, but keeps control; `reason` is a part of a sentence.
     void letGo(const QString& reason);
     void stopRobot();
     void wireGamepad();
     void showGamepad();
     void show();
-    /// Returns true if the selected robot cannot be driven; the panel then says why.
     bool showWhatIsMissing();
-    /// The line of text below the pad; empty: none.
     QString noteFor(const mission::ControlState& state) const;
 
     MissionControl& control_;
@@ -75,13 +68,11 @@ private:
     NoticeDesk& notices_;
     widgets::DriveKeys keys_;
     Gamepad gamepad_;
-    QTimer beat_;                ///< runs while a device requests motion
-    std::array<Stick, 3> asked_; ///< positions, by HandSource
+    QTimer beat_;
+    mission::HandRequests requests_;
     mission::VelocityWatch velocity_;
-    QElapsedTimer since_asked_; ///< since control was requested
+    QElapsedTimer clock_; ///< wall time
     int selected_ = 0;
-    bool taken_ = false;
-    bool confirmed_ = false; ///< the session has confirmed that the user has control
 };
 
 } // namespace usar::app

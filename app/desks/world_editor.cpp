@@ -1,10 +1,8 @@
 #include "app/desks/world_editor.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "core/base/text.h"
+#include "core/mission/session/ground_height.h"
 #include "core/sim/world/object_kinds.h"
 
 namespace usar::app {
@@ -17,9 +15,7 @@ using widgets::ObjectForm;
 
 constexpr std::chrono::milliseconds seen_polling{200};
 constexpr std::chrono::milliseconds map_polling{500};
-constexpr double drop_height_m = 0.02; ///< new objects start this far above the ground, so that none starts inside it
 constexpr double spin_rad_s = radians(30.0);
-constexpr std::size_t most_undo = 100;
 
 ObjectForm formOf(const sim::ObjectKind& kind) {
     switch (kind.shape) {
@@ -42,8 +38,30 @@ std::vector<widgets::PaletteKind> palette() {
     return kinds;
 }
 
+std::optional<Vec3> sizeOfKind(std::string_view class_name) {
+    const sim::ObjectKind* const kind = sim::findObjectKind(class_name);
+    return kind ? std::optional(kind->size_m) : std::nullopt;
+}
+
+/// `time_factor`: simulated seconds per wall second, for a speed as the world sees it.
+MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, double time_factor) {
+    MapObject object;
+    object.name = QString::fromStdString(thing.name);
+    object.kind = QString::fromStdString(thing.class_name);
+    if (const sim::ObjectKind* const kind = sim::findObjectKind(thing.class_name)) {
+        object.form = formOf(*kind);
+        object.size_m = kind->size_m;
+        object.carries = kind->conveyor;
+    }
+    object.size_m = thing.size_m.value_or(object.size_m);
+    object.body_in_map = thing.body_in_map;
+    object.speed_m_s = thing.velocity_in_map_m_s.norm() / time_factor;
+    object.waypoints_in_map_m = std::move(way_m);
+    return object;
+}
+
 protocol::Token tokenOf(const QString& name) {
-    return protocol::Token::make(name.toStdString()).value_or(protocol::Token("unnamed"));
+    return mission::tokenOf(name.toStdString());
 }
 
 } // namespace
@@ -51,8 +69,12 @@ protocol::Token tokenOf(const QString& name) {
 WorldEditor::WorldEditor(const DeskContext& context)
     : control_(context.control)
     , views_(context.views)
+    , selection_(context.selection)
     , commands_(context.commands)
-    , notices_(context.notices) {
+    , notices_(context.notices)
+    , inventory_(sizeOfKind)
+    , deleted_([this](const protocol::Command& command) { send(command); },
+               [this](const std::string& name) { return inventory_.creationOf(name); }) {
     setClasses();
     views_.world->setKinds(palette());
 }
@@ -113,11 +135,8 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         port_ = 0;
         if (std::exchange(opened_, false))
             link_.close();
-        known_.clear();
-        used_names_.clear();
+        inventory_.clear();
         deleted_.clear();
-        ground_.reset(); // The next server may have another world.
-        own_objects_.clear();
         setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
         host_ = status.host;
@@ -128,21 +147,19 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
 }
 
 void WorldEditor::setWorld(const server::WorldPicture& world) {
-    ground_ = world.ground;
-    own_objects_ = world.objects;
+    std::map<std::string, std::string> own;
+    for (const auto& [name, class_name] : world.objects)
+        own.emplace(name.toStdString(), class_name.toStdString());
+    inventory_.setOwn(std::move(own));
     setClasses();
 }
 
-/// Sets the classes that the server is asked about to find out which objects belong to them.
+/// Of which the server is asked, to learn what is of them.
 void WorldEditor::setClasses() {
-    std::vector<std::string> classes;
+    std::vector<std::string> kinds;
     for (const sim::ObjectKind& kind : sim::objectKinds())
-        classes.emplace_back(kind.name);
-    for (const auto& [name, class_name] : own_objects_)
-        if (const std::string bare_name = class_name.section('.', -1).toStdString();
-            std::ranges::find(classes, bare_name) == classes.end())
-            classes.push_back(bare_name);
-    link_.setClasses(classes);
+        kinds.emplace_back(kind.name);
+    link_.setClasses(inventory_.classesToAskFor(std::move(kinds)));
 }
 
 void WorldEditor::refresh() {
@@ -179,31 +196,15 @@ void WorldEditor::showState() {
 std::vector<MapObject> WorldEditor::objects() const {
     const double factor = control_.simulator().running() && real_time_factor_ > 0.01 ? real_time_factor_ : 1.0;
     std::vector<MapObject> objects;
-    for (const mission::WorldThing& thing : link_.view().things) {
-        MapObject object;
-        object.name = QString::fromStdString(thing.name);
-        object.kind = QString::fromStdString(thing.class_name);
-        if (const sim::ObjectKind* const kind = sim::findObjectKind(thing.class_name)) {
-            object.form = formOf(*kind);
-            object.size_m = kind->size_m;
-            object.carries = kind->conveyor;
-        }
-        object.size_m = thing.size_m.value_or(object.size_m);
-        object.body_in_map = thing.body_in_map;
-        object.speed_m_s = thing.velocity_in_map_m_s.norm() / factor;
-        if (const auto known = known_.find(object.name); known != known_.end())
-            object.waypoints_in_map_m = known->second.way_m;
-        objects.push_back(std::move(object));
-    }
+    for (const mission::WorldThing& thing : inventory_.things())
+        objects.push_back(onMap(thing, inventory_.way_m(thing.name), factor));
     return objects;
 }
 
 void WorldEditor::show() {
     const bool none_before = shown_.empty();
+    inventory_.setThings(link_.view().things);
     shown_ = objects();
-    std::erase_if(known_, [this](const auto& known) {
-        return std::ranges::find(shown_, known.first, &MapObject::name) == shown_.end();
-    });
     views_.map->setObjects(shown_);
     if (dock_seen_)
         views_.world->setObjects(shown_);
@@ -229,7 +230,7 @@ void WorldEditor::select(const QString& name) {
     commands_.refresh();
 }
 
-/// Switches the map to placing the object that is chosen in the palette, or back if none is.
+/// The map takes the choice in hand, or lets it go.
 void WorldEditor::arm() {
     const auto choice = views_.world->choice();
     if (!choice) {
@@ -251,34 +252,25 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
     const auto choice = views_.world->choice();
     if (!choice)
         return;
-    if (const auto& world = views_.map->content().world_in_map; world && !world->contains(at_m))
+    if (const Rectangle& world = control_.world().extent_in_map; !world.empty() && !world.contains(at_m))
         return say(tr("There is no ground outside the world's frame. Drop the object inside it."));
-    const auto class_name = protocol::Token::make(choice->class_name.toStdString());
-    if (!class_name)
-        return say(QString::fromStdString(class_name.error().text()));
-    const QString name = unusedName(choice->class_name);
-    used_names_.insert(name);
-    protocol::CreateObject created{*class_name};
-    created.object_name = protocol::Name::mended(name.toStdString());
-    const double rise_m = choice->size_m.z() / 2.0 + (choice->conveyor ? 0.0 : drop_height_m);
-    created.start = Pose{Vec3(at_m.x(), at_m.y(), ground_m(at_m) + rise_m)};
-    if (!choice->scale.isApprox(Vec3::Ones()))
-        created.scale = choice->scale;
-    send(created);
-    awaited_ = name;
+    const std::string class_name = choice->class_name.toStdString();
+    const std::string name = inventory_.unusedName(class_name);
+    const auto created =
+        mission::placed({class_name, name, choice->size_m, choice->scale, choice->conveyor}, at_m, ground()(at_m));
+    if (!created)
+        return say(QString::fromStdString(created.error().text()));
+    inventory_.useName(name);
+    send(*created);
+    awaited_ = QString::fromStdString(name);
     if (!again)
         views_.world->disarm();
 }
 
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
-    const MapObject* const object = selected();
-    if (!object)
-        return;
-    Pose moved = object->body_in_map;
-    moved.position_m.z() += ground_m(center_m) - ground_m(Vec2(moved.position_m.head<2>()));
-    moved.position_m.head<2>() = center_m;
-    send(protocol::PlaceObject{tokenOf(name), moved});
+    if (const MapObject* const object = selected())
+        send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
 }
 
 void WorldEditor::turn(double angle_rad) {
@@ -288,101 +280,64 @@ void WorldEditor::turn(double angle_rad) {
 }
 
 void WorldEditor::spin() {
-    bool& spins = known_[selected_].spins;
-    spins = !spins;
+    const bool spins = inventory_.toggleSpin(selected_.toStdString());
     send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
 }
 
-/// Returns the command that would create this object again; nullopt if neither the server nor the embedded world tells
-/// its class.
-std::optional<protocol::CreateObject> WorldEditor::creationOf(const MapObject& object) const {
-    const auto bare = [](const QString& class_name) { return class_name.section('.', -1).toStdString(); };
-    const auto own = own_objects_.find(object.name);
-    const bool is_own = own != own_objects_.end() && (own->second.isEmpty() || object.kind.isEmpty() ||
-                                                      sameWord(bare(own->second), bare(object.kind)));
-    if (object.kind.isEmpty() && !is_own)
-        return std::nullopt;
-    protocol::CreateObject created{
-        tokenOf(is_own ? own->second : object.kind)}; // A server finds an object without class by its name.
-    created.object_name = protocol::Name::mended(object.name.toStdString());
-    created.start = object.body_in_map;
-    const sim::ObjectKind* const kind = is_own ? nullptr : sim::findObjectKind(object.kind.toStdString());
-    if (!kind)
-        return created; // With the usual size of its class.
-    if (const Vec3 scale = object.size_m.cwiseQuotient(kind->size_m); !scale.isApprox(Vec3::Ones(), 0.02))
-        created.scale = scale;
-    return created;
+void WorldEditor::remove(const QString& name) {
+    if (inventory_.find(name.toStdString()))
+        removeNamed(QStringList(name), protocol::KillObject{tokenOf(name)});
 }
 
-void WorldEditor::keepForUndo(std::vector<protocol::CreateObject> deleted, const QStringList& lost) {
-    if (!deleted.empty())
-        deleted_.push_back(std::move(deleted));
-    if (deleted_.size() > most_undo)
-        deleted_.erase(deleted_.begin());
+void WorldEditor::removeAll() {
+    QStringList names;
+    for (const MapObject& object : shown_)
+        names << object.name;
+    removeNamed(names, protocol::KillAllObjects{});
+}
+
+/// `deletion` takes away the objects of these names.
+void WorldEditor::removeNamed(const QStringList& names, const protocol::Command& deletion) {
+    std::vector<protocol::CreateObject> kept;
+    QStringList lost;
+    for (const QString& name : names)
+        if (auto created = inventory_.creationOf(name.toStdString()))
+            kept.push_back(*std::move(created));
+        else
+            lost << name;
     if (!lost.isEmpty())
         say(tr("%1 cannot be brought back: the server does not tell of which class it was. Put another object there "
                "if one is needed.")
                 .arg(lost.join(", ")));
-}
-
-void WorldEditor::remove(const QString& name) {
-    const auto object = std::ranges::find(shown_, name, &MapObject::name);
-    if (object == shown_.end())
-        return;
-    const auto created = creationOf(*object);
-    keepForUndo(created ? std::vector{*created} : std::vector<protocol::CreateObject>(),
-                created ? QStringList() : QStringList(name));
-    send(protocol::KillObject{tokenOf(name)});
-}
-
-void WorldEditor::removeAll() {
-    std::vector<protocol::CreateObject> all;
-    QStringList lost;
-    for (const MapObject& object : shown_)
-        if (const auto created = creationOf(object))
-            all.push_back(*created);
-        else
-            lost << object.name;
-    keepForUndo(std::move(all), lost);
-    send(protocol::KillAllObjects{});
-}
-
-void WorldEditor::undo() {
-    for (const protocol::CreateObject& created : deleted_.back())
-        send(created);
-    deleted_.pop_back();
-    commands_.refresh();
+    deleted_.remove(deletion, std::move(kept));
 }
 
 void WorldEditor::addWaypoint(const Vec2& at_m) {
     const MapObject* const object = selected();
     if (!object)
         return say(tr("Select an object first; then its way points are set by clicks on the map."));
-    const double over_ground_m =
-        object->body_in_map.position_m.z() - ground_m(Vec2(object->body_in_map.position_m.head<2>()));
-    known_[selected_].way_m.push_back(at_m);
-    send(protocol::AddWaypoints{tokenOf(selected_), {Vec3(at_m.x(), at_m.y(), ground_m(at_m) + over_ground_m)}});
+    inventory_.addWaypoint(selected_.toStdString(), at_m);
+    send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
     show();
 }
 
 void WorldEditor::clearWay() {
-    known_[selected_].way_m.clear();
+    inventory_.clearWay(selected_.toStdString());
     send(protocol::ClearWaypoints{tokenOf(selected_)});
     show();
 }
 
-/// Starts or stops the selected object's motion along its way points. A conveyor without way points runs its belt.
+/// Along its way points; a conveyor without any runs its belt.
 void WorldEditor::follow(bool moving) {
     const MapObject* const object = selected();
     if (!object)
         return;
-    const double speed_m_s = views_.world->speed_m_s();
-    if (object->carries && object->waypoints_in_map_m.empty())
-        return send(protocol::RunConveyor{tokenOf(selected_), moving ? speed_m_s : 0.0});
-    if (views_.map->tool() == MapTool::Waypoint)
+    const bool has_way = !object->waypoints_in_map_m.empty();
+    const bool is_conveyor = object->carries;
+    if ((has_way || !is_conveyor) && views_.map->tool() == MapTool::Waypoint)
         views_.map->setTool(MapTool::Pan);
-    send(protocol::FollowWaypoints{
-        tokenOf(selected_), protocol::WaypointSpeed{std::abs(speed_m_s)}, views_.world->loop(), {}, moving});
+    send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
+                           {views_.world->speed_m_s(), views_.world->loop(), moving}));
 }
 
 void WorldEditor::send(const protocol::Command& command) {
@@ -393,27 +348,18 @@ void WorldEditor::say(const QString& text) {
     notices_.say(Severity::Warning, "world", text);
 }
 
-double WorldEditor::ground_m(const Vec2& at_m) const {
-    if (ground_ && !ground_->empty() && ground_->extent().contains(at_m))
-        return ground_->height_m(at_m);
-    if (const auto probe = views_.map->heights().probe(at_m))
-        return double(probe->height_m);
-    double z_m = 0.0;
-    double nearest_m = std::numeric_limits<double>::infinity();
-    for (const protocol::StartPose& pose : views_.map->content().start_poses)
-        if (const double d = (pose.pose_in_map.position_m.head<2>() - at_m).norm(); d < nearest_m) {
-            nearest_m = d;
-            z_m = pose.pose_in_map.position_m.z();
-        }
-    return z_m;
-}
-
-QString WorldEditor::unusedName(const QString& class_name) const {
-    const QString bare = class_name.section('.', -1);
-    for (int number = 1;; ++number)
-        if (const QString name = bare + QString::number(number);
-            !used_names_.contains(name) && std::ranges::find(shown_, name, &MapObject::name) == shown_.end())
-            return name;
+mission::GroundHeight WorldEditor::ground() const {
+    mission::GroundSources sources;
+    if (const auto& terrain = control_.world().ground; terrain && !terrain->empty())
+        sources.terrain_m = [terrain](const Vec2& at_m) {
+            return terrain->extent().contains(at_m) ? std::optional(terrain->height_m(at_m)) : std::nullopt;
+        };
+    if (const Robot* const robot = selection_.robot()) {
+        sources.tiles = &robot->view().tiles;
+        sources.cell_size_m = robot->view().cell_size_m;
+    }
+    sources.start_poses = control_.startPoses();
+    return [sources](const Vec2& at_m) { return mission::groundHeight_m(sources, at_m); };
 }
 
 } // namespace usar::app

@@ -4,7 +4,6 @@
 namespace usar::app {
 
 void WorldEditor::registerCommands() {
-    const auto any = [this] { return !shown_.empty(); };
     const auto one = [this] { return selected() != nullptr; };
     commands_.add(
         {"world.turn_left",
@@ -30,6 +29,13 @@ void WorldEditor::registerCommands() {
          "spin",
          {}},
         [this](bool) { spin(); }, one);
+    registerDeleteCommands();
+    registerWayCommands();
+}
+
+void WorldEditor::registerDeleteCommands() {
+    const auto any = [this] { return !shown_.empty(); };
+    const auto one = [this] { return selected() != nullptr; };
     commands_.add(
         {"world.delete",
          tr("Delete object"),
@@ -53,8 +59,23 @@ void WorldEditor::registerCommands() {
          tr("The objects of the last deletion, where they were"),
          "undo",
          {QKeySequence::Undo}},
-        [this](bool) { undo(); }, [this] { return !deleted_.empty() && port_ != 0; });
-    registerWayCommands();
+        [this](bool) {
+            deleted_.undo();
+            commands_.refresh();
+        },
+        [this] { return deleted_.canUndo() && port_ != 0; });
+    commands_.add(
+        {"world.redo",
+         tr("Redo"),
+         tr("World"),
+         tr("Deletes again what was brought back"),
+         "redo",
+         {QKeySequence::Redo}},
+        [this](bool) {
+            deleted_.redo();
+            commands_.refresh();
+        },
+        [this] { return deleted_.canRedo() && port_ != 0; });
 }
 
 void WorldEditor::registerWayCommands() {

@@ -24,7 +24,7 @@ void makeMenus(QMenuBar& bar, const widgets::CommandRegistry& commands,
                  "time.pause time.step time.faster time.slower time.real time.max - "
                  "faults.inject faults.end faults.end_all - link.figures");
     add(tr("&Objects"), "view.dock.world - world.turn_left world.turn_right world.spin - world.waypoints "
-                        "world.clear_way world.go world.halt - world.undo world.delete world.delete_all - "
+                        "world.clear_way world.go world.halt - world.undo world.redo world.delete world.delete_all - "
                         "map.wipe_trace");
     add(tr("P&lan"), "plan.open plan.edit plan.new - "
                      "plan.continue plan.halt plan.step_cycle plan.step_epoch plan.run_to - "

@@ -130,6 +130,12 @@ private slots:
         QVERIFY(!page.window().commands().action("world.delete")->isEnabled());
         page.pressKey(Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {7, 8}, 0.5), soon_ms); // it may have slid a little on its slope
+        QAction* const redo = page.window().commands().action("world.redo");
+        QVERIFY(redo->isEnabled());
+        redo->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
+        QVERIFY(!redo->isEnabled());
+        QVERIFY(page.window().commands().action("world.undo")->isEnabled());
     }
 
     void anObjectIsDraggedOutOfThePalette() {

@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QTest>
 
 #include "core/mission/files/mission_options.h"
@@ -18,6 +19,10 @@ private slots:
     void rejectsTheRestAndSaysWhere();
     void readsServerAddresses_data();
     void readsServerAddresses();
+    void theCommandLineGoesBeforeTheFile();
+    void whatIsNotTypedIsTheFiles();
+    void faultsNeedTheEmbeddedSimulator_data();
+    void faultsNeedTheEmbeddedSimulator();
     void helpNamesEveryOption();
     void progressLinesTellStateSpeedAndTimeLeft();
     void timeLeftComesFromTheBehaviorElseFromThePercentage();
@@ -67,6 +72,12 @@ void tst_MissionOptions::readsTheCommandLine_data() {
     MissionOptions help;
     help.help = true;
     QTest::newRow("help") << QStringList{"--help"} << help;
+    QTest::newRow("help, whatever else is said") << QStringList{"run", "a.json", "--seed", "7", "-h"} << help;
+    MissionOptions odd = plain;
+    odd.behavior = "--speed";
+    odd.result_folder = "-3";
+    QTest::newRow("values that look like options")
+        << QStringList{"run", "a.json", "--behavior", "--speed", "--out=-3"} << odd;
 }
 
 void tst_MissionOptions::readsTheCommandLine() {
@@ -86,6 +97,11 @@ void tst_MissionOptions::rejectsTheRestAndSaysWhere_data() {
     QTest::newRow("another verb") << QStringList{"fly", "a.json"} << "usar-mission run MISSION.json";
     QTest::newRow("unknown option") << QStringList{"run", "a.json", "--sped", "3"} << "--sped: there is no such option";
     QTest::newRow("value missing") << QStringList{"run", "a.json", "--seed"} << "--seed: the value is missing";
+    QTest::newRow("an option for a value")
+        << QStringList{"run", "a.json", "--out", "x", "--speed"} << "--speed: the value is missing";
+    QTest::newRow("a value for a flag") << QStringList{"run", "a.json", "--isolate=no"}
+                                        << "--isolate: this option takes no value";
+    QTest::newRow("joined value empty") << QStringList{"run", "a.json", "--seed="} << "the seed is not";
     QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
     QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
     QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"} << "--speed 0: the speed is neither";
@@ -127,6 +143,65 @@ void tst_MissionOptions::readsServerAddresses() {
     QVERIFY(address);
     QCOMPARE(address->host, host);
     QCOMPARE(int(address->port), port);
+}
+
+void tst_MissionOptions::theCommandLineGoesBeforeTheFile() {
+    Mission mission;
+    mission.behavior = "p2dx/cpp";
+    mission.places = {{"behavior", {"m.json:1:2", "m.json:1:9"}}, {"plan", {}}, {"world", {}}};
+    MissionOptions options;
+    options.behavior = "airrobot/posh";
+    options.plan = "own.lap";
+    options.isolate = true;
+    applyTo(mission, options);
+    QCOMPARE(mission.behavior, std::string("airrobot/posh"));
+    QCOMPARE(QString::fromStdString(mission.plan), QDir::current().filePath("own.lap"));
+    QVERIFY(mission.isolate);
+    QCOMPARE(mission.places.size(), std::size_t(1)); // no error blames the file for what was typed
+    QVERIFY(mission.places.contains("world"));
+}
+
+void tst_MissionOptions::whatIsNotTypedIsTheFiles() {
+    Mission mission;
+    mission.behavior = "p2dx/cpp";
+    mission.plan = "/plans/a.lap";
+    mission.isolate = true;
+    mission.places = {{"behavior", {}}, {"plan", {}}};
+    applyTo(mission, {});
+    QCOMPARE(mission.behavior, std::string("p2dx/cpp"));
+    QCOMPARE(mission.plan, std::string("/plans/a.lap"));
+    QVERIFY(mission.isolate);
+    QCOMPARE(mission.places.size(), std::size_t(2));
+}
+
+void tst_MissionOptions::faultsNeedTheEmbeddedSimulator_data() {
+    QTest::addColumn<bool>("server");
+    QTest::addColumn<bool>("typed");
+    QTest::addColumn<bool>("in_file");
+    QTest::addColumn<bool>("possible");
+    QTest::newRow("embedded, both") << false << true << true << true;
+    QTest::newRow("a server, none") << true << false << false << true;
+    QTest::newRow("a server, typed") << true << true << false << false;
+    QTest::newRow("a server, in the file") << true << false << true << false;
+}
+
+void tst_MissionOptions::faultsNeedTheEmbeddedSimulator() {
+    QFETCH(bool, server);
+    QFETCH(bool, typed);
+    QFETCH(bool, in_file);
+    QFETCH(bool, possible);
+    MissionOptions options;
+    if (server)
+        options.server = ServerAddress{"10.0.0.5", 3000};
+    if (typed)
+        options.faults << "wind";
+    Mission mission;
+    if (in_file)
+        mission.faults = {"wind"};
+    const auto checked = checkFaultsArePossible(options, mission);
+    QCOMPARE(checked.has_value(), possible);
+    if (!checked)
+        QVERIFY(checked.error().text().starts_with("10.0.0.5: faults can be made in the embedded simulator only"));
 }
 
 void tst_MissionOptions::helpNamesEveryOption() {

@@ -60,6 +60,8 @@ void tst_ReplayOptions::rejectsTheRestAndSaysWhere_data() {
     QTest::newRow("no output") << QStringList{"recording-to-text", "a"} << "usar-mission recording-to-text FROM TO";
     QTest::newRow("unknown option") << QStringList{"replay", "a", "--sped", "3"} << "--sped: there is no such option";
     QTest::newRow("value missing") << QStringList{"replay", "a", "--from"} << "--from: the value is missing";
+    QTest::newRow("an option of another verb")
+        << QStringList{"recording-to-text", "a", "b", "--from", "3"} << "--from: there is no such option";
     QTest::newRow("too slow") << QStringList{"replay", "a", "--speed", "0.01"} << "--speed 0.01: the speed is neither";
     QTest::newRow("too fast") << QStringList{"replay", "a", "--speed", "101"} << "from 0.1 to 100";
     QTest::newRow("no number") << QStringList{"replay", "a", "--from", "noon"} << "--from noon: the moment is not";

@@ -1,6 +1,5 @@
 #include "widgets/map/height_layer.h"
 
-#include <cmath>
 #include <limits>
 
 #include "core/base/hand_over.h"
@@ -87,20 +86,7 @@ Rectangle HeightLayer::bounds_in_map() const {
 }
 
 std::optional<HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
-    const Vec2 cell = (point_in_map_m / cell_size_m_).array().floor().matrix();
-    if (!(cell.cwiseAbs().maxCoeff() < 1e9))
-        return std::nullopt;
-    const Vec2 tile_index = (cell / double(HeightTile::side)).array().floor().matrix();
-    const GridIndex index{static_cast<std::int32_t>(tile_index.x()), static_cast<std::int32_t>(tile_index.y())};
-    const auto found = tiles_.find(index);
-    if (found == tiles_.end())
-        return std::nullopt;
-    const Vec2 within = cell - tile_index * double(HeightTile::side);
-    const auto at = static_cast<std::size_t>(within.y()) * HeightTile::side + static_cast<std::size_t>(within.x());
-    const float height_m = found->second->height_m[at];
-    if (!std::isfinite(height_m))
-        return std::nullopt;
-    return HeightProbe{height_m, found->second->hits[at]};
+    return mapping::probeHeight(tiles_, cell_size_m_, point_in_map_m);
 }
 
 void HeightLayer::renderNext() {

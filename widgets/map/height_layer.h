@@ -10,15 +10,13 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include "core/mapping/height_probe.h"
 #include "widgets/models/map/height_page.h"
 
 namespace usar::widgets {
 
 /// Data of one cell; shown for the cell under the cursor.
-struct HeightProbe {
-    float height_m = 0.0f; ///< value of the height array: the mean of the measurements
-    int hits = 0;          ///< number of measurements; 0: interpolated between two beams
-};
+using HeightProbe = mapping::HeightProbe;
 
 /// Double-buffered: one worker renders all changed pages together, and they are swapped in together, so that a new
 /// height range never shows next to the old one. While a batch is rendered, changes collect for the next one. Belongs
@@ -70,7 +68,7 @@ private:
     HeightStyle style_;
     /// False until the first range arrives.
     bool range_known_ = false;
-    std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles_;
+    mapping::HeightTiles tiles_;
     std::map<mapping::GridIndex, PageTiles> sources_;
     std::map<mapping::GridIndex, PagePicture> pages_;
     /// Pages that must be rendered.

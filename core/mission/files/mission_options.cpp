@@ -1,44 +1,52 @@
 #include "core/mission/files/mission_options.h"
 
+#include <utility>
+
+#include <QFileInfo>
+
 #include "core/base/numbers.h"
+#include "core/mission/files/command_line.h"
 #include "core/mission/files/replay_options.h"
 
 namespace usar::mission {
 
 namespace {
 
-/// Puts the value of one option into `options`; fails on an unknown option or a bad value.
-Result<void> takeOption(const QString& name, const QString& value, MissionOptions& options) {
-    const std::string where = name.toStdString() + " " + value.toStdString();
-    if (name == "--behavior") {
-        options.behavior = value;
-    } else if (name == "--plan") {
-        options.plan = value;
-    } else if (name == "--out") {
-        options.result_folder = value;
-    } else if (name == "--record") {
-        options.recording = value;
-    } else if (name == "--fault") {
-        options.faults << value;
-    } else if (name == "--plugins") {
-        options.plugin_folders << value;
-    } else if (name == "--seed") {
-        const auto seed = readInteger(value.toStdString());
+QList<QCommandLineOption> runOptions() {
+    return {{"behavior", {}, "ID"},
+            {"plan", {}, "FILE"},
+            {"seed", {}, "N"},
+            {"speed", {}, "N|max"},
+            {"connect", {}, "HOST:PORT"},
+            {"out", {}, "DIR"},
+            {"record", {}, "FILE"},
+            {"fault", {}, "TEXT"},
+            {"plugins", {}, "FOLDER"},
+            QCommandLineOption("isolate"),
+            QCommandLineOption(QStringList{"h", "help"})};
+}
+
+/// The options whose values can be wrong.
+Result<void> readValues(const QCommandLineParser& parser, MissionOptions& options) {
+    if (parser.isSet("seed")) {
+        const auto seed = readInteger(parser.value("seed").toStdString());
         if (!seed || *seed < 0)
-            return failure("the seed is not a whole number from 0 up", where, "For example --seed 7");
+            return failure("the seed is not a whole number from 0 up", asWritten(parser, "seed"),
+                           "For example --seed 7");
         options.seed = static_cast<std::uint64_t>(*seed);
-    } else if (name == "--speed") {
-        const auto speed = readNumber(value.toStdString());
-        if (value != "max" && !(speed && *speed > 0.0))
-            return failure("the speed is neither a number above 0 nor max", where, "For example --speed 10");
-        options.speed_x = value == "max" ? std::nullopt : speed;
-    } else if (name == "--connect") {
-        auto server = readServerAddress(value);
+    }
+    if (const QString text = parser.value("speed"); parser.isSet("speed") && text != "max") {
+        const auto speed = readNumber(text.toStdString());
+        if (!speed || !(*speed > 0.0))
+            return failure("the speed is neither a number above 0 nor max", asWritten(parser, "speed"),
+                           "For example --speed 10");
+        options.speed_x = speed;
+    }
+    if (parser.isSet("connect")) {
+        auto server = readServerAddress(parser.value("connect"));
         if (!server)
             return tl::unexpected(server.error());
         options.server = *std::move(server);
-    } else {
-        return failure("there is no such option", name.toStdString(), "Ask usar-mission --help for them");
     }
     return {};
 }
@@ -64,29 +72,24 @@ Result<ServerAddress> readServerAddress(const QString& text) {
 }
 
 Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const auto parsed = parseArguments(parser, runOptions(), arguments);
     MissionOptions options;
-    QStringList words;
-    for (qsizetype i = 0; i < arguments.size(); ++i) {
-        const QString& argument = arguments.at(i);
-        if (argument == "--help" || argument == "-h") {
-            options.help = true;
-            return options;
-        }
-        if (argument == "--isolate") {
-            options.isolate = true;
-            continue;
-        }
-        if (!argument.startsWith("--")) {
-            words.append(argument);
-            continue;
-        }
-        const bool joined = argument.contains('=');
-        if (!joined && i + 1 == arguments.size())
-            return failure("the value is missing", argument.toStdString(), "Ask usar-mission --help how to write it");
-        const QString value = joined ? argument.section('=', 1) : arguments.at(++i);
-        if (auto taken = takeOption(argument.section('=', 0, 0), value, options); !taken)
-            return tl::unexpected(taken.error());
-    }
+    options.help = parser.isSet("help");
+    if (options.help)
+        return options;
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    options.behavior = parser.value("behavior");
+    options.plan = parser.value("plan");
+    options.result_folder = parser.value("out");
+    options.recording = parser.value("record");
+    options.faults = parser.values("fault");
+    options.plugin_folders = parser.values("plugins");
+    options.isolate = parser.isSet("isolate");
+    if (const auto read = readValues(parser, options); !read)
+        return tl::unexpected(read.error());
+    const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || words.first() != "run")
         return failure("this is not how to call it", words.join(' ').toStdString(),
                        "Write usar-mission run MISSION.json; --help tells more");
@@ -94,6 +97,26 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     return options;
 }
 
+void applyTo(Mission& mission, const MissionOptions& options) {
+    if (!options.behavior.isEmpty()) {
+        mission.behavior = options.behavior.toStdString();
+        mission.places.erase("behavior"); // it is not the file that would be wrong
+    }
+    if (!options.plan.isEmpty()) {
+        mission.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
+        mission.places.erase("plan");
+    }
+    mission.isolate = mission.isolate || options.isolate;
+}
+
+Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission) {
+    if (!options.server || (options.faults.isEmpty() && mission.faults.empty()))
+        return {};
+    return failure("faults can be made in the embedded simulator only", options.server->host.toStdString(),
+                   "Leave out --connect, or the faults");
+}
+
+/// Not the parser's own text: this one is of all verbs, and tells of output and exit codes, too.
 QString missionHelp() {
     return QStringLiteral(
                "usar-mission run MISSION.json [options]\n"

@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/link/replay.h"
+#include "core/mission/files/command_line.h"
 
 namespace usar::mission {
 
@@ -14,32 +15,42 @@ const std::array<std::pair<QString, ReplayVerb>, 3> verbs{{{"replay", ReplayVerb
                                                            {"recording-to-text", ReplayVerb::ToText},
                                                            {"text-to-recording", ReplayVerb::ToRecording}}};
 
-Result<Seconds> readMoment(const QString& value, const std::string& where) {
-    const auto seconds = readNumber(value.toStdString());
+Result<Seconds> readMoment(const QCommandLineParser& parser, const QString& option) {
+    const auto seconds = readNumber(parser.value(option).toStdString());
     if (!seconds || !(*seconds >= 0.0))
-        return failure("the moment is not a number of seconds from 0 up", where,
+        return failure("the moment is not a number of seconds from 0 up", asWritten(parser, option),
                        "Seconds count from the beginning of the recording, for example --from 90");
     return Seconds{*seconds};
 }
 
-Result<void> takeReplayOption(const QString& name, const QString& value, ReplayOptions& options) {
-    const std::string where = name.toStdString() + " " + value.toStdString();
-    if (name == "--speed") {
-        const auto speed = readNumber(value.toStdString());
-        if (value != "max" && !(speed && *speed >= link::Replayer::slowest && *speed <= link::Replayer::fastest))
-            return failure("the speed is neither a number from 0.1 to 100 nor max", where, "For example --speed 10");
-        options.speed = value == "max" ? std::numeric_limits<double>::infinity() : *speed;
-        return {};
+QList<QCommandLineOption> optionsOf(ReplayVerb verb) {
+    QList<QCommandLineOption> options{QCommandLineOption(QStringList{"h", "help"})};
+    if (verb == ReplayVerb::Replay)
+        options << QCommandLineOption("speed", {}, "N|max") << QCommandLineOption("from", {}, "S")
+                << QCommandLineOption("to", {}, "S");
+    return options;
+}
+
+/// The options of the verb `replay`.
+Result<void> readValues(const QCommandLineParser& parser, ReplayOptions& options) {
+    if (const QString text = parser.value("speed"); parser.isSet("speed") && text != "max") {
+        const auto speed = readNumber(text.toStdString());
+        if (!speed || !(*speed >= link::Replayer::slowest && *speed <= link::Replayer::fastest))
+            return failure("the speed is neither a number from 0.1 to 100 nor max", asWritten(parser, "speed"),
+                           "For example --speed 10");
+        options.speed = *speed;
     }
-    if (name != "--from" && name != "--to")
-        return failure("there is no such option", name.toStdString(), "Ask usar-mission --help for them");
-    const auto moment = readMoment(value, where);
-    if (!moment)
-        return tl::unexpected(moment.error());
-    if (name == "--from")
-        options.from = *moment;
-    else
-        options.to = *moment;
+    for (const QString& option : {QString("from"), QString("to")}) {
+        if (!parser.isSet(option))
+            continue;
+        const auto moment = readMoment(parser, option);
+        if (!moment)
+            return tl::unexpected(moment.error());
+        if (option == "from")
+            options.from = *moment;
+        else
+            options.to = *moment;
+    }
     return {};
 }
 
@@ -57,24 +68,17 @@ Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     for (const auto& [known, verb] : verbs)
         if (known == arguments.value(0))
             options.verb = verb;
-    QStringList words;
-    for (qsizetype i = 1; i < arguments.size(); ++i) {
-        const QString& argument = arguments.at(i);
-        if (argument == "--help" || argument == "-h") {
-            options.help = true;
-            return options;
-        }
-        if (!argument.startsWith("--") || options.verb != ReplayVerb::Replay) {
-            words.append(argument);
-            continue;
-        }
-        const bool joined = argument.contains('=');
-        if (!joined && i + 1 == arguments.size())
-            return failure("the value is missing", argument.toStdString(), "Ask usar-mission --help how to write it");
-        const QString value = joined ? argument.section('=', 1) : arguments.at(++i);
-        if (auto taken = takeReplayOption(argument.section('=', 0, 0), value, options); !taken)
-            return tl::unexpected(taken.error());
-    }
+    QCommandLineParser parser;
+    const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1));
+    options.help = parser.isSet("help");
+    if (options.help)
+        return options;
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    if (options.verb == ReplayVerb::Replay)
+        if (const auto read = readValues(parser, options); !read)
+            return tl::unexpected(read.error());
+    const QStringList words = parser.positionalArguments();
     const bool converts = options.verb != ReplayVerb::Replay;
     if (words.size() != (converts ? 2 : 1))
         return failure("this is not how to call it", arguments.join(' ').toStdString(),

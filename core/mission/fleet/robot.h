@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include "core/agent/behavior_start.h"
+#include "core/mapping/height_probe.h"
 #include "core/mission/session/robot_session.h"
 
 namespace usar::mission {
@@ -30,7 +31,7 @@ struct RobotView {
     std::vector<agent::MapMark> marks;
     std::vector<Vec2> planned_m; ///< path that the behavior has planned
     std::optional<Vec3> goal_m;
-    std::map<mapping::GridIndex, std::shared_ptr<const mapping::HeightTile>> tiles;
+    mapping::HeightTiles tiles;
     std::optional<mapping::HeightRange> height_range; ///< of the whole height map; absent: the map is empty
     std::optional<mapping::CourseProfile> ground;
     double cell_size_m = 0.25;                       ///< of the height map

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/mission/hand/hand_cause.h"
+
 namespace usar::mission {
 
 namespace {
@@ -55,7 +57,7 @@ void RobotSession::Private::beginHand() {
         say(Severity::Note, "control",
             "You drive. The behavior " + host->behaviorId() + " is paused; resume it to give it the robot back.");
     }
-    makeSafe("by hand: control taken");
+    makeSafe(handCause("control taken"));
     askForHand();
     link.flush();
     touched();
@@ -63,7 +65,7 @@ void RobotSession::Private::beginHand() {
 
 void RobotSession::Private::askForHand() {
     if (auto question = hand.question(figures.now))
-        send({*std::move(question), {"by hand: how it is driven", state->line()}});
+        send({*std::move(question), {handCause("how it is driven"), state->line()}});
 }
 
 void RobotSession::Private::endHand(const std::string& reason) {
@@ -97,7 +99,7 @@ void RobotSession::Private::beatHand() {
     if (since_data.isValid() &&
         Seconds(static_cast<double>(since_data.elapsed()) / 1000.0) > std::max(shortest_silence, 4.0 * tick_spacing))
         return stopHand(request.robot_name + " is silent");
-    sendHand(hand.advance(beat), "by hand: " + hand.holderText(), !congested());
+    sendHand(hand.advance(beat), handCause(hand.holderText()), !congested());
     link.flush();
     touched();
 }
@@ -110,7 +112,7 @@ void RobotSession::Private::tickHand() {
     if (!hand.on())
         return;
     askForHand();
-    sendHand(hand.repeat(figures.now), "by hand: " + hand.holderText(), false);
+    sendHand(hand.repeat(figures.now), handCause(hand.holderText()), false);
 }
 
 /// Brings the robot to rest at once. Devices must be released before they count again.
@@ -121,7 +123,7 @@ void RobotSession::Private::stopHand(const std::string& reason) {
     const HandDriver::Commands rest = hand.stop(reason);
     if (figures.spawned && connected() && !replayer) {
         gate.reset();
-        sendHand(rest, "by hand: stop, " + reason, true);
+        sendHand(rest, handCause("stop, " + reason), true);
         link.flush();
     }
     touched();

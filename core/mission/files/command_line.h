@@ -1,0 +1,22 @@
+// The arguments of one verb of usar-mission, parsed by QCommandLineParser, with errors of our own form.
+#pragma once
+
+#include <string>
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include "core/base/result.h"
+
+namespace usar::mission {
+
+/// Gives the parser these options and has it parse `arguments`, which do not include the program's name. What was
+/// understood can be asked of the parser even after an error. Errors name the option that is unknown, lacks its value
+/// or takes none; `usage` says how to write it, and without it the user is sent to --help.
+[[nodiscard]] Result<void> parseArguments(QCommandLineParser& parser, const QList<QCommandLineOption>& options,
+                                          const QStringList& arguments, const std::string& usage = {});
+
+/// "--speed 10": how errors about a value name it.
+std::string asWritten(const QCommandLineParser& parser, const QString& option);
+
+} // namespace usar::mission
