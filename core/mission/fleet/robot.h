@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QThread>
 
@@ -63,6 +64,8 @@ public:
     bool spawned() const { return view_.id != 0; }
     /// Part of the mission area whose height is known; nothing without an area.
     std::optional<double> coverage_pct() const;
+    /// From the start of the newest behavior to its end, or until now; 0 before the first.
+    Seconds wallTime() const;
     /// A behavior of ours: one in a replay has run.
     bool running() const { return view_.figures.behavior_running && !view_.finished && !isReplay(); }
     bool isReplay() const { return !view_.recording.isEmpty(); }
@@ -123,6 +126,7 @@ private:
     void take(const mission::SessionUpdate& update);
     void take(const agent::Published& published);
     void forget();
+    void countCovered();
     void countCovered(const mapping::HeightTile& tile);
     template <class Call>
     void later(Call call);
@@ -133,6 +137,8 @@ private:
     bool pause_confirmed_ = false; ///< the behavior has said that it pauses
     agent::SetBreakpoints breakpoints_;
     std::optional<StartedBehavior> started_;
+    QElapsedTimer since_start_;
+    std::optional<Seconds> took_;               ///< wall time of the behavior that has ended
     std::optional<agent::PlanText> asked_plan_; ///< to take the place of the one that runs
 };
 

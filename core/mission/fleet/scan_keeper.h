@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -32,8 +31,8 @@ public:
     QString folder() const;
     bool folderChosen() const { return !folder_.isEmpty(); }
 
-    /// From now on the robot's records are written when they come. `truth` counts its collisions; it may say nothing.
-    void watch(Robot& robot, std::function<std::optional<TrueFigures>()> truth);
+    /// From now on the robot's records are written when they come. `facts` is asked for each of them.
+    void watch(Robot& robot, std::function<SimulatorFacts()> facts);
     /// The record as it stands now; `saved` or `failed` follows.
     void save(Robot& robot);
     /// Stops it, saves it where there is something to save, and lets it go.
@@ -44,8 +43,6 @@ public:
     void retry();
     /// Stops waiting for records that never came: their sessions hang.
     void giveUpWaiting();
-    /// Robots that have left and could not be saved.
-    void forgetLeaving();
 
 signals:
     void saved(int id, const QStringList& files);
@@ -60,7 +57,7 @@ private:
 
     QThreadPool pool_;
     QString folder_;
-    std::map<const Robot*, std::function<std::optional<TrueFigures>()>> truths_;
+    std::map<const Robot*, std::function<SimulatorFacts()>> facts_;
     std::set<const Robot*> awaited_;
     std::vector<std::unique_ptr<Robot>> leaving_;
     int writing_ = 0;
