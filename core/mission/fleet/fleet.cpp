@@ -46,16 +46,8 @@ void Fleet::isolatePlugins(const QStringList& names, const QString& marks_folder
         {.host_program = d_->behavior_host, .isolated = names, .marks = agent::PluginMarks(marks_folder)});
 }
 
-void Fleet::loadPlugins(const QStringList& folders) {
-    d_->plugins.scan(folders);
-}
-
-std::vector<agent::PluginChange> Fleet::rescanPlugins() {
-    return d_->plugins.rescan();
-}
-
-void Fleet::askPluginAgain(const QString& file) {
-    d_->plugins.forget(file);
+agent::PluginLoader& Fleet::plugins() {
+    return d_->plugins;
 }
 
 const agent::PluginLoader& Fleet::plugins() const {
@@ -299,19 +291,12 @@ void Fleet::stopAll() {
 void Fleet::preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                     const std::map<std::string, agent::ParameterValue>& values,
                     const agent::PluginLoader::Told& told) const {
-    const agent::BehaviorDescription* const behavior = plugins().behavior(behavior_id);
-    if (!behavior)
-        return told(tl::unexpected(plugins().pluginFor(behavior_id).error()));
-    const auto parameters = agent::ParameterSet::make(behavior->parameters, values);
+    const auto parameters = checkParameters(behavior_id, values, plugins());
     if (!parameters)
         return told(tl::unexpected(parameters.error()));
     const Robot* robot = this->robot(id);
     const Pose start_in_map = robot ? robot->view().spawn.start_in_map : Pose{};
     plugins().preview(behavior_id, {{"", start_in_map, area_in_map}, *parameters}, told);
-}
-
-void Fleet::forgetPreview() const {
-    plugins().forgetPreview();
 }
 
 void Fleet::setResultFolder(const QString& folder) {

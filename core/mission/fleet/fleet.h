@@ -31,14 +31,11 @@ public:
     explicit Fleet(const QString& behavior_host, QObject* parent = nullptr);
     ~Fleet() override;
 
-    /// Before `loadPlugins` or `rescanPlugins`: those plugins, by name, have a process of their own. `marks_folder` is
-    /// where it is remembered which one ended the program.
+    /// Before a scan: those plugins, by name, have a process of their own. `marks_folder` is where it is remembered
+    /// which one ended the program.
     void isolatePlugins(const QStringList& names, const QString& marks_folder);
-    void loadPlugins(const QStringList& folders);
-    /// More may follow in `pluginsChanged`: those with a process of their own are asked, and nobody waits for them.
-    std::vector<agent::PluginChange> rescanPlugins();
-    /// Makes the next rescan query this plugin, even if its file is unchanged.
-    void askPluginAgain(const QString& file);
+    /// What answers after a scan follows in `pluginsChanged`.
+    agent::PluginLoader& plugins();
     const agent::PluginLoader& plugins() const;
 
     /// Opens the connection that waits for its robot. `lockstep`: ask the server to wait for us.
@@ -84,7 +81,6 @@ public:
     void preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
                  const std::map<std::string, agent::ParameterValue>& values,
                  const agent::PluginLoader::Told& told) const;
-    void forgetPreview() const;
 
     void setResultFolder(const QString& folder);
     QString resultFolder() const;

@@ -3,30 +3,13 @@
 #include <utility>
 
 #include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 
+#include "core/mission/files/recording_name.h"
 #include "core/mission/fleet/fleet_private.h"
 #include "core/mission/fleet/robot_name.h"
 
 namespace usar::mission {
-
-namespace {
-
-/// "R1_2026-11-21_18-21-29.usarrec", or with a number behind it where there is such a file.
-QString newRecordingIn(const QString& folder, const QString& robot_name) {
-    QString safe = robot_name;
-    for (QChar& c : safe)
-        if (!c.isLetterOrNumber() && c != '-' && c != '_')
-            c = '_';
-    const QString stem = safe + '_' + QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss");
-    QString name = stem;
-    for (int number = 2; QFileInfo::exists(QDir(folder).filePath(name + ".usarrec")); ++number)
-        name = stem + '_' + QString::number(number);
-    return QDir(folder).filePath(name + ".usarrec");
-}
-
-} // namespace
 
 void Fleet::setRecording(bool on) {
     if (std::exchange(d_->recording, on) == on)
@@ -46,11 +29,12 @@ bool Fleet::recording() const {
 }
 
 void Fleet::Private::record(Robot& robot, const SpawnRequest& as) {
-    robot.startRecording(newRecordingIn(keeper.folder(), QString::fromStdString(as.robot_name)),
-                         {{"robot", as.robot_name},
-                          {"class", as.class_name},
-                          {"level", place.level.toStdString()},
-                          {"program", "mission-control"}});
+    robot.startRecording(
+        newRecordingIn(keeper.folder(), QString::fromStdString(as.robot_name), QDateTime::currentDateTime()),
+        {{"robot", as.robot_name},
+         {"class", as.class_name},
+         {"level", place.level.toStdString()},
+         {"program", "mission-control"}});
 }
 
 void Fleet::openRecording(const QString& path) {

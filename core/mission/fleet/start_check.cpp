@@ -4,6 +4,15 @@
 
 namespace usar::mission {
 
+Result<agent::ParameterSet> checkParameters(const std::string& behavior_id,
+                                            const std::map<std::string, agent::ParameterValue>& values,
+                                            const agent::PluginLoader& plugins) {
+    const agent::BehaviorDescription* description = plugins.behavior(behavior_id);
+    if (!description)
+        return tl::unexpected(plugins.pluginFor(behavior_id).error());
+    return agent::ParameterSet::make(description->parameters, values);
+}
+
 Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent::PluginLoader& plugins,
                                        const StartPlace& place) {
     const agent::BehaviorDescription* description = plugins.behavior(start.id);
@@ -13,7 +22,7 @@ Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent
         return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
     if (const auto inside = checkAreaInside(start.area_in_map, place.extent_in_map); !inside)
         return tl::unexpected(inside.error());
-    return agent::ParameterSet::make(description->parameters, start.parameters);
+    return checkParameters(start.id, start.parameters, plugins);
 }
 
 Result<std::map<std::string, agent::ParameterValue>>

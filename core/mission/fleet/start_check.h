@@ -18,6 +18,11 @@ struct StartPlace {
     Rectangle extent_in_map; ///< of the world, in meters; empty: unknown
 };
 
+/// An error for an unknown behavior, and for a parameter that is not allowed.
+Result<agent::ParameterSet> checkParameters(const std::string& behavior_id,
+                                            const std::map<std::string, agent::ParameterValue>& values,
+                                            const agent::PluginLoader& plugins);
+
 /// The checked parameters. An error for an unknown behavior, a missing area, one outside the world, or a parameter that
 /// is not allowed.
 Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent::PluginLoader& plugins,
