@@ -26,7 +26,7 @@ PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
     , folders_(folders)
     , isolated_(QSettings().value("isolated_plugins").toStringList()) {
     applyIsolation();
-    desk_.control.loadPlugins(folders);
+    desk_.control.plugins().scan(folders);
 }
 
 void PluginDesk::registerCommands() {
@@ -60,7 +60,7 @@ void PluginDesk::tellRefused(const agent::PluginRecord& record) {
     if (record.isolated) {
         const widgets::Offer again{tr("Ask again"), tr("Starts a new process, which loads the plugin as it is now")};
         return desk_.notices.offer(Severity::Warning, record.file, text, again, [this, file = record.file] {
-            desk_.control.askPluginAgain(file);
+            desk_.control.plugins().forget(file);
             rescan(false);
         });
     }
@@ -85,7 +85,7 @@ void PluginDesk::tellRefused() {
 }
 
 void PluginDesk::rescan(bool asked) {
-    const auto changes = desk_.control.rescanPlugins();
+    const auto changes = desk_.control.plugins().rescan();
     watch_.watch(desk_.control.plugins().folders());
     if (!changes.empty())
         return take(changes);

@@ -247,7 +247,7 @@ void TaskDesk::takeTask(const mission::SessionUpdate& update) {
 
 void TaskDesk::askForPreview() {
     desk_.commands.refresh();
-    desk_.control.forgetPreview();
+    desk_.control.plugins().forgetPreview();
     preview_due_.stop();
     const mission::TaskDraft& draft = drafts_.shown();
     const Robot* robot = desk_.selection.robot();
@@ -290,7 +290,7 @@ void TaskDesk::start() {
                                                      QString::fromStdString(draft.plan_path), isolated());
     if (!started)
         return desk_.notices.complain("start", started.error());
-    desk_.control.forgetPreview(); // the behavior itself says what it flies now
+    desk_.control.plugins().forgetPreview(); // the behavior itself says what it flies now
     preview_due_.stop();
     begin(id);
     emit faultsWanted(server::textsOf(draft.faults));

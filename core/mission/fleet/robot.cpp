@@ -1,11 +1,10 @@
 #include "core/mission/fleet/robot.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
+#include "core/mission/session/area_cells.h"
 
 namespace usar::mission {
 
@@ -53,6 +52,7 @@ void Robot::connectSession() {
     });
     link::connectAcross(session_, &mission::RobotSession::behaviorFinished, this,
                         [this](bool success, const QString& reason, bool broke) {
+                            took_ = wallTime();
                             view_.broke = broke;
                             view_.finished = agent::BehaviorFinished{success, reason.toStdString()};
                             view_.figures.behavior_running = view_.paused = false;
@@ -99,15 +99,15 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std:
     });
     started_ = {behavior_id, area_in_map, parameters.values(), plan, isolation.has_value()};
     asked_plan_.reset();
+    since_start_.start();
+    took_.reset();
     view_.broke = false;
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
     view_.halted.reset();
     view_.paused = false;
-    view_.covered_cells.clear();
-    for (const auto& [index, tile] : view_.tiles)
-        countCovered(*tile);
+    countCovered();
     return {};
 }
 
@@ -234,9 +234,7 @@ void Robot::take(const mission::SessionUpdate& update) {
         view_.behavior_id = update.task->behavior_id;
         view_.area_in_map = update.task->area_in_map;
         view_.finished.reset();
-        view_.covered_cells.clear();
-        for (const auto& [index, tile] : view_.tiles)
-            countCovered(*tile);
+        countCovered();
     }
     view_.figures = update.figures;
     for (const agent::Published& published : update.published)
@@ -258,26 +256,29 @@ void Robot::take(const mission::SessionUpdate& update) {
     }
 }
 
+/// Counts anew, for another area or map.
+void Robot::countCovered() {
+    view_.covered_cells.clear();
+    for (const auto& [index, tile] : view_.tiles)
+        countCovered(*tile);
+}
+
 void Robot::countCovered(const mapping::HeightTile& tile) {
-    const Rectangle& area = view_.area_in_map;
-    int covered = 0;
-    for (std::size_t i = 0; i < mapping::HeightTile::cell_count; ++i) {
-        const auto column =
-            tile.index.column * mapping::HeightTile::side + static_cast<int>(i) % mapping::HeightTile::side;
-        const auto row = tile.index.row * mapping::HeightTile::side + static_cast<int>(i) / mapping::HeightTile::side;
-        covered += !std::isnan(tile.height_m[i]) &&
-                   area.contains(Vec2((column + 0.5) * view_.cell_size_m, (row + 0.5) * view_.cell_size_m));
-    }
-    view_.covered_cells[tile.index] = covered;
+    view_.covered_cells[tile.index] = knownCellsIn(cellsOf(view_.area_in_map, view_.cell_size_m), tile);
 }
 
 std::optional<double> Robot::coverage_pct() const {
     if (view_.area_in_map.empty())
         return std::nullopt;
-    double cells = 0.0;
-    for (const auto& [index, covered] : view_.covered_cells)
-        cells += covered;
-    return std::min(100.0, 100.0 * cells * view_.cell_size_m * view_.cell_size_m / view_.area_in_map.area_m2());
+    double covered = 0.0;
+    for (const auto& [index, cells] : view_.covered_cells)
+        covered += cells;
+    const std::int64_t all = cellsOf(view_.area_in_map, view_.cell_size_m).count();
+    return all == 0 ? 0.0 : 100.0 * covered / double(all);
+}
+
+Seconds Robot::wallTime() const {
+    return took_ ? *took_ : Seconds(since_start_.isValid() ? double(since_start_.nsecsElapsed()) * 1e-9 : 0.0);
 }
 
 void Robot::take(const agent::Published& published) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QThread>
 
@@ -69,6 +70,8 @@ public:
     bool spawned() const { return view_.id != 0; }
     /// Percentage of the mission area whose height is known, 0..100; nullopt without an area.
     std::optional<double> coverage_pct() const;
+    /// Wall time from the start of the newest behavior to its end, or until now; 0 before the first.
+    Seconds wallTime() const;
     /// True while a behavior of ours runs; the one in a replay does not count.
     bool running() const { return view_.figures.behavior_running && !view_.finished && !isReplay(); }
     bool isReplay() const { return !view_.recording.isEmpty(); }
@@ -133,6 +136,7 @@ private:
     void take(const mission::SessionUpdate& update);
     void take(const agent::Published& published);
     void forget();
+    void countCovered();
     void countCovered(const mapping::HeightTile& tile);
     template <class Call>
     void later(Call call);
@@ -143,6 +147,8 @@ private:
     bool pause_confirmed_ = false; ///< the behavior has reported that it is paused
     agent::SetBreakpoints breakpoints_;
     std::optional<StartedBehavior> started_;
+    QElapsedTimer since_start_;
+    std::optional<Seconds> took_; ///< wall time of the behavior that has ended
     std::optional<agent::PlanText> asked_plan_; ///< replacement that the running plan has not been exchanged for yet
 };
 

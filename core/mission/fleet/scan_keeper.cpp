@@ -10,22 +10,19 @@ namespace usar::mission {
 
 namespace {
 
-/// Makes the summary that is written beside the pictures.
-QJsonObject summaryOf(const RobotView& view, const std::optional<TrueFigures>& truth) {
-    QJsonObject summary{
-        {"behavior", QString::fromStdString(view.behavior_id)},
-        {"lines_received", static_cast<qint64>(view.figures.lines_received)},
-        {"protocol_time_s", view.figures.now.count()},
-        {"success", view.finished && view.finished->success},
-        {"reason", view.finished ? QString::fromStdString(view.finished->reason) : QString("saved before the end")}};
-    if (view.status) {
-        summary["duration_s"] = view.status->elapsed.count();
-        summary["distance_m"] = view.status->distance_flown_m;
-        summary["charges"] = view.status->charges;
-    }
-    const QJsonObject known = toJson(truth);
-    for (auto one = known.begin(); one != known.end(); ++one)
-        summary[one.key()] = one.value();
+/// All of the summary but what its record says.
+RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
+    const RobotView& view = robot.view();
+    RunSummary summary;
+    summary.success = view.finished && view.finished->success;
+    summary.reason = view.finished ? view.finished->reason : "saved before the end";
+    summary.behavior = view.behavior_id;
+    if (robot.started() && robot.started()->plan)
+        summary.plan = robot.started()->plan->name;
+    summary.seed = facts.seed;
+    summary.truth = facts.truth;
+    summary.wall = robot.wallTime();
+    addSession(summary, view.figures);
     return summary;
 }
 
@@ -54,11 +51,11 @@ QString ScanKeeper::folder() const {
     return folder_.isEmpty() ? defaultResultFolder() : folder_;
 }
 
-void ScanKeeper::watch(Robot& robot, std::function<std::optional<TrueFigures>()> truth) {
-    truths_[&robot] = std::move(truth);
+void ScanKeeper::watch(Robot& robot, std::function<SimulatorFacts()> facts) {
+    facts_[&robot] = std::move(facts);
     connect(&robot, &Robot::recordReady, this, [this, &robot](const auto& record) { write(robot, record); });
     connect(&robot, &QObject::destroyed, this, [this, gone = &robot] {
-        truths_.erase(gone);
+        facts_.erase(gone);
         awaited_.erase(gone);
     });
 }
@@ -69,9 +66,9 @@ void ScanKeeper::save(Robot& robot) {
 }
 
 void ScanKeeper::takeLeave(std::unique_ptr<Robot> robot) {
-    const auto truth = truths_.find(robot.get());
-    if (truth != truths_.end()) // The simulator may be gone before the record arrives.
-        truth->second = [last = truth->second()] { return last; };
+    const auto facts = facts_.find(robot.get());
+    if (facts != facts_.end()) // its simulator may go before the record comes
+        facts->second = [last = facts->second()] { return last; };
     robot->stop();
     if (robot->view().unsaved || robot->running() || awaited_.contains(robot.get())) {
         save(*robot);
@@ -84,12 +81,15 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     awaited_.erase(&robot);
     if (record->raster.empty() && leaves(robot))
         return release(robot);
-    robot.markSaved(); // Now, because what is scanned from here on is not in the record.
-    const auto truth = truths_.find(&robot);
-    const QJsonObject summary = summaryOf(robot.view(), truth == truths_.end() ? std::nullopt : truth->second());
+    robot.markSaved(); // what comes from here on is not in the record
+    const auto facts = facts_.find(&robot);
+    const RunSummary summary = summaryOf(robot, facts == facts_.end() ? SimulatorFacts{} : facts->second());
     ++writing_;
     pool_.start(HandedOver([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
-        const Result<QStringList> files = writeResults(*record, summary, to);
+        RunSummary whole = summary;
+        whole.duration = record->status.elapsed;
+        addRecord(whole, *record, nullptr);
+        const Result<QStringList> files = writeResults(*record, toJson(whole), to);
         link::post(this, [this, id, who, files] { written(id, who, files); });
     }));
 }
@@ -110,7 +110,7 @@ bool ScanKeeper::leaves(const Robot& robot) const {
     return std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get) != leaving_.end();
 }
 
-/// Destroys the robot later, because it may be the sender of the current signal.
+/// Later, because it may be the robot itself that is speaking.
 void ScanKeeper::release(Robot& robot) {
     const auto found = std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get);
     if (found == leaving_.end())
@@ -122,10 +122,6 @@ void ScanKeeper::release(Robot& robot) {
 void ScanKeeper::giveUpWaiting() {
     awaited_.clear();
     std::erase_if(leaving_, [](const auto& robot) { return !robot->view().unsaved; });
-}
-
-void ScanKeeper::forgetLeaving() {
-    leaving_.clear();
 }
 
 } // namespace usar::mission

@@ -208,7 +208,6 @@ void MissionRunner::Private::conclude(bool success, const std::string& reason, i
 }
 
 RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
-    const SessionFigures& session_figures = session.figures();
     const bool flew = since_flight.isValid();
     RunSummary figures;
     figures.mission = mission.name;
@@ -217,16 +216,9 @@ RunSummary MissionRunner::Private::figuresOf(const ScanRecord& record) {
     figures.seed = options.seed;
     figures.duration = flightTime();
     figures.wall = elapsedOn(since_flight);
-    figures.distance_m = record.status.distance_flown_m;
-    figures.charges = record.status.charges;
     figures.truth = flew && options.true_figures ? options.true_figures() : std::nullopt;
-    figures.score = score(record.raster, mission.area_in_map, options.truth ? &*options.truth : nullptr);
-    figures.cells = knownCellCount(record);
-    figures.lines_received = session_figures.lines_received;
-    figures.lines_malformed = session_figures.lines_malformed;
-    figures.lockstep = session_figures.lockstep;
-    for (const std::string& fault : record.faults)
-        figures.faults << QString::fromStdString(fault);
+    addSession(figures, session.figures());
+    addRecord(figures, record, options.truth ? &*options.truth : nullptr);
     return figures;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/mission/session/area_cells.h"
+
 namespace usar::mission {
 
 namespace {
@@ -28,21 +30,6 @@ private:
     std::int64_t count_ = 0;
 };
 
-/// Range of cell indices on one axis of the raster's grid, first .. last, both inclusive; may reach outside the raster.
-struct Span {
-    std::int64_t first = 0;
-    std::int64_t last = -1;
-    std::int64_t count() const { return last - first + 1; }
-};
-
-/// Returns the cells whose centers are in [low, high).
-Span centersWithin(double first_center_m, double cell_size_m, double low_m, double high_m) {
-    const auto index = [&](double at_m) {
-        return static_cast<std::int64_t>(std::ceil((at_m - first_center_m) / cell_size_m - 1e-9));
-    };
-    return {index(low_m), index(high_m) - 1};
-}
-
 /// Accumulates the two errors of a score.
 struct Errors {
     Rms ground, surface;
@@ -63,10 +50,10 @@ Score score(const mapping::Raster& raster, const Rectangle& area_in_map, const T
         return result;
     const double cell_m = raster.cell_size_m;
     const double lowest_y_m = raster.upper_left_center_m.y() - double(raster.rows - 1) * cell_m;
-    const Span columns =
+    const CellSpan columns =
         centersWithin(raster.upper_left_center_m.x(), cell_m, area_in_map.min_m.x(), area_in_map.max_m.x());
-    const Span rows = centersWithin(lowest_y_m, cell_m, area_in_map.min_m.y(), area_in_map.max_m.y());
-    if (columns.count() <= 0 || rows.count() <= 0)
+    const CellSpan rows = centersWithin(lowest_y_m, cell_m, area_in_map.min_m.y(), area_in_map.max_m.y());
+    if (columns.count() == 0 || rows.count() == 0)
         return result;
 
     std::int64_t known = 0;

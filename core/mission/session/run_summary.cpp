@@ -39,9 +39,7 @@ const Part* pointerTo(const std::optional<Part>& part) {
     return part ? &*part : nullptr;
 }
 
-} // namespace
-
-QJsonObject toJson(const std::optional<TrueFigures>& figures) {
+QJsonObject truthToJson(const std::optional<TrueFigures>& figures) {
     const TrueFigures* const truth = pointerTo(figures);
     const HeightOverGround* const height = truth ? pointerTo(truth->height) : nullptr;
     const Seconds* const first_touch = truth ? pointerTo(truth->first_touch) : nullptr;
@@ -57,9 +55,26 @@ QJsonObject toJson(const std::optional<TrueFigures>& figures) {
         {"height_spread_m", partOf(height, [](const HeightOverGround& one) { return number(one.spread_m, 2); })}};
 }
 
+} // namespace
+
+void addSession(RunSummary& summary, const SessionFigures& figures) {
+    summary.lines_received = figures.lines_received;
+    summary.lines_malformed = figures.lines_malformed;
+    summary.lockstep = figures.lockstep;
+}
+
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth) {
+    summary.distance_m = record.status.distance_flown_m;
+    summary.charges = record.status.charges;
+    summary.score = score(record.raster, record.area_in_map, truth);
+    summary.cells = knownCellCount(record);
+    for (const std::string& fault : record.faults)
+        summary.faults << QString::fromStdString(fault);
+}
+
 QJsonObject toJson(const RunSummary& summary) {
     const double wall_s = summary.wall.count();
-    QJsonObject all = toJson(summary.truth);
+    QJsonObject all = truthToJson(summary.truth);
     const QJsonObject own{
         {"success", summary.success},
         {"reason", QString::fromStdString(summary.reason)},

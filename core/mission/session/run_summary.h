@@ -9,7 +9,9 @@
 #include <QStringList>
 
 #include "core/base/clock.h"
+#include "core/mission/files/scan_record.h"
 #include "core/mission/session/mission_score.h"
+#include "core/mission/session/session_update.h"
 
 namespace usar::mission {
 
@@ -32,9 +34,9 @@ struct TrueFigures {
     std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
 };
 
-/// Figures of a run. The JSON keys are the field names unless noted. All of them are present, however the run ended;
-/// unknown figures are null. A key speed_x is added: protocol seconds per wall second. A default-constructed summary
-/// describes a run that was refused before it began.
+/// Figures of a run, of the window or without one. The JSON keys are the field names unless noted. All of them are
+/// present, however the run ended; unknown figures are null. A key speed_x is added: protocol seconds per wall second.
+/// A default-constructed summary describes a run that was refused before it began.
 struct RunSummary {
     bool success = false;
     std::string reason;
@@ -42,8 +44,10 @@ struct RunSummary {
     std::string behavior; ///< empty: unknown
     std::string plan;     ///< path of the user's own plan; empty: none
     std::optional<std::uint64_t> seed;
-    Seconds duration{0.0}; ///< since the spawn, on the protocol clock; key duration_s
-    Seconds wall{0.0};     ///< wall time since the behavior started; key wall_s
+    /// On the protocol clock; key duration_s. Without a window since the spawn; in the window, where a robot may run
+    /// one behavior after another, since the behavior started.
+    Seconds duration{0.0};
+    Seconds wall{0.0}; ///< wall time since the behavior started; key wall_s
     double distance_m = 0.0;
     int charges = 0;
     std::optional<TrueFigures> truth;
@@ -56,8 +60,18 @@ struct RunSummary {
     QStringList files;  ///< full paths
 };
 
-/// All keys are present; those of unknown figures are null.
-QJsonObject toJson(const std::optional<TrueFigures>& truth);
+/// What only the owner of the simulator knows of a run.
+struct SimulatorFacts {
+    std::optional<TrueFigures> truth;
+    std::optional<std::uint64_t> seed;
+};
+
+/// Takes the counts of lines, and whether the server waits for us.
+void addSession(RunSummary& summary, const SessionFigures& figures);
+/// Takes distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
+/// do not call it in the GUI thread.
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth);
+
 QJsonObject toJson(const RunSummary& summary);
 
 } // namespace usar::mission

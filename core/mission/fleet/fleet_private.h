@@ -1,0 +1,54 @@
+// The body of Fleet, for its own files.
+#pragma once
+
+#include <QTimer>
+
+#include "core/mission/fleet/fleet.h"
+#include "core/mission/fleet/roster.h"
+#include "core/mission/fleet/scan_keeper.h"
+#include "core/mission/fleet/start_check.h"
+
+namespace usar::mission {
+
+struct Fleet::Private {
+    Private(Fleet& fleet, const QString& host_program);
+
+    Robot* robotOn(int connection) const;
+    void openNext();
+    void connectRobot(Robot* robot);
+    void tell(Robot* robot, const Notice& notice);
+    void linkMoved(Robot* robot);
+    SimulatorFacts factsOf(const Robot& robot) const;
+    Result<void> start(Robot& robot, const StartedBehavior& start);
+    void finished(Robot* robot, bool success, const QString& reason);
+    void closeWhenSaved();
+
+    void record(Robot& robot, const SpawnRequest& as);
+    void openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment);
+    void connectReplay(Robot* robot);
+    void addReplay(Robot* robot, const RecordingFacts& facts, const QString& complaint);
+    /// Null if it is not among those being opened.
+    std::unique_ptr<Robot> takeOpening(const Robot* robot);
+
+    Fleet& q;
+    const QString behavior_host;
+    agent::PluginLoader plugins;
+    ScanKeeper keeper;
+    QTimer patience; ///< runs while the window waits to close
+    QString host;
+    quint16 port = 0;
+    bool lockstep = false;
+    StartPlace place;
+    std::vector<protocol::StartPose> start_poses;
+    Roster roster;
+    std::unique_ptr<Robot> next;                 ///< connected, not spawned
+    std::vector<std::unique_ptr<Robot>> opening; ///< replays that are not open yet
+    std::map<int, Seconds> wanted_moments;       ///< by connection: to look back on, once it is in the file
+    std::map<int, TrueFigures> truths;           ///< by robot id
+    std::optional<std::uint64_t> seed;
+    bool recording = true;
+    bool silence_expected = false;
+    bool closing = false;
+};
+
+} // namespace usar::mission

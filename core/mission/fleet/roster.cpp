@@ -1,0 +1,67 @@
+#include "core/mission/fleet/roster.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace usar::mission {
+
+int Roster::nextId() const {
+    int id = 1;
+    while (robots_.contains(id))
+        ++id;
+    return id;
+}
+
+bool Roster::has(const std::string& name) const {
+    return std::ranges::any_of(robots_,
+                               [&](const auto& entry) { return entry.second->view().spawn.robot_name == name; });
+}
+
+QString Roster::unusedName(const QString& name) const {
+    QString unused = name;
+    for (int number = 2; has(unused.toStdString()); ++number)
+        unused = name + ' ' + QString::number(number);
+    return unused;
+}
+
+Result<SpawnRequest> Roster::accept(SpawnRequest request) const {
+    if (request.class_name.empty())
+        return failure("no plugin says which robot to spawn", request.robot_name, "Start with --plugins FOLDER");
+    if (full())
+        return failure("nine robots are the most", request.robot_name, "Remove one first");
+    if (request.robot_name.empty())
+        request.robot_name = nextName().toStdString();
+    if (has(request.robot_name))
+        return failure("there is a robot of this name already", request.robot_name, "Choose another name");
+    return request;
+}
+
+void Roster::add(std::unique_ptr<Robot> robot) {
+    const int id = robot->view().id;
+    robots_[id] = std::move(robot);
+}
+
+std::unique_ptr<Robot> Roster::take(int id) {
+    auto node = robots_.extract(id);
+    return node.empty() ? nullptr : std::move(node.mapped());
+}
+
+Robot* Roster::robot(int id) const {
+    const auto found = robots_.find(id);
+    return found == robots_.end() ? nullptr : found->second.get();
+}
+
+Robot* Roster::on(int connection) const {
+    const auto found =
+        std::ranges::find_if(robots_, [&](const auto& entry) { return entry.second->view().connection == connection; });
+    return found == robots_.end() ? nullptr : found->second.get();
+}
+
+std::vector<Robot*> Roster::robots() const {
+    std::vector<Robot*> all;
+    for (const auto& [id, robot] : robots_)
+        all.push_back(robot.get());
+    return all;
+}
+
+} // namespace usar::mission

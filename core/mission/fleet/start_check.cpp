@@ -1,0 +1,42 @@
+#include "core/mission/fleet/start_check.h"
+
+#include "core/mission/files/mission_check.h"
+
+namespace usar::mission {
+
+Result<agent::ParameterSet> checkParameters(const std::string& behavior_id,
+                                            const std::map<std::string, agent::ParameterValue>& values,
+                                            const agent::PluginLoader& plugins) {
+    const agent::BehaviorDescription* description = plugins.behavior(behavior_id);
+    if (!description)
+        return tl::unexpected(plugins.pluginFor(behavior_id).error());
+    return agent::ParameterSet::make(description->parameters, values);
+}
+
+Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent::PluginLoader& plugins,
+                                       const StartPlace& place) {
+    const agent::BehaviorDescription* description = plugins.behavior(start.id);
+    if (!description)
+        return tl::unexpected(plugins.pluginFor(start.id).error());
+    if (description->needs_area && start.area_in_map.empty())
+        return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
+    if (const auto inside = checkAreaInside(start.area_in_map, place.extent_in_map); !inside)
+        return tl::unexpected(inside.error());
+    return checkParameters(start.id, start.parameters, plugins);
+}
+
+Result<std::map<std::string, agent::ParameterValue>>
+checkMission(const Mission& mission, const agent::PluginLoader& plugins, const StartPlace& place) {
+    const std::string level = place.level.toStdString();
+    if (!level.empty() && mission.world != level)
+        return tl::unexpected(atValue(mission, "world",
+                                      {"this mission belongs to the world " + mission.world, "",
+                                       "Here is " + level + "; connect to a server with " + mission.world}));
+    if (const auto prepared = prepareBehavior(mission, plugins); !prepared)
+        return tl::unexpected(prepared.error());
+    if (const auto inside = checkAreaInside(mission, place.extent_in_map); !inside)
+        return tl::unexpected(inside.error());
+    return withAnglesInRadians(mission.parameters, plugins.behavior(mission.behavior)->parameters);
+}
+
+} // namespace usar::mission
