@@ -22,7 +22,7 @@ std::string inWords(const Rectangle& area) {
 }
 
 /// Parameter spec with the units of a mission file: angles in degrees.
-agent::ParameterSpec asWritten(agent::ParameterSpec spec) {
+agent::ParameterSpec inFileUnits(agent::ParameterSpec spec) {
     if (spec.unit != "rad")
         return spec;
     // Rounds, so that an error says 90 and not 89.99..9.
@@ -37,7 +37,7 @@ agent::ParameterSpec asWritten(agent::ParameterSpec spec) {
 /// wrong one.
 Result<void> checkParameters(const Mission& mission, const std::vector<agent::ParameterSpec>& specs) {
     std::vector<agent::ParameterSpec> written;
-    std::ranges::transform(specs, std::back_inserter(written), asWritten);
+    std::ranges::transform(specs, std::back_inserter(written), inFileUnits);
     for (const auto& parameter : mission.parameters) {
         const std::string path = "parameters." + parameter.first;
         if (const auto made = agent::ParameterSet::make(written, {parameter}); made)
