@@ -1,38 +1,26 @@
-// The moments of a plan's run: going to them, looking back with all of the window, and what the run came to.
+#include "app/desks/plan_run_desk.h"
+
+#include <algorithm>
+
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QSaveFile>
 
-#include "app/desks/plan_desk.h"
 #include "core/mission/reports/run_report_text.h"
 #include "widgets/panels/report_dialog.h"
-#include "widgets/plan/plan_picture.h"
 
 namespace usar::app {
 
-void PlanDesk::registerPictureCommand() {
-    commands_.add(
-        {"plan.save_picture",
-         tr("Save plan as picture…"),
-         tr("Plan"),
-         tr("The whole drawing, as SVG, PDF or PNG"),
-         "",
-         {}},
-        [this](bool) { chooseWhereToSavePicture(); }, [this] { return !views_.plan->view().tree().empty(); });
-}
+using widgets::PlanSpot;
 
-void PlanDesk::chooseWhereToSavePicture() {
-    const QString path = QFileDialog::getSaveFileName(window_, tr("Save plan as picture"), tr("plan.svg"),
-                                                      tr("Drawings (*.svg *.pdf *.png)"));
-    if (path.isEmpty())
-        return;
-    const QString file = QFileInfo(path).suffix().isEmpty() ? path + ".svg" : path;
-    if (const auto saved = widgets::savePlanPicture(views_.plan->view(), file); !saved)
-        return notices_.complain("plan-picture", saved.error());
-    notices_.note("plan-picture", tr("Saved the plan as %1.").arg(file));
-}
+PlanRunDesk::PlanRunDesk(const DeskContext& context)
+    : control_(context.control)
+    , views_(context.views)
+    , commands_(context.commands)
+    , selection_(context.selection)
+    , notices_(context.notices)
+    , window_(context.window) {}
 
-void PlanDesk::registerTimeCommands() {
+void PlanRunDesk::registerCommands() {
     const auto known = [this] { return watch().time().cycle > 0; };
     commands_.add(
         {"plan.back",
@@ -57,7 +45,8 @@ void PlanDesk::registerTimeCommands() {
          tr("Shows what the robot and its plan do now, and goes on showing it; a replay from here is closed"),
          "record",
          {QKeySequence("Alt+End")}},
-        [this](bool) { backToNow(); }, [this] { return !watch().live() || control_.lookedBackOn(selected_) != 0; });
+        [this](bool) { backToNow(); },
+        [this] { return !watch().live() || control_.lookedBackOn(selection_.id()) != 0; });
     look_back_help_ = commands_
                           .add(
                               {"plan.look_back",
@@ -79,37 +68,112 @@ void PlanDesk::registerTimeCommands() {
         [this](bool) { showReport(); }, known);
 }
 
+void PlanRunDesk::wire() {
+    views_.plan->timeBar().setActions(commands_.action("plan.halt"), commands_.action("plan.back"),
+                                      commands_.action("plan.forward"), commands_.action("plan.look_back"),
+                                      commands_.action("plan.live"));
+    connect(&views_.plan->timeBar(), &widgets::PlanTimeBar::timeWanted, this, &PlanRunDesk::goTo);
+    connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
+        if (const int flies = control_.lookedBackOn(id))
+            watches_[control_.connectionOf(id)].expect(watches_[control_.connectionOf(flies)]);
+    });
+}
+
+PlanRunDesk::News PlanRunDesk::take(const Robot& robot, const mission::SessionUpdate& update) {
+    return watches_[robot.view().connection].take(
+        {update.published, update.figures.now, update.figures.replay.has_value(), update.rewound});
+}
+
+void PlanRunDesk::select() {
+    views_.plan->clear();
+    if (selection_.robot())
+        show(News::Plan);
+    showTime();
+    showLookBack();
+}
+
+void PlanRunDesk::show(News news) {
+    const widgets::PlanWatch& shown = watch();
+    if (news == News::Plan) {
+        if (shown.empty()) {
+            views_.plan->clear();
+        } else {
+            views_.plan->setPlan(shown.plan());
+            views_.plan->setPlanText(shown.planText(), shown.findings());
+        }
+        emit planShown(shown.planText());
+    }
+    if (news == News::None)
+        return;
+    if (!shown.empty())
+        views_.plan->setSnapshot(shown.snapshot());
+    showTime();
+}
+
+void PlanRunDesk::showTime() {
+    const bool was_live = views_.plan->timeBar().time().live;
+    views_.plan->timeBar().setTime(watch().time());
+    if (was_live != watch().live())
+        commands_.refresh();
+}
+
+void PlanRunDesk::showNewest(bool first_epoch) {
+    const News news = first_epoch ? watch().goToFirstEpoch() : News::None;
+    show(news == News::None ? watch().goLive() : news);
+}
+
+bool PlanRunDesk::stepEpoch() {
+    const News news = watch().stepEpoch();
+    show(news);
+    return news != News::None;
+}
+
+std::vector<PlanSpot> PlanRunDesk::selectedSpots() {
+    const widgets::PlanView& view = views_.plan->view();
+    const auto& program = watch().program();
+    return program ? widgets::spotsOfNode(*program, watch().paths(), view.tree(), view.selected())
+                   : std::vector<PlanSpot>();
+}
+
+bool PlanRunDesk::selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds) const {
+    const widgets::PlanView& view = views_.plan->view();
+    if (view.selected() < 0)
+        return false;
+    const widgets::PlanNodeKind kind = view.tree()[view.selected()].kind;
+    return kinds.size() == 0 || std::ranges::find(kinds, kind) != kinds.end();
+}
+
 /// A replay goes to that moment with all views; a plan that flies shows what it did, and flies on.
-void PlanDesk::goTo(Seconds time) {
-    if (Robot* const shown = robot(); shown && shown->isReplay()) {
+void PlanRunDesk::goTo(Seconds time) {
+    if (Robot* const shown = selection_.robot(); shown && shown->isReplay()) {
         constexpr Seconds behind{0.02}; // the cycle itself must have been
         return shown->orderReplay({.seek_clock = time + behind});
     }
     show(watch().goTo(time));
 }
 
-void PlanDesk::stepBy(int cycles) {
-    if (const Robot* const shown = robot(); shown && shown->isReplay())
+void PlanRunDesk::stepBy(int cycles) {
+    if (const Robot* const shown = selection_.robot(); shown && shown->isReplay())
         return goTo(watch().timeOfStep(cycles));
     show(watch().step(cycles));
 }
 
 /// At the shown moment of the plan, or where no plan decides now.
-void PlanDesk::lookBack() {
+void PlanRunDesk::lookBack() {
     constexpr Seconds behind{0.02};
     const widgets::PlanTime time = watch().time();
     views_.plan->timeBar().slider()->setFocus(); // the button will be off, and the next keys are those of a replay
-    control_.lookBack(selected_, time.cycle > 0 ? time.shown + behind : robot()->view().figures.now);
+    control_.lookBack(selection_.id(), time.cycle > 0 ? time.shown + behind : selection_.robot()->view().figures.now);
 }
 
-void PlanDesk::backToNow() {
-    if (control_.lookedBackOn(selected_) != 0)
-        control_.remove(selected_); // the one that flies is selected in its place
+void PlanRunDesk::backToNow() {
+    if (control_.lookedBackOn(selection_.id()) != 0)
+        control_.remove(selection_.id()); // the one that flies is selected in its place
     show(watch().goLive());
 }
 
-QString PlanDesk::whyNoLookBack() const {
-    const Robot* const shown = robot();
+QString PlanRunDesk::whyNoLookBack() const {
+    const Robot* const shown = selection_.robot();
     if (!shown)
         return tr("No robot is selected");
     if (shown->isReplay())
@@ -119,8 +183,7 @@ QString PlanDesk::whyNoLookBack() const {
     return {};
 }
 
-/// Commands that are off say why.
-void PlanDesk::showLookBack() {
+void PlanRunDesk::showLookBack() {
     const QString why = whyNoLookBack();
     QAction* const action = commands_.action("plan.look_back");
     if (why == no_look_back_ && action->isEnabled() == why.isEmpty())
@@ -131,7 +194,7 @@ void PlanDesk::showLookBack() {
 }
 
 /// Of the run as it was when it was asked for; the robot flies on meanwhile.
-void PlanDesk::showReport() {
+void PlanRunDesk::showReport() {
     const posh::RunStatistics statistics = watch().statistics();
     const QString plan = QString::fromStdString(statistics.program()->title);
     const std::string text = mission::runReportText(statistics, 1);
@@ -146,7 +209,7 @@ void PlanDesk::showReport() {
     dialog->show();
 }
 
-void PlanDesk::saveReport(const QString& path, const posh::RunStatistics& statistics) {
+void PlanRunDesk::saveReport(const QString& path, const posh::RunStatistics& statistics) {
     const bool for_machines = path.endsWith(".jsonl") || path.endsWith(".json");
     const QByteArray bytes = for_machines ? mission::runReportJson(statistics, 1)
                                           : QByteArray::fromStdString(mission::runReportText(statistics, 1));

@@ -3,16 +3,18 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/mission/session/session_update.h"
+#include "core/agent/published.h"
+#include "core/base/clock.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/trace/run_history.h"
 #include "widgets/models/plan/plan_activity.h"
 #include "widgets/models/plan/plan_time.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 /// Keeps the trace of the run: a few bytes for each tick. Follows the run, or stands at a moment of it. A replay that
 /// is wound back does not forget what it has heard: it is at an earlier moment of it. GUI thread.
@@ -22,9 +24,17 @@ public:
     PlanWatch(const PlanWatch&) = delete;
     PlanWatch& operator=(const PlanWatch&) = delete;
 
+    /// What a robot's session says at once.
+    struct Update {
+        std::span<const agent::Published> published{};
+        Seconds now{0.0};       ///< protocol clock
+        bool is_replay = false; ///< of a recorded run
+        bool rewound = false;   ///< a replay was wound back; what is published is all there is now
+    };
+
     /// Of what is shown. Plan: another one, or another text of it.
     enum class News { None, Activity, Plan };
-    News take(const mission::SessionUpdate& update);
+    News take(const Update& update);
     /// What a replay of that robot's run is going to say, so that all of it can be gone to at once.
     void expect(const PlanWatch& flown) { expected_ = flown.history_.bytes(); }
 
@@ -33,13 +43,13 @@ public:
     const posh::Plan& plan() const { return reading_.plan; }
     const std::string& planText() const { return text_; }
     const posh::Findings& findings() const { return reading_.findings; }
-    widgets::PlanSnapshot snapshot() const;
+    PlanSnapshot snapshot() const;
     /// What the shown state is of; null where it is empty.
     const std::shared_ptr<const posh::Program>& program() const { return activity().program(); }
     /// By place.
     const std::vector<std::string>& paths() const;
 
-    widgets::PlanTime time() const;
+    PlanTime time() const;
     /// Of the run up to the shown moment; only where there is a program.
     const posh::RunStatistics& statistics() const { return activity().statistics(); }
     bool live() const { return !moment_; }
@@ -80,4 +90,4 @@ private:
     std::shared_ptr<const std::vector<std::string>> paths_;
 };
 
-} // namespace usar::app
+} // namespace usar::widgets
