@@ -31,6 +31,8 @@ private slots:
     void comesBackFromWhatWasKept();
     void whatIsNoneIsLeftOut();
     void placesAreFoundAgainInAChangedPlan();
+    void aSecondTimeRemovesWhatTheFirstSet();
+    void allAreSwitchedTogether();
     void sentences_data();
     void sentences();
 };
@@ -106,6 +108,39 @@ void tst_BreakpointList::placesAreFoundAgainInAChangedPlan() {
     QCOMPARE(list.all()[0].what.path, std::string("/P:0/DC:0/DE:1"));
     QCOMPARE(list.all()[1].what.path, std::string());
     QCOMPARE(list.all()[2].what.path, other.path); // of another plan
+}
+
+void tst_BreakpointList::aSecondTimeRemovesWhatTheFirstSet() {
+    const auto program = *posh::compile(planOf("((DC d (drives ((a walk)) ((b sing)))))"));
+    const std::vector<PlanSpot> spots{{.path = "/P:0/DC:0/DE:0", .names = "d ▸ a", .call = {}},
+                                      {.path = "/P:0/DC:0/DE:1", .names = "d ▸ b", .call = {}}};
+    BreakpointList list;
+    list.toggle("d", spots, BreakOn::Before);
+    list.toggle("d", {spots.front()}, BreakOn::After);
+    list.toggleKey(*program, "lane");
+    QCOMPARE(list.atSpots("d", spots).size(), std::size_t(3));
+    QCOMPARE(list.atSpots("d", spots, BreakOn::After).size(), std::size_t(1));
+    QVERIFY(list.atSpots("e", spots).empty());
+    QCOMPARE(list.ofKey("d", "lane").size(), std::size_t(1));
+    list.toggle("d", spots, BreakOn::After); // of one of the two places
+    list.toggleKey(*program, "lane");
+    QCOMPARE(list.all().size(), std::size_t(2));
+    list.toggle("d", {spots.back()}, BreakOn::Before);
+    QCOMPARE(list.all().size(), std::size_t(1));
+    QCOMPARE(list.all().front().what.names, std::string("d ▸ a"));
+    list.remove(list.ofPlan("d"));
+    QVERIFY(list.all().empty());
+}
+
+void tst_BreakpointList::allAreSwitchedTogether() {
+    BreakpointList list;
+    const std::vector<int> ids{list.add(at("d ▸ a")), list.add(at("d ▸ b"))};
+    list.enable(ids.front(), false);
+    list.enable(99, false);
+    list.toggleEnabled(ids);
+    QVERIFY(!list.find(ids.front())->enabled && !list.find(ids.back())->enabled);
+    list.toggleEnabled(ids);
+    QVERIFY(list.find(ids.front())->enabled && list.find(ids.back())->enabled);
 }
 
 void tst_BreakpointList::sentences_data() {

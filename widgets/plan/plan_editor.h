@@ -1,23 +1,31 @@
 // Editor that shows the text and the drawing of a plan side by side, and writes, checks, fixes, compares and saves it.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/posh/language/plan_export.h"
-#include "widgets/plan/plan_editor_parts.h"
+#include <QSplitter>
+#include <QTimer>
+
+#include "widgets/models/plan/plan_checker.h"
+#include "widgets/plan/plan_drawing_pane.h"
+#include "widgets/plan/plan_editor_head.h"
+#include "widgets/plan/plan_file.h"
+#include "widgets/plan/plan_lists.h"
+#include "widgets/plan/plan_offer_bar.h"
+#include "widgets/plan/plan_palette.h"
+#include "widgets/plan/plan_part_commands.h"
+#include "widgets/plan/plan_text_pane.h"
 
 namespace usar::widgets {
 
 /// The text is the only source: gestures in the drawing become edits of it, and one unlimited history, which saving
 /// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. State comes
 /// in by setters, wishes go out by signals; file dialogs belong to the window. GUI thread.
-class PlanEditor : public QWidget, private PlanEditorParts {
+class PlanEditor : public QWidget {
     Q_OBJECT
 public:
     explicit PlanEditor(QWidget* parent = nullptr);
-    ~PlanEditor() override;
 
     /// The senses and acts of the robot that the plan is for: they fill palette and completion, and plans are checked
     /// against them. Empty: plans are checked by themselves.
@@ -25,7 +33,7 @@ public:
     /// The plan that the robot is running now, for comparing; an empty text means none.
     void setRunningPlan(const QString& name, const std::string& text);
     /// Enables "Put into the robot", or says in its tooltip why not; hidden if `why_not` is empty, too.
-    void setApplicable(bool applicable, const QString& why_not = {});
+    void setApplicable(bool applicable, const QString& why_not = {}) { head_->setApplicable(applicable, why_not); }
     /// Shows a new plan without a file; the undo history starts again.
     void setText(const std::string& text, const QString& name);
     /// Folder for copies of unsaved texts, which survive a crash; empty: no copies. Offers an existing copy at once.
@@ -58,7 +66,7 @@ public:
     PlanPalette& palette() { return *palette_; }
     /// The action of a command by its name: "undo", "move_up", "wrap_pattern", …; an unknown name is a programming
     /// error (assertion).
-    QAction* action(const QString& name) const;
+    QAction* action(const QString& name) const { return actions_.action(name); }
     /// Checks and draws the current text now instead of after a short delay.
     void catchUp();
 
@@ -85,65 +93,57 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class InPlace { Words, Rename, Trigger, Limit, Comment };
-    struct Command;
-
-    // In plan_editor_parts.cpp.
-    QWidget* makeHead();
-    QWidget* makeTextPane();
-    QWidget* makeDrawingPane();
-    QWidget* makeLists();
-    QWidget* makeOffer();
-    QListWidget* makeList(const QString& name, const QString& help);
-    QToolButton* addButton(QBoxLayout* row, QAction* action);
-    QToolButton* addMenuButton(QBoxLayout* row, const QString& help, const QString& icon_name, QMenu* menu);
-    void arrange();
+    void addWidgets();
+    void connectAll();
+    void connectDrawing();
 
     // In plan_editor_commands.cpp.
-    QAction* add(const Command& command, std::function<void()> run);
-    QAction* actionOf(const QKeyEvent& event, bool in_drawing) const;
-    void makeFileCommands();
-    void makeEditCommands();
-    void makePartCommands();
-    void makeListCommands();
-    void makeMenus();
+    void addFileCommands();
+    void addExportCommands();
+    void addEditCommands();
     void enableCommands();
-    void showMenu(int node, const QPoint& global);
     void showTextMenu(const QPoint& at);
-
-    void connectAll();
     void edited();
     void check();
-    /// Checks any text; stores the plan that was read unless `plan` is nullptr.
-    posh::Findings check(std::string_view text, posh::Plan* plan) const;
     void draw();
     void showFindings();
-    void showFindingAtCursor();
     void showMends();
     void showState();
     void followCursor(int line, int column);
     void followSelection();
     void jumpTo(const posh::Spot& at);
-    void perform(const Result<posh::PlanEdit>& edit);
-    void perform(const std::function<Result<posh::PlanEdit>(const std::string&, const posh::PlanPart&)>& edit);
-    void enterWords(int node, const QString& words, int what);
-    void editInPlace(InPlace what);
-    void editValues();
-    agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;
-    void addMemberAtSelection(bool before);
+    void apply(const posh::PlanEdit& edit);
     void compareWith(const std::string& other, const QString& name);
-    void showUsages();
-    void swapSelected();
-    void wrapRange(posh::FormKind kind);
+    void showFromBeginning();
     void offerKept();
-    void offer(const QString& words, const QString& accept, std::function<void()> run);
-    void saveNow();
+    void takeChangeOnDisk(const std::string& text);
     void say(const QString& words, bool refused = false);
-    std::optional<posh::PlanPart> selectedPart();
-    std::optional<posh::PlanPart> selectedCall();
-    const PlanGestures* gestures();
-    bool binds() const { return !primitives_.empty(); }
-    bool isDrawn() const { return drawn_text_ == text_->planText(); }
+
+    PlanFile file_;
+    PlanChecker checker_;
+    PlanActions actions_{*this};
+    PlanEditorMenus menus_;
+    PlanEditorHead* head_ = nullptr;
+    PlanOfferBar* offer_ = nullptr;
+    QSplitter* body_ = nullptr;
+    QSplitter* column_ = nullptr;
+    PlanPalette* palette_ = nullptr;
+    PlanTextPane* text_pane_ = nullptr;
+    PlanCodeEdit* text_ = nullptr; ///< of text_pane_
+    PlanDrawingPane* drawing_ = nullptr;
+    PlanCanvas* canvas_ = nullptr;    ///< of drawing_
+    PlanPartEditor* parts_ = nullptr; ///< of drawing_
+    PlanLists* lists_ = nullptr;
+    QLabel* state_ = nullptr;
+    PlanPartCommands* part_commands_ = nullptr;
+    QString running_name_;
+    std::string running_text_;
+    QTimer check_timer_;
+    QTimer draw_timer_;
+    /// The text is changing the drawing, or the drawing the text; keeps each from following itself.
+    bool from_text_ = false;
+    bool from_drawing_ = false;
+    int narrow_ = -1; ///< 1: narrow layout, 0: wide; -1: not arranged yet
 };
 
 } // namespace usar::widgets

@@ -26,14 +26,6 @@ Result<QByteArray> readAll(const QString& path) {
     return file.readAll();
 }
 
-Result<void> writeAll(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return failure("it cannot be written: " + file.errorString().toStdString(), path.toStdString(),
-                       "choose another place");
-    return {};
-}
-
 std::string textOf(QByteArray bytes) {
     if (bytes.startsWith(byte_order_mark))
         bytes.remove(0, byte_order_mark.size());
@@ -51,6 +43,14 @@ PlanFile::PlanFile(QObject* parent) : QObject(parent) {
     look_timer_.setInterval(look_after_ms);
     connect(&look_timer_, &QTimer::timeout, this, &PlanFile::look);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, &look_timer_, qOverload<>(&QTimer::start));
+}
+
+Result<void> PlanFile::write(const QString& path, const QByteArray& bytes) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return failure("it cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                       "choose another place");
+    return {};
 }
 
 Result<std::string> PlanFile::open(const QString& path) {
@@ -74,7 +74,7 @@ Result<void> PlanFile::save(const QString& path, std::string_view text) {
     if (has_mark_)
         bytes.prepend(byte_order_mark);
     forgetKept();
-    if (const auto written = writeAll(path, bytes); !written) {
+    if (const auto written = write(path, bytes); !written) {
         keep(text); // Now the copy is even more important.
         return written;
     }
@@ -135,7 +135,7 @@ void PlanFile::keep(std::string_view text) {
 void PlanFile::writeKept() {
     if (to_keep_ == saved_ || !QDir().mkpath(folder_))
         return;
-    static_cast<void>(writeAll(keptPath(), QByteArray::fromStdString(to_keep_)));
+    static_cast<void>(write(keptPath(), QByteArray::fromStdString(to_keep_)));
 }
 
 std::optional<std::string> PlanFile::kept() const {

@@ -19,6 +19,8 @@ class PlanFile : public QObject {
 public:
     explicit PlanFile(QObject* parent = nullptr);
 
+    /// Replaces any file atomically; it does not become the current one.
+    static Result<void> write(const QString& path, const QByteArray& bytes);
     /// Reads a file, which becomes the current one, and returns its text; on error the current file stays.
     Result<std::string> open(const QString& path);
     /// Replaces the file atomically; it becomes the current one. On error the current file stays.

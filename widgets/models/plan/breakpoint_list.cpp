@@ -104,6 +104,41 @@ void BreakpointList::remove(int id) {
     std::erase_if(all_, [id](const agent::PlanBreakpoint& one) { return one.id == id; });
 }
 
+void BreakpointList::remove(const std::vector<int>& ids) {
+    for (const int id : ids)
+        remove(id);
+}
+
+void BreakpointList::toggle(std::string_view plan_name, const std::vector<PlanSpot>& spots, BreakOn on) {
+    const std::vector<int> known = atSpots(plan_name, spots, on);
+    remove(known);
+    if (known.empty())
+        for (const PlanSpot& spot : spots)
+            add({.path = spot.path, .names = spot.names, .on = on, .condition = {}});
+}
+
+void BreakpointList::toggleKey(const posh::Program& program, const std::string& key) {
+    const std::vector<int> known = ofKey(program.title, key);
+    remove(known);
+    if (known.empty())
+        add({.path = posh::pathOf(program, 0),
+             .names = posh::namePathOf(program, 0),
+             .on = BreakOn::Written,
+             .key = key,
+             .condition = {}});
+}
+
+void BreakpointList::enable(int id, bool on) {
+    if (const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id); found != all_.end())
+        found->what.enabled = on;
+}
+
+void BreakpointList::toggleEnabled(const std::vector<int>& ids) {
+    const bool any_on = std::ranges::any_of(ids, [this](int id) { return find(id) && find(id)->enabled; });
+    for (const int id : ids)
+        enable(id, !any_on);
+}
+
 std::vector<int> BreakpointList::ofPlan(std::string_view name) const {
     std::vector<int> ids;
     for (const auto& [id, what] : all_)
@@ -125,6 +160,16 @@ std::vector<int> BreakpointList::atPath(std::string_view plan_name, std::string_
     for (const auto& [id, what] : all_)
         if (what.path == path && what.on != BreakOn::Written && isOfPlan(what, plan_name))
             ids.push_back(id);
+    return ids;
+}
+
+std::vector<int> BreakpointList::atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
+                                         std::optional<BreakOn> on) const {
+    std::vector<int> ids;
+    for (const PlanSpot& spot : spots)
+        for (const int id : atPath(plan_name, spot.path))
+            if (!on || find(id)->on == *on)
+                ids.push_back(id);
     return ids;
 }
 

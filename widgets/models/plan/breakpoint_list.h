@@ -1,6 +1,7 @@
 // The user's breakpoints of all plans, as text for the user and as JSON.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include "core/agent/plan_control.h"
+#include "widgets/models/plan/plan_spots.h"
 
 namespace usar::widgets {
 
@@ -23,12 +25,24 @@ public:
     /// Changing or removing an unknown id has no effect.
     void change(int id, posh::Breakpoint breakpoint);
     void remove(int id);
+    void remove(const std::vector<int>& ids);
+    /// Removes the breakpoints of this kind at these places of a plan; sets one at each place if there are none.
+    void toggle(std::string_view plan_name, const std::vector<PlanSpot>& spots, posh::BreakOn on);
+    /// The same for a key of the program's blackboard.
+    void toggleKey(const posh::Program& program, const std::string& key);
+    /// Enables or disables a breakpoint; an unknown id has no effect.
+    void enable(int id, bool on);
+    /// Disables these breakpoints if one of them is enabled, else enables them.
+    void toggleEnabled(const std::vector<int>& ids);
     /// Ids of the breakpoints of a plan, by the plan's name.
     std::vector<int> ofPlan(std::string_view name) const;
     /// Ids of the breakpoints on a key of the plan's blackboard; those have no path.
     std::vector<int> ofKey(std::string_view plan_name, std::string_view key) const;
     /// Ids of the breakpoints at one path of a plan.
     std::vector<int> atPath(std::string_view plan_name, std::string_view path) const;
+    /// Ids of the breakpoints at these places of a plan, of all kinds or of one.
+    std::vector<int> atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
+                             std::optional<posh::BreakOn> on = std::nullopt) const;
     /// Finds the places of this program's breakpoints again by their names and updates their paths; the path becomes
     /// empty if the program has no such place.
     void repairPaths(const posh::Program& program);

@@ -1,21 +1,30 @@
 // The plan of a robot at the moments of its run, live and in a replay that is wound back.
 #include <QTest>
 
-#include "app/desks/plan_watch.h"
 #include "core/posh/run/engine.h"
 #include "core/posh/trace/trace_encoder.h"
 #include "tests/doubles/stub_host.h"
 #include "tests/suite/suite.h"
+#include "widgets/models/plan/plan_watch.h"
 
 namespace tst_plan_watch {
 
 using namespace usar;
-using namespace usar::app;
+using namespace usar::widgets;
 using News = PlanWatch::News;
 
 namespace {
 
 const std::string plan = "((AP p (note walk)) (DC d (drives ((high (trigger ((danger))) dodge)) ((work p)))))";
+
+/// What a robot's session says at once, with the values themselves.
+struct Said {
+    std::vector<agent::Published> published{};
+    Seconds now{0.0};
+    bool is_replay = false;
+    bool rewound = false;
+    operator PlanWatch::Update() const { return {published, now, is_replay, rewound}; }
+};
 
 /// A robot that publishes what its plan does, a cycle every 0.2 s.
 class Flight {
@@ -26,15 +35,11 @@ public:
         engine_.watch(&encoder_);
     }
     ~Flight() { engine_.watch(nullptr); }
-    mission::SessionUpdate cycle() {
+    Said cycle() {
         engine_.cycle(posh::Milliseconds(10'000 + 200 * cycles_++));
         return said(encoder_.takeBytes());
     }
-    static mission::SessionUpdate said(const std::string& bytes) {
-        mission::SessionUpdate update;
-        update.published.emplace_back(agent::PlanTrace{bytes});
-        return update;
-    }
+    static Said said(const std::string& bytes) { return {{agent::PlanTrace{bytes}}}; }
 
     test::StubHost host;
 
@@ -44,9 +49,9 @@ private:
     int cycles_ = 0;
 };
 
-mission::SessionUpdate replayed(mission::SessionUpdate update, Seconds now) {
-    update.figures.replay.emplace();
-    update.figures.now = now;
+Said replayed(Said update, Seconds now) {
+    update.is_replay = true;
+    update.now = now;
     return update;
 }
 
@@ -127,15 +132,15 @@ void tst_PlanWatch::stepsWithinACycle() {
 void tst_PlanWatch::aReplayWoundBackIsAtAnEarlierMoment() {
     Flight flight;
     PlanWatch watch;
-    std::vector<mission::SessionUpdate> updates;
+    std::vector<Said> updates;
     for (int i = 0; i < 6; ++i) {
         flight.host.setSense("danger", i == 5);
         updates.push_back(flight.cycle());
-        updates.back().figures.replay.emplace();
+        updates.back().is_replay = true;
         watch.take(updates.back());
     }
     QVERIFY(runs(watch, "d ▸ high"));
-    mission::SessionUpdate back = updates[0];
+    Said back = updates[0];
     back.rewound = true;
     QCOMPARE(watch.take(back), News::Activity);
     watch.take(updates[1]);
@@ -145,7 +150,7 @@ void tst_PlanWatch::aReplayWoundBackIsAtAnEarlierMoment() {
     for (std::size_t i = 2; i < 6; ++i)
         watch.take(updates[i]);
     QVERIFY(runs(watch, "d ▸ high"));
-    mission::SessionUpdate before;
+    Said before;
     before.rewound = true;
     QCOMPARE(watch.take(before), News::Plan);
     QVERIFY(watch.empty()); // the plan has not begun yet
@@ -158,7 +163,7 @@ void tst_PlanWatch::whatIsExpectedOfAReplayIsKnownAtItsFirstWord() {
     before.host.setSense("danger", true);
     Flight flight;
     PlanWatch flown;
-    std::vector<mission::SessionUpdate> updates;
+    std::vector<Said> updates;
     for (int i = 0; i < 6; ++i)
         flown.take(updates.emplace_back(flight.cycle()));
     PlanWatch replay;

@@ -1,12 +1,15 @@
-#include "app/desks/plan_watch.h"
+#include "widgets/models/plan/plan_watch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QObject>
+#include <QStringList>
+
 #include "core/posh/run/value_text.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 namespace {
 
@@ -21,8 +24,8 @@ QString shown(const posh::Value& answer) {
     return QString::fromStdString(posh::toText(answer));
 }
 
-widgets::PlanActivity shown(const posh::PlaceActivity& place) {
-    widgets::PlanActivity activity;
+PlanActivity shown(const posh::PlaceActivity& place) {
+    PlanActivity activity;
     activity.running = place.running;
     if (place.last_active_ms)
         activity.last_active = seconds(*place.last_active_ms);
@@ -32,12 +35,12 @@ widgets::PlanActivity shown(const posh::PlaceActivity& place) {
     activity.skipped = place.skipped;
     activity.hold_back = QString::fromStdString(place.hold_back);
     if (place.answer)
-        activity.answer = widgets::SenseAnswer{shown(place.answer->value), place.answer->holds,
-                                               seconds(place.answer->since_ms), seconds(place.answer->asked_ms)};
+        activity.answer = SenseAnswer{shown(place.answer->value), place.answer->holds, seconds(place.answer->since_ms),
+                                      seconds(place.answer->asked_ms)};
     return activity;
 }
 
-widgets::BoardValue shown(const posh::BoardEntry& entry, const posh::Program& program) {
+BoardValue shown(const posh::BoardEntry& entry, const posh::Program& program) {
     QStringList lines;
     for (const auto& written : entry.values)
         lines.prepend(QObject::tr("%1 at %2 s, by %3")
@@ -60,9 +63,9 @@ std::shared_ptr<const std::vector<std::string>> pathsOf(const posh::Program& pro
 
 } // namespace
 
-PlanWatch::News PlanWatch::take(const mission::SessionUpdate& update) {
-    is_replay_ = update.figures.replay.has_value();
-    const bool has_moved = std::exchange(now_, update.figures.now) != now_;
+PlanWatch::News PlanWatch::take(const Update& update) {
+    is_replay_ = update.is_replay;
+    const bool has_moved = std::exchange(now_, update.now) != now_;
     if (update.rewound) {
         heard_ = 0;
         all_heard_ = history_.bytes().empty();
@@ -145,8 +148,8 @@ const std::vector<std::string>& PlanWatch::paths() const {
     return paths_ ? *paths_ : none;
 }
 
-widgets::PlanTime PlanWatch::time() const {
-    widgets::PlanTime time;
+PlanTime PlanWatch::time() const {
+    PlanTime time;
     time.live = live();
     time.replay = is_replay_;
     const auto moment = shownMoment();
@@ -216,8 +219,8 @@ Seconds PlanWatch::timeOfStep(int cycles) const {
     return seconds(history_.moments()[static_cast<std::size_t>(wanted)].time_ms);
 }
 
-widgets::PlanSnapshot PlanWatch::snapshot() const {
-    widgets::PlanSnapshot snapshot;
+PlanSnapshot PlanWatch::snapshot() const {
+    PlanSnapshot snapshot;
     snapshot.paths = paths_;
     for (const posh::PlaceActivity& place : activity().places())
         snapshot.activities.push_back(shown(place));
@@ -227,4 +230,4 @@ widgets::PlanSnapshot PlanWatch::snapshot() const {
     return snapshot;
 }
 
-} // namespace usar::app
+} // namespace usar::widgets

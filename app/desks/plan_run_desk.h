@@ -1,0 +1,75 @@
+// The runs of robots' plans: what they do and did, at the moment that the plan's panel shows.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "app/desks/desk.h"
+#include "widgets/models/plan/plan_spots.h"
+#include "widgets/models/plan/plan_watch.h"
+
+namespace usar::app {
+
+/// Shows the selected robot's plan as it runs, or at an earlier moment of its run, and reports on the run. It does not
+/// connect itself to updates: PlanDesk passes them on, because it also has to hear of them. GUI thread.
+class PlanRunDesk : public QObject {
+    Q_OBJECT
+public:
+    using News = widgets::PlanWatch::News;
+
+    explicit PlanRunDesk(const DeskContext& context);
+
+    void registerCommands();
+    /// To be called after all commands are registered.
+    void wire();
+
+    /// Hears what this robot says; returns what the panel has to show of it if this is the selected robot.
+    News take(const Robot& robot, const mission::SessionUpdate& update);
+    /// Shows the selected robot's plan from the beginning, or no plan.
+    void select();
+    /// Shows what is new in the selected robot's plan.
+    void show(News news);
+    /// Enables "Replay from here", or says in its tooltip why it is disabled.
+    void showLookBack();
+    /// Shows the newest cycle, or only its first epoch if it has several.
+    void showNewest(bool first_epoch);
+    /// Shows the next epoch of the shown cycle; returns false if there is none.
+    bool stepEpoch();
+
+    /// The run of the selected robot's plan.
+    widgets::PlanWatch& watch() { return watches_[control_.connectionOf(selection_.id())]; }
+    /// The places that the selected part of the drawing stands for.
+    std::vector<widgets::PlanSpot> selectedSpots();
+    /// True if a part of one of these kinds is selected in the drawing; an empty list means any kind.
+    bool selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds) const;
+
+signals:
+    /// The panel shows another plan; an empty text means none.
+    void planShown(const std::string& text);
+
+private:
+    void showTime();
+    void goTo(Seconds time);
+    void stepBy(int cycles);
+    void showReport();
+    void saveReport(const QString& path, const posh::RunStatistics& statistics);
+    void lookBack();
+    void backToNow();
+    /// Why the run that is shown cannot be replayed while it goes on; empty if it can.
+    QString whyNoLookBack() const;
+
+    MissionControl& control_;
+    WindowViews& views_;
+    widgets::CommandRegistry& commands_;
+    Selection& selection_;
+    NoticeDesk& notices_;
+    QWidget* window_;
+    std::map<int, widgets::PlanWatch> watches_; ///< by connection
+    QString no_look_back_;                      ///< the reason that the button's tooltip gives now
+    QString look_back_help_;                    ///< the tooltip if there is no such reason
+};
+
+} // namespace usar::app

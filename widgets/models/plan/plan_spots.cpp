@@ -1,0 +1,19 @@
+#include "widgets/models/plan/plan_spots.h"
+
+namespace usar::widgets {
+
+std::vector<PlanSpot> spotsOfNode(const posh::Program& program, const std::vector<std::string>& paths,
+                                  const PlanTree& tree, int node) {
+    std::vector<PlanSpot> spots;
+    if (node < 0)
+        return spots;
+    for (posh::Index place = 0; place < paths.size(); ++place) {
+        const int drawn = tree.find(paths[place]);
+        if (drawn == node || (drawn >= 0 && tree[drawn].link == node))
+            spots.push_back({paths[place], posh::namePathOf(program, place), posh::callTextAt(program, place),
+                             program.places[place].kind});
+    }
+    return spots;
+}
+
+} // namespace usar::widgets

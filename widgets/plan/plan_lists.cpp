@@ -1,0 +1,130 @@
+#include "widgets/plan/plan_lists.h"
+
+#include <algorithm>
+
+#include "widgets/style/empty_state.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+QIcon iconOf(posh::Code code) {
+    return severityOf(code) == Severity::Error ? icon(QStringLiteral("error"), tokens().danger)
+                                               : icon(QStringLiteral("warning"), tokens().caution);
+}
+
+QIcon iconOf(posh::ChangeKind kind) {
+    switch (kind) {
+    case posh::ChangeKind::Added:
+        return icon(QStringLiteral("plus"), tokens().ok);
+    case posh::ChangeKind::Removed:
+        return icon(QStringLiteral("minus"), tokens().danger);
+    case posh::ChangeKind::Moved:
+        return icon(QStringLiteral("unfold"), tokens().accent);
+    default:
+        return icon(QStringLiteral("note"), tokens().caution);
+    }
+}
+
+QListWidgetItem* addRow(QListWidget& list, const QString& words, const posh::Spot& at, const QIcon& mark = {}) {
+    auto* item = new QListWidgetItem(mark, words, &list);
+    item->setData(Qt::UserRole, QVariantList{at.line, at.column, at.offset, at.length});
+    return item;
+}
+
+/// Shows what the list will contain while it is empty.
+void explainEmpty(QListWidget* list, const QString& title, const QString& hint) {
+    auto* const sheet = new EmptyState(list);
+    sheet->setText(title, hint);
+    const auto show = [sheet, list] { sheet->setVisible(list->count() == 0); };
+    QObject::connect(list->model(), &QAbstractItemModel::rowsInserted, sheet, show);
+    QObject::connect(list->model(), &QAbstractItemModel::rowsRemoved, sheet, show);
+    QObject::connect(list->model(), &QAbstractItemModel::modelReset, sheet, show);
+}
+
+} // namespace
+
+PlanLists::PlanLists(QWidget* parent) : QTabWidget(parent) {
+    setDocumentMode(true);
+    setMinimumHeight(64);
+    findings_ = makeList(tr("Findings"), tr("What is wrong with the plan; a click goes there"));
+    differences_ = makeList(tr("Differences"), tr("What was changed; a click goes there"));
+    usages_ = makeList(tr("Usages"), tr("Where it is used; a click goes there"));
+    explainEmpty(findings_, tr("No findings"), tr("What is wrong is listed while you type, with what to write."));
+    explainEmpty(differences_, tr("Nothing compared yet"),
+                 tr("Compare, above, lists what was changed since another version."));
+    explainEmpty(usages_, tr("No usages asked for"),
+                 tr("Select a part and press Shift+F12: all places that use it are listed."));
+    addTab(findings_, tr("Findings"));
+    addTab(differences_, tr("Differences"));
+    addTab(usages_, tr("Usages"));
+}
+
+QListWidget* PlanLists::makeList(const QString& name, const QString& help) {
+    auto* list = new QListWidget(this);
+    list->setAccessibleName(name);
+    list->setToolTip(help);
+    list->setWordWrap(true);
+    list->setIconSize({14, 14});
+    list->setFrameShape(QFrame::NoFrame);
+    const auto go = [this](const QListWidgetItem* item) {
+        const QVariantList place = item->data(Qt::UserRole).toList();
+        if (place.size() == 4 && place[0].toUInt() > 0)
+            emit placeChosen({place[0].toUInt(), place[1].toUInt(), place[2].toUInt(), place[3].toUInt()});
+    };
+    connect(list, &QListWidget::itemClicked, this, go);
+    connect(list, &QListWidget::itemActivated, this, go);
+    return list;
+}
+
+void PlanLists::showFindings(const posh::Findings& findings, const std::vector<PlanNote>& notes) {
+    const int row = findings_->currentRow();
+    findings_->clear();
+    for (const posh::Finding& finding : findings)
+        addRow(*findings_, QString::fromStdString(posh::toText(finding)), finding.at, iconOf(finding.code));
+    for (const PlanNote& note : notes)
+        addRow(*findings_, note.words, note.at, icon(QStringLiteral("note"), tokens().accent));
+    findings_->setCurrentRow(std::min(row, findings_->count() - 1));
+    const int count = findings_->count();
+    setTabText(0, count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
+}
+
+void PlanLists::showDifferences(const std::vector<posh::PlanChange>& changes, bool is_partial) {
+    differences_->clear();
+    for (const posh::PlanChange& change : changes)
+        addRow(*differences_, QString::fromStdString(change.line), change.after_at, iconOf(change.kind));
+    if (changes.empty())
+        addRow(*differences_, tr("No difference but in layout and comments"), {});
+    if (is_partial)
+        addRow(*differences_, tr("Parts that cannot be read are left out"), {},
+               icon(QStringLiteral("warning"), tokens().caution));
+    setTabText(1, tr("Differences (%1)").arg(changes.size()));
+    setCurrentWidget(differences_);
+}
+
+void PlanLists::showUsages(const posh::Plan& plan, const posh::PlanPart& part) {
+    usages_->clear();
+    for (const posh::PlanPart& usage : posh::usagesOf(plan, part)) {
+        const posh::Spot& at = posh::nameOf(plan, usage)->at;
+        const std::string words = usage.kind == posh::PartKind::Whole
+                                      ? posh::describe(plan, usage)
+                                      : "in " + posh::describe(plan, posh::ownerOf(usage));
+        addRow(*usages_, tr("Line %1: %2").arg(at.line).arg(QString::fromStdString(words)), at);
+    }
+    setTabText(2, tr("Usages (%1)").arg(usages_->count()));
+    setCurrentWidget(usages_);
+}
+
+void PlanLists::showLosses(const std::vector<posh::Loss>& losses) {
+    usages_->clear();
+    for (const posh::Loss& loss : losses)
+        addRow(*usages_, QString::fromStdString(loss.message), loss.at,
+               icon(QStringLiteral("warning"), tokens().caution));
+    setTabText(2, tr("Lost in the export (%1)").arg(losses.size()));
+    if (!losses.empty())
+        setCurrentWidget(usages_);
+}
+
+} // namespace usar::widgets

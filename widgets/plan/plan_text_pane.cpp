@@ -1,0 +1,85 @@
+#include "widgets/plan/plan_text_pane.h"
+
+#include <algorithm>
+
+#include <QMenu>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+#include "widgets/style/theme.h"
+#include "widgets/style/tool_button.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr int lamp_after_ms = 300;
+
+} // namespace
+
+PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap::tiny);
+    edit_ = new PlanCodeEdit(this);
+    edit_->setMinimumSize(120, 80);
+    edit_->setContextMenuPolicy(Qt::CustomContextMenu);
+    column->addWidget(edit_, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap::tiny);
+    finding_ = new QLabel(this);
+    finding_->setWordWrap(true);
+    finding_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    mend_ = makeToolButton(tr("What can be done about this (Alt+Return)"), this, QStringLiteral("lamp"));
+    mend_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    mend_->setText(tr("Mend"));
+    row->addWidget(finding_, 1);
+    row->addWidget(mend_, 0, Qt::AlignTop);
+    column->addLayout(row);
+    lamp_timer_.setSingleShot(true);
+    lamp_timer_.setInterval(lamp_after_ms);
+    connect(mend_, &QToolButton::clicked, this, &PlanTextPane::fixesRequested);
+    connect(edit_, &PlanCodeEdit::mendsRequested, this, &PlanTextPane::fixesRequested);
+    connect(&lamp_timer_, &QTimer::timeout, this, &PlanTextPane::pausedAtFinding);
+}
+
+void PlanTextPane::showFinding(const posh::Findings& findings, bool fits_robot) {
+    const auto errors = std::ranges::count_if(
+        findings, [](const posh::Finding& finding) { return severityOf(finding.code) == Severity::Error; });
+    const auto warnings = std::ssize(findings) - errors;
+    if (const posh::Finding* const here = edit_->findingAtCursor())
+        finding_->setText(QString::fromStdString(posh::toText(*here)));
+    else if (const PlanNote* const note = edit_->noteAtCursor())
+        finding_->setText(note->words);
+    else if (!findings.empty())
+        finding_->setText(tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
+    else
+        finding_->setText((fits_robot ? tr("Nothing is wrong with the plan; it fits the robot.")
+                                      : tr("Nothing is wrong with the plan.")) +
+                          (edit_->notes().empty() ? QString() : tr(" F8 goes to a note.")));
+    mend_->hide();
+    lamp_timer_.start();
+}
+
+void PlanTextPane::setFixable(bool fixable) {
+    edit_->setLamp(fixable);
+    mend_->setVisible(fixable);
+}
+
+void PlanTextPane::showFixes(const std::vector<posh::QuickFix>& fixes) {
+    auto* const menu = new QMenu(edit_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const posh::QuickFix& fix : fixes)
+        connect(menu->addAction(QString::fromStdString(fix.title)), &QAction::triggered, this,
+                [this, edits = fix.edits, revision = edit_->document()->revision()] {
+                    if (revision != edit_->document()->revision())
+                        return;
+                    edit_->applyEdits(edits);
+                    emit fixed();
+                    edit_->setFocus();
+                });
+    menu->setActiveAction(menu->actions().front());
+    menu->popup(edit_->viewport()->mapToGlobal(edit_->cursorRect().bottomLeft()));
+}
+
+} // namespace usar::widgets
