@@ -11,6 +11,7 @@
 #include "widgets/map/map_labels.h"
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_view.h"
+#include "widgets/models/figures.h"
 #include "widgets/style/theme.h"
 
 namespace tst_map_view {
@@ -65,11 +66,14 @@ private slots:
     void areaWithoutGroundIsRefused_data();
     void areaWithoutGroundIsRefused();
     void hoverProbesTheGround();
+    void probeIsWorded_data();
+    void probeIsWorded();
     void fitShowsTheMissionBeforeTheWorld();
     void layersCanBeHidden();
     void thinWorldKeepsItsFrame();
     void resizingKeepsTheWorldInViewUntilTouched();
     void clearForgetsAllButTheLayers();
+    void clearDuringADragBringsNoAreaBack();
 
 private:
     std::unique_ptr<MapView> view_;
@@ -314,16 +318,35 @@ void tst_MapView::hoverProbesTheGround() {
     mapping::HeightMap map(0.25);
     map.write(map.cellAt(Vec2(10.1, -5.1)), 4.31f, {1});
     view_->takeTiles(map.takeChangedTiles(), map.range());
-    std::optional<HeightProbe> seen;
-    Vec2 at = Vec2::Zero();
-    connect(view_.get(), &MapView::probed, this, [&](const Vec2& point, std::optional<HeightProbe> height) {
-        at = point;
-        seen = height;
-    });
     view_->setTransform({{}, Vec2(10.1, -5.1), 100.0, {}});
+    QTRY_VERIFY(!view_->heights().busy());
+    const auto probe = view_->heights().probe(Vec2(10.1, -5.1));
+    QVERIFY(probe && probe->height_m == 4.31f && probe->hits == 1);
+    QTest::mouseMove(view_.get(), QPoint(20, 20));
+    const QImage elsewhere = view_->grab().toImage();
     QTest::mouseMove(view_.get(), screen(*view_, 10.1, -5.1));
-    QVERIFY((at - Vec2(10.1, -5.1)).norm() < 0.02);
-    QVERIFY(seen && seen->height_m == 4.31f && seen->hits == 1);
+    QVERIFY2(view_->grab().toImage() != elsewhere, "the overlay says what is under the cursor");
+}
+
+void tst_MapView::probeIsWorded_data() {
+    QTest::addColumn<QPointF>("at_m");
+    QTest::addColumn<bool>("known");
+    QTest::addColumn<QStringList>("figures");
+    QTest::newRow("known ground") << QPointF(10.12, -5.1) << true
+                                  << QStringList{figure(10.1, 1), figure(-5.1, 1), figure(4.31, 2),
+                                                 QStringLiteral("7")};
+    QTest::newRow("unknown ground") << QPointF(3.0, 4.0) << false << QStringList{figure(3.0, 1), figure(4.0, 1)};
+}
+
+void tst_MapView::probeIsWorded() {
+    QFETCH(QPointF, at_m);
+    QFETCH(bool, known);
+    QFETCH(QStringList, figures);
+    const auto ground = known ? std::optional(HeightProbe{4.31f, 7}) : std::nullopt;
+    const QString text = probeText(Vec2(at_m.x(), at_m.y()), ground);
+    for (const QString& part : figures + QStringList{"x ", "y ", "z ", " m", "hits "})
+        QVERIFY2(text.contains(part), qPrintable(text));
+    QCOMPARE(text.contains(QStringLiteral("4.31")), known);
 }
 
 void tst_MapView::fitShowsTheMissionBeforeTheWorld() {
@@ -377,6 +400,21 @@ void tst_MapView::clearForgetsAllButTheLayers() {
     view_->clear();
     QVERIFY(view_->content().robots.empty() && view_->content().marks.empty() && !view_->area());
     QCOMPARE(view_->layer(MapLayer::Grid), (LayerState{false, 0.3}));
+}
+
+void tst_MapView::clearDuringADragBringsNoAreaBack() {
+    view_->setArea(Rectangle{Vec2(-20, -20), Vec2(20, 20)});
+    view_->setTool(MapTool::Area);
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, screen(*view_, 20, 20));
+    QTest::mouseMove(view_.get(), screen(*view_, 35, 35));
+    QSignalSpy edited(view_.get(), &MapView::areaEdited);
+    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    view_->clear();
+    QTest::mouseMove(view_.get(), QPoint(30, 30));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, QPoint(30, 30));
+    QVERIFY(!view_->area());
+    QCOMPARE(edited.count() + changed.count(), 0);
+    QCOMPARE(view_->tool(), MapTool::Area);
 }
 
 USAR_TEST(tst_MapView)

@@ -1,4 +1,4 @@
-// Everything that the map shows, as plain values: set by MapView, read by its painters.
+// Everything that the map shows, as plain values: set by MapView and its gestures, read by its painters.
 #pragma once
 
 #include <array>
@@ -66,7 +66,7 @@ struct MapRobot {
 /// A robot with everything that belongs to it.
 struct RobotOnMap {
     MapRobot robot;
-    /// Path since the spawn or the last clearTraces, without stale poses.
+    /// Path since the spawn, without stale poses.
     Trail trail;
     /// Place that the behavior is heading for; nullopt while it has no goal.
     std::optional<Vec3> goal_in_map_m;
@@ -115,6 +115,25 @@ struct MapContent {
     LayerStates layers = firstLayers();
 
     const LayerState& layer(MapLayer which) const { return layers[static_cast<std::size_t>(which)]; }
+    /// True if there is neither a world nor a start pose nor a robot.
+    bool empty() const { return !world_in_map && start_poses.empty() && robots.empty(); }
+    /// Extent of the world, or of the start poses with 20 m around them if it is not known; empty without both.
+    Rectangle groundInMap() const;
+    /// Removes everything that comes from the server; layers and the tool's handles stay.
+    void forgetServer();
+
+    /// Adds a robot, or updates the one with the same name; a pose that is not stale extends its trail.
+    void takeRobot(const MapRobot& robot);
+    /// The robot that is selected and on the map, else nullptr.
+    const MapRobot* selectedRobot() const;
+    /// Removes and deselects what is no longer among them.
+    void setObjects(const std::vector<MapObject>& all);
+    /// The object with this name; nullptr if there is none. Valid until the next setObjects.
+    MapObject* object(const QString& name);
+    const MapObject* object(const QString& name) const;
+    /// Makes the start pose that is `by` after the hot one the hot one, around both ends; the first (or last) one if
+    /// none was hot. Returns it, or nullptr if there are none.
+    const protocol::StartPose* stepStartPose(int by);
 };
 
 } // namespace usar::widgets

@@ -114,6 +114,13 @@ double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& mar
 
 } // namespace
 
+QString probeText(const Vec2& point_in_map_m, const std::optional<HeightProbe>& ground) {
+    return QStringLiteral("x %1   y %2   z %3 m   hits %4")
+        .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
+             ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
+             figure(ground ? double(ground->hits) : qQNaN(), 0, 3));
+}
+
 QRectF axesGlass_px(const MapTransform& transform) {
     return {axesOrigin(transform) + QPointF(-56.0, -60.0), QSizeF(88.0, 88.0)};
 }

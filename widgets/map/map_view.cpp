@@ -1,10 +1,8 @@
 #include "widgets/map/map_view.h"
 
-#include <QEvent>
-
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
-#include "widgets/models/figures.h"
+#include "widgets/models/pan_zoom.h"
 #include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
@@ -14,25 +12,33 @@ MapView::MapView(QWidget* parent)
     , heights_(new HeightLayer(this))
     , empty_state_(new EmptyState(this)) {
     setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);
-    setAcceptDrops(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));
     setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom, N walks over the start poses, Return spawns."));
     empty_state_->setText(tr("No world yet"),
                           tr("The world, its start poses and the height map appear here once a server answers."));
     connect(heights_, &HeightLayer::changed, this, qOverload<>(&QWidget::update));
-    updateEmptyState();
+    connect(&gestures_, &MapGestures::panned, this, &MapView::panBy);
+    connect(&gestures_, &MapGestures::startPoseClicked, this, &MapView::askAbout);
+    connect(&gestures_, &MapGestures::spawnRequested, this, &MapView::spawnRequested);
+    connect(&gestures_, &MapGestures::robotClicked, this, &MapView::robotClicked);
+    connect(&gestures_, &MapGestures::areaEdited, this, &MapView::areaEdited);
+    connect(&gestures_, &MapGestures::areaChanged, this, &MapView::areaChanged);
+    connect(&gestures_, &MapGestures::areaRefused, this, &MapView::areaRefused);
+    connect(&gestures_, &MapGestures::placeRequested, this, &MapView::placeRequested);
+    connect(&gestures_, &MapGestures::waypointAdded, this, &MapView::waypointAdded);
+    connect(&gestures_, &MapGestures::objectClicked, this, &MapView::objectClicked);
+    connect(&gestures_, &MapGestures::objectMoved, this, &MapView::objectMoved);
+    connect(&gestures_, &MapGestures::toolChanged, this, &MapView::toolChanged);
+    showContent();
 }
-
-MapView::~MapView() = default;
 
 void MapView::setWorld(const Rectangle& extent_in_map, const QString& name) {
     content_.world_in_map = extent_in_map;
     content_.world_name = name;
     view_touched_ = false;
     fitWorld();
-    updateEmptyState();
+    showContent();
 }
 
 void MapView::setBackground(const QImage& image, const Rectangle& image_in_map) {
@@ -46,23 +52,17 @@ void MapView::setStartPoses(const std::vector<protocol::StartPose>& poses) {
     content_.hot_start_pose.reset();
     if (!content_.world_in_map && !view_touched_)
         fitWorld();
-    updateEmptyState();
-    update();
+    showContent();
 }
 
 void MapView::clear() {
-    const auto layers = content_.layers;
-    const bool editing = content_.area.editing;
-    content_ = {};
-    content_.layers = layers;
-    content_.area.editing = editing;
-    cancelGesture();
+    content_.forgetServer();
+    gestures_.forget();
     heights_->clear(heights_->cellSize_m());
     traces_.clear();
     view_touched_ = false;
     setFollowing(false);
-    updateEmptyState();
-    update();
+    showContent();
 }
 
 void MapView::clearHeights(double cell_size_m) {
@@ -72,11 +72,6 @@ void MapView::clearHeights(double cell_size_m) {
 void MapView::takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
                         const std::optional<mapping::HeightRange>& range) {
     heights_->take(tiles, range);
-}
-
-void MapView::setColorMap(mapping::ColorMap color_map) {
-    heights_->setColorMap(color_map);
-    update();
 }
 
 void MapView::setArea(const std::optional<Rectangle>& area_in_map) {
@@ -94,34 +89,19 @@ void MapView::setLanes(const std::vector<Vec2>& points_in_map_m) {
     update();
 }
 
-void MapView::setLanes(const mapping::CoveragePlan& plan) {
-    std::vector<Vec2> points;
-    points.reserve(2 * plan.lanes.size());
-    for (const mapping::Lane& lane : plan.lanes) {
-        points.push_back(lane.start_m);
-        points.push_back(lane.end_m);
-    }
-    setLanes(points);
-}
-
 void MapView::setRobot(const MapRobot& robot) {
-    RobotOnMap& on_map = content_.robots[robot.name];
-    on_map.robot = robot;
+    content_.takeRobot(robot);
     const Vec2 at = robot.base_in_map.position_m.head<2>();
-    if (!robot.stale)
-        on_map.trail.add(at);
     if (following_ && robot.name == content_.selected_robot && at.allFinite())
         transform_.center_m = at;
-    updateEmptyState();
-    update();
+    showContent();
 }
 
 void MapView::removeRobot(const QString& name) {
     content_.robots.erase(name);
     if (content_.selected_robot == name)
         selectRobot({});
-    updateEmptyState();
-    update();
+    showContent();
 }
 
 void MapView::setRadioLinks(const std::vector<RadioLink>& links) {
@@ -154,16 +134,6 @@ void MapView::clearMarks() {
     update();
 }
 
-void MapView::clearTraces() {
-    content_.marks.clear();
-    for (auto& [name, robot] : content_.robots) {
-        robot.trail.clear();
-        robot.hits_in_map_m.clear();
-        robot.goal_in_map_m.reset();
-    }
-    update();
-}
-
 void MapView::selectRobot(const QString& name) {
     content_.selected_robot = name;
     if (name.isEmpty())
@@ -177,15 +147,30 @@ void MapView::setLayer(MapLayer layer, const LayerState& state) {
 }
 
 void MapView::setTool(MapTool tool) {
-    if (tool == tool_)
-        return;
-    cancelGesture();
-    tool_ = tool;
-    content_.area.editing = tool == MapTool::Area;
-    content_.area.hot_grip.reset();
-    showGhost(cursor_px_);
-    updateCursor();
-    emit toolChanged(tool);
+    gestures_.setTool(tool);
+}
+
+void MapView::setObjects(const std::vector<MapObject>& objects) {
+    content_.setObjects(objects);
+    update();
+}
+
+void MapView::selectObject(const QString& name) {
+    content_.objects.selected = name;
+    update();
+}
+
+void MapView::setGhost(const std::optional<MapObject>& ghost) {
+    gestures_.setGhost(ghost);
+}
+
+void MapView::addTraceMark(const Vec2& point_in_map_m, const QColor& color) {
+    traces_.add(point_in_map_m, color);
+    update();
+}
+
+void MapView::clearTraceMarks() {
+    traces_.clear();
     update();
 }
 
@@ -214,37 +199,35 @@ void MapView::fit() {
 }
 
 void MapView::fitWorld() {
-    if (content_.world_in_map) {
-        transform_.fit(*content_.world_in_map);
-    } else if (!content_.start_poses.empty()) {
-        Rectangle around{content_.start_poses.front().pose_in_map.position_m.head<2>(), Vec2::Zero()};
-        around.max_m = around.min_m;
-        for (const auto& pose : content_.start_poses) {
-            around.min_m = around.min_m.cwiseMin(pose.pose_in_map.position_m.head<2>());
-            around.max_m = around.max_m.cwiseMax(pose.pose_in_map.position_m.head<2>());
-        }
-        transform_.fit({around.min_m - Vec2(20.0, 20.0), around.max_m + Vec2(20.0, 20.0)});
-    }
+    transform_.fit(content_.groundInMap());
+    update();
+}
+
+void MapView::zoomAt(const QPointF& at_px, double factor) {
+    transform_.zoomAt(at_px, factor);
+    view_touched_ = true;
     update();
 }
 
 void MapView::zoomIn() {
-    transform_.zoomAt(QRectF(rect()).center(), 1.25);
-    view_touched_ = true;
-    update();
+    zoomAt(QRectF(rect()).center(), zoom_step::closer);
 }
 
 void MapView::zoomOut() {
-    transform_.zoomAt(QRectF(rect()).center(), 0.8);
+    zoomAt(QRectF(rect()).center(), zoom_step::farther);
+}
+
+void MapView::panBy(const QPointF& by_px) {
+    transform_.pan(by_px);
     view_touched_ = true;
-    update();
+    setFollowing(false);
 }
 
 void MapView::setFollowing(bool following) {
-    const auto robot = content_.robots.find(content_.selected_robot);
-    following = following && robot != content_.robots.end();
+    const MapRobot* const robot = content_.selectedRobot();
+    following = following && robot;
     if (following)
-        transform_.center_m = robot->second.robot.base_in_map.position_m.head<2>();
+        transform_.center_m = robot->base_in_map.position_m.head<2>();
     if (following != following_) {
         following_ = following;
         emit followingChanged(following);
@@ -252,8 +235,9 @@ void MapView::setFollowing(bool following) {
     update();
 }
 
-void MapView::updateEmptyState() {
-    empty_state_->setVisible(!content_.world_in_map && content_.start_poses.empty() && content_.robots.empty());
+void MapView::showContent() {
+    empty_state_->setVisible(content_.empty());
+    update();
 }
 
 void MapView::paintEvent(QPaintEvent*) {
@@ -266,13 +250,9 @@ void MapView::paintEvent(QPaintEvent*) {
     overlay.focused = hasFocus() && focusWidget() == this;
     if (following_)
         overlay.following = content_.selected_robot;
-    if (cursor_px_) {
-        const Vec2 at = transform_.toMap(*cursor_px_);
-        const auto probe = heights_->probe(at);
-        overlay.probe = QStringLiteral("x %1   y %2   z %3 m   hits %4")
-                            .arg(figure(at.x(), 1, 6), figure(at.y(), 1, 6),
-                                 probe ? figure(double(probe->height_m), 2, 6) : figure(qQNaN(), 2, 6),
-                                 figure(probe ? double(probe->hits) : qQNaN(), 0, 3));
+    if (const auto& cursor_px = gestures_.cursor_px()) {
+        const Vec2 at = transform_.toMap(*cursor_px);
+        overlay.probe = probeText(at, heights_->probe(at));
     }
     paintOverlay(painter, overlay, content_, *heights_, transform_);
 }
@@ -282,12 +262,6 @@ void MapView::resizeEvent(QResizeEvent* event) {
     if (!view_touched_)
         fitWorld();
     QWidget::resizeEvent(event);
-}
-
-void MapView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        update();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

@@ -1,28 +1,23 @@
 #include "widgets/plan/plan_view.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QPaintEvent>
 #include <QPainter>
 
-#include "widgets/models/plan/plan_reasons.h"
-#include "widgets/plan/plan_painter.h"
+#include "widgets/models/plan/plan_node_text.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
 namespace {
-constexpr double margin_px = 16.0;
-constexpr double smallest_scale = 0.01;
-constexpr double largest_scale = 4.0;
-constexpr double readable_scale = 0.8;
 constexpr int broad_node_px = 560; ///< narrower views show an outline
 constexpr int tick_ms = 16;
 } // namespace
 
-PlanView::PlanView(QWidget* parent) : QWidget(parent), empty_state_(new EmptyState(this)) {
+PlanView::PlanView(QWidget* parent)
+    : QWidget(parent)
+    , drawing_([this] { return width() < broad_node_px ? PlanFlow::Down : PlanFlow::Across; })
+    , empty_state_(new EmptyState(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -36,52 +31,36 @@ PlanView::PlanView(QWidget* parent) : QWidget(parent), empty_state_(new EmptySta
     describe();
 }
 
-PlanView::~PlanView() = default;
-
 void PlanView::setPlan(const posh::Plan& plan) {
-    plan_ = plan;
     snapshot_ = {};
     news_ = false;
-    const bool was_empty = tree_.empty();
-    rebuild();
+    const bool was_empty = tree().empty();
+    takeTree(drawing_.setPlan(plan));
     if (was_empty || framing_ == Framing::Beginning)
         showBeginning();
 }
 
 void PlanView::clear() {
-    plan_ = {};
     snapshot_ = {};
-    folds_.unfoldAll();
+    drawing_.forgetFolds();
     framing_ = Framing::Beginning;
-    rebuild();
+    takeTree(drawing_.setPlan({}));
 }
 
 void PlanView::setSharing(PlanSharing sharing) {
-    if (sharing == sharing_)
-        return;
-    sharing_ = sharing;
-    rebuild();
+    if (sharing != drawing_.sharing())
+        takeTree(drawing_.setSharing(sharing));
 }
 
-/// Selects the same part again, found by its names; if that part is now drawn elsewhere, by its path.
-void PlanView::rebuild() {
-    const bool had = selected_ >= 0;
-    const std::uint64_t key = had ? tree_[selected_].key : 0;
-    const std::string path = had ? tree_.path(selected_) : std::string();
-    tree_ = PlanTree(plan_, sharing_);
-    states_.reset(tree_);
-    marks_ = PlanMarks(tree_, marks_by_path_);
-    sizes_.clear();
-    layout_valid_ = false;
-    found_.clear();
-    found_marks_.clear();
+void PlanView::takeTree(const PlanTree& before) {
+    selection_.moveTo(tree(), before);
+    states_.reset(tree());
+    marks_ = PlanMarks(tree(), marks_by_path_);
     hot_ = -1;
-    const int same = had ? tree_.findKey(key) : -1;
-    selected_ = same >= 0 || !had ? same : tree_.find(path);
-    empty_state_->setVisible(tree_.empty());
+    empty_state_->setVisible(tree().empty());
     news_ = snapshot_.paths != nullptr;
     emit treeChanged();
-    emit selectionChanged(selected_);
+    emit selectionChanged(selected());
     if (news_ && isVisible())
         takeNews();
     describe();
@@ -99,7 +78,7 @@ void PlanView::setMarks(std::vector<PlanMark> marks) {
     if (marks == marks_by_path_)
         return;
     marks_by_path_ = std::move(marks);
-    marks_ = PlanMarks(tree_, marks_by_path_);
+    marks_ = PlanMarks(tree(), marks_by_path_);
     describe();
     update();
 }
@@ -109,75 +88,49 @@ void PlanView::takeNews() {
         return;
     news_ = false;
     ++news_taken_;
-    states_.take(tree_, snapshot_);
+    states_.take(tree(), snapshot_);
     describe();
     emit refreshed();
     update();
 }
 
 void PlanView::setFlow(std::optional<PlanFlow> flow) {
-    flow_ = flow;
-    if (layout_valid_ && wantedFlow() != layout_.flow()) {
-        layout_valid_ = false;
+    drawing_.setFlow(flow);
+    if (drawing_.turn())
         showBeginning();
-    }
 }
 
-PlanFlow PlanView::wantedFlow() const {
-    return flow_.value_or(width() < broad_node_px ? PlanFlow::Down : PlanFlow::Across);
-}
-
-const PlanLayout& PlanView::layout() {
-    if (!layout_valid_)
-        relayout();
-    return layout_;
-}
-
-void PlanView::relayout() {
-    if (sizes_.size() != static_cast<std::size_t>(tree_.size())) {
-        const PlanMetrics metrics = planMetrics();
-        row_px_ = metrics.row_px;
-        sizes_ = measurePlan(tree_, metrics);
-    }
-    layout_ = PlanLayout(tree_, folds_, sizes_, row_px_, wantedFlow());
-    layout_valid_ = true;
-}
-
-void PlanView::relayoutAround(int node) {
-    const QPointF before = node >= 0 ? layout().box(tree_, node).topLeft() : QPointF();
-    relayout();
-    if (node >= 0 && !layout_.box(tree_, node).isNull())
-        corner_ += layout_.box(tree_, node).topLeft() - before;
-    keepInReach();
+void PlanView::refold(int held, const std::function<bool(PlanFolds&)>& change) {
+    const auto moved = drawing_.refold(held, change);
+    if (!moved)
+        return;
+    zoom_.corner += *moved;
+    zoom_.keepInReach(layout().bounds(), size());
     update();
 }
 
 void PlanView::setFolded(int node, bool folded) {
-    folds_.set(tree_, node, folded);
-    relayoutAround(node);
-    if (selected_ >= 0 && layout_.box(tree_, selected_).isNull())
+    refold(node, [&](PlanFolds& folds) { return folds.set(tree(), node, folded), true; });
+    if (selectionIsHidden())
         select(node);
     describe();
 }
 
 void PlanView::foldAll() {
-    folds_.foldAll(tree_);
-    relayout();
+    drawing_.refold(-1, [&](PlanFolds& folds) { return folds.foldAll(tree()), true; });
     showBeginning();
-    if (selected_ >= 0 && layout_.box(tree_, selected_).isNull())
+    if (selectionIsHidden())
         select(-1);
 }
 
 void PlanView::unfoldAll() {
-    folds_.unfoldAll();
-    relayoutAround(selected_);
+    refold(selected(), [](PlanFolds& folds) { return folds.unfoldAll(), true; });
 }
 
 void PlanView::showRunning() {
-    const std::vector<int> running = states_.running(tree_);
-    folds_.showOnly(tree_, running);
-    relayout();
-    if (selected_ >= 0 && layout_.box(tree_, selected_).isNull())
+    const std::vector<int> running = states_.running(tree());
+    drawing_.refold(-1, [&](PlanFolds& folds) { return folds.showOnly(tree(), running), true; });
+    if (selectionIsHidden())
         select(-1);
     showBeginning();
     if (!running.empty())
@@ -185,184 +138,124 @@ void PlanView::showRunning() {
 }
 
 void PlanView::select(int node) {
-    if (node >= 0 && folds_.reveal(tree_, node))
-        relayoutAround(selected_);
-    if (node >= 0)
+    if (node >= 0) {
+        refold(selected(), [&](PlanFolds& folds) { return folds.reveal(tree(), node); });
         bringIntoView(node);
-    if (node != selected_) {
-        selected_ = node;
-        emit selectionChanged(node);
     }
+    if (selection_.set(node))
+        emit selectionChanged(node);
     describe();
     update();
 }
 
 bool PlanView::selectPath(const std::string& path) {
-    const int node = tree_.find(path);
+    const int node = tree().find(path);
     if (node >= 0)
         select(node);
     return node >= 0;
 }
 
 int PlanView::find(const QString& words) {
-    found_ = tree_.search(words);
-    found_marks_.assign(found_.empty() ? 0 : static_cast<std::size_t>(tree_.size()), false);
-    for (const int node : found_)
-        found_marks_[static_cast<std::size_t>(node)] = true;
-    if (!found_.empty() && !std::binary_search(found_.begin(), found_.end(), selected_))
+    selection_.search(tree(), words);
+    if (!selection_.isFound())
         findNext();
     update();
-    return static_cast<int>(found_.size());
+    return static_cast<int>(found().size());
 }
 
 void PlanView::findNext(bool backward) {
-    if (found_.empty())
-        return;
-    const auto after = std::upper_bound(found_.begin(), found_.end(), selected_);
-    if (!backward)
-        return select(after == found_.end() ? found_.front() : *after);
-    const auto here = std::lower_bound(found_.begin(), found_.end(), selected_);
-    select(here == found_.begin() ? found_.back() : *(here - 1));
+    if (const int node = selection_.nextFound(backward); node >= 0)
+        select(node);
 }
 
 void PlanView::fit() {
-    const QRectF all = layout().bounds();
-    if (all.isEmpty())
+    if (layout().bounds().isEmpty())
         return;
-    const double across = (width() - 2.0 * margin_px) / all.width();
-    const double down = (height() - 2.0 * margin_px) / all.height();
-    scale_ = std::clamp(std::min(across, down), smallest_scale, 1.0);
-    corner_ = all.center() - QPointF(width(), height()) / (2.0 * scale_);
+    zoom_.fit(layout().bounds(), size());
     framing_ = Framing::Whole;
     update();
 }
 
 void PlanView::showBeginning() {
-    fit();
+    zoom_.showBeginning(layout().bounds(), size());
     framing_ = Framing::Beginning;
-    if (scale_ < readable_scale && !layout().bounds().isEmpty()) {
-        const double across = (width() - 2.0 * margin_px) / layout_.bounds().width();
-        scale_ = std::clamp(across, readable_scale, 1.0);
-        corner_ = layout_.bounds().topLeft() - QPointF(margin_px, margin_px) / scale_;
-    }
     update();
 }
 
 void PlanView::zoomAt(const QPointF& on_screen, double factor) {
-    const QPointF held = toLayout(on_screen);
-    scale_ = std::clamp(scale_ * factor, smallest_scale, largest_scale);
-    corner_ = held - on_screen / scale_;
+    zoom_.zoomAt(on_screen, factor);
     framing_ = Framing::Own;
-    keepInReach();
+    zoom_.keepInReach(layout().bounds(), size());
     update();
 }
 
 void PlanView::zoomIn() {
-    zoomAt(QRectF(rect()).center(), 1.25);
+    zoomAt(QRectF(rect()).center(), zoom_step::closer);
 }
 
 void PlanView::zoomOut() {
-    zoomAt(QRectF(rect()).center(), 0.8);
+    zoomAt(QRectF(rect()).center(), zoom_step::farther);
 }
 
 void PlanView::panBy(const QPointF& by_px) {
-    corner_ -= by_px / scale_;
+    zoom_.panBy(by_px);
     framing_ = Framing::Own;
-    keepInReach();
+    zoom_.keepInReach(layout().bounds(), size());
     update();
 }
 
-/// Keeps part of the drawing in view, so that the user does not get lost.
-void PlanView::keepInReach() {
-    const QRectF all = layout().bounds();
-    const QPointF room = QPointF(width(), height()) / scale_;
-    const QPointF rest(std::min(room.x(), all.width()) / 4.0, std::min(room.y(), all.height()) / 4.0);
-    corner_.rx() = std::clamp(corner_.x(), all.left() - room.x() + rest.x(), all.right() - rest.x());
-    corner_.ry() = std::clamp(corner_.y(), all.top() - room.y() + rest.y(), all.bottom() - rest.y());
-}
-
-/// Scrolls no further than necessary; shows the beginning of a part that is larger than the view.
 void PlanView::bringIntoView(int node) {
-    const QRectF box = layout().box(tree_, node).adjusted(-margin_px, -margin_px, margin_px, margin_px);
-    const QPointF room = QPointF(width(), height()) / scale_;
-    const auto moved = [](double corner, double length, double from, double to) {
-        return std::min(std::max(corner, to - length), from);
-    };
-    const QPointF before = corner_;
-    corner_ = {moved(corner_.x(), room.x(), box.left(), box.right()),
-               moved(corner_.y(), room.y(), box.top(), box.bottom())};
-    if (corner_ != before)
+    if (zoom_.bringIntoView(layout().box(tree(), node), size()))
         framing_ = Framing::Own;
     update();
 }
 
 QString PlanView::nodeText(int node) const {
-    const PlanNode& what = tree_[node];
-    const PlanActivity& state = states_[node];
-    QStringList lines{planKindWord(what.kind) + u' ' + what.name +
-                      (what.detail.isEmpty() ? QString() : QStringLiteral(", ") + what.detail)};
-    if (what.level >= 0)
-        lines << (what.has_equals ? tr("Priority %1, with equals").arg(what.level + 1)
-                                  : tr("Priority %1").arg(what.level + 1));
-    if (!what.comment.isEmpty())
-        lines << what.comment;
-    if (what.kind == PlanNodeKind::Sense)
-        lines << (state.answer ? tr("Newest answer: %1").arg(answerText(state, states_.now())) : tr("Not asked yet"));
-    else
-        lines << lastRunText(state, states_.now());
-    if (const QString counters = countersText(state); !counters.isEmpty())
-        lines << counters;
-    if (const PlanMark* const mark = marks_.at(node))
-        lines << mark->words;
-    if (what.link >= 0)
-        lines << (what.recursive ? tr("Leads back to where it stands; the plan cannot run so")
-                                 : tr("Drawn in full elsewhere; Return goes there"));
-    if (folds_.folded(tree_, node))
-        lines << tr("%1 parts are folded away").arg(what.end - node - 1 - what.senses);
-    if (what.at.line > 0)
-        lines << tr("Line %1, column %2").arg(what.at.line).arg(what.at.column);
-    return lines.join(u'\n');
+    return planNodeText(tree(), states_, folds(), marks_, node);
 }
 
 QString PlanView::reservation() const {
-    if (states_.strangers() > 0)
-        return tr("Parts of what runs that are not in this plan: %1. Load the plan anew").arg(states_.strangers());
-    if (tree_.truncated())
-        return tr("More than %1 parts: some shared ones are links").arg(PlanTree::most_nodes);
-    return {};
+    return planReservation(tree(), states_);
 }
 
-/// Describes the selected part for screen readers, or the keys if nothing is selected.
 void PlanView::describe() {
     setAccessibleDescription(
-        selected_ >= 0 ? nodeText(selected_)
-                       : tr("Ctrl with arrow keys walks over the parts, arrow keys pan, plus and minus zoom, Space "
-                            "folds, N goes to what runs."));
+        selected() >= 0 ? nodeText(selected())
+                        : tr("Ctrl with arrow keys walks over the parts, arrow keys pan, plus and minus zoom, Space "
+                             "folds, N goes to what runs."));
 }
 
 QSizeF PlanView::drawingSize() {
-    return layout().bounds().size() + QSizeF(2.0 * margin_px, 2.0 * margin_px);
+    return layout().bounds().size() + QSizeF(2.0 * PanZoom::margin_px, 2.0 * PanZoom::margin_px);
 }
 
 void PlanView::paintDrawing(QPainter& painter) {
-    const QRectF area = layout().bounds().adjusted(-margin_px, -margin_px, margin_px, margin_px);
+    constexpr double margin = PanZoom::margin_px;
+    const QRectF area = layout().bounds().adjusted(-margin, -margin, margin, margin);
     painter.translate(-area.topLeft());
-    const PlanScene scene{tree_, layout_, folds_, states_, tokens(Theme::Light)};
+    const PlanScene scene{tree(), layout(), folds(), states_, tokens(Theme::Light)};
     PlanPainter(painter, scene, 1.0).paint(area);
 }
 
 void PlanView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     painter.fillRect(event->rect(), tokens().background);
-    if (tree_.empty())
+    if (tree().empty())
         return;
-    const QRectF area(toLayout(event->rect().topLeft()), QSizeF(event->rect().size()) / scale_);
-    layout(); // Updates layout_ if necessary.
-    painter.scale(scale_, scale_);
-    painter.translate(-corner_);
-    const PlanScene scene{tree_,        layout_,   folds_, states_,    tokens(),
-                          found_marks_, selected_, hot_,   hasFocus(), &marks_};
-    PlanPainter(painter, scene, scale_).paint(area.adjusted(-8.0, -8.0, 8.0, 8.0));
+    const QRectF area(toLayout(event->rect().topLeft()), QSizeF(event->rect().size()) / scale());
+    painter.scale(scale(), scale());
+    painter.translate(-zoom_.corner);
+    const PlanScene scene{.tree = tree(),
+                          .layout = layout(),
+                          .folds = folds(),
+                          .states = states_,
+                          .colors = tokens(),
+                          .found = selection_.foundByNode(),
+                          .selected = selected(),
+                          .hot = hot_,
+                          .focused = hasFocus(),
+                          .marks = &marks_};
+    PlanPainter(painter, scene, scale()).paint(area.adjusted(-8.0, -8.0, 8.0, 8.0));
     painter.resetTransform();
     if (const QString note = reservation(); !note.isEmpty())
         paintSheetNote(painter, {double(gap::small), double(height() - gap::small)}, note);

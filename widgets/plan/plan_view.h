@@ -1,16 +1,13 @@
 // Live drawing of a plan: what is running, the answers of senses, and how often each part started.
 #pragma once
 
-#include <optional>
-
 #include <QTimer>
 #include <QWidget>
 
 #include "core/posh/model/plan.h"
-#include "widgets/models/plan/plan_activity.h"
-#include "widgets/models/plan/plan_folds.h"
-#include "widgets/models/plan/plan_layout.h"
-#include "widgets/models/plan/plan_marks.h"
+#include "widgets/models/pan_zoom.h"
+#include "widgets/models/plan/plan_selection.h"
+#include "widgets/plan/plan_drawing.h"
 
 namespace usar::widgets {
 
@@ -24,7 +21,6 @@ class PlanView : public QWidget {
     Q_OBJECT
 public:
     explicit PlanView(QWidget* parent = nullptr);
-    ~PlanView() override;
 
     /// Shows a plan; parts with the same names stay folded and selected, counters start again.
     void setPlan(const posh::Plan& plan);
@@ -39,34 +35,31 @@ public:
     const PlanMarks& marks() const { return marks_; }
 
     void setSharing(PlanSharing sharing);
-    PlanSharing sharing() const { return sharing_; }
     /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
     void setFlow(std::optional<PlanFlow> flow);
 
     /// The present state of the drawing; node numbers are valid until the next plan or sharing.
-    const PlanTree& tree() const { return tree_; }
+    const PlanTree& tree() const { return drawing_.tree(); }
     const PlanStates& states() const { return states_; }
-    const PlanFolds& folds() const { return folds_; }
-    const PlanLayout& layout();
-    int selected() const { return selected_; }
-    /// Selects a node, unfolds the path to it and scrolls to it; -1 clears the selection. Emits selectionChanged if
-    /// the selection changed.
+    const PlanFolds& folds() const { return drawing_.folds(); }
+    const PlanLayout& layout() { return drawing_.layout(); }
+    int selected() const { return selection_.node(); }
+    /// Selects a node (-1: none), unfolds the way to it and scrolls there; emits selectionChanged if it is another one.
     void select(int node);
     /// Selects the node of an engine's path; returns false if there is none.
     bool selectPath(const std::string& path);
     void setFolded(int node, bool folded);
 
-    /// Marks the nodes that match and selects the next one after the selection, unless the selection matches. Returns
-    /// the number of matches; 0 without words.
+    /// Marks what matches and selects the next match, unless one is selected. Returns how many match; 0 without words.
     int find(const QString& words);
     /// Selects the next or previous match; wraps around.
     void findNext(bool backward = false);
-    const std::vector<int>& found() const { return found_; }
+    const std::vector<int>& found() const { return selection_.found(); }
 
     /// Screen pixels per layout pixel.
-    double scale() const { return scale_; }
-    QPointF toScreen(const QPointF& in_layout) const { return (in_layout - corner_) * scale_; }
-    QPointF toLayout(const QPointF& on_screen) const { return on_screen / scale_ + corner_; }
+    double scale() const { return zoom_.scale; }
+    QPointF toScreen(const QPointF& in_layout) const { return zoom_.toScreen(in_layout); }
+    QPointF toLayout(const QPointF& on_screen) const { return zoom_.toDrawing(on_screen); }
     /// Shows the beginning of the drawing at a readable size; the whole drawing if it is readable then.
     void showBeginning();
     /// Keeps scale and position when the plan changes, until fit() or showBeginning() is called.
@@ -78,8 +71,7 @@ public:
     /// Number of snapshots taken; stands still while the view is hidden.
     int newsTaken() const { return news_taken_; }
 
-    /// Size of the whole drawing in pixels at a scale of 1. paintDrawing() draws it in the light theme with its corner
-    /// at the origin; folded parts stay folded.
+    /// Size at a scale of 1. paintDrawing() draws all that is not folded in the light theme, its corner at the origin.
     QSizeF drawingSize();
     void paintDrawing(QPainter& painter);
 
@@ -123,36 +115,22 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void rebuild();
+    void takeTree(const PlanTree& before);
     void takeNews();
-    void relayout();
-    PlanFlow wantedFlow() const;
-    /// Lays out again and keeps the node in its place on the screen.
-    void relayoutAround(int node);
-    int nodeAt(const QPointF& on_screen);
-    /// True if that place is on the node's fold mark or link arrow.
+    /// Lays out again if `change` returns true, and keeps the node in its place on the screen.
+    void refold(int held, const std::function<bool(PlanFolds&)>& change);
+    bool selectionIsHidden() { return selected() >= 0 && drawing_.hides(selected()); }
+    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
     bool onFoldMark(int node, const QPointF& on_screen);
     void bringIntoView(int node);
-    void keepInReach();
     void zoomAt(const QPointF& on_screen, double factor);
     void panBy(const QPointF& by_px);
-    bool panByKey(const QKeyEvent& event);
-    bool walkByKey(const QKeyEvent& event);
     bool actByKey(const QKeyEvent& event);
-    int neighbor(int key) const;
-    int sibling(int node, int by) const;
-    /// Selects the next or previous running node.
-    void walkRunning(int by);
-    /// Follows a link, else folds or unfolds.
-    void open(int node);
-    /// Updates the description for screen readers.
-    void describe();
+    void open(int node); ///< follows a link, else folds or unfolds
+    void describe();     ///< for screen readers: the selected part, or the keys if there is none
 
-    posh::Plan plan_;
-    PlanSharing sharing_ = PlanSharing::Once;
-    std::optional<PlanFlow> flow_;
-    PlanTree tree_;
-    PlanFolds folds_;
+    PlanDrawing drawing_;
+    PlanSelection selection_;
     PlanStates states_;
     PlanSnapshot snapshot_;
     std::vector<PlanMark> marks_by_path_;
@@ -160,19 +138,10 @@ private:
     bool news_ = false; ///< the snapshot has not been taken yet
     int news_taken_ = 0;
     QTimer tick_;
-    std::vector<QSizeF> sizes_;
-    double row_px_ = 20.0;
-    PlanLayout layout_;
-    bool layout_valid_ = false;
-    double scale_ = 1.0;
-    QPointF corner_; ///< place of the layout that is in the view's top left corner
+    PanZoom zoom_;
     enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< kept when the view is resized
-    std::vector<int> found_;
-    std::vector<bool> found_marks_;
-    int selected_ = -1;
     int hot_ = -1;
-    bool panning_ = false;
-    bool pressed_ = false;
+    enum class Gesture { None, Pressed, Panning } gesture_ = Gesture::None;
     QPointF pressed_at_;
     QPointF last_at_;
     EmptyState* empty_state_;

@@ -27,6 +27,13 @@ void scanLanes(mapping::HeightMap& map) {
                 map.write({column, row}, static_cast<float>(ground(at.x(), at.y())), {7});
 }
 
+std::vector<Vec2> pointsOf(const mapping::CoveragePlan& plan) {
+    std::vector<Vec2> points_m;
+    for (const mapping::Lane& lane : plan.lanes)
+        points_m.insert(points_m.end(), {lane.start_m, lane.end_m});
+    return points_m;
+}
+
 std::unique_ptr<MapView> world() {
     auto view = std::make_unique<MapView>();
     view->resize(900, 620);
@@ -47,7 +54,7 @@ std::unique_ptr<QWidget> mapPage() {
     view->setArea(area);
     view->setAreaSummary(QStringLiteral("9 lanes  ·  6 min 12 s"));
     if (const auto plan = mapping::planCoverage(area, Vec2(0.0, 0.0), {}))
-        view->setLanes(*plan);
+        view->setLanes(pointsOf(*plan));
     for (int i = 0; i < 200; ++i)
         view->setRobot({QStringLiteral("R1"), 1, {{-30.0 + i * 0.2, 10.0 + std::sin(i / 20.0), 6.0}, 0.0, 0.0, 0.1}});
     view->setRobot({QStringLiteral("R2"), 2, {{20.0, -30.0, 0.0}, 0.0, 0.0, 2.6}, true});

@@ -8,6 +8,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr int corners_of_a_circle = 24;
+constexpr double least_px = 5.0; ///< smallest half size of an object on the screen
 
 double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -62,6 +63,24 @@ std::vector<Vec2> outlineOf(const MapObject& object) {
     for (const Vec3& point_m : pointsOf(seen))
         points.emplace_back((seen.body_in_map * point_m).head<2>());
     return hullOf(std::move(points));
+}
+
+QPolygonF outlineOnScreen(const MapObject& object, const MapTransform& transform) {
+    QPolygonF outline;
+    for (const Vec2& corner_m : outlineOf(object))
+        outline << transform.toScreen(corner_m);
+    const QPointF center = transform.toScreen(object.body_in_map.position_m.head<2>());
+    const QRectF bounds = outline.boundingRect();
+    const double half = std::max(bounds.width(), bounds.height()) / 2.0;
+    if (half > 0.0 && half < least_px)
+        for (QPointF& corner : outline)
+            corner = center + (corner - center) * least_px / half;
+    return outline;
+}
+
+MapObject movedTo(MapObject object, const Vec2& center_in_map_m) {
+    object.body_in_map.position_m.head<2>() = center_in_map_m;
+    return object;
 }
 
 bool covers(const std::vector<Vec2>& hull, const Vec2& point_m) {

@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include <QPolygonF>
 #include <QString>
 
 #include "core/base/geometry.h"
+#include "widgets/models/map/map_transform.h"
 
 namespace usar::widgets {
 
@@ -29,6 +31,10 @@ struct MapObject {
 
 /// Convex hull of the object as seen from above, counter-clockwise, in meters of the map frame.
 std::vector<Vec2> outlineOf(const MapObject& object);
+/// The same in pixels of the screen. A small object is enlarged around its center, so that it can be seen and clicked.
+QPolygonF outlineOnScreen(const MapObject& object, const MapTransform& transform);
+/// The object with its center at another place of the ground, at the same height.
+MapObject movedTo(MapObject object, const Vec2& center_in_map_m);
 /// True if the point is inside or on a hull as outlineOf returns it.
 bool covers(const std::vector<Vec2>& hull, const Vec2& point_m);
 

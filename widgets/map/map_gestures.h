@@ -1,0 +1,112 @@
+// The mouse on the map: the active tool, the gesture in progress, and what the user wants by it.
+#pragma once
+
+#include <QDropEvent>
+#include <QMouseEvent>
+#include <QWidget>
+
+#include "widgets/map/map_hits.h"
+
+namespace usar::widgets {
+
+/// Action of the left mouse button on open ground. Place: a click places an object in the world. Waypoint: a click adds
+/// a way point to the selected object. The middle and right buttons always pan.
+enum class MapTool { Pan, Area, Place, Waypoint };
+
+/// MIME type of an object that is dragged out of the palette.
+inline constexpr const char* object_mime = "application/x-usar-thing";
+
+/// Takes all events of the mouse, and drags out of the palette, over a widget. While a drag lasts, the content shows
+/// what it would do; signals say what the user wants, as those of MapView with the same names do. Moving the ground is
+/// left to the owner. Sets the widget's cursor and repaints it. GUI thread.
+class MapGestures : public QObject {
+    Q_OBJECT
+public:
+    /// All three belong to the owner and must outlive the gestures. Of the content they change what is selected, what
+    /// is hot under the cursor, the area, and the held and the previewed object.
+    MapGestures(QWidget& widget, MapContent& content, const MapTransform& transform);
+
+    MapTool tool() const { return tool_; }
+    /// Cancels a gesture in progress; emits toolChanged if the tool changed.
+    void setTool(MapTool tool);
+    /// The object that the Place tool and drags out of the palette preview under the cursor; nullopt: none.
+    void setGhost(const std::optional<MapObject>& ghost);
+
+    /// True from a press until its release or cancel().
+    bool inProgress() const { return gesture_ != Gesture::None; }
+    /// Ends the gesture and undoes what it has changed.
+    void cancel();
+    /// Ends the gesture and undoes nothing, because what it has changed is gone.
+    void forget();
+    /// Place of the cursor in pixels of the widget; nullopt: not over it.
+    const std::optional<QPointF>& cursor_px() const { return cursor_px_; }
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    /// The ground should follow the hand by this much.
+    void panned(const QPointF& by_px);
+    void startPoseClicked(std::size_t start_pose);
+    void spawnRequested(int start_pose);
+    void robotClicked(const QString& name);
+    void areaEdited(const usar::Rectangle& area_in_map);
+    void areaChanged(const usar::Rectangle& area_in_map);
+    void areaRefused(const QString& reason);
+    void placeRequested(const usar::Vec2& point_in_map_m, bool again);
+    void waypointAdded(const usar::Vec2& point_in_map_m);
+    void objectClicked(const QString& name);
+    void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
+    void toolChanged(usar::widgets::MapTool tool);
+
+private:
+    enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip, DraggingObject };
+    bool holdsArea() const { return gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip; }
+    MapHits hits() const { return {content_, transform_}; }
+    /// The two return false if the event is of another kind.
+    bool takeMouse(QEvent* event);
+    bool takeDrag(QEvent* event);
+    void press(const QMouseEvent& event);
+    void move(const QPointF& at_px);
+    void release(const QMouseEvent& event);
+    void doubleClick(const QMouseEvent& event);
+    void leave();
+    void dragIn(QDropEvent& event);
+    void drop(QDropEvent& event);
+    /// The pressed mouse has moved so far that it is no click.
+    void beginDrag();
+    void beginAreaDrag();
+    /// Starts to drag the object where the mouse was pressed; returns false if there is none.
+    bool beginObjectDrag();
+    void dragArea(const QPointF& at_px);
+    void finishAreaDrag(bool drawn, const QPointF& at_px);
+    void restoreArea();
+    void finishObjectDrag();
+    /// Updates what is highlighted under the cursor.
+    void hover(const QPointF& at_px);
+    void click(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
+    /// Handles a click of the tools Place and Waypoint; returns true if one of them is active.
+    bool clickWithTool(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
+    /// Selects the object, or none if the name is empty.
+    void clickObject(const QString& name);
+    /// Shows the preview if a click or drop there would place an object; nullopt: cursor outside.
+    void showGhost(const std::optional<QPointF>& at_px);
+
+    void updateCursor();
+
+    QWidget& widget_;
+    MapContent& content_;
+    const MapTransform& transform_;
+    MapTool tool_ = MapTool::Pan;
+    Gesture gesture_ = Gesture::None;
+    std::optional<QPointF> cursor_px_;
+    QPointF pressed_px_;
+    Vec2 pressed_m_ = Vec2::Zero(); ///< the ground there, even if it moves away
+    QPointF last_px_;
+    AreaGrip held_grip_;
+    std::optional<Rectangle> area_before_; ///< area before the drag
+    Vec2 held_from_m_ = Vec2::Zero();      ///< center of the held object before the drag
+    std::optional<MapObject> ghost_;       ///< the object to preview, wherever the cursor is
+    bool dragged_in_ = false;              ///< a drag out of the palette is over the widget
+};
+
+} // namespace usar::widgets

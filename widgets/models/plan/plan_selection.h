@@ -1,0 +1,36 @@
+// The selected node of a drawn plan, and the nodes that a search has found.
+#pragma once
+
+#include <vector>
+
+#include "widgets/models/plan/plan_tree.h"
+
+namespace usar::widgets {
+
+/// A value. Node numbers are those of the tree that it was last used with; -1 is no node.
+class PlanSelection {
+public:
+    int node() const { return node_; }
+    /// Returns true if another node was selected before.
+    bool set(int node);
+    /// Selects the same part in another tree, found by its names; if that part is now drawn elsewhere, by its path.
+    /// Forgets the search.
+    void moveTo(const PlanTree& to, const PlanTree& from);
+
+    /// Searches anew; without words nothing is found.
+    void search(const PlanTree& tree, const QString& words);
+    /// The nodes that were found, in ascending order.
+    const std::vector<int>& found() const { return found_; }
+    /// The same by node: true if it was found; empty if none was.
+    const std::vector<bool>& foundByNode() const { return found_by_node_; }
+    bool isFound() const;
+    /// The found node after or before the selected one, around both ends; -1 if none was found.
+    int nextFound(bool backward) const;
+
+private:
+    int node_ = -1;
+    std::vector<int> found_;
+    std::vector<bool> found_by_node_;
+};
+
+} // namespace usar::widgets

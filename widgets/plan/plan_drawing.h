@@ -1,0 +1,63 @@
+// A plan as it is drawn: its tree, what of it is folded, and where each card is.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/posh/model/plan.h"
+#include "widgets/models/plan/plan_layout.h"
+#include "widgets/plan/plan_painter.h"
+
+namespace usar::widgets {
+
+/// Lays out when somebody asks, and not again until something has changed. Places are in pixels at a scale of 1. GUI
+/// thread, because it measures fonts.
+class PlanDrawing {
+public:
+    /// `usual_flow` is asked whenever the drawing is laid out and setFlow() has chosen none.
+    explicit PlanDrawing(std::function<PlanFlow()> usual_flow) : usual_flow_(std::move(usual_flow)) {}
+
+    const PlanTree& tree() const { return tree_; }
+    const PlanFolds& folds() const { return folds_; }
+    const PlanLayout& layout();
+
+    /// The two make another tree, in which parts with the same names stay folded. They return the tree before.
+    PlanTree setPlan(const posh::Plan& plan);
+    PlanTree setSharing(PlanSharing sharing);
+    PlanSharing sharing() const { return sharing_; }
+    /// nullopt: the usual one. Call turn() for it to take effect at once.
+    void setFlow(std::optional<PlanFlow> flow) { flow_ = flow; }
+    void forgetFolds();
+    /// The fonts may have changed.
+    void forgetSizes();
+    /// Forgets the layout if another flow is wanted than it has; returns true then.
+    bool turn();
+    /// Changes what is folded. If `change` returns true, lays out again and returns by how much the node `held` has
+    /// moved; 0 for -1, and if it is folded away or was not laid out before. Else returns nullopt.
+    std::optional<QPointF> refold(int held, const std::function<bool(PlanFolds&)>& change);
+
+    /// True if the node is folded away.
+    bool hides(int node) { return layout().box(tree_, node).isNull(); }
+    /// The node at that place, or its card if its row is not drawn at this level of detail; -1: none.
+    int nodeAt(const QPointF& place, PlanDetail detail);
+    /// True if that place is on the node's fold mark or link arrow, and it is drawn at this level of detail.
+    bool onFoldMark(int node, const QPointF& place, PlanDetail detail);
+
+private:
+    PlanTree remake();
+    PlanFlow wantedFlow() const { return flow_ ? *flow_ : usual_flow_(); }
+    void lay();
+
+    std::function<PlanFlow()> usual_flow_;
+    std::optional<PlanFlow> flow_;
+    posh::Plan plan_;
+    PlanSharing sharing_ = PlanSharing::Once;
+    PlanTree tree_;
+    PlanFolds folds_;
+    std::vector<QSizeF> sizes_; ///< of the cards; empty: not measured yet
+    double row_px_ = 20.0;      ///< height of a title or sense
+    PlanLayout layout_;
+    bool valid_ = false;
+};
+
+} // namespace usar::widgets
