@@ -30,11 +30,11 @@ void RobotSession::setLimits(const SessionLimits& limits) {
 }
 
 const ScanRecord& RobotSession::record() const {
-    return d_->findings.record();
+    return d_->book.record();
 }
 
 ScanRecord RobotSession::snapshot() const {
-    return d_->findings.snapshot();
+    return d_->book.snapshot();
 }
 
 SessionFigures RobotSession::figures() const {
@@ -76,8 +76,8 @@ void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, c
     d_->helm.endControl("the behavior " + host->behaviorId() + " took over");
     if (d_->helm.hasBehavior())
         d_->helm.stopBehavior("session: another behavior", "Another behavior was started.");
-    d_->findings.beginTask(host->behaviorId(), task.robot_name, task.area_in_map);
-    d_->records.noteTask(d_->findings.record());
+    d_->book.beginTask(host->behaviorId(), task.robot_name, task.area_in_map);
+    d_->records.noteTask(d_->book.record());
     d_->behavior_running = true;
     d_->helm.start(std::move(host));
     d_->touched();
@@ -140,7 +140,7 @@ void RobotSession::requestRecord() {
 }
 
 void RobotSession::setCellSize(double cell_size_m) {
-    d_->findings.setCellSize(cell_size_m);
+    d_->book.setCellSize(cell_size_m);
 }
 
 void RobotSession::expectSilence(bool expected) {
@@ -160,7 +160,7 @@ Result<void> RobotSession::startRecording(const QString& path, const RecordingFa
         begun = d_->records.begin(path, facts,
                                   {.link = d_->link.status(),
                                    .pending = d_->link.pending(),
-                                   .cell_size_m = d_->findings.cellSize_m(),
+                                   .cell_size_m = d_->book.cellSize_m(),
                                    .level = record().level,
                                    .robot = d_->spawning.standingInit(),
                                    .of_behavior = d_->helm.hasBehavior() ? &record() : nullptr});

@@ -16,8 +16,8 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     , notices([this](const Notice& notice) { emit q.noticed(notice); })
     , updates(
           session, [this] { return q.isSignalConnected(QMetaMethod::fromSignal(&RobotSession::updated)); },
-          [this] { emit q.updated(updates.take(findings.mapper(), figures())); })
-    , findings(cell_size_m, notices)
+          [this] { emit q.updated(updates.take(book.mapper(), figures())); })
+    , book(cell_size_m, notices)
     , vigil(notices)
     , spawning(*this, notices)
     , records(session, notices, incoming, [this] { touched(); })
@@ -40,7 +40,7 @@ void RobotSession::Private::beginConnection() {
     incoming.beginConnection();
     vigil.beginConnection();
     helm.beginConnection();
-    findings.beginConnection();
+    book.beginConnection();
     spawning.beginConnection();
     replay.beginConnection();
     updates.lookForObservers(); // Without this, observers would miss the greeting, which comes before the first frame.
@@ -80,12 +80,12 @@ void RobotSession::Private::takeLine(std::string_view text) {
         vigil.heardRobot(line.message, spawning.robotName(), incoming.now(), wall());
         spawning.heard();
     }
-    findings.take(line);
+    book.take(line);
     if (const auto* answer = std::get_if<protocol::LockstepInfo>(&line.message)) {
         helm.setLockstep(answer->on);
     } else if (const auto* poses = std::get_if<protocol::StartPoses>(&line.message)) {
         vigil.heardStartPoses();
-        emit q.startPosesKnown(*poses, QString::fromStdString(findings.record().level));
+        emit q.startPosesKnown(*poses, QString::fromStdString(book.record().level));
     }
     spawning.passed(incoming.now());
     agent::RunningBehavior::Output output = helm.answerTo(line);
@@ -111,7 +111,7 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
     updates.addPublished(published);
     for (const agent::Published& value : published) {
         records.notePublished(value, helm.hasBehavior());
-        findings.take(value);
+        book.take(value);
         if (const auto* event = std::get_if<agent::BehaviorEvent>(&value)) {
             notices.say(event->severity, Topic::Behavior, event->text, event->text);
         } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
@@ -170,7 +170,7 @@ SessionFigures RobotSession::Private::figures() const {
     spawning.describe(figures);
     updates.describe(figures);
     figures.lines_overlong = vigil.overlong();
-    figures.record_revision = findings.record().revision;
+    figures.record_revision = book.record().revision;
     figures.behavior_running = behavior_running;
     figures.recording = records.figures();
     figures.replay = replay.figures();
@@ -186,7 +186,7 @@ bool RobotSession::Private::refusedInReplay() {
 }
 
 void RobotSession::Private::noteFault(const std::string& sentence) {
-    findings.noteFault(sentence);
+    book.noteFault(sentence);
     records.noteFault(sentence);
     notices.say(Severity::Warning, Topic::Fault, sentence);
 }
@@ -204,7 +204,7 @@ void RobotSession::Private::endReplay() {
 void RobotSession::Private::replayRewound() {
     beginConnection();
     incoming.rewind();
-    findings.rewind();
+    book.rewind();
     helm.rewind();
     vigil.rewind();
     behavior_running = false;
@@ -213,7 +213,7 @@ void RobotSession::Private::replayRewound() {
 }
 
 void RobotSession::Private::replayBegan(std::optional<double> cell_size_m, const std::string& level) {
-    findings.beginReplay(cell_size_m, level);
+    book.beginReplay(cell_size_m, level);
 }
 
 void RobotSession::Private::replayClosed(bool lost) {
@@ -237,7 +237,7 @@ void RobotSession::Private::replayCommand(const agent::CausedCommand& command, s
 }
 
 void RobotSession::Private::replayTask(const ReplayedTask& task, const std::string& robot_name) {
-    findings.beginTask(task.behavior_id, robot_name, task.area_in_map);
+    book.beginTask(task.behavior_id, robot_name, task.area_in_map);
     behavior_running = true;
     updates.addTask(task);
 }

@@ -9,13 +9,13 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "core/mission/session/findings.h"
 #include "core/mission/session/helm.h"
 #include "core/mission/session/incoming.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/record_keeping.h"
 #include "core/mission/session/replay_feed.h"
 #include "core/mission/session/robot_session.h"
+#include "core/mission/session/scan_book.h"
 #include "core/mission/session/spawn_life.h"
 #include "core/mission/session/update_feed.h"
 #include "core/mission/session/vigil.h"
@@ -63,7 +63,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     protocol::Dialect replaySpelling() const override { return helm.spelling(); }
     void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) override;
     void replayPublished(const agent::Published& value) override { takePublished({value}); }
-    void replayPassed(const agent::BehaviorStatus& status) override { findings.passStatus(status); }
+    void replayPassed(const agent::BehaviorStatus& status) override { book.passStatus(status); }
     void replayTask(const ReplayedTask& task, const std::string& robot_name) override;
     void replayFinished(const agent::BehaviorFinished& finished) override { finishBehavior(finished, false); }
     void replayFault(const std::string& sentence) override { noteFault(sentence); }
@@ -79,7 +79,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     Notices notices;
     UpdateFeed updates;
     Incoming incoming;
-    Findings findings;
+    ScanBook book;
     Vigil vigil;
     SpawnLife spawning;
     RecordKeeping records;

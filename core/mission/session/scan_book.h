@@ -12,10 +12,10 @@ namespace usar::mission {
 
 /// Outlives connections and behaviors; only a replay that begins again empties it. Belongs to one session and its
 /// thread.
-class Findings {
+class ScanBook {
 public:
     /// `notices` must outlive this object.
-    Findings(double cell_size_m, Notices& notices) : notices_(notices), mapper_(cell_size_m) {}
+    ScanBook(double cell_size_m, Notices& notices) : notices_(notices), mapper_(cell_size_m) {}
 
     /// Lines are numbered anew, so scans of the old connection cannot be placed any more.
     void beginConnection() { mapper_.forgetScans(); }

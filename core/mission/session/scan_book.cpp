@@ -1,4 +1,4 @@
-#include "core/mission/session/findings.h"
+#include "core/mission/session/scan_book.h"
 
 #include <utility>
 #include <variant>
@@ -8,7 +8,7 @@
 
 namespace usar::mission {
 
-void Findings::rewind() {
+void ScanBook::rewind() {
     mapper_.clearMap();
     ScanRecord empty;
     empty.level = std::move(record_.level);
@@ -16,19 +16,19 @@ void Findings::rewind() {
     unplaced_said_ = false;
 }
 
-void Findings::beginReplay(std::optional<double> cell_size_m, const std::string& level) {
+void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string& level) {
     mapper_.clearMap(cell_size_m);
     record_.level = level;
 }
 
-void Findings::beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map) {
+void ScanBook::beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map) {
     record_.behavior_id = behavior_id;
     record_.robot_name = robot_name;
     record_.area_in_map = area_in_map;
     record_.status = {};
 }
 
-void Findings::take(const protocol::InfoLine& line) {
+void ScanBook::take(const protocol::InfoLine& line) {
     if (const auto* scan = std::get_if<protocol::RangeScan>(&line.message))
         mapper_.takeScan(*scan, line.number);
     else if (const auto* configuration = std::get_if<protocol::ConfigurationInfo>(&line.message))
@@ -37,7 +37,7 @@ void Findings::take(const protocol::InfoLine& line) {
         record_.level = game->level;
 }
 
-void Findings::take(const agent::Published& value) {
+void ScanBook::take(const agent::Published& value) {
     if (const auto* placement = std::get_if<agent::ScanPlacement>(&value)) {
         takePlacement(*placement);
     } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
@@ -50,7 +50,7 @@ void Findings::take(const agent::Published& value) {
     }
 }
 
-void Findings::takePlacement(const agent::ScanPlacement& placement) {
+void ScanBook::takePlacement(const agent::ScanPlacement& placement) {
     if (mapper_.place(placement))
         worthSaving();
     else if (!std::exchange(unplaced_said_, true))
@@ -58,7 +58,7 @@ void Findings::takePlacement(const agent::ScanPlacement& placement) {
                      "The behavior placed a scan that is too old to be known; it is left out.");
 }
 
-void Findings::takeStatus(const agent::BehaviorStatus& status) {
+void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
     const bool news = status.state != record_.status.state || status.charges != record_.status.charges ||
                       status.distance_flown_m != record_.status.distance_flown_m;
     record_.status = status;
@@ -66,18 +66,18 @@ void Findings::takeStatus(const agent::BehaviorStatus& status) {
         worthSaving();
 }
 
-void Findings::takePose(const Vec3& point_m) {
+void ScanBook::takePose(const Vec3& point_m) {
     if (record_.path_m.empty() || (point_m - record_.path_m.back()).norm() >= cellSize_m()) {
         record_.path_m.push_back(point_m);
         worthSaving();
     }
 }
 
-void Findings::worthSaving() {
+void ScanBook::worthSaving() {
     record_.revision += mapper_.map().range() ? 1 : 0;
 }
 
-void Findings::setCellSize(double cell_size_m) {
+void ScanBook::setCellSize(double cell_size_m) {
     if (cellSize_m() == cell_size_m)
         return;
     if (mapper_.map().tileCount() == 0)
@@ -88,7 +88,7 @@ void Findings::setCellSize(double cell_size_m) {
                      fixed(cell_size_m, 2) + " m.");
 }
 
-ScanRecord Findings::snapshot() const {
+ScanRecord ScanBook::snapshot() const {
     ScanRecord copy = record_;
     copy.raster.cell_size_m = cellSize_m();
     copy.far_rasters = mapping::rastersOf(mapper_.map());
