@@ -1,6 +1,7 @@
 #include "core/mission/session/robot_session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/link/across_threads.h"
