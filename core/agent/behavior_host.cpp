@@ -28,7 +28,7 @@ struct SensorType {
 
 protocol::Command lastResort(protocol::VehicleKind kind) {
     const std::vector<protocol::Command> zeros = protocol::zeroDrives(kind);
-    return zeros.empty() ? protocol::AerialDrive{0.0, 0.0, 0.0, 0.0} : zeros.front();
+    return zeros.empty() ? protocol::no_flight : zeros.front();
 }
 
 BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,

@@ -3,15 +3,13 @@
 namespace usar::protocol {
 
 std::vector<Command> zeroDrives(VehicleKind kind) {
-    constexpr AerialDrive no_flight{0.0, 0.0, 0.0, 0.0};
-    constexpr SkidDrive no_spin{0.0, 0.0};
     switch (kind) {
     case VehicleKind::Ground:
         return {no_spin};
     case VehicleKind::Aerial:
         return {no_flight};
     case VehicleKind::Nautic:
-        return {NauticDrive{0.0, 0.0, 0.0}};
+        return {no_thrust};
     case VehicleKind::Legged:
     case VehicleKind::StaticPlatform:
         return {};

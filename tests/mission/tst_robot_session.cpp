@@ -67,7 +67,6 @@ private slots:
     void operatorCommandsAreSentAsTheyAre();
     void updatesAreCoalescedAndBounded();
     void handsOutACopyOfAllThatWasScanned();
-    void clearedRecordsAreEmpty();
 
     void saysWhereTheSpawnStands();
     void theLastFrameComesBeforeTheEnd_data();
@@ -426,22 +425,6 @@ void tst_RobotSession::handsOutACopyOfAllThatWasScanned() {
     QCOMPARE(record->level, std::string("tall_test"));
 }
 
-void tst_RobotSession::clearedRecordsAreEmpty() {
-    QVERIFY(f->spawnNow());
-    script->on_tick = [](const agent::Tick& tick, agent::CommandPort& port) {
-        port.publish(agent::PoseEstimate{});
-        port.publish(agent::MapMark{});
-        port.publish(
-            agent::ScanPlacement{tick.robot.sensors.scan()->line, {.position_m = {0, 0, 5}, .pitch_rad = 1.5}});
-    };
-    f->session.startBehavior(hostOf(script), task);
-    QVERIFY(f->tickNow());
-    QVERIFY(!f->session.snapshot().raster.empty());
-    f->session.clearRecord();
-    QVERIFY(f->session.snapshot().raster.empty());
-    QVERIFY(f->session.record().path_m.empty() && f->session.record().marks.empty());
-}
-
 void tst_RobotSession::saysWhereTheSpawnStands() {
     QCOMPARE(f->session.figures().spawn, SpawnState::None);
     f->server.answers_init = false;
@@ -632,8 +615,6 @@ void tst_RobotSession::theRevisionGrowsWithWhatIsWorthSaving() {
     QCOMPARE(publish(later), charged);
     QCOMPARE(f->session.figures().record_revision, charged);
     QCOMPARE(f->session.snapshot().revision, charged);
-    f->session.clearRecord();
-    QCOMPARE(f->session.figures().record_revision, charged);
     QVERIFY(publish(agent::ScanPlacement{}) > charged);
 }
 

@@ -137,8 +137,8 @@ void tst_SessionWatchers::eachKindOfDamageIsSaidOnceAndAllAreCounted() {
     const auto unclosed = book.take(line(9, protocol::SonarReadings{}, "no closing brace"));
     const auto unclosed_scan = book.take(line(10, protocol::RangeScan{}, "no closing brace"));
     QVERIFY(unclosed && unclosed_scan);
-    const std::set<std::string> topics{first->topic, unclosed->topic, unclosed_scan->topic};
-    QCOMPARE(topics.size(), std::size_t(3));
+    const std::set<std::string> kinds{first->kind, unclosed->kind, unclosed_scan->kind};
+    QCOMPARE(kinds.size(), std::size_t(3));
     QVERIFY(!book.take(line(11, protocol::RangeScan{})));
     QCOMPARE(book.count(), std::uint64_t(4));
 }

@@ -23,7 +23,7 @@ struct ScanRecord {
     /// Faults that were made to happen during the scan, in words: "60.2 s: fault begins: wind speed=5".
     std::vector<std::string> faults;
     /// Grows with every change worth saving: map, path, marks, and in the status its words, charges and distance. With
-    /// an empty map nothing is worth saving, so it begins at 0, and a cleared record keeps the old value.
+    /// an empty map nothing is worth saving, so it begins at 0.
     std::uint64_t revision = 0;
     mapping::Raster raster; ///< filled when the record is handed out
     /// Parts of the map too far from the rest to be in one raster with it: saved as raw heights, in no picture.

@@ -60,13 +60,13 @@ std::optional<Complaint> ComplaintBook::take(const protocol::InfoLine& line) {
         return std::nullopt;
     ++count_;
     const std::string stream = isNoMessage(line.message) ? "" : streamName(line.message);
-    const std::string topic = "lines: " + (stream.empty() ? "" : stream + ": ") + kindOf(*wrong);
-    if (kinds_.size() >= kind_limit || !kinds_.insert(topic).second)
+    const std::string kind = (stream.empty() ? "" : stream + ": ") + kindOf(*wrong);
+    if (kinds_.size() >= kind_limit || !kinds_.insert(kind).second)
         return std::nullopt;
     std::string text = "Line " + std::to_string(line.number.value) + " from the server is damaged: " + *wrong + " (\"" +
                        excerpt(line.text) +
                        "\"). What could be read of it is used; more of this kind are only counted.";
-    return Complaint{topic, std::move(text)};
+    return Complaint{kind, std::move(text)};
 }
 
 } // namespace usar::mission

@@ -12,7 +12,7 @@ namespace usar::mission {
 
 /// A problem in a line, in words.
 struct Complaint {
-    std::string topic; ///< equal for all complaints of one kind
+    std::string kind; ///< equal for all complaints of one kind
     std::string text;
 };
 

@@ -132,7 +132,7 @@ void MissionRunner::Private::takeRobot() {
 }
 
 void MissionRunner::Private::look() {
-    const SessionFigures& figures = session.figures();
+    const SessionFigures figures = session.figures();
     if (std::exchange(last_now, figures.now) != figures.now || !since_time_moved.isValid())
         since_time_moved.start();
     if (phase == Phase::Connecting && elapsedOn(since_start) > options.limits.connect) {
@@ -157,7 +157,7 @@ void MissionRunner::Private::look() {
 
 /// Time since the spawn, on the protocol clock.
 Seconds MissionRunner::Private::flightTime() const {
-    const SessionFigures& figures = session.figures();
+    const SessionFigures figures = session.figures();
     return since_flight.isValid() && figures.spawned_at.count() > 0.0 ? figures.now - figures.spawned_at : Seconds{0.0};
 }
 

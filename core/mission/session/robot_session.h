@@ -1,9 +1,7 @@
 // One robot from connect to close: the agent life cycle of the thesis (3), the same in the window and headless.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <QObject>
@@ -11,41 +9,10 @@
 #include "core/agent/running_behavior.h"
 #include "core/link/tcp_link.h"
 #include "core/mission/files/scan_record.h"
+#include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 
 namespace usar::mission {
-
-/// Facts about a recording besides its records: robot, class, level, host …
-using RecordingFacts = std::map<std::string, std::string>;
-
-/// User's orders to a replay. All members that are set are carried out.
-struct ReplayOrder {
-    std::optional<bool> play{};
-    std::optional<double> speed{};       ///< 0.1 to 100, or infinity for as fast as possible
-    std::optional<Seconds> seek{};       ///< time since the recording's beginning
-    std::optional<Seconds> seek_by{};    ///< relative to the position, or to the target of a running seek
-    std::optional<Seconds> seek_clock{}; ///< time on the robot's clock
-    bool step = false;                   ///< to the next bytes from the server
-};
-
-struct SpawnRequest {
-    std::string class_name = "USARBot.AirRobot";
-    std::string robot_name = "R1";
-    Pose start_in_map;
-};
-
-/// How long a session waits before it reports that something is missing. Tests shorten the limits.
-struct SessionLimits {
-    link::LinkLimits link;
-    Seconds greeting{5.0};               ///< wall: no start poses after connecting
-    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
-    Seconds stale{2.0};                  ///< wall: silence of a spawned robot
-    Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
-    Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
-    Seconds behavior{1.0};               ///< wall: the behavior's answer
-    Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
-    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait, and the newest replace older ones
-};
 
 /// Link, reader, modules, behavior and height map of one robot. Runs in a session thread; slots are called by queued
 /// connection or from that thread; results leave by value in signals. After connecting it asks for start poses; INIT is
@@ -61,10 +28,11 @@ public:
     /// To be called before `open`.
     void setLimits(const SessionLimits& limits);
 
-    /// For headless use in the same thread. The raster is filled by `snapshot` only.
+    /// For headless use in the same thread; all but `record` and `linkStatus` are made anew by each call. The raster is
+    /// filled by `snapshot` only.
     const ScanRecord& record() const;
     ScanRecord snapshot() const;
-    const SessionFigures& figures() const;
+    SessionFigures figures() const;
     const link::LinkStatus& linkStatus() const;
 
     /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),
@@ -105,8 +73,6 @@ public slots:
     void expectSilence(bool expected);
     /// Notes that something was made to fail, or works again; kept in the record, the recording and the messages.
     void noteFault(const std::string& sentence);
-    /// Clears the map, the path and the marks.
-    void clearRecord();
 
     void stopRecording();
     /// `recordingFlushed` follows once everything up to now is in the file. The recording continues.

@@ -4,6 +4,7 @@
 
 #include "core/mission/session/drive_merge.h"
 #include "core/protocol/command_reader.h"
+#include "core/protocol/zero_drives.h"
 
 namespace usar::mission {
 
@@ -11,22 +12,19 @@ using namespace protocol;
 
 namespace {
 
-constexpr AerialDrive no_flight{0.0, 0.0, 0.0, 0.0};
-constexpr SkidDrive no_spin{0.0, 0.0};
-
 using Commands = std::vector<Command>;
 
 Commands stopsOf(const SkidDrive&) {
     return {no_spin};
 }
 Commands stopsOf(const AckermannDrive&) {
-    return {AckermannDrive{0.0, 0.0, 0.0}};
+    return {no_roll};
 }
 Commands stopsOf(const AerialDrive&) {
     return {no_flight};
 }
 Commands stopsOf(const NauticDrive&) {
-    return {NauticDrive{0.0, 0.0, 0.0}};
+    return {no_thrust};
 }
 Commands stopsOf(const OmniDrive& drive) {
     OmniDrive stop;

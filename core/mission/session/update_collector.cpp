@@ -31,6 +31,8 @@ void UpdateCollector::rewind() {
     update_.rewound = true;
     base_in_map_.reset();
     moved_ = false;
+    rates_ = {};
+    lines_per_second_ = 0.0;
 }
 
 void UpdateCollector::addPublished(const std::vector<agent::Published>& published) {
@@ -42,22 +44,28 @@ void UpdateCollector::addPublished(const std::vector<agent::Published>& publishe
         }
 }
 
-std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures& figures) {
+std::shared_ptr<const SessionUpdate> UpdateCollector::take(ScanMapper& mapper, SessionFigures figures) {
     measureRates(figures);
     keepNewest(update_.lines);
     keepNewest(update_.commands);
-    figures.lines_not_shown = lines_not_shown_;
+    describe(figures);
     update_.tiles = mapper.map().takeChangedTiles();
     if (!update_.tiles.empty())
         update_.last_hits = mapper.lastHits();
     if (base_in_map_ && (std::exchange(moved_, false) || !update_.tiles.empty()))
         update_.ground = mapping::courseProfile(mapper.map(), *base_in_map_, profile_reach_m);
     update_.height_range = mapper.map().range();
-    update_.figures = figures;
+    update_.figures = std::move(figures);
     return std::make_shared<const SessionUpdate>(std::exchange(update_, {}));
 }
 
-void UpdateCollector::measureRates(SessionFigures& figures) {
+void UpdateCollector::describe(SessionFigures& figures) const {
+    figures.lines_not_shown = lines_not_shown_;
+    figures.lines_per_second = lines_per_second_;
+    figures.rates = rates_;
+}
+
+void UpdateCollector::measureRates(const SessionFigures& figures) {
     constexpr qint64 span_ms = 500;
     if (!since_measured_.isValid()) {
         since_measured_.start();
@@ -69,7 +77,7 @@ void UpdateCollector::measureRates(SessionFigures& figures) {
     if (elapsed_ms < span_ms)
         return;
     const auto lines = static_cast<double>(figures.lines_received - lines_at_measuring_);
-    figures.lines_per_second = lines * 1000.0 / static_cast<double>(elapsed_ms);
+    lines_per_second_ = lines * 1000.0 / static_cast<double>(elapsed_ms);
     lines_at_measuring_ = figures.lines_received;
     const protocol::TrafficCounts& now = figures.traffic;
     const protocol::TrafficCounts& then = traffic_at_measuring_;
@@ -77,8 +85,8 @@ void UpdateCollector::measureRates(SessionFigures& figures) {
         const std::uint64_t more = count < before ? count : count - before; // Less than before means a new connection.
         return static_cast<double>(more) * 1000.0 / static_cast<double>(elapsed_ms);
     };
-    figures.rates = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out),
-                     rate(now.bytes_in, then.bytes_in), rate(now.bytes_out, then.bytes_out)};
+    rates_ = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out), rate(now.bytes_in, then.bytes_in),
+              rate(now.bytes_out, then.bytes_out)};
     traffic_at_measuring_ = now;
     since_measured_.restart();
 }

@@ -28,11 +28,13 @@ public:
     void addTask(ReplayedTask task) { update_.task = std::move(task); }
     /// Drops what was collected; the next update says that everything before is void.
     void rewind();
-    /// Returns everything since the last call, with the map's changed tiles; updates the rates in `figures`.
-    std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures& figures);
+    /// Returns everything since the last call, with the map's changed tiles and the rates measured between the calls.
+    std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures figures);
+    /// Fills in the rates and the number of lines left out, as of the last `take`.
+    void describe(SessionFigures& figures) const;
 
 private:
-    void measureRates(SessionFigures& figures);
+    void measureRates(const SessionFigures& figures);
     /// Removes all but the newest items and counts the removed ones.
     template <class Item>
     void keepNewest(std::vector<Item>& items);
@@ -44,6 +46,8 @@ private:
     QElapsedTimer since_measured_;
     std::uint64_t lines_at_measuring_ = 0;
     protocol::TrafficCounts traffic_at_measuring_;
+    protocol::TrafficRates rates_;
+    double lines_per_second_ = 0.0;
 };
 
 } // namespace usar::mission

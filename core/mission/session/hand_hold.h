@@ -1,0 +1,64 @@
+// Driving by hand in a session: what to send for the user, and every reason for which a hold ends.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/mission/hand/hand_driver.h"
+#include "core/mission/session/drive_gate.h"
+
+namespace usar::mission {
+
+/// Commands by hand and who decided on them, as the cause of each names it.
+struct HandCommands {
+    HandDriver::Commands commands;
+    std::string source;
+};
+
+/// Sends nothing itself, and reads no clock: wall times are arguments and count from any moment that stays the same.
+/// A plain value of one session.
+class HandHold {
+public:
+    /// Time between two beats of a hold (protocol.md 9.2: DRIVE no more often than about 20 Hz).
+    static constexpr Seconds beat = DriveGate::spacing;
+
+    /// What a device's intent means for the hold.
+    enum class Change { None, Begins, Ends };
+
+    /// Forgets the robot and ends any control by hand.
+    void beginConnection() { driver_.beginConnection(); }
+    void take(const protocol::InfoLine& line) { driver_.take(line); }
+    /// To be called with each STA.
+    void tick(Seconds wall);
+
+    void setOn(bool on) { driver_.setOn(on); }
+    bool on() const { return driver_.on(); }
+    bool holding() const { return driver_.holding(); }
+    ControlState state() const { return driver_.state(); }
+
+    /// Ends: `stop` is due, because the device was let go.
+    Change accept(const HandIntent& intent, Seconds wall);
+    /// Why a hold must end now, as a part of a sentence; absent: it need not. `patience` is for the device; the robot's
+    /// own patience grows with the time between its STA, because slow simulated time is no silence.
+    std::optional<std::string> reasonToStop(Seconds wall, Seconds patience, std::optional<Seconds> robot_silent_for,
+                                            const std::string& robot_name) const;
+
+    /// Question to the robot how it is driven. `now` is the protocol clock here and in `repeat`.
+    HandCommands question(Seconds now);
+    /// To be called at each beat of a hold.
+    HandCommands advance();
+    /// To be called with each STA while the user has control.
+    HandCommands repeat(Seconds now);
+    /// Brings the robot to rest. Devices must be released before they count again.
+    HandCommands stop(const std::string& reason);
+
+private:
+    HandDriver driver_;
+    Seconds last_tick_{0.0};    ///< wall time of the last STA
+    Seconds tick_spacing_{0.0}; ///< wall time between the last two STA
+};
+
+/// "the keys were let go".
+std::string lettingGo(HandSource source);
+
+} // namespace usar::mission

@@ -1,0 +1,292 @@
+#include "core/mission/session/helm.h"
+#include "core/mission/hand/hand_cause.h"
+
+#include <chrono>
+#include <utility>
+
+namespace usar::mission {
+
+Helm::Helm(QObject& qobject, HelmOwner& owner, const HelmView& view)
+    : owner_(owner)
+    , view_(view)
+    , outgoing_([&owner](const agent::CausedCommand& command, std::string text) {
+        owner.writeLine(command, std::move(text));
+    })
+    , hand_timer_(&qobject) {
+    hand_timer_.setInterval(toMilliseconds(HandHold::beat));
+    hand_timer_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&hand_timer_, &QTimer::timeout, &hand_timer_, [this] { beat(); });
+}
+
+void Helm::beginConnection() {
+    outgoing_.beginConnection();
+    hand_.beginConnection();
+    step_held_ = lockstep_ = false;
+}
+
+void Helm::sawSent(const protocol::Command& command) {
+    outgoing_.sawSent(command);
+    steps_sent_ += std::holds_alternative<protocol::Step>(command);
+}
+
+void Helm::describe(SessionFigures& figures) const {
+    figures.steps_sent = steps_sent_;
+    figures.lockstep = lockstep_;
+    figures.dialect = outgoing_.dialect();
+    figures.traffic.drives_replaced = outgoing_.drivesReplaced();
+    figures.control = hand_.state();
+    if (!host_)
+        return;
+    figures.control.behavior_id = host_->behaviorId();
+    if (!hand_.on())
+        figures.control.reins = Reins::Behavior;
+}
+
+void Helm::hear(std::string_view text, const protocol::InfoLine& line) {
+    outgoing_.heard(text);
+    hand_.take(line);
+}
+
+agent::RunningBehavior::Output Helm::answerTo(const protocol::InfoLine& line) {
+    return host_ ? host_->receive(line) : agent::RunningBehavior::Output{};
+}
+
+void Helm::takeOutput(agent::RunningBehavior::Output& output, bool is_tick) {
+    const bool finishing = host_ && (host_->finished() || host_->ending());
+    for (const agent::CausedCommand& command : output.commands)
+        if (!hand_.on() || !DriveGate::isDrive(command.command))
+            outgoing_.send(command);
+    if (host_ && host_->ending()) {
+        makeSafe(host_->behaviorId() + ": its process has ended");
+        output.append(host_->takeEnd());
+    }
+    if (is_tick)
+        tickHand();
+    if (is_tick && !finishing)
+        endTick();
+    owner_.takePublished(output.published);
+    if (is_tick && finishing)
+        endTick();
+}
+
+void Helm::endTick() {
+    if (owner_.replaying())
+        return;
+    releaseDrives(false);
+    if (lockstep_ && view_.spawning.done())
+        step();
+    owner_.flush();
+}
+
+void Helm::step() {
+    step_held_ = halted();
+    if (step_held_)
+        return;
+    outgoing_.send({protocol::Step{}, {"session: lockstep", view_.incoming.stateLine()}});
+    ++steps_sent_;
+}
+
+/// Sends the STEP that a halted plan has held back, once the plan runs again or has ended.
+void Helm::stepOwed() {
+    if (!step_held_ || halted())
+        return;
+    view_.vigil.forgive(owner_.wall()); // The silence was caused by us.
+    step_held_ = false;
+    if (!owner_.connected() || !lockstep_)
+        return;
+    step();
+    owner_.flush();
+}
+
+void Helm::releaseDrives(bool at_once) {
+    if (at_once)
+        outgoing_.releaseNow(view_.incoming.now());
+    else if (!owner_.congested())
+        outgoing_.release(view_.incoming.now());
+}
+
+void Helm::look() {
+    if (!lockstep_ && !owner_.congested())
+        releaseDrives(true);
+}
+
+void Helm::sendForSession(const protocol::Command& command, const char* source) {
+    outgoing_.send({command, {source, {}}});
+}
+
+void Helm::sendForUser(const protocol::Command& command, const std::string& source) {
+    outgoing_.send({command, {source, view_.incoming.stateLine()}});
+    releaseDrives(false);
+    owner_.flush();
+    owner_.touched();
+}
+
+void Helm::makeSafe(const std::string& source) {
+    if (!view_.spawning.done() || owner_.replaying())
+        return;
+    outgoing_.dropWaiting();
+    std::optional<protocol::Command> safe;
+    if (host_) {
+        const agent::CausedCommand command = host_->safeCommand(source);
+        safe = command.command;
+        outgoing_.send(command);
+    }
+    for (const protocol::Command& stop : outgoing_.stops(safe, view_.incoming.kind()))
+        outgoing_.send({stop, {source, view_.incoming.stateLine()}});
+    releaseDrives(true);
+    owner_.flush();
+}
+
+void Helm::stopBehavior(const std::string& source, const std::string& reason) {
+    makeSafe(source);
+    if (host_)
+        owner_.finishBehavior({false, reason}, false);
+}
+
+void Helm::start(std::shared_ptr<agent::RunningBehavior> host) {
+    host_ = std::move(host);
+    host_->setPatience(lockstep_ ? limits_.behavior_lockstep : limits_.behavior);
+    agent::RunningBehavior::Output output = host_->begin();
+    if (host_->endHandle() >= 0) {
+        end_watch_ = std::make_unique<QSocketNotifier>(host_->endHandle(), QSocketNotifier::Read);
+        QObject::connect(end_watch_.get(), &QSocketNotifier::activated, end_watch_.get(), [this] { behaviorEnded(); });
+    }
+    takeOutput(output, false);
+}
+
+/// Takes the end of a behavior that ended between two calls.
+void Helm::behaviorEnded() {
+    agent::RunningBehavior::Output output = host_->takeEnd();
+    takeOutput(output, false);
+    owner_.touched();
+}
+
+void Helm::order(agent::Order order) {
+    if (!host_)
+        return;
+    if (order != agent::Order::Pause)
+        endControl("the behavior " + host_->behaviorId() + " took over");
+    agent::RunningBehavior::Output output = host_->order(order);
+    takeOutput(output, false);
+    releaseDrives(false);
+    stepOwed();
+    owner_.flush();
+    owner_.touched();
+}
+
+void Helm::control(const agent::PlanControl& control) {
+    if (!host_) {
+        if (const auto* const asked = std::get_if<agent::ReplacePlan>(&control))
+            owner_.takePublished({agent::PlanReplaced{
+                .fate = agent::PlanFate::Refused, .plan_name = asked->plan.name, .reason = "No behavior runs."}});
+        return owner_.touched();
+    }
+    const bool was_halted = host_->halted();
+    agent::RunningBehavior::Output output = host_->control(control);
+    takeOutput(output, false);
+    releaseDrives(was_halted); // At the same protocol time as the safe command before it.
+    stepOwed();
+    owner_.flush();
+    owner_.touched();
+}
+
+void Helm::setParameters(const agent::ParameterSet& parameters) {
+    if (!host_)
+        return;
+    host_->setParameters(parameters);
+    if (agent::RunningBehavior::Output nothing; host_->ending())
+        takeOutput(nothing, false);
+}
+
+bool Helm::dismiss() {
+    if (end_watch_) { // It may be the object that has just signaled the end.
+        end_watch_->setEnabled(false);
+        end_watch_.release()->deleteLater();
+    }
+    const bool broke = host_ && host_->broke();
+    host_.reset();
+    stepOwed();
+    return broke;
+}
+
+void Helm::takeControl() {
+    if (hand_.on())
+        return;
+    if (halted())
+        return view_.notices.say(Severity::Warning, Topic::Control,
+                                 "The plan stands still, and the robot's time with it. Let it go on, then take "
+                                 "control.");
+    hand_.setOn(true);
+    if (host_) {
+        agent::RunningBehavior::Output output = host_->order(agent::Order::Pause);
+        takeOutput(output, false);
+        view_.notices.say(Severity::Note, Topic::Control,
+                          "You drive. The behavior " + host_->behaviorId() +
+                              " is paused; resume it to give it the robot back.");
+    }
+    makeSafe(handCause("control taken"));
+    sendByHand(hand_.question(view_.incoming.now()), false);
+    owner_.flush();
+    owner_.touched();
+}
+
+void Helm::endControl(const std::string& reason) {
+    if (!hand_.on())
+        return;
+    endHold(reason);
+    hand_.setOn(false);
+    owner_.touched();
+}
+
+void Helm::drive(const HandIntent& intent) {
+    const HandHold::Change change = hand_.accept(intent, owner_.wall());
+    if (change == HandHold::Change::Ends) {
+        endHold(lettingGo(intent.source));
+    } else if (change == HandHold::Change::Begins) {
+        hand_timer_.start();
+        beat();
+    }
+    owner_.touched();
+}
+
+void Helm::endHold(const std::string& reason) {
+    hand_timer_.stop();
+    if (!hand_.on())
+        return;
+    const HandCommands rest = hand_.stop(reason);
+    if (view_.spawning.done() && owner_.connected() && !owner_.replaying()) {
+        outgoing_.dropWaiting();
+        sendByHand(rest, true);
+        owner_.flush();
+    }
+    owner_.touched();
+}
+
+void Helm::beat() {
+    if (!hand_.holding())
+        return hand_timer_.stop();
+    const Seconds wall = owner_.wall();
+    if (const auto reason =
+            hand_.reasonToStop(wall, limits_.hand, view_.vigil.silentFor(wall), view_.spawning.robotName()))
+        return endHold(*reason);
+    sendByHand(hand_.advance(), !owner_.congested());
+    owner_.flush();
+    owner_.touched();
+}
+
+void Helm::tickHand() {
+    hand_.tick(owner_.wall());
+    if (!hand_.on())
+        return;
+    sendByHand(hand_.question(view_.incoming.now()), false);
+    sendByHand(hand_.repeat(view_.incoming.now()), false);
+}
+
+void Helm::sendByHand(const HandCommands& hand, bool at_once) {
+    for (const protocol::Command& command : hand.commands)
+        outgoing_.send({command, {hand.source, view_.incoming.stateLine()}});
+    if (at_once)
+        releaseDrives(true);
+}
+
+} // namespace usar::mission

@@ -1,0 +1,129 @@
+// Who moves the robot of a session, a behavior or the user's hand, and what is sent for them. Nothing else sends.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QSocketNotifier>
+#include <QTimer>
+
+#include "core/agent/running_behavior.h"
+#include "core/mission/session/hand_hold.h"
+#include "core/mission/session/incoming.h"
+#include "core/mission/session/notices.h"
+#include "core/mission/session/outgoing.h"
+#include "core/mission/session/spawn_life.h"
+#include "core/mission/session/vigil.h"
+
+namespace usar::mission {
+
+/// What the helm needs of its session.
+class HelmOwner {
+public:
+    virtual ~HelmOwner() = default;
+    virtual void writeLine(const agent::CausedCommand& command, std::string text) = 0;
+    /// Hands queued bytes to the network now.
+    virtual void flush() = 0;
+    virtual bool connected() const = 0;
+    virtual bool replaying() const = 0;
+    /// True while the server reads more slowly than we write.
+    virtual bool congested() const = 0;
+    virtual void takePublished(const std::vector<agent::Published>& published) = 0;
+    /// The behavior has to go, for this reason; it shall call `Helm::dismiss`.
+    virtual void finishBehavior(const agent::BehaviorFinished& finished, bool is_published) = 0;
+    virtual void touched() = 0;
+    /// Wall time since any moment that stays the same.
+    virtual Seconds wall() const = 0;
+};
+
+/// The parts of a session that the helm reads, or tells something.
+struct HelmView {
+    const Incoming& incoming;
+    const SpawnLife& spawning;
+    Notices& notices;
+    Vigil& vigil;
+};
+
+/// Keeps the behavior, the hand and what waits to be sent, and paces a server in lockstep: each STA is answered with
+/// commands and then STEP. A hand that has control lets no DRIVE of a behavior through. Belongs to one session and its
+/// thread.
+class Helm {
+public:
+    /// `qobject` lives in the session's thread; it, `owner` and what `view` refers to must outlive this object.
+    Helm(QObject& qobject, HelmOwner& owner, const HelmView& view);
+
+    void setLimits(const SessionLimits& limits) { limits_ = limits; }
+    void beginConnection();
+    void loseConnection() { lockstep_ = false; }
+    /// A replay begins again.
+    void rewind() { steps_sent_ = 0; }
+    /// A replayed command.
+    void sawSent(const protocol::Command& command);
+    protocol::Dialect spelling() const { return outgoing_.spelling(); }
+    void describe(SessionFigures& figures) const;
+
+    /// The server has agreed to wait after each STA, or does so no more.
+    void setLockstep(bool on) { lockstep_ = on; }
+    /// To be called with a line, as text and as a value, before what it says is acted upon.
+    void hear(std::string_view text, const protocol::InfoLine& line);
+    /// Lets the behavior answer to a line; empty without a behavior.
+    agent::RunningBehavior::Output answerTo(const protocol::InfoLine& line);
+    /// Sends the commands before processing the results, so that the simulator computes its next tick meanwhile. In the
+    /// last tick it is the other way around: receivers of the end must find the simulator's time standing still.
+    void takeOutput(agent::RunningBehavior::Output& output, bool is_tick);
+    /// A plan is halted, and the server's time with it.
+    bool timeIsHeld() const { return step_held_; }
+    /// Releases DRIVEs that wait for a clock that stands still.
+    void look();
+
+    void sendForSession(const protocol::Command& command, const char* source);
+    void sendForUser(const protocol::Command& command, const std::string& source);
+    /// Brings a robot to rest at once, with the behavior's safe command if there is one.
+    void makeSafe(const std::string& source);
+    void stopBehavior(const std::string& source, const std::string& reason);
+
+    bool hasBehavior() const { return host_ != nullptr; }
+    void start(std::shared_ptr<agent::RunningBehavior> host);
+    void order(agent::Order order);
+    void control(const agent::PlanControl& control);
+    void setParameters(const agent::ParameterSet& parameters);
+    /// Parts with the behavior; returns true if it had failed by itself.
+    bool dismiss();
+
+    /// Refused with a notice while a plan is halted; the robot must have spawned.
+    void takeControl();
+    /// Ends control by hand, with a stop; does nothing without it.
+    void endControl(const std::string& reason);
+    void drive(const HandIntent& intent);
+    /// Ends a hold with a stop, but not the control.
+    void endHold(const std::string& reason);
+
+private:
+    bool halted() const { return host_ && host_->halted(); }
+    void releaseDrives(bool at_once);
+    void sendByHand(const HandCommands& hand, bool at_once);
+    void beat();
+    void tickHand();
+    void endTick();
+    void step();
+    void stepOwed();
+    void behaviorEnded();
+
+    HelmOwner& owner_;
+    HelmView view_;
+    SessionLimits limits_;
+    Outgoing outgoing_;
+    HandHold hand_;
+    QTimer hand_timer_; ///< runs while an input device holds the robot
+    std::shared_ptr<agent::RunningBehavior> host_;
+    std::unique_ptr<QSocketNotifier> end_watch_; ///< for a behavior that may end between two calls
+    std::uint64_t steps_sent_ = 0;
+    bool lockstep_ = false;
+    bool step_held_ = false; ///< a STEP is owed, because a plan is halted
+};
+
+} // namespace usar::mission

@@ -1,0 +1,89 @@
+// Replay in a session: what a recording plays becomes what a live connection would have brought, and nothing is sent.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/agent/command_port.h"
+#include "core/link/replay.h"
+#include "core/link/tcp_link.h"
+#include "core/mission/session/session_orders.h"
+#include "core/mission/session/session_update.h"
+#include "core/protocol/traffic_counts.h"
+
+namespace usar::mission {
+
+/// A session as a replay sees it.
+class ReplayStage {
+public:
+    virtual ~ReplayStage() = default;
+    /// Everything received so far is void.
+    virtual void replayRewound() = 0;
+    /// What the recording's facts say about the map; a size is absent if they do not say it.
+    virtual void replayBegan(std::optional<double> cell_size_m, const std::string& level) = 0;
+    virtual void replayLinkChanged(const link::LinkStatus& status) = 0;
+    virtual void replayConnected() = 0;
+    /// `lost`: not closed by us.
+    virtual void replayClosed(bool lost) = 0;
+    virtual void replayLine(std::string_view text, LineNumber number) = 0;
+    /// The dialect in which commands were sent.
+    virtual protocol::Dialect replaySpelling() const = 0;
+    virtual void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) = 0;
+    virtual void replayPublished(const agent::Published& value) = 0;
+    /// A status that is only passed on the way to another moment.
+    virtual void replayPassed(const agent::BehaviorStatus& status) = 0;
+    virtual void replayTask(const ReplayedTask& task, const std::string& robot_name) = 0;
+    virtual void replayFinished(const agent::BehaviorFinished& finished) = 0;
+    virtual void replayFault(const std::string& sentence) = 0;
+    /// On: what follows is only passed on the way to another moment.
+    virtual void replaySeeks(bool on) = 0;
+    virtual void replayChanged() = 0;
+    virtual void replayEnds() = 0;
+};
+
+/// During a seek, only values that add up are passed on; of all others the newest is enough, and an hour of them would
+/// be too much. Belongs to one session and its thread.
+class ReplayFeed : private link::ReplayTaker {
+public:
+    /// `stage` must outlive this object.
+    explicit ReplayFeed(ReplayStage& stage) : stage_(stage) {}
+
+    void begin(std::unique_ptr<link::RecordingReader> recording);
+    void order(const ReplayOrder& order);
+    void end();
+    /// A connection begins on the stage, replayed or live: its traffic is counted anew.
+    void beginConnection() { traffic_ = {}; }
+
+    bool on() const { return replayer_ != nullptr; }
+    const link::LinkStatus& linkStatus() const { return link_; }
+    const protocol::TrafficCounts& traffic() const { return traffic_; }
+    /// Absent: nothing is replayed.
+    std::optional<link::ReplayFigures> figures() const;
+
+private:
+    void rewound() override;
+    void opened(std::string_view place) override;
+    void closed(std::string_view reason) override;
+    void line(std::string_view text, LineNumber number) override;
+    void sent(const link::Record& record) override;
+    void note(const link::Record& record) override;
+    void quiet(bool on) override;
+
+    void setLink(link::LinkState now, std::string_view reason);
+    void takePublished(const agent::Published& value);
+    void takeTask(std::string_view text);
+
+    ReplayStage& stage_;
+    std::unique_ptr<link::Replayer> replayer_;
+    link::LinkStatus link_;
+    protocol::TrafficCounts traffic_;
+    /// During a seek: the newest value of each kind of which only the newest matters.
+    std::map<std::size_t, agent::Published> newest_on_the_way_;
+    bool on_the_way_ = false;
+};
+
+} // namespace usar::mission

@@ -1,0 +1,103 @@
+#include "core/mission/session/scan_book.h"
+
+#include <utility>
+#include <variant>
+
+#include "core/base/numbers.h"
+#include "core/mapping/raster_export.h"
+
+namespace usar::mission {
+
+void ScanBook::rewind() {
+    mapper_.clearMap();
+    ScanRecord empty;
+    empty.level = std::move(record_.level);
+    record_ = std::move(empty);
+    unplaced_said_ = false;
+}
+
+void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string& level) {
+    mapper_.clearMap(cell_size_m);
+    record_.level = level;
+}
+
+void ScanBook::beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map) {
+    record_.behavior_id = behavior_id;
+    record_.robot_name = robot_name;
+    record_.area_in_map = area_in_map;
+    record_.status = {};
+}
+
+void ScanBook::take(const protocol::InfoLine& line) {
+    if (const auto* scan = std::get_if<protocol::RangeScan>(&line.message))
+        mapper_.takeScan(*scan, line.number);
+    else if (const auto* configuration = std::get_if<protocol::ConfigurationInfo>(&line.message))
+        mapper_.takeConfiguration(*configuration);
+    else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
+        record_.level = game->level;
+}
+
+void ScanBook::take(const agent::Published& value) {
+    if (const auto* placement = std::get_if<agent::ScanPlacement>(&value)) {
+        takePlacement(*placement);
+    } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
+        takeStatus(*status);
+    } else if (const auto* pose = std::get_if<agent::PoseEstimate>(&value)) {
+        takePose(pose->base_in_map.position_m);
+    } else if (const auto* mark = std::get_if<agent::MapMark>(&value)) {
+        record_.marks.push_back(*mark);
+        worthSaving();
+    }
+}
+
+void ScanBook::takePlacement(const agent::ScanPlacement& placement) {
+    if (mapper_.place(placement))
+        worthSaving();
+    else if (!std::exchange(unplaced_said_, true))
+        notices_.say(Severity::Warning, Topic::Placement,
+                     "The behavior placed a scan that is too old to be known; it is left out.");
+}
+
+void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
+    const bool news = status.state != record_.status.state || status.charges != record_.status.charges ||
+                      status.distance_flown_m != record_.status.distance_flown_m;
+    record_.status = status;
+    if (news)
+        worthSaving();
+}
+
+void ScanBook::takePose(const Vec3& point_m) {
+    if (record_.path_m.empty() || (point_m - record_.path_m.back()).norm() >= cellSize_m()) {
+        record_.path_m.push_back(point_m);
+        worthSaving();
+    }
+}
+
+void ScanBook::worthSaving() {
+    record_.revision += mapper_.map().range() ? 1 : 0;
+}
+
+void ScanBook::setCellSize(double cell_size_m) {
+    if (cellSize_m() == cell_size_m)
+        return;
+    if (mapper_.map().tileCount() == 0)
+        return mapper_.clearMap(cell_size_m);
+    notices_.say(Severity::Warning, Topic::CellSize,
+                 "The height map keeps its cells of " + fixed(cellSize_m(), 2) +
+                     " m, for it has heights already. Remove the robot and spawn it anew to map with cells of " +
+                     fixed(cell_size_m, 2) + " m.");
+}
+
+ScanRecord ScanBook::snapshot() const {
+    ScanRecord copy = record_;
+    copy.raster.cell_size_m = cellSize_m();
+    copy.far_rasters = mapping::rastersOf(mapper_.map());
+    if (!copy.far_rasters.empty()) {
+        copy.raster = std::move(copy.far_rasters.front());
+        copy.far_rasters.erase(copy.far_rasters.begin());
+    }
+    copy.cells_left_out = mapper_.map().knownCellCount() - knownCellCount(copy);
+    return copy;
+}
+
+} // namespace usar::mission

@@ -1,0 +1,54 @@
+// What one robot has found and its session keeps: the height map, the path, the marks, and whose they are.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/mission/files/scan_record.h"
+#include "core/mission/session/notices.h"
+#include "core/mission/session/scan_mapper.h"
+
+namespace usar::mission {
+
+/// Outlives connections and behaviors; only a replay that begins again empties it. Belongs to one session and its
+/// thread.
+class ScanBook {
+public:
+    /// `notices` must outlive this object.
+    ScanBook(double cell_size_m, Notices& notices) : notices_(notices), mapper_(cell_size_m) {}
+
+    /// Lines are numbered anew, so scans of the old connection cannot be placed any more.
+    void beginConnection() { mapper_.forgetScans(); }
+    /// Keeps nothing but the level.
+    void rewind();
+    /// Makes the map of a replay ready, which is empty. Without a size its cells stay as they are.
+    void beginReplay(std::optional<double> cell_size_m, const std::string& level);
+    void beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map);
+
+    void take(const protocol::InfoLine& line);
+    void take(const agent::Published& value);
+    /// Keeps a status that is only passed on the way to another moment of a replay.
+    void passStatus(const agent::BehaviorStatus& status) { record_.status = status; }
+    void noteFault(const std::string& sentence) { record_.faults.push_back(sentence); }
+    /// Refused with a notice once the map has heights.
+    void setCellSize(double cell_size_m);
+
+    /// The raster is filled by `snapshot` only.
+    const ScanRecord& record() const { return record_; }
+    ScanRecord snapshot() const;
+    double cellSize_m() const { return mapper_.map().cellSize_m(); }
+    ScanMapper& mapper() { return mapper_; }
+
+private:
+    void takePlacement(const agent::ScanPlacement& placement);
+    void takeStatus(const agent::BehaviorStatus& status);
+    void takePose(const Vec3& point_m);
+    void worthSaving();
+
+    Notices& notices_;
+    ScanMapper mapper_;
+    ScanRecord record_;
+    bool unplaced_said_ = false;
+};
+
+} // namespace usar::mission

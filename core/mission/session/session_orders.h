@@ -1,0 +1,47 @@
+// What a user tells a session: which robot to spawn, how long to wait for what, and what a replay shall do.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+#include "core/link/tcp_link.h"
+
+namespace usar::mission {
+
+/// Facts about a recording besides its records: robot, class, level, host …
+using RecordingFacts = std::map<std::string, std::string>;
+
+/// User's orders to a replay. All members that are set are carried out.
+struct ReplayOrder {
+    std::optional<bool> play{};
+    std::optional<double> speed{};       ///< 0.1 to 100, or infinity for as fast as possible
+    std::optional<Seconds> seek{};       ///< time since the recording's beginning
+    std::optional<Seconds> seek_by{};    ///< relative to the position, or to the target of a running seek
+    std::optional<Seconds> seek_clock{}; ///< time on the robot's clock
+    bool step = false;                   ///< to the next bytes from the server
+};
+
+struct SpawnRequest {
+    std::string class_name = "USARBot.AirRobot";
+    std::string robot_name = "R1";
+    Pose start_in_map;
+};
+
+/// How long a session waits before it reports that something is missing. Tests shorten the limits.
+struct SessionLimits {
+    link::LinkLimits link;
+    Seconds greeting{5.0};               ///< wall: no start poses after connecting
+    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
+    Seconds stale{2.0};                  ///< wall: silence of a spawned robot
+    Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
+    Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
+    Seconds behavior{1.0};               ///< wall: the behavior's answer
+    Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
+    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait, and the newest replace older ones
+};
+
+} // namespace usar::mission

@@ -1,0 +1,95 @@
+#include "core/mission/session/vigil.h"
+
+#include <utility>
+
+#include "core/base/numbers.h"
+
+namespace usar::mission {
+
+namespace {
+
+bool passed(const std::optional<Seconds>& since, Seconds limit, Seconds wall) {
+    return since && wall - *since > limit;
+}
+
+} // namespace
+
+void Vigil::setLimits(const SessionLimits& limits) {
+    limits_ = limits;
+    sensors_ = SensorWatch(limits.sensor_silence);
+}
+
+void Vigil::beginConnection() {
+    sensors_.reset();
+    start_poses_settled_ = silence_said_ = false;
+}
+
+void Vigil::heardStartPoses() {
+    start_poses_settled_ = true;
+    notices_.over(Topic::StartPoses, "The start poses came after all.");
+}
+
+void Vigil::heardRobot(const protocol::InfoMessage& message, const std::string& robot_name, Seconds now, Seconds wall) {
+    for (const std::string& name : sensors_.saw(message, now))
+        notices_.over(Topic::Sensor, name + " speaks again.", name);
+    heard_at_ = wall;
+    if (std::exchange(silence_said_, false))
+        notices_.over(Topic::Silence, robot_name + " speaks again.");
+}
+
+void Vigil::expectSilence(bool expected, Seconds wall) {
+    if (silence_expected_ && !expected && heard_at_)
+        forgive(wall);
+    silence_expected_ = expected;
+}
+
+std::optional<Seconds> Vigil::silentFor(Seconds wall) const {
+    return heard_at_ ? std::optional(wall - *heard_at_) : std::nullopt;
+}
+
+void Vigil::lookForStartPoses(Seconds wall) {
+    if (start_poses_settled_ || !passed(connected_at_, limits_.greeting, wall))
+        return;
+    start_poses_settled_ = true;
+    notices_.trouble(Severity::Warning, Topic::StartPoses,
+                     "No start poses from the server for " + spanText(limits_.greeting) +
+                         ". Is it USARSim, and is its game running? A robot can still be spawned at "
+                         "a typed pose.");
+}
+
+void Vigil::lookForRobot(const std::string& robot_name, Seconds wall) {
+    if (silence_said_ || silence_expected_ || !passed(heard_at_, limits_.stale, wall))
+        return;
+    silence_said_ = true;
+    notices_.trouble(Severity::Warning, Topic::Silence,
+                     "Nothing from " + robot_name + " for " + spanText(limits_.stale) +
+                         ": its values are stale. Is the simulation paused, or the network down?");
+}
+
+void Vigil::lookForSensors(Seconds now, bool battery_is_empty) {
+    for (const std::string& name : sensors_.newlySilent(now))
+        notices_.trouble(Severity::Warning, Topic::Sensor,
+                         "No reading from " + name + " for " + spanText(limits_.sensor_silence) +
+                             " of the robot's time; the last value stays, marked as old. " +
+                             (battery_is_empty ? "The battery is empty." : "Stop the robot if it needs this sensor."),
+                         name);
+}
+
+void Vigil::lookAtQueue(std::size_t unsent_bytes, const std::string& place) {
+    if (unsent_bytes > limits_.unsent_bytes && !notices_.stands(Topic::Queue))
+        notices_.trouble(Severity::Warning, Topic::Queue,
+                         "The server at " + place + " reads slower than commands are sent: " +
+                             fixed(static_cast<double>(unsent_bytes) / 1e3, 0) +
+                             " kB wait. Until it reads on, the newest drive replaces older ones. Is it busy or "
+                             "stopped?");
+    else if (unsent_bytes == 0)
+        notices_.over(Topic::Queue, "The server reads commands again.");
+}
+
+void Vigil::lookAtOverlong(std::uint64_t count) {
+    if (std::exchange(overlong_, count) != count)
+        notices_.say(Severity::Warning, Topic::Overlong,
+                     "The server sent a line longer than 4 MiB. It was left out; reading goes on behind it.");
+}
+
+} // namespace usar::mission
