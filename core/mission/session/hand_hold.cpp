@@ -1,8 +1,9 @@
 #include "core/mission/session/hand_hold.h"
-#include "core/mission/hand/hand_cause.h"
 
 #include <algorithm>
 #include <utility>
+
+#include "core/mission/hand/hand_cause.h"
 
 namespace usar::mission {
 
