@@ -10,6 +10,20 @@
 
 namespace usar {
 
+/// States an order that ThreadSanitizer cannot see: what one thread wrote before `happensBefore(mark)` happens before
+/// what another does after `happensAfter(mark)` with the same mark. Nothing without ThreadSanitizer.
+#ifdef __SANITIZE_THREAD__
+inline void happensBefore(void* mark) {
+    __tsan_release(mark);
+}
+inline void happensAfter(void* mark) {
+    __tsan_acquire(mark);
+}
+#else
+inline void happensBefore(void*) {}
+inline void happensAfter(void*) {}
+#endif
+
 /// Wraps a callable so that ThreadSanitizer sees the handover. Debian's Qt is not built for ThreadSanitizer, which
 /// therefore does not know that an event is posted before it is delivered and reports every value in it as a race. This
 /// wrapper states the order: everything written before the wrapper was constructed at its current address happens
@@ -36,17 +50,8 @@ public:
     }
 
 private:
-#ifdef __SANITIZE_THREAD__
-    void release() {
-        __tsan_release(this);
-    }
-    void acquire() {
-        __tsan_acquire(this);
-    }
-#else
-    void release() {}
-    void acquire() {}
-#endif
+    void release() { happensBefore(this); }
+    void acquire() { happensAfter(this); }
 
     Call call_;
 };

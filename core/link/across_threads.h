@@ -24,7 +24,12 @@ void post(QObject* where, Call call) {
 /// finished.
 template <class Call>
 void postAndWait(QObject* where, Call& call) {
-    QMetaObject::invokeMethod(where, HandedOver([&call] { call(); }), Qt::BlockingQueuedConnection);
+    const auto run = [&call] {
+        call();
+        happensBefore(&call); // Qt destroys the wrapper in that thread, so it tells this one nothing
+    };
+    QMetaObject::invokeMethod(where, HandedOver(run), Qt::BlockingQueuedConnection);
+    happensAfter(&call);
 }
 
 /// Connects a signal of an object in another thread. The slot (a member function of the receiver, including its
