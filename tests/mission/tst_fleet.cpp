@@ -135,7 +135,7 @@ void tst_Fleet::nineRobotsAreTheMost() {
 }
 
 void tst_Fleet::linesGoWhereAConnectionIs() {
-    QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf(0))).startsWith("there is no connection to send it on"));
+    QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf(0))).startsWith("There is no connection to send it on"));
     QVERIFY(connectNow());
     QVERIFY(fleet_->sendLine(fleet_->connectionOf(0), "GETGEO {Type Robot}", "test"));
     QTRY_COMPARE(server_->heardOf("GETGEO {Type Robot}").size(), 1);

@@ -113,7 +113,7 @@ void tst_StartCheck::refusesAMissionThatCannotBeFlownHere_data() {
     QTest::addColumn<QString>("said");
     QTest::newRow("of another world") << "vmac_room"
                                       << "test/hop" << small
-                                      << "this mission belongs to the world vmac_room. Here is tall_test; connect to a "
+                                      << "This mission belongs to the world vmac_room. Here is tall_test; connect to a "
                                          "server with vmac_room.";
     QTest::newRow("an unknown behavior") << "tall_test"
                                          << "test/hip" << small << "no loaded plugin has this behavior";

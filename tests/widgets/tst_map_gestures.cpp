@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -28,21 +29,29 @@ struct Ground {
     MapContent content;
     MapTransform transform{MapOrientation::YUp, Vec2::Zero(), 10.0, QSizeF(400.0, 400.0)};
     MapGestures gestures{widget, content, transform};
+    Qt::MouseButtons held = Qt::NoButton;
 
     Ground() {
         widget.resize(400, 400);
+        widget.setMouseTracking(true);
         widget.show();
         static_cast<void>(QTest::qWaitForWindowExposed(&widget));
         content.world_in_map = Rectangle{Vec2(-15, -15), Vec2(15, 15)};
     }
     QPoint screen(double x_m, double y_m) const { return transform.toScreen(Vec2(x_m, y_m)).toPoint(); }
     void press(const QPoint& at, Qt::MouseButton button = Qt::LeftButton) {
+        held = button;
         QTest::mousePress(&widget, button, {}, at);
     }
     void release(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+        held = Qt::NoButton;
         QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, at);
     }
-    void move(const QPoint& at) { QTest::mouseMove(&widget, at); }
+    /// QTest moves the cursor of the screen instead, and a platform without a screen may say nothing of it.
+    void move(const QPoint& at) {
+        QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&widget, &event);
+    }
     /// Presses and moves, and does not release.
     void pull(const QPoint& from, const QPoint& to) {
         press(from);

@@ -1,8 +1,9 @@
 #include "core/mission/session/helm.h"
-#include "core/mission/hand/hand_cause.h"
 
 #include <chrono>
 #include <utility>
+
+#include "core/mission/hand/hand_cause.h"
 
 namespace usar::mission {
 
