@@ -13,15 +13,15 @@ namespace usar {
 /// States an order that ThreadSanitizer cannot see: what one thread wrote before `happensBefore(mark)` happens before
 /// what another does after `happensAfter(mark)` with the same mark. Nothing without ThreadSanitizer.
 #ifdef __SANITIZE_THREAD__
-inline void happensBefore(void* mark) {
-    __tsan_release(mark);
+inline void happensBefore(const void* mark) {
+    __tsan_release(const_cast<void*>(mark));
 }
-inline void happensAfter(void* mark) {
-    __tsan_acquire(mark);
+inline void happensAfter(const void* mark) {
+    __tsan_acquire(const_cast<void*>(mark));
 }
 #else
-inline void happensBefore(void*) {}
-inline void happensAfter(void*) {}
+inline void happensBefore(const void*) {}
+inline void happensAfter(const void*) {}
 #endif
 
 /// Wraps a callable so that ThreadSanitizer sees the handover. Debian's Qt is not built for ThreadSanitizer, which
