@@ -66,8 +66,9 @@ void ImageRequestReader::feed(std::string_view bytes, std::deque<ImageRequest>& 
 
 QByteArray frameOf(const sim::Picture& picture, link::ImageType type) {
     const auto kind = static_cast<std::size_t>(type);
-    const QByteArray data =
-        type == link::ImageType::Raw ? rawOf(picture) : QByteArray::fromStdString(sim::jpegOf(picture, qualities[kind]));
+    const QByteArray data = type == link::ImageType::Raw
+                                ? rawOf(picture)
+                                : QByteArray::fromStdString(sim::jpegOf(picture, qualities[kind]));
     QByteArray frame;
     frame.reserve(link::frame_head_bytes + data.size());
     frame.append(static_cast<char>(type));

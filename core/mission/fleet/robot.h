@@ -148,7 +148,7 @@ private:
     agent::SetBreakpoints breakpoints_;
     std::optional<StartedBehavior> started_;
     QElapsedTimer since_start_;
-    std::optional<Seconds> took_; ///< wall time of the behavior that has ended
+    std::optional<Seconds> took_;               ///< wall time of the behavior that has ended
     std::optional<agent::PlanText> asked_plan_; ///< replacement that the running plan has not been exchanged for yet
 };
 
