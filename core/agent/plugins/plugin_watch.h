@@ -1,4 +1,4 @@
-// Sees when a plugin is built anew.
+// Detects that a plugin was rebuilt.
 #pragma once
 
 #include <QFileSystemWatcher>
@@ -7,14 +7,14 @@
 
 namespace usar::agent {
 
-/// Watches folders and the files in them; a linker writes in many steps, so the word comes once nothing has moved for a
-/// while. GUI thread.
+/// Watches folders and the files in them. A linker writes in many steps, so `changed` is emitted only after nothing has
+/// changed for a while. Belongs to the GUI thread.
 class PluginWatch : public QObject {
     Q_OBJECT
 public:
     explicit PluginWatch(QObject* parent = nullptr);
 
-    /// Call it again after `changed`: replacing a file ends its watch.
+    /// Replaces the set of watched folders. Call it again after `changed`, because replacing a file ends its watch.
     void watch(const QStringList& folders);
 
 signals:

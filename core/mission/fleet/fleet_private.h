@@ -1,4 +1,4 @@
-// The body of Fleet, for its own files.
+// Private data and helpers of Fleet, shared by its source files.
 #pragma once
 
 #include <QTimer>
@@ -27,14 +27,14 @@ struct Fleet::Private {
     void openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment);
     void connectReplay(Robot* robot);
     void addReplay(Robot* robot, const RecordingFacts& facts, const QString& complaint);
-    /// Null if it is not among those being opened.
+    /// Removes a replay from `opening` and returns it; null if it is not there.
     std::unique_ptr<Robot> takeOpening(const Robot* robot);
 
     Fleet& q;
     const QString behavior_host;
     agent::PluginLoader plugins;
     ScanKeeper keeper;
-    QTimer patience; ///< runs while the window waits to close
+    QTimer patience; ///< runs while the window waits to close; limits that wait
     QString host;
     quint16 port = 0;
     bool lockstep = false;
@@ -43,7 +43,7 @@ struct Fleet::Private {
     Roster roster;
     std::unique_ptr<Robot> next;                 ///< connected, not spawned
     std::vector<std::unique_ptr<Robot>> opening; ///< replays that are not open yet
-    std::map<int, Seconds> wanted_moments;       ///< by connection: to look back on, once it is in the file
+    std::map<int, Seconds> wanted_moments;       ///< by connection: moment to look back on, once the file contains it
     std::map<int, TrueFigures> truths;           ///< by robot id
     std::optional<std::uint64_t> seed;
     bool recording = true;

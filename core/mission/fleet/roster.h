@@ -1,4 +1,4 @@
-// The robots of a fleet by their ids, and what a further one may be called.
+// The robots of a fleet by id, and the rules for the names and ids of new robots.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace usar::mission {
 
-/// Owns robots; lives in the GUI thread, as they do. Ids are 1 to 9, the keys that select them. Pointers that it gives
-/// are valid until the robot is taken out.
+/// Owns robots and is used in the GUI thread, as they are. Ids are 1 to 9, the keys that select the robots. Returned
+/// pointers are valid until the robot is taken out.
 class Roster {
 public:
     static constexpr int most_robots = 9; ///< one key each
@@ -20,17 +20,17 @@ public:
     bool full() const { return nextId() > most_robots; }
     /// The lowest free id; more than `most_robots` if it is full.
     int nextId() const;
-    /// "R1": the name that the next robot gets when the person gives none.
+    /// "R1": the name that the next robot gets if the user gives none.
     QString nextName() const { return QString("R%1").arg(nextId()); }
-    /// `name`, or with a number behind it where a robot has that name.
+    /// Returns `name`, followed by a number if a robot already has that name.
     QString unusedName(const QString& name) const;
-    /// The request as it can be carried out, with a name where it had none. An error for a request without a class, for
-    /// a tenth robot, and for a name that a robot has already.
+    /// Returns the request, with a name if it had none. An error for a request without a class, for a tenth robot, and
+    /// for a name that a robot already has.
     Result<SpawnRequest> accept(SpawnRequest request) const;
 
-    /// Under its `view().id`, which must be free.
+    /// Adds a robot under its `view().id`, which must be free.
     void add(std::unique_ptr<Robot> robot);
-    /// Null if there is none.
+    /// Removes the robot and returns it; null if there is none.
     std::unique_ptr<Robot> take(int id);
     void clear() { robots_.clear(); }
 
@@ -38,7 +38,7 @@ public:
     Robot* robot(int id) const;
     /// The robot with that RobotView::connection; null if there is none.
     Robot* on(int connection) const;
-    /// In the order of their ids.
+    /// Returns all robots, ordered by id.
     std::vector<Robot*> robots() const;
 
 private:

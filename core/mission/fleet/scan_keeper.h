@@ -1,4 +1,4 @@
-// Sees to it that what was scanned reaches the disk, also when its robot is gone from the window.
+// Makes sure that scans are written to disk, even after their robot was removed from the window.
 #pragma once
 
 #include <functional>
@@ -18,35 +18,35 @@
 
 namespace usar::mission {
 
-/// Asks robots for their records and writes them in a pool, one at a time. A robot that leaves with an unsaved scan is
-/// kept here until its files lie on the disk. GUI thread; waits for the pool at its end.
+/// Asks robots for their records and writes them in a thread pool, one at a time. A robot that leaves with an unsaved
+/// scan is kept here until its files are on disk. Belongs to the GUI thread; the destructor waits for the pool.
 class ScanKeeper : public QObject {
     Q_OBJECT
 public:
     explicit ScanKeeper(QObject* parent = nullptr);
     ~ScanKeeper() override;
 
-    /// Empty: the default one. Scans of robots that have left are tried again at once.
+    /// Sets the result folder; empty means the default one. Retries scans of robots that have left at once.
     void setFolder(const QString& folder);
     QString folder() const;
     bool folderChosen() const { return !folder_.isEmpty(); }
 
-    /// From now on the robot's records are written when they come. `facts` is asked for each of them.
+    /// Writes the robot's records from now on, whenever they arrive. `facts` is called for each of them.
     void watch(Robot& robot, std::function<SimulatorFacts()> facts);
-    /// The record as it stands now; `saved` or `failed` follows.
+    /// Saves the current record; `saved` or `failed` follows.
     void save(Robot& robot);
-    /// Stops it, saves it where there is something to save, and lets it go.
+    /// Stops the robot, saves its scan if there is anything to save, and then deletes the robot.
     void takeLeave(std::unique_ptr<Robot> robot);
-    /// A record is asked for or being written, or the scan of a robot that has left is not on the disk.
+    /// True while a record is requested or being written, or the scan of a robot that has left is not on disk.
     bool busy() const { return !awaited_.empty() || writing_ > 0 || !leaving_.empty(); }
-    /// Tries scans of robots that have left once more.
+    /// Retries saving the scans of robots that have left.
     void retry();
-    /// Stops waiting for records that never came: their sessions hang.
+    /// Stops waiting for requested records, because their sessions hang.
     void giveUpWaiting();
 
 signals:
     void saved(int id, const QStringList& files);
-    /// The scan is still in memory; `reason` names the folder and the mend.
+    /// The scan is still in memory; `reason` names the folder and a remedy.
     void failed(int id, const QString& reason);
 
 private:
@@ -58,9 +58,9 @@ private:
     QThreadPool pool_;
     QString folder_;
     std::map<const Robot*, std::function<SimulatorFacts()>> facts_;
-    std::set<const Robot*> awaited_;
-    std::vector<std::unique_ptr<Robot>> leaving_;
-    int writing_ = 0;
+    std::set<const Robot*> awaited_;              ///< robots whose record was requested and has not arrived
+    std::vector<std::unique_ptr<Robot>> leaving_; ///< removed robots that are kept until they are saved
+    int writing_ = 0;                             ///< number of records being written
 };
 
 } // namespace usar::mission

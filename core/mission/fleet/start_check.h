@@ -1,4 +1,4 @@
-// Whether a behavior can be started as a person wants it, before anything moves.
+// Checks, before anything moves, that a behavior can be started as requested.
 #pragma once
 
 #include <map>
@@ -12,24 +12,24 @@
 
 namespace usar::mission {
 
-/// Where a behavior is to run.
+/// The world in which a behavior is to run.
 struct StartPlace {
-    QString level;           ///< of the server; empty: unknown
-    Rectangle extent_in_map; ///< of the world, in meters; empty: unknown
+    QString level;           ///< name of the server's level; empty: unknown
+    Rectangle extent_in_map; ///< the world's extent in meters; empty: unknown
 };
 
-/// An error for an unknown behavior, and for a parameter that is not allowed.
+/// Returns the checked parameters. An error for an unknown behavior, or for a parameter that is not allowed.
 Result<agent::ParameterSet> checkParameters(const std::string& behavior_id,
                                             const std::map<std::string, agent::ParameterValue>& values,
                                             const agent::PluginLoader& plugins);
 
-/// The checked parameters. An error for an unknown behavior, a missing area, one outside the world, or a parameter that
-/// is not allowed.
+/// Returns the checked parameters. An error for an unknown behavior, an area that is missing or outside the world, or a
+/// parameter that is not allowed.
 Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent::PluginLoader& plugins,
                                        const StartPlace& place);
 
-/// Whether this mission can be flown there: world, plugin, parameters, area within the world. The parameters as the
-/// behavior takes them. Errors about a mission that was read from a file name line and column.
+/// Checks that the mission can be flown there: world, plugin, parameters, and area within the world. Returns the
+/// parameters as the behavior takes them. Errors about a mission that was read from a file name line and column.
 Result<std::map<std::string, agent::ParameterValue>>
 checkMission(const Mission& mission, const agent::PluginLoader& plugins, const StartPlace& place);
 

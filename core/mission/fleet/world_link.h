@@ -1,4 +1,4 @@
-// The window's handle of the world controller's session, which runs in a thread of its own.
+// The window's handle to the world controller's session, which runs in a thread of its own.
 #pragma once
 
 #include <QObject>
