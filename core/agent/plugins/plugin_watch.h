@@ -14,7 +14,7 @@ class PluginWatch : public QObject {
 public:
     explicit PluginWatch(QObject* parent = nullptr);
 
-    /// Replaces the set of watched folders. Call it again after `changed`, because replacing a file ends its watch.
+    /// Adds folders to watch. Call it again after `changed`, because replacing a file ends its watch.
     void watch(const QStringList& folders);
 
 signals:
@@ -22,7 +22,7 @@ signals:
 
 private:
     QFileSystemWatcher watcher_;
-    QTimer calm_;
+    QTimer calm_; ///< restarted by each change; emits `changed` when it expires
 };
 
 } // namespace usar::agent

@@ -1,4 +1,4 @@
-// What the file of a new recording is called.
+// The file name of a new recording.
 #pragma once
 
 #include <QDateTime>
@@ -6,8 +6,9 @@
 
 namespace usar::mission {
 
-/// Path in `folder` of a file that is not there yet: "R1_2026-11-21_18-21-29.usarrec", or with a number behind it where
-/// there is such a file. Signs of the robot's name that a file name had better not have become underscores.
+/// Returns the path in `folder` of a file that does not exist yet: "R1_2026-11-21_18-21-29.usarrec", with a number
+/// appended to the name if that file exists. Characters of the robot's name that are unsafe in a file name become
+/// underscores.
 QString newRecordingIn(const QString& folder, const QString& robot_name, const QDateTime& now);
 
 } // namespace usar::mission

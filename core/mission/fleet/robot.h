@@ -33,9 +33,9 @@ struct RobotView {
     std::vector<Vec2> planned_m; ///< path that the behavior has planned
     std::optional<Vec3> goal_m;
     mapping::HeightTiles tiles;
-    std::optional<mapping::HeightRange> height_range; ///< of the whole height map; absent: the map is empty
+    std::optional<mapping::HeightRange> height_range; ///< range of the whole height map; absent: the map is empty
     std::optional<mapping::CourseProfile> ground;
-    double cell_size_m = 0.25;                       ///< of the height map
+    double cell_size_m = 0.25;                       ///< edge of a height map cell
     std::map<mapping::GridIndex, int> covered_cells; ///< number of known cells in the mission area, by tile
     bool paused = false;                             ///< by the user; cleared when the behavior resumes or ends
     bool unsaved = false;                            ///< something was scanned since the last export
@@ -51,7 +51,7 @@ struct StartedBehavior {
     Rectangle area_in_map;
     std::map<std::string, agent::ParameterValue> parameters;
     std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
-    bool isolated = false;               ///< it runs in a process of its own
+    bool isolated = false;               ///< it runs in a separate process
 };
 
 /// Belongs to the GUI thread, while its RobotSession runs in a thread of its own: calls are queued to that thread and

@@ -1,4 +1,4 @@
-// How the causes of commands by hand begin, so that they are told from those of a behavior.
+// The prefix that distinguishes the sources of commands by hand from those of a behavior.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@ namespace usar::mission {
 
 inline constexpr std::string_view hand_cause = "by hand: ";
 
-/// Source of a command's cause: "by hand: keys" for "keys".
+/// Returns the source to name in a command's cause: "by hand: keys" for "keys".
 inline std::string handCause(std::string_view what) {
     return std::string(hand_cause) += what;
 }
 
-/// True for a source that `handCause` has made.
+/// True for a source made by `handCause`.
 inline bool isHandCause(std::string_view source) {
     return source.starts_with(hand_cause);
 }

@@ -1,4 +1,4 @@
-// The person's side of driving by hand: whether control was asked for, and what each input device asks.
+// The user's side of driving by hand: the request for control, and the motion that each input device requests.
 #pragma once
 
 #include <array>
@@ -10,40 +10,43 @@
 
 namespace usar::mission {
 
-/// The session decides who drives (hand_control.h); this is what the person asks of it, and how long its answer is
-/// waited for. Wall time is an argument; a value.
+/// Keeps what the user requests from the session, which decides who drives (hand_control.h), and how long to wait for
+/// its answer. A plain value without a clock: callers pass the wall time.
 class HandRequests {
 public:
     static constexpr std::array sources{HandSource::Keys, HandSource::Pad, HandSource::Gamepad};
     /// Longest time in which a session may leave a request for control unanswered.
     static constexpr Seconds patience{1.0};
 
-    /// The person asks for control, perhaps again. True if they had neither it nor asked for it.
+    /// Requests control, perhaps again. Returns true if the user had neither requested it nor had it before.
     bool take(Seconds wall);
-    /// The person gives control back, or the robot cannot be driven any more. True if it was asked for until now.
+    /// Gives control back, by the user's choice or because the robot can no longer be driven. Returns true if control
+    /// was requested or held until now.
     bool giveBack();
-    /// The person has asked for control, or has it.
+    /// True if the user has requested control or has it.
     bool taken() const { return taken_; }
-    /// Takes the session's newest word on who has the robot. True if the person's control ends with it: the session
-    /// confirmed it and now has taken it away, or did not confirm it in time.
+    /// Takes the session's newest report of who drives. Returns true if the user's control ends now: the session had
+    /// confirmed it and has taken it away, or did not confirm it in time.
     [[nodiscard]] bool hear(Reins reins, Seconds wall);
 
-    /// A device asks for something else. True if that is to be said at once: in control, or because it was let go.
+    /// Stores a device's new deflection. Returns true if the session must be told at once: the user has taken control,
+    /// or the device was released.
     [[nodiscard]] bool move(HandSource source, const Stick& stick);
-    /// True if the device asks for anything now.
+    /// True if the device is deflected.
     bool isHeld(HandSource source) const { return !stick(source).centered(); }
-    /// The devices that ask for anything, and so have to say it again and again.
+    /// Returns the deflected devices, whose intents have to be repeated.
     std::vector<HandSource> held() const;
-    /// What is said to the session for one device; `gamepad` is the name of the one that is plugged in.
+    /// Returns the intent to send to the session for one device. `gamepad`: name of the gamepad that is plugged in;
+    /// `speed_share`: see HandIntent.
     HandIntent intentOf(HandSource source, const std::string& gamepad, double speed_share) const;
 
 private:
     const Stick& stick(HandSource source) const { return sticks_[static_cast<std::size_t>(source)]; }
 
-    std::array<Stick, sources.size()> sticks_; ///< by source
-    Seconds asked_at_{0.0};
+    std::array<Stick, sources.size()> sticks_; ///< indexed by source
+    Seconds asked_at_{0.0};                    ///< wall time of the newest request
     bool taken_ = false;
-    bool confirmed_ = false; ///< by the session
+    bool confirmed_ = false; ///< the session has confirmed the user's control
 };
 
 } // namespace usar::mission

@@ -1,4 +1,4 @@
-// How a run shows its progress on a terminal, or in a file that standard error goes to.
+// The progress display of a run, for a terminal or for a file that standard error is redirected to.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace usar::mission {
 
-/// A bar that redraws itself on a terminal, else a line for every tenth. A value: it makes the bytes, and whoever owns
-/// it writes them.
+/// A bar that is redrawn in place on a terminal; otherwise one line for every 10 %. It only returns the bytes; its
+/// owner writes them.
 class ProgressBar {
 public:
     explicit ProgressBar(bool is_terminal) : is_terminal_(is_terminal) {}
 
-    /// What is to be written for this progress; empty where there is nothing new. `wall` is wall time since the run
-    /// began.
+    /// Returns the text to write for this progress; empty if there is nothing new. `wall` is the wall time since the
+    /// run began.
     [[nodiscard]] std::string show(const Progress& progress, Seconds wall);
-    /// A line of text in place of the bar, which is drawn again below it with the next progress.
+    /// Returns a line of text that replaces the bar; the next `show` draws the bar again below it.
     [[nodiscard]] std::string say(const std::string& text);
 
 private:
     bool is_terminal_;
-    int last_tenth_ = -1;
-    bool drawn_ = false; ///< the cursor is behind a bar
+    int last_tenth_ = -1; ///< last tenth (0-10) that a line was written for; -1: none yet
+    bool drawn_ = false;  ///< the cursor is at the end of a drawn bar
 };
 
 } // namespace usar::mission
