@@ -99,7 +99,7 @@ void BreakpointDesk::save(QSettings& settings) const {
     settings.setValue("plan/breakpoints", lasting.toJson());
 }
 
-/// A robot was spawned: the breakpoints are for it, too.
+/// Sends the breakpoints to a newly spawned robot.
 void BreakpointDesk::welcome(int id) {
     if (Robot* robot = control_.robot(id); robot && !robot->isReplay())
         robot->control(agent::SetBreakpoints{list_.all()});

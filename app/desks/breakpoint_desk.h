@@ -36,7 +36,7 @@ public:
     void takeHalt(std::optional<int> id);
 
 signals:
-    /// The list is another one, and the robots know it.
+    /// The list has changed and was sent to the robots.
     void changed();
 
 private:

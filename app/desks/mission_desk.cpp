@@ -45,7 +45,7 @@ void MissionDesk::wire() {
 
 void MissionDesk::takePlugins() {
     if (awaiting_plugin_)
-        setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // or waits on
+        setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // or continues to wait
 }
 
 void MissionDesk::openMission(const QString& path) {

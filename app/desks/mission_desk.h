@@ -1,4 +1,4 @@
-// Mission files: opening one sets up its world, robot, behavior and area; saving one keeps what is set up.
+// Mission files: opening one sets up its world, robot, behavior and area; saving one stores the current setup.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace usar::app {
 
-/// A mission may have to wait: for its world, which is loaded first, or for the process of its behavior's plugin. GUI
-/// thread.
+/// A mission may have to wait for its world, which is loaded first, or for the process of its behavior's plugin.
+/// Belongs to the GUI thread.
 class MissionDesk : public QObject {
     Q_OBJECT
 public:
@@ -22,15 +22,15 @@ public:
     void wire();
 
     void openMission(const QString& path);
-    /// Saves what the selected robot is set up to do.
+    /// Saves the task that is set up for the selected robot.
     void saveMission(const QString& path);
-    /// Plugins have changed: a mission that waited for one is set up.
+    /// Sets up a mission that waited for a plugin; call it when plugins have changed.
     void takePlugins();
-    /// A mission that waits for its world is forgotten.
+    /// Drops the mission that waits for its world, if any.
     void forgetAwaitedWorld() { awaiting_world_.reset(); }
 
 private:
-    /// The mission's world, if the embedded simulator is in another one with nobody in it; else empty.
+    /// Returns the mission's world if the embedded simulator runs a different one without robots; else empty.
     QString worldToOpenFor(const mission::Mission& mission) const;
     void setUp(const mission::Mission& mission);
     /// Selects the robot that fits: the selected one, or another one of the class that has nothing to do; else none,

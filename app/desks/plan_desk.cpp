@@ -285,7 +285,7 @@ void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
     views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
-    if (id != selection_.id() || stepping_) // it will stand still again in a moment
+    if (id != selection_.id() || stepping_) // it will halt again in a moment
         return;
     showHalt();
     showMarks();
@@ -308,7 +308,7 @@ void PlanDesk::takeNews(int id, const agent::PlanReplaced& replaced) {
                                tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why), true);
 }
 
-/// Where one server's time waits for several robots, they go on together.
+/// Robots whose server's time waits for all of them (lockstep) continue together.
 void PlanDesk::stepCycle() {
     stepping_ = true;
     for (Robot* each : control_.robots())

@@ -21,15 +21,15 @@ public:
     explicit PlanDesk(const DeskContext& context);
 
     void registerCommands();
-    /// To be called after all commands are registered.
+    /// Connects signals; call it after all commands are registered.
     void wire();
     void restore(const QSettings& settings) { breakpoints_.restore(settings); }
     void save(QSettings& settings) const { breakpoints_.save(settings); }
 
-    /// The robot's behavior is started again: nothing is pinned.
+    /// The robot's behavior is started again: its pins are removed.
     void begin(int id);
 
-    /// True if the plan of a robot that flies is halted.
+    /// True if the plan of a live robot is halted.
     bool anyHalted() const;
     /// Continues all halted plans.
     void goOn();
@@ -37,9 +37,9 @@ public:
     void stepCycle();
 
 signals:
-    /// The selected robot's plan is another one; an empty text means that it has none.
+    /// The selected robot's plan has changed; an empty text means that it has none.
     void planShown(const std::string& text);
-    /// False: a plan is halted, and our simulator's time should stop, too. True: none is halted any more.
+    /// False: a plan is halted, and the embedded simulator's time should stop, too. True: no plan is halted any longer.
     void timeWanted(bool runs);
     /// Time should run until a plan is halted again.
     void cycleWanted();

@@ -143,10 +143,11 @@ bool PlanRunDesk::selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds)
     return kinds.size() == 0 || std::ranges::find(kinds, kind) != kinds.end();
 }
 
-/// A replay goes to that moment with all views; a plan that flies shows what it did, and flies on.
+/// Moves a replay, with all views, to that moment. For a live robot only the plan's panel shows that moment; the robot
+/// continues.
 void PlanRunDesk::goTo(Seconds time) {
     if (Robot* const shown = selection_.robot(); shown && shown->isReplay()) {
-        constexpr Seconds behind{0.02}; // the cycle itself must have been
+        constexpr Seconds behind{0.02}; // so that the cycle itself is included
         return shown->orderReplay({.seek_clock = time + behind});
     }
     show(watch().goTo(time));
@@ -158,17 +159,17 @@ void PlanRunDesk::stepBy(int cycles) {
     show(watch().step(cycles));
 }
 
-/// At the shown moment of the plan, or where no plan decides now.
+/// Opens the recording at the shown moment of the plan, or at the current moment if no plan is running.
 void PlanRunDesk::lookBack() {
     constexpr Seconds behind{0.02};
     const widgets::PlanTime time = watch().time();
-    views_.plan->timeBar().slider()->setFocus(); // the button will be off, and the next keys are those of a replay
+    views_.plan->timeBar().slider()->setFocus(); // the button gets disabled, and the next keys control a replay
     control_.lookBack(selection_.id(), time.cycle > 0 ? time.shown + behind : selection_.robot()->view().figures.now);
 }
 
 void PlanRunDesk::backToNow() {
     if (control_.lookedBackOn(selection_.id()) != 0)
-        control_.remove(selection_.id()); // the one that flies is selected in its place
+        control_.remove(selection_.id()); // the live robot is selected instead
     show(watch().goLive());
 }
 
@@ -193,7 +194,7 @@ void PlanRunDesk::showLookBack() {
     commands_.refresh();
 }
 
-/// Of the run as it was when it was asked for; the robot flies on meanwhile.
+/// Shows a report of the run up to the moment of the request; the robot continues meanwhile.
 void PlanRunDesk::showReport() {
     const posh::RunStatistics statistics = watch().statistics();
     const QString plan = QString::fromStdString(statistics.program()->title);

@@ -1,4 +1,4 @@
-// The runs of robots' plans: what they do and did, at the moment that the plan's panel shows.
+// The runs of robots' plans, now and earlier, as the plan's panel shows them.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 namespace usar::app {
 
 /// Shows the selected robot's plan as it runs, or at an earlier moment of its run, and reports on the run. It does not
-/// connect itself to updates: PlanDesk passes them on, because it also has to hear of them. GUI thread.
+/// connect itself to updates: PlanDesk passes them on, because it needs them, too. GUI thread.
 class PlanRunDesk : public QObject {
     Q_OBJECT
 public:
@@ -23,10 +23,10 @@ public:
     explicit PlanRunDesk(const DeskContext& context);
 
     void registerCommands();
-    /// To be called after all commands are registered.
+    /// Connects signals; call it after all commands are registered.
     void wire();
 
-    /// Hears what this robot says; returns what the panel has to show of it if this is the selected robot.
+    /// Takes a robot's update; returns the parts that the panel has to show if this is the selected robot.
     News take(const Robot& robot, const mission::SessionUpdate& update);
     /// Shows the selected robot's plan from the beginning, or no plan.
     void select();
@@ -58,7 +58,7 @@ private:
     void saveReport(const QString& path, const posh::RunStatistics& statistics);
     void lookBack();
     void backToNow();
-    /// Why the run that is shown cannot be replayed while it goes on; empty if it can.
+    /// Reason why the shown run cannot be replayed while it continues; empty if it can.
     QString whyNoLookBack() const;
 
     MissionControl& control_;

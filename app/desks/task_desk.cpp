@@ -10,7 +10,7 @@ namespace usar::app {
 
 TaskDesk::TaskDesk(const DeskContext& context, PluginDesk& plugins) : desk_(context), plugins_(plugins) {
     preview_due_.setSingleShot(true);
-    preview_due_.setInterval(std::chrono::milliseconds(150)); // a quick one does not flicker
+    preview_due_.setInterval(std::chrono::milliseconds(150)); // so that a quick preview does not flicker
     connect(&preview_due_, &QTimer::timeout, this,
             [this] { clearPreview(tr("Asking the plugin's process what this would come to…")); });
 }
@@ -146,7 +146,7 @@ void TaskDesk::wireRun() {
     connect(&desk_.control, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
     connect(&desk_.control, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
     connect(&desk_.control, &MissionControl::replayAdded, this, [this](int id) {
-        drafts_.copy(desk_.control.lookedBackOn(id), id); // what is set up is not the replay's
+        drafts_.copy(desk_.control.lookedBackOn(id), id); // the selected task was not set up for the replay
     });
     connect(&desk_.control, &MissionControl::robotRemoved, this, [this](int id) {
         if (desk_.notices.offers(missionKey(id)))
@@ -157,7 +157,7 @@ void TaskDesk::wireRun() {
 
 void TaskDesk::leaveWorld() {
     desk_.views.behavior->setArea(std::nullopt);
-    desk_.views.behavior->clearAreaLimits(); // until the world is known; a real server's never is
+    desk_.views.behavior->clearAreaLimits(); // until the world is known; that of a real server never is
     drafts_.forgetAreas();
 }
 
@@ -194,7 +194,7 @@ void TaskDesk::showChosenBehavior() {
         panel->plan().choose(QString::fromStdString(draft.plan_path));
     }
     draft.choose(id);
-    if (behavior) { // a plugin that is still being asked has no form yet, and the draft is kept for it
+    if (behavior) { // a plugin that has not answered yet has no form; the draft is kept for it
         draft.values = form->values();
         draft.plan_path = panel->plan().path().toStdString();
     }
@@ -234,7 +234,7 @@ void TaskDesk::setArea(const Rectangle& area_in_map) {
     askForPreview();
 }
 
-/// A behavior says which area it works on; that one is shown.
+/// Shows the area that the running behavior reports.
 void TaskDesk::takeTask(const mission::SessionUpdate& update) {
     auto* const map = desk_.views.map;
     if (!update.task || map->area() == update.task->area_in_map)
@@ -290,12 +290,12 @@ void TaskDesk::start() {
                                                      QString::fromStdString(draft.plan_path), isolated());
     if (!started)
         return desk_.notices.complain("start", started.error());
-    desk_.control.plugins().forgetPreview(); // the behavior itself says what it flies now
+    desk_.control.plugins().forgetPreview(); // from now on the behavior itself reports its task
     preview_due_.stop();
     begin(id);
     emit faultsWanted(server::textsOf(draft.faults));
     desk_.views.hint->setDone(2, true);
-    desk_.views.map->setAreaSummary({}); // it had the preview's figures
+    desk_.views.map->setAreaSummary({}); // the summary showed the preview's figures
     desk_.views.map->fit();
     refreshRunState();
 }

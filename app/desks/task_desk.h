@@ -1,4 +1,4 @@
-// What the selected robot is to do: behavior, area, parameters and plan, and the run itself.
+// The selected robot's task (behavior, area, parameters and plan) and its run.
 #pragma once
 
 #include <QObject>
@@ -10,38 +10,38 @@
 
 namespace usar::app {
 
-/// Keeps a draft of the task for each robot; the forms and the map show the selected robot's, and what is edited there
-/// goes into it. Starts, pauses and stops what the draft says. GUI thread.
+/// Keeps a draft of the task for each robot. The forms and the map show the selected robot's draft, and edits there
+/// change it. Starts, pauses and stops the behavior of the draft. Belongs to the GUI thread.
 class TaskDesk : public QObject {
     Q_OBJECT
 public:
     TaskDesk(const DeskContext& context, PluginDesk& plugins);
 
     void registerCommands();
-    /// Once commands are registered.
+    /// Connects signals; call it after all commands are registered.
     void wire();
 
     /// The draft of the robot that is selected.
     const mission::TaskDraft& draft() const { return drafts_.shown(); }
-    /// A behavior is chosen, and an area if it needs one.
+    /// True if a behavior is chosen, and an area if it needs one.
     bool complete() const;
-    /// The chosen behavior runs in a process of its own.
+    /// True if the chosen behavior is to run in a separate process.
     bool isolated() const;
-    /// While no robot is selected, behaviors for this class are offered; empty: for any.
+    /// Offers behaviors for this class while no robot is selected; empty: for any class.
     void preferClass(const std::string& robot_class) { wanted_class_ = robot_class; }
     /// Takes over what a mission file says. `values`: its parameters in SI units and radians.
     void setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values);
-    /// The user's own plan decides from the next start on; an empty path stands for the robot's.
+    /// Uses the user's plan from the next start on; an empty path means the robot's own.
     void takePlan();
-    /// The old world is gone, and with it every area that was drawn there.
+    /// Clears every drawn area, because the world that they were drawn in is gone.
     void leaveWorld();
 
 signals:
     /// The selected robot's behavior was started, by whichever command.
     void begun(int id);
-    /// A mission's faults, whose times count from now.
+    /// A mission's faults are to be injected; their times count from now.
     void faultsWanted(const QStringList& faults);
-    /// The chosen behavior, or whether it runs, is different now.
+    /// Another behavior was chosen, or the behavior has started or ended.
     void situationChanged();
 
 private:
@@ -53,7 +53,7 @@ private:
     void showIsolation();
     void setArea(const Rectangle& area_in_map);
     void takeTask(const mission::SessionUpdate& update);
-    /// Asks what the draft would come to, unless a behavior runs, which says itself what it does.
+    /// Requests a preview of the draft, unless a behavior runs, which reports its task itself.
     void askForPreview();
     void showPreview(const Result<agent::TaskPreview>& preview);
     void clearPreview(const QString& instead);
@@ -62,7 +62,7 @@ private:
     void startAgain(int id);
     void offerToStartAgain(int id, const QString& key, const QString& text);
     void begin(int id);
-    /// A robot whose behavior broke and was not started again: the selected one if it is, else any; 0: none.
+    /// Id of a robot whose behavior broke and was not started again, preferably the selected robot; 0: none.
     int brokenRobot() const;
     void give(agent::Order order);
     void refreshRunState();
@@ -72,7 +72,7 @@ private:
     DeskContext desk_;
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;
-    std::string wanted_class_; ///< of the robot that a mission wants; empty: any
+    std::string wanted_class_; ///< robot class that the mission needs; empty: any
     QTimer preview_due_;       ///< fires when a preview takes long; the panel then says "asking…"
 };
 

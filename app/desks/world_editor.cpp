@@ -43,7 +43,7 @@ std::optional<Vec3> sizeOfKind(std::string_view class_name) {
     return kind ? std::optional(kind->size_m) : std::nullopt;
 }
 
-/// `time_factor`: simulated seconds per wall second, for a speed as the world sees it.
+/// `time_factor`: simulated seconds per wall second; converts the speed to simulated time.
 MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, double time_factor) {
     MapObject object;
     object.name = QString::fromStdString(thing.name);
@@ -154,7 +154,7 @@ void WorldEditor::setWorld(const server::WorldPicture& world) {
     setClasses();
 }
 
-/// Of which the server is asked, to learn what is of them.
+/// Sets the classes that the server is asked about, to learn which objects belong to each.
 void WorldEditor::setClasses() {
     std::vector<std::string> kinds;
     for (const sim::ObjectKind& kind : sim::objectKinds())
@@ -230,7 +230,7 @@ void WorldEditor::select(const QString& name) {
     commands_.refresh();
 }
 
-/// The map takes the choice in hand, or lets it go.
+/// Lets the map place the object chosen in the palette; ends placing if none is chosen.
 void WorldEditor::arm() {
     const auto choice = views_.world->choice();
     if (!choice) {
@@ -296,7 +296,7 @@ void WorldEditor::removeAll() {
     removeNamed(names, protocol::KillAllObjects{});
 }
 
-/// `deletion` takes away the objects of these names.
+/// Deletes the objects with these names by sending `deletion`.
 void WorldEditor::removeNamed(const QStringList& names, const protocol::Command& deletion) {
     std::vector<protocol::CreateObject> kept;
     QStringList lost;
@@ -327,7 +327,7 @@ void WorldEditor::clearWay() {
     show();
 }
 
-/// Along its way points; a conveyor without any runs its belt.
+/// Starts or stops the selected object's motion along its waypoints; a conveyor without waypoints runs its belt.
 void WorldEditor::follow(bool moving) {
     const MapObject* const object = selected();
     if (!object)

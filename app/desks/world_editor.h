@@ -1,4 +1,4 @@
-// What a person does to the world: palette, list and map on one side, the world controller's connection on the other.
+// The user's edits of the world: connects the palette, the list and the map to the world controller.
 #pragma once
 
 #include <vector>
@@ -13,23 +13,24 @@
 
 namespace usar::app {
 
-/// Connects when the dock is shown for the first time on a server, so that who does not use it costs the server
-/// nothing. Asks five times a second while the dock is seen, twice while the map alone shows objects, else never. GUI
-/// thread; the window owns it.
+/// Connects when the dock is first shown on a server, so that the server has no load from users who do not need it.
+/// Polls five times a second while the dock is visible, twice a second while only the map shows objects, else never.
+/// Belongs to the GUI thread; owned by the window.
 class WorldEditor : public QObject {
     Q_OBJECT
 public:
     explicit WorldEditor(const DeskContext& context);
 
     void registerCommands();
-    /// After the commands are registered.
+    /// Connects signals; call it after all commands are registered.
     void wire();
     void setPaused(bool paused) { link_.setPaused(paused); }
 
 private:
     /// Follows the connection that MissionControl keeps open.
     void setServer(const link::LinkStatus& status);
-    /// The embedded world. Without it an object whose class the server does not tell cannot be brought back.
+    /// Sets the embedded simulator's world. Without it, a deleted object whose class the server does not report cannot
+    /// be restored.
     void setWorld(const server::WorldPicture& world);
     void registerDeleteCommands();
     void registerWayCommands();
@@ -55,7 +56,7 @@ private:
     void follow(bool moving);
     void send(const protocol::Command& command);
     void say(const QString& text);
-    /// Of the embedded world, of what the selected robot has scanned, or guessed from the start poses.
+    /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
     mission::GroundHeight ground() const;
 
     MissionControl& control_;
@@ -68,11 +69,11 @@ private:
     mission::DeletedObjects deleted_;
     QString host_;
     quint16 port_ = 0;    ///< 0: no server
-    bool opened_ = false; ///< there
+    bool opened_ = false; ///< the connection to `host_` has been requested
     bool dock_seen_ = false;
     double real_time_factor_ = 1.0;
     QString selected_;
-    QString awaited_; ///< is selected when it has come
+    QString awaited_; ///< name of an object to select as soon as it appears
     std::vector<widgets::MapObject> shown_;
 };
 
