@@ -1,4 +1,4 @@
-// A robot's cameras as its server tells of them: which there are, how they are zoomed and turned, and its headlight.
+// A robot's cameras as its server reports them: which cameras exist, their zoom and mount, and the robot's headlight.
 #pragma once
 
 #include <deque>
@@ -14,15 +14,16 @@
 
 namespace usar::mission {
 
-/// Folds a robot's messages and makes the commands that zoom and turn its cameras; it sends nothing itself. Servers
-/// take one SET a tick, so SETs wait in a queue, and only the newest of each kind. Angles are radians. A plain value.
+/// Collects the state from a robot's messages and makes the commands that zoom and turn its cameras; it sends nothing
+/// itself. Servers take one SET a tick, so SETs wait in a queue, and only the newest of each kind. Angles are radians.
+/// A plain value.
 class CameraMount {
 public:
     struct Camera {
         protocol::CameraConfiguration configuration;
-        double fov_rad = protocol::usual_camera_fov_rad;
+        double fov_rad = protocol::usual_camera_fov_rad; ///< current angle of view
     };
-    /// What a message changed for somebody who shows this.
+    /// What a message changed for the display: the list of cameras, the angle of view, or what can be turned or lit.
     enum class News { None, Cameras, Picture, Abilities };
 
     News take(const protocol::InfoMessage& message);
@@ -35,18 +36,19 @@ public:
     void show(const std::string& name);
 
     bool canZoom() const;
-    /// Clamped to what the camera can do; queues a SET.
+    /// Queues a SET for this angle of view, clamped to the camera's range.
     void zoomTo(double fov_rad);
     void zoomBy(double factor);
     void resetZoom();
 
     bool canTurn() const { return package_.has_value(); }
-    /// In parts of the camera's angle of view; false if the mount cannot turn.
+    /// Turns by fractions of the camera's angle of view; returns false if the mount cannot turn.
     bool turnBy(double right, double up);
-    /// Two links pan and tilt; a single link tilts, as AirRobot's does. False if the mount cannot turn.
+    /// Two links pan and tilt; a single link tilts, as AirRobot's does. Returns false if the mount cannot turn.
     bool turn(double right_rad, double up_rad);
     void center();
-    /// MISPKG for where the mount should point; absent if it cannot turn or its name cannot be sent.
+    /// Returns the MISPKG command that points the mount as requested; nullopt if it cannot turn or its name cannot be
+    /// sent.
     std::optional<protocol::PackageDrive> drive() const;
     /// While turns are on their way the mount's own reports are old and are ignored.
     void setTurning(bool turning) { turning_ = turning; }
@@ -54,9 +56,9 @@ public:
     bool lightKnown() const { return light_on_.has_value(); }
     bool lightOn() const { return light_on_.value_or(false); }
 
-    /// Takes the place of a waiting SET of the same kind.
+    /// Queues a SET; it replaces a waiting SET of the same kind.
     void queue(const protocol::Command& set);
-    /// The next SET to send, which leaves the queue.
+    /// Removes and returns the next SET to send; nullopt if none is waiting.
     std::optional<protocol::Command> next();
     /// True once after the server answered a SET: the next one may follow.
     bool takeAnswered();
@@ -64,7 +66,7 @@ public:
 private:
     struct Package {
         std::string name;
-        std::map<int, double> wanted_rad; ///< by link
+        std::map<int, double> wanted_rad; ///< angles in radians, by link
     };
 
     News takeCameras(const std::vector<protocol::CameraConfiguration>& cameras);

@@ -37,7 +37,7 @@ public:
 private:
     std::optional<protocol::Command> first_; ///< until it is sent
     std::vector<protocol::CreateObject> objects_;
-    const DeletedObjects::Send& send_; ///< of the owner of the stack, like `look_`
+    const DeletedObjects::Send& send_; ///< owned by the owner of the stack, as is `look_`
     const DeletedObjects::Look& look_;
 };
 

@@ -1,4 +1,4 @@
-// What a person has deleted from the world, and can bring back or delete again.
+// The objects that the user has deleted from the world, with undo and redo.
 #pragma once
 
 #include <functional>
@@ -12,28 +12,28 @@
 
 namespace usar::mission {
 
-/// Undo and redo of deletions. Belongs to whoever sends the commands, and to the same thread. Keeps the newest hundred
+/// Undo and redo of deletions. Runs in the thread of its owner, which sends the commands. Keeps the newest hundred
 /// deletions.
 class DeletedObjects {
 public:
     using Send = std::function<void(const protocol::Command& command)>;
-    /// The command that would create an object as it is now; nullopt where it is not known to be in the world.
+    /// The command that would create an object as it is now; nullopt if it is not known to be in the world.
     using Look = std::function<std::optional<protocol::CreateObject>(const std::string& name)>;
 
-    /// Both are called by the other functions only, at once.
+    /// The other functions call `send` and `look` directly, before they return.
     DeletedObjects(Send send, Look look);
 
-    /// Sends `deletion`, and keeps how the objects that it takes away are made again. Without any there is nothing to
-    /// bring back.
+    /// Sends `deletion` and keeps `objects`, the commands that create the deleted objects again. If there are none, the
+    /// deletion cannot be undone.
     void remove(const protocol::Command& deletion, std::vector<protocol::CreateObject> objects);
     bool canUndo() const { return stack_.canUndo(); }
     bool canRedo() const { return stack_.canRedo(); }
-    /// Makes the objects of the last deletion again, where they were.
+    /// Creates the objects of the last deletion again at their former places.
     void undo() { stack_.undo(); }
-    /// Deletes what the last undo has made, by name: what came into the world since then stays. The next undo makes
-    /// them as they were when they were deleted again.
+    /// Deletes the objects that the last undo created, by name; objects added since then stay. The next undo creates
+    /// them in the state that they had at this second deletion.
     void redo() { stack_.redo(); }
-    /// For another world.
+    /// Forgets all deletions; to be called when the world changes.
     void clear() { stack_.clear(); }
 
 private:

@@ -1,4 +1,4 @@
-// How high the ground is where something is put into the world, from the best source that knows.
+// Height of the ground at a place in the world, from the best source that knows it.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,18 @@
 
 namespace usar::mission {
 
-/// What there is to know of the ground, the best source first. Lengths are in meters of the map frame. Plain references
-/// to what others own: made for one question.
+/// The sources of ground height, best first. Lengths are in meters in the map frame. It only refers to data that others
+/// own, so create it for a single query.
 struct GroundSources {
-    /// The true ground of a simulator of our own; empty, or nullopt for a point, where it is not known.
+    /// Height of the embedded simulator's terrain; empty without one, and nullopt for a point of unknown height.
     std::function<std::optional<double>(const Vec2& point_in_map_m)> terrain_m{};
-    const mapping::HeightTiles* tiles = nullptr; ///< what a robot has scanned; nullptr: no robot
-    double cell_size_m = 0.25;                   ///< of the tiles
+    const mapping::HeightTiles* tiles = nullptr; ///< ground scanned by a robot; nullptr: no robot
+    double cell_size_m = 0.25;                   ///< size of a cell of `tiles`
     std::span<const protocol::StartPose> start_poses{};
 };
 
-/// Height of the ground at a point of the map frame: the terrain's, else the scanned one, else that of the nearest
-/// start pose, and 0 where nothing is known at all.
+/// Returns the height of the ground at a point in the map frame: that of the terrain, else of the scan, else of the
+/// nearest start pose, else 0.
 double groundHeight_m(const GroundSources& sources, const Vec2& at_m);
 
 } // namespace usar::mission

@@ -9,7 +9,7 @@
 
 namespace usar::mission {
 
-/// Commands by hand and who decided on them, as the cause of each names it.
+/// Manual driving commands and the source that is named as the cause of each.
 struct HandCommands {
     HandDriver::Commands commands;
     std::string source;
@@ -28,7 +28,7 @@ public:
     /// Forgets the robot and ends any control by hand.
     void beginConnection() { driver_.beginConnection(); }
     void take(const protocol::InfoLine& line) { driver_.take(line); }
-    /// To be called with each STA.
+    /// Measures the time between STA messages; to be called with each STA.
     void tick(Seconds wall);
 
     void setOn(bool on) { driver_.setOn(on); }
@@ -36,14 +36,15 @@ public:
     bool holding() const { return driver_.holding(); }
     ControlState state() const { return driver_.state(); }
 
-    /// Ends: `stop` is due, because the device was let go.
+    /// Takes a device's intent. If it returns Ends, the device was let go and `stop` must be called.
     Change accept(const HandIntent& intent, Seconds wall);
-    /// Why a hold must end now, as a part of a sentence; absent: it need not. `patience` is for the device; the robot's
-    /// own patience grows with the time between its STA, because slow simulated time is no silence.
+    /// Returns why a hold must end now, as part of a sentence, or nullopt if it may continue. `patience` limits the
+    /// device's silence; the limit for the robot grows with the time between its STA, because slow simulated time is
+    /// not silence.
     std::optional<std::string> reasonToStop(Seconds wall, Seconds patience, std::optional<Seconds> robot_silent_for,
                                             const std::string& robot_name) const;
 
-    /// Question to the robot how it is driven. `now` is the protocol clock here and in `repeat`.
+    /// Asks the robot how it is driven. `now` is the protocol clock here and in `repeat`.
     HandCommands question(Seconds now);
     /// To be called at each beat of a hold.
     HandCommands advance();
@@ -58,7 +59,7 @@ private:
     Seconds tick_spacing_{0.0}; ///< wall time between the last two STA
 };
 
-/// "the keys were let go".
+/// Returns the reason for an ending hold: "the keys were let go".
 std::string lettingGo(HandSource source);
 
 } // namespace usar::mission

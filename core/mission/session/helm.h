@@ -33,14 +33,14 @@ public:
     /// True while the server reads more slowly than we write.
     virtual bool congested() const = 0;
     virtual void takePublished(const std::vector<agent::Published>& published) = 0;
-    /// The behavior has to go, for this reason; it shall call `Helm::dismiss`.
+    /// The behavior has ended or must end, for this reason; the owner must call `Helm::dismiss`.
     virtual void finishBehavior(const agent::BehaviorFinished& finished, bool is_published) = 0;
     virtual void touched() = 0;
     /// Wall time since any moment that stays the same.
     virtual Seconds wall() const = 0;
 };
 
-/// The parts of a session that the helm reads, or tells something.
+/// The parts of a session that the helm reads or notifies.
 struct HelmView {
     const Incoming& incoming;
     const SpawnLife& spawning;
@@ -48,25 +48,25 @@ struct HelmView {
     Vigil& vigil;
 };
 
-/// Keeps the behavior, the hand and what waits to be sent, and paces a server in lockstep: each STA is answered with
-/// commands and then STEP. A hand that has control lets no DRIVE of a behavior through. Belongs to one session and its
-/// thread.
+/// Owns the behavior, the manual control and the unsent commands, and paces a server in lockstep: each STA is answered
+/// with commands and then STEP. A hand that has control lets no DRIVE of a behavior through. Belongs to one session and
+/// its thread.
 class Helm {
 public:
-    /// `qobject` lives in the session's thread; it, `owner` and what `view` refers to must outlive this object.
+    /// `qobject` belongs to the session's thread; it, `owner` and what `view` refers to must outlive this object.
     Helm(QObject& qobject, HelmOwner& owner, const HelmView& view);
 
     void setLimits(const SessionLimits& limits) { limits_ = limits; }
     void beginConnection();
     void loseConnection() { lockstep_ = false; }
-    /// A replay begins again.
+    /// Resets the step count because a replay starts again.
     void rewind() { steps_sent_ = 0; }
-    /// A replayed command.
+    /// Takes a replayed command that was sent in the recording.
     void sawSent(const protocol::Command& command);
     protocol::Dialect spelling() const { return outgoing_.spelling(); }
     void describe(SessionFigures& figures) const;
 
-    /// The server has agreed to wait after each STA, or does so no more.
+    /// `on`: the server has agreed to wait for a STEP after each STA.
     void setLockstep(bool on) { lockstep_ = on; }
     /// To be called with a line, as text and as a value, before what it says is acted upon.
     void hear(std::string_view text, const protocol::InfoLine& line);
@@ -75,9 +75,9 @@ public:
     /// Sends the commands before processing the results, so that the simulator computes its next tick meanwhile. In the
     /// last tick it is the other way around: receivers of the end must find the simulator's time standing still.
     void takeOutput(agent::RunningBehavior::Output& output, bool is_tick);
-    /// A plan is halted, and the server's time with it.
+    /// True while a plan is halted and the server's time is stopped with it.
     bool timeIsHeld() const { return step_held_; }
-    /// Releases DRIVEs that wait for a clock that stands still.
+    /// Releases waiting DRIVEs, because the clock may stand still; not in lockstep or while the owner is congested.
     void look();
 
     void sendForSession(const protocol::Command& command, const char* source);
@@ -91,7 +91,7 @@ public:
     void order(agent::Order order);
     void control(const agent::PlanControl& control);
     void setParameters(const agent::ParameterSet& parameters);
-    /// Parts with the behavior; returns true if it had failed by itself.
+    /// Drops the behavior; returns true if it had failed by itself.
     bool dismiss();
 
     /// Refused with a notice while a plan is halted; the robot must have spawned.

@@ -1,4 +1,4 @@
-// What one robot's server says: lines become values, are numbered and counted, and tell the time and the robot's state.
+// Input from one robot's server: parses, numbers and counts its lines, and derives the time and the robot's state.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 namespace usar::mission {
 
 /// Belongs to one session and its thread. Line numbers and damaged lines are counted over all connections; the clock,
-/// the robot's state and the traffic begin anew with each.
+/// the robot's state and the traffic counts start again with each connection.
 class Incoming {
 public:
     void beginConnection();
-    /// A replay begins again: no line has come, and no damage is known.
+    /// Resets the line numbers and the counts of damaged lines because a replay starts again.
     void rewind();
-    /// The next line has the number after this one.
+    /// Gives the next line the number after `line`.
     void continueAfter(LineNumber line);
 
     /// Reads a line without its line end. The result is valid until the next call.
     const protocol::InfoLine& take(std::string_view text);
-    /// Counts what is wrong with a line that was taken; returns it the first time that it occurs.
+    /// Counts the defects of a line that was taken; returns a complaint the first time that its kind occurs.
     std::optional<Complaint> judge(const protocol::InfoLine& line);
 
     /// Number of the newest line.
     LineNumber newest() const { return {lines_}; }
     /// Number of the line with the newest state of the robot (STA); 0 before the first.
     LineNumber stateLine() const { return state_->line(); }
-    /// The protocol's clock; 0 until it is known.
+    /// Time on the protocol clock; 0 until it is known.
     Seconds now() const { return state_->now(); }
     protocol::VehicleKind kind() const;
     bool batteryIsEmpty() const;

@@ -1,4 +1,4 @@
-// What a session tells its user: each notice has a topic, and a complaint stands until its topic is over.
+// Notices from a session to its user: each has a topic, and a reported problem stands until its topic is over.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace usar::mission {
 
-/// What a notice is about. Topics of which there are several at once (a sensor, a kind of damaged line, an event of a
-/// behavior) are told apart by a further word.
+/// Subject of a notice. Topics that can occur several times at once (a sensor, a kind of damaged line, an event of a
+/// behavior) are distinguished by a further word.
 enum class Topic {
     Behavior,
     CellSize,
@@ -35,14 +35,14 @@ enum class Topic {
     StartPoses
 };
 
-/// Notice::topic of this topic; `which` is the further word, empty where there is none.
+/// Returns the text of the topic for Notice::topic; `which` is the further word, empty if there is none.
 std::string textOf(Topic topic, std::string_view which = {});
 
-/// "2.5 s", as notices name spans of time.
+/// Formats a time span as notices show it: "2.5 s".
 std::string spanText(Seconds span);
 
-/// Gives notices to its taker at once, in the order of the calls, and keeps which complaints stand. Belongs to one
-/// session and its thread.
+/// Passes notices to its taker immediately, in the order of the calls, and remembers which problems stand. Belongs to
+/// one session and its thread.
 class Notices {
 public:
     using Taker = std::function<void(const Notice& notice)>;
@@ -57,11 +57,11 @@ public:
     bool stands(Topic topic) const { return standing_.contains(textOf(topic)); }
     /// Ends a problem without a notice.
     void forget(Topic topic) { standing_.erase(textOf(topic)); }
-    /// Ends the problems that belong to a connection which is lost: all but its loss itself and a failed spawn.
+    /// Ends the problems of a lost connection: all except the loss itself and a failed spawn.
     void endThoseOfTheConnection();
-    /// Ends all problems but a missing connection, which ends only with a new one.
+    /// Ends all problems except a missing connection, which ends only with a new one.
     void endAll();
-    /// While muted, nothing is reported, but what stands is still kept.
+    /// While muted, nothing is reported, but standing problems are still tracked.
     void mute(bool on) { muted_ = on; }
 
 private:

@@ -1,4 +1,4 @@
-// What one session sends to its server: commands in the server's dialect, and DRIVEs at the rate that it can take.
+// Output of one session to its server: commands in the server's dialect, and DRIVEs at a rate that it can handle.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,30 @@
 
 namespace usar::mission {
 
-/// Keeps which DRIVEs wait, which dialect the server speaks, and what was set in motion. Writes to its writer at once,
-/// during the calls; times are on the protocol clock. Belongs to one session and its thread.
+/// Tracks the waiting DRIVEs, the server's dialect, and the parts set in motion. Calls its writer directly, before a
+/// function returns; times are on the protocol clock. Belongs to one session and its thread.
 class Outgoing {
 public:
     /// Takes a command and its line, without line end.
     using Writer = std::function<void(const agent::CausedCommand& command, std::string text)>;
     explicit Outgoing(Writer writer) : writer_(std::move(writer)) {}
 
-    /// Forgets the server and the robot, and the DRIVEs that wait.
+    /// Forgets the server, the robot and the waiting DRIVEs.
     void beginConnection();
-    /// Every line of the server tells something about its dialect.
+    /// Takes a line from the server to detect its dialect; to be called with every line.
     void heard(std::string_view line) { dialect_.take(line); }
-    /// A command that was sent by somebody else, as in a replay.
+    /// Takes a command that was not sent by this object, as in a replay.
     void sawSent(const protocol::Command& command) { dialect_.sent(command); }
-    /// Absent until the server has shown it.
+    /// The detected dialect; nullopt until it is known.
     std::optional<protocol::Dialect> dialect() const { return dialect_.dialect(); }
-    /// The dialect in which commands are written: as for UT2004 until another one is known.
+    /// The dialect in which commands are written: that of UT2004 until another is detected.
     protocol::Dialect spelling() const { return dialect().value_or(protocol::Dialect::Ut2004); }
 
     /// Writes the command; a DRIVE waits until it is released, and replaces an older one that still waits.
     void send(const agent::CausedCommand& command);
-    /// Writes the DRIVEs that wait, if the last ones are long enough ago.
+    /// Writes the waiting DRIVEs if enough time has passed since the last ones.
     void release(Seconds now);
-    /// Writes the DRIVEs that wait.
+    /// Writes the waiting DRIVEs without regard to the last ones.
     void releaseNow(Seconds now);
     void dropWaiting() { gate_.reset(); }
 
@@ -46,7 +46,7 @@ public:
     /// own, and commands that stop everything else that was set in motion.
     std::vector<protocol::Command> stops(const std::optional<protocol::Command>& safe,
                                          protocol::VehicleKind kind) const;
-    /// DRIVEs of this connection that newer ones replaced before they were sent.
+    /// Number of DRIVEs on this connection that newer ones replaced before they were sent.
     std::uint64_t drivesReplaced() const { return drives_replaced_; }
 
 private:

@@ -1,4 +1,4 @@
-// The recording of a session while it runs: every byte with its time and cause, and notes of what only we know.
+// The recording of a session in progress: every byte with its time and cause, and notes of facts that only we know.
 #pragma once
 
 #include <functional>
@@ -23,25 +23,25 @@ namespace usar::mission {
 /// Returns "host:port".
 std::string placeOf(const link::LinkStatus& status);
 
-/// How things stand in a session when a recording of it begins.
+/// State of a session when its recording begins.
 struct RecordingScene {
     link::LinkStatus link;
     std::string_view pending{};              ///< received part of a line that has not ended
     double cell_size_m = 0.0;                ///< of the height map
     std::string level{};                     ///< of the server's map; empty: unknown
-    std::optional<protocol::Init> robot{};   ///< absent: none was asked for
-    const ScanRecord* of_behavior = nullptr; ///< its task and marks; null: none runs
+    std::optional<protocol::Init> robot{};   ///< nullopt: no robot was requested
+    const ScanRecord* of_behavior = nullptr; ///< its task and marks; null: no behavior runs
 };
 
-/// Does nothing while nothing is recorded, except that it keeps what a recording would have to begin with. A recording
-/// that breaks off is a notice, and ends. Belongs to one session and its thread.
+/// While nothing is recorded, it only keeps the values with which a recording would have to begin. If writing fails, it
+/// reports a notice and ends the recording. Belongs to one session and its thread.
 class RecordKeeping {
 public:
-    /// `owner` lives in the session's thread; it, `notices` and `incoming` must outlive this object. `looked` is called
-    /// twice a second during a recording.
+    /// `owner` belongs to the session's thread; it, `notices` and `incoming` must outlive this object. `looked` is
+    /// called twice a second during a recording.
     RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<void()> looked);
 
-    /// Ends a recording that runs, and begins with what its reader could not know otherwise.
+    /// Ends any current recording and starts a new one with the state that its reader could not know otherwise.
     Result<void> begin(const QString& path, RecordingFacts facts, const RecordingScene& scene);
     void end();
     bool on() const { return writer_ != nullptr; }
@@ -49,7 +49,7 @@ public:
     QString path() const;
     /// As RecordingWriter::flush; needs a recording.
     void flush(std::function<void()> done) { writer_->flush(std::move(done)); }
-    /// Absent: nothing is recorded.
+    /// Returns nullopt if nothing is recorded.
     std::optional<RecordingFigures> figures() const;
 
     /// `place` is "host:port".
@@ -60,13 +60,14 @@ public:
     void noteFault(const std::string& sentence) { note("fault", sentence); }
     /// The behavior and the area named in `record` have begun.
     void noteTask(const ScanRecord& record);
-    /// A value of a behavior. If it runs in this session, what replaces its predecessor is kept for a later recording.
+    /// Notes a value published by a behavior. With `runs_here`, the newest of values that replace each other is also
+    /// kept for a later recording.
     void notePublished(const agent::Published& value, bool runs_here);
-    /// Notes the end of a behavior that did not tell it itself.
+    /// Notes the end of a behavior that did not publish it itself.
     void noteFinished(const agent::BehaviorFinished& finished);
-    /// There is no behavior any more, so nothing of it is kept.
+    /// Forgets the values of the behavior because it is gone.
     void forgetBehavior() { so_far_.clear(); }
-    /// Ends a recording that has broken off, with a notice.
+    /// Ends a recording whose writing has failed, with a notice.
     void look();
 
 private:

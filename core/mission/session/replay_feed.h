@@ -1,4 +1,4 @@
-// Replay in a session: what a recording plays becomes what a live connection would have brought, and nothing is sent.
+// Replay in a session: turns the records of a recording into the events of a live connection, and sends nothing.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,11 @@ public:
     virtual ~ReplayStage() = default;
     /// Everything received so far is void.
     virtual void replayRewound() = 0;
-    /// What the recording's facts say about the map; a size is absent if they do not say it.
+    /// Reports the map as described by the recording's facts; the cell size is nullopt if they do not contain it.
     virtual void replayBegan(std::optional<double> cell_size_m, const std::string& level) = 0;
     virtual void replayLinkChanged(const link::LinkStatus& status) = 0;
     virtual void replayConnected() = 0;
-    /// `lost`: not closed by us.
+    /// `lost`: the connection was not closed by us.
     virtual void replayClosed(bool lost) = 0;
     virtual void replayLine(std::string_view text, LineNumber number) = 0;
     /// The dialect in which commands were sent.
@@ -39,14 +39,14 @@ public:
     virtual void replayTask(const ReplayedTask& task, const std::string& robot_name) = 0;
     virtual void replayFinished(const agent::BehaviorFinished& finished) = 0;
     virtual void replayFault(const std::string& sentence) = 0;
-    /// On: what follows is only passed on the way to another moment.
+    /// `on`: a seek begins; what follows is only passed on the way to another moment.
     virtual void replaySeeks(bool on) = 0;
     virtual void replayChanged() = 0;
     virtual void replayEnds() = 0;
 };
 
-/// During a seek, only values that add up are passed on; of all others the newest is enough, and an hour of them would
-/// be too much. Belongs to one session and its thread.
+/// During a seek, only cumulative values are all passed on; for the others only the newest is passed on, because an
+/// hour of them would be too much. Belongs to one session and its thread.
 class ReplayFeed : private link::ReplayTaker {
 public:
     /// `stage` must outlive this object.
@@ -55,13 +55,13 @@ public:
     void begin(std::unique_ptr<link::RecordingReader> recording);
     void order(const ReplayOrder& order);
     void end();
-    /// A connection begins on the stage, replayed or live: its traffic is counted anew.
+    /// Resets the traffic counts because a connection, replayed or live, begins on the stage.
     void beginConnection() { traffic_ = {}; }
 
     bool on() const { return replayer_ != nullptr; }
     const link::LinkStatus& linkStatus() const { return link_; }
     const protocol::TrafficCounts& traffic() const { return traffic_; }
-    /// Absent: nothing is replayed.
+    /// Returns nullopt if nothing is replayed.
     std::optional<link::ReplayFigures> figures() const;
 
 private:
@@ -81,7 +81,7 @@ private:
     std::unique_ptr<link::Replayer> replayer_;
     link::LinkStatus link_;
     protocol::TrafficCounts traffic_;
-    /// During a seek: the newest value of each kind of which only the newest matters.
+    /// During a seek: the newest value of each kind for which only the newest matters.
     std::map<std::size_t, agent::Published> newest_on_the_way_;
     bool on_the_way_ = false;
 };

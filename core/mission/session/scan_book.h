@@ -1,4 +1,4 @@
-// What one robot has found and its session keeps: the height map, the path, the marks, and whose they are.
+// Results of one robot's scan that its session keeps: the height map, the path, the marks, and whose they are.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace usar::mission {
 
-/// Outlives connections and behaviors; only a replay that begins again empties it. Belongs to one session and its
+/// Outlives connections and behaviors; only a replay that starts again empties it. Belongs to one session and its
 /// thread.
 class ScanBook {
 public:
     /// `notices` must outlive this object.
     ScanBook(double cell_size_m, Notices& notices) : notices_(notices), mapper_(cell_size_m) {}
 
-    /// Lines are numbered anew, so scans of the old connection cannot be placed any more.
+    /// Forgets unplaced scans: on a new connection they can no longer be matched with their placements.
     void beginConnection() { mapper_.forgetScans(); }
-    /// Keeps nothing but the level.
+    /// Forgets everything except the level.
     void rewind();
-    /// Makes the map of a replay ready, which is empty. Without a size its cells stay as they are.
+    /// Prepares an empty map for a replay. Without a size the cell size stays the same.
     void beginReplay(std::optional<double> cell_size_m, const std::string& level);
     void beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map);
 
@@ -33,7 +33,7 @@ public:
     /// Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);
 
-    /// The raster is filled by `snapshot` only.
+    /// The record without its raster, which only `snapshot` fills in.
     const ScanRecord& record() const { return record_; }
     ScanRecord snapshot() const;
     double cellSize_m() const { return mapper_.map().cellSize_m(); }
