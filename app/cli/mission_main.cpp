@@ -1,4 +1,4 @@
-// usar-mission: one mission, headless, and what becomes of its recording.
+// usar-mission: flies one mission without a window, and processes its recording.
 #include <cstdio>
 #include <memory>
 
@@ -52,8 +52,8 @@ Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options,
     return faults;
 }
 
-/// A simulator of our own for the mission's world, or nullptr where the command line names a server; `run_options` get
-/// what there is to know of either.
+/// Starts a simulator for the mission's world; returns nullptr if the command line names a server. Fills `run_options`
+/// with the details of whichever is used.
 Result<std::unique_ptr<app::HeadlessSimulator>>
 serverFor(const mission::MissionOptions& options, const mission::Mission& plan, mission::RunOptions& run_options) {
     if (const auto possible = mission::checkFaultsArePossible(options, plan); !possible)
@@ -114,7 +114,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
 
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures have text, and text needs a QGuiApplication
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
     if (QCoreApplication::arguments().value(1) == "lines")

@@ -124,7 +124,7 @@ void DriveDesk::endControl() {
         showControl();
 }
 
-/// It was taken, or has ended.
+/// Enables the drive keys while the user has control; releases the pad and stops repeating when control has ended.
 void DriveDesk::showControl() {
     keys_.setActive(taken());
     if (!taken()) {
@@ -137,7 +137,7 @@ void DriveDesk::showControl() {
 void DriveDesk::requestControl(bool take) {
     if (take && live()) {
         for (const HandSource source : mission::HandRequests::sources)
-            say(source); // what is held already has to be let go first
+            say(source); // a device that is held already has to be released first
         robot()->takeControl();
         beginControl();
         gamepad_.start();
@@ -175,7 +175,7 @@ void DriveDesk::letGo(const QString& reason) {
     views_.drive->letGo();
 }
 
-/// Behavior or hand, it ends.
+/// Ends both a running behavior and driving by hand.
 void DriveDesk::stopRobot() {
     if (!robot() || robot()->isReplay())
         return;

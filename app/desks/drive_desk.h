@@ -1,4 +1,4 @@
-// Brings the person's hands to the selected robot: keys, the pad in the dock, a gamepad.
+// Lets the user drive the selected robot by hand: with keys, the pad in the dock, or a gamepad.
 #pragma once
 
 #include <QElapsedTimer>
@@ -13,28 +13,28 @@
 
 namespace usar::app {
 
-/// GUI thread. The rules of who drives live in the robot's session (hand_control.h): here is only said what each hand
-/// asks, at once and then twenty times a second while it asks for anything. A lost focus, another selected robot, an
-/// unplugged gamepad and a closing window let everything go.
+/// The robot's session decides who drives (hand_control.h). This desk only sends it what each input device requests, at
+/// once and then twenty times a second while the device is deflected. All devices count as released if the focus is
+/// lost, another robot is selected, the gamepad is unplugged or the window closes. Belongs to the GUI thread.
 class DriveDesk : public QObject {
     Q_OBJECT
 public:
     explicit DriveDesk(const DeskContext& context);
 
     void registerCommands();
-    /// Once commands are registered.
+    /// Connects signals; call it after all commands are registered.
     void wire();
-    /// Everything is let go and control is given back.
+    /// Releases all devices and gives control back.
     void leave();
 
-    /// The person has asked for control of the selected robot, or has it.
+    /// True if the user has requested control of the selected robot or has it.
     bool taken() const { return requests_.taken(); }
-    double speedShare() const;
+    double speedShare() const; ///< 0..1 of the robot's top speed
     void setSpeedShare(double share);
     Gamepad& gamepad() { return gamepad_; }
 
 signals:
-    /// Nobody can drive faster than the clock on the wall.
+    /// Simulated time should run in real time, because nobody can drive by hand at another pace.
     void realTimeWanted();
 
 private:
@@ -68,11 +68,11 @@ private:
     NoticeDesk& notices_;
     widgets::DriveKeys keys_;
     Gamepad gamepad_;
-    QTimer beat_;
+    QTimer beat_; ///< repeats the requests of deflected devices
     mission::HandRequests requests_;
     mission::VelocityWatch velocity_;
     QElapsedTimer clock_; ///< wall time
-    int selected_ = 0;
+    int selected_ = 0;    ///< id of the selected robot; 0: none
 };
 
 } // namespace usar::app

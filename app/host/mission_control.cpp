@@ -16,7 +16,7 @@ MissionControl::MissionControl(QObject* parent) : Fleet(server::behaviorHostProg
     wireSimulator();
 }
 
-/// While the simulator still runs, so that every robot is stopped.
+/// Ends the sessions while the simulator still runs, so that every robot is stopped.
 MissionControl::~MissionControl() {
     endSessions();
 }
@@ -47,7 +47,7 @@ void MissionControl::connectTo(const ServerTarget& target) {
     target_ = target;
     if (!target.embedded)
         return openLink(target.host, target.port, false);
-    if (target.simulator.snapshot.isEmpty()) // which has a seed of its own
+    if (target.simulator.snapshot.isEmpty()) // a snapshot has its own seed
         setSeed(target.simulator.seed);
     simulator_.start(target.simulator);
 }

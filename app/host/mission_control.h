@@ -1,4 +1,4 @@
-// The program without its window: a fleet of robots, and the embedded simulator that they may live in.
+// The program without its window: a fleet of robots, and the embedded simulator that may host them.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ using mission::Robot;
 using mission::RobotView;
 using mission::StartedBehavior;
 
-/// Where robots live: in the simulator that comes with the program, or on a server.
+/// The server to connect to: the embedded simulator, or a server at `host` and `port`.
 struct ServerTarget {
     bool embedded = true;
     QString host = "127.0.0.1";
@@ -22,29 +22,32 @@ struct ServerTarget {
     server::SimulatorSpec simulator;
 };
 
-/// A fleet that can start a simulator of its own, in a thread of its own. Lives in the GUI thread and never waits in
-/// it.
+/// A fleet that can start an embedded simulator, which runs in a separate thread. Belongs to the GUI thread and never
+/// blocks it.
 class MissionControl : public mission::Fleet {
     Q_OBJECT
 public:
     explicit MissionControl(QObject* parent = nullptr);
     ~MissionControl() override;
 
+    /// Calls `disconnectFromServer`, then starts the embedded simulator or connects to the server.
     void connectTo(const ServerTarget& target);
     server::SimulatorHost& simulator() { return simulator_; }
     const ServerTarget& server() const { return target_; }
     /// The embedded simulator's world; empty on a real server.
     const server::WorldPicture& world() const { return world_; }
-    /// What plugins can drive, and then what the embedded simulator has besides, which only commands drive.
+    /// Returns the robots that plugins can drive, followed by the embedded simulator's other robots, which can only be
+    /// driven by commands.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
-    /// Of the embedded simulator; a real server's time cannot be steered.
+    /// Sets the pace of the embedded simulator; a real server's time cannot be controlled.
     void setPace(server::Pace pace, double factor);
-    /// In the embedded simulator, from now on. An error names the first text that is no fault.
+    /// Injects faults into the embedded simulator; their times count from now. An error names the first text that is
+    /// not a fault.
     Result<void> addFaults(const QStringList& texts);
 
 signals:
     void worldKnown(const usar::server::WorldPicture& world);
-    /// Other robots can be spawned now.
+    /// The result of `robotsToSpawn` has changed.
     void classesChanged();
 
 private:
@@ -52,13 +55,13 @@ private:
     void enter(quint16 port, const server::WorldPicture& world, const std::vector<sim::Simulation::Orphan>& waiting);
     void leave();
     void learn(const QString& class_name, bool has_camera);
-    /// The next robot of a snapshot gets the connection that is free.
+    /// Gives the spare connection to the next waiting robot of a snapshot.
     void goOnWithNext();
 
     server::SimulatorHost simulator_;
     ServerTarget target_;
-    server::WorldPicture world_;                   ///< empty on a real server
-    std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that want a connection each
+    server::WorldPicture world_;                   ///< the embedded simulator's; empty on a real server
+    std::vector<sim::Simulation::Orphan> waiting_; ///< robots of a snapshot that each need a connection
 };
 
 } // namespace usar::app
