@@ -15,7 +15,7 @@
 
 namespace usar::mission {
 
-/// Height over ground in meters of a robot that dives, since it submerged. The keys are least_height_m, mean_height_m
+/// Height above the ground, in meters, of a diving robot since it submerged. The keys are least_height_m, mean_height_m
 /// and height_spread_m (standard deviation).
 struct HeightOverGround {
     double least_m = 0.0;
@@ -23,7 +23,7 @@ struct HeightOverGround {
     double spread_m = 0.0;
 };
 
-/// Figures of our robot that only a simulator can count.
+/// Figures of our robot that only a simulator can measure.
 struct TrueFigures {
     int collisions = 0;
     double distance_m = 0.0;   ///< path length; key true_distance_m
@@ -34,7 +34,7 @@ struct TrueFigures {
     std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
 };
 
-/// Figures of a run, of the window or without one. The JSON keys are the field names unless noted. All of them are
+/// Figures of a run, with or without a window. The JSON keys are the field names unless noted. All of them are
 /// present, however the run ended; unknown figures are null. A key speed_x is added: protocol seconds per wall second.
 /// A default-constructed summary describes a run that was refused before it began.
 struct RunSummary {
@@ -56,19 +56,19 @@ struct RunSummary {
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;
-    QStringList faults; ///< faults that were made to happen, with their times
-    QStringList files;  ///< full paths
+    QStringList faults; ///< injected faults, with their times
+    QStringList files;  ///< full paths of the saved files
 };
 
-/// What only the owner of the simulator knows of a run.
+/// Facts about a run that only the owner of the simulator knows.
 struct SimulatorFacts {
     std::optional<TrueFigures> truth;
     std::optional<std::uint64_t> seed;
 };
 
-/// Takes the counts of lines, and whether the server waits for us.
+/// Adds the line counts and whether the server runs in lockstep.
 void addSession(RunSummary& summary, const SessionFigures& figures);
-/// Takes distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
+/// Adds distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
 /// do not call it in the GUI thread.
 void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth);
 

@@ -1,4 +1,4 @@
-// What a user tells a session: which robot to spawn, how long to wait for what, and what a replay shall do.
+// A user's orders to a session: the robot to spawn, time limits, and commands to a replay.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,10 @@ struct ReplayOrder {
     std::optional<Seconds> seek{};       ///< time since the recording's beginning
     std::optional<Seconds> seek_by{};    ///< relative to the position, or to the target of a running seek
     std::optional<Seconds> seek_clock{}; ///< time on the robot's clock
-    bool step = false;                   ///< to the next bytes from the server
+    bool step = false;                   ///< advances to the next bytes from the server
 };
 
+/// The robot to spawn, its name, and its start pose in the map frame.
 struct SpawnRequest {
     std::string class_name = "USARBot.AirRobot";
     std::string robot_name = "R1";
@@ -41,7 +42,7 @@ struct SessionLimits {
     Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
     Seconds behavior{1.0};               ///< wall: the behavior's answer
     Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
-    std::size_t unsent_bytes = 1u << 16; ///< with more in the queue, drives wait, and the newest replace older ones
+    std::size_t unsent_bytes = 1u << 16; ///< above this, DRIVEs wait, and newer ones replace older ones
 };
 
 } // namespace usar::mission

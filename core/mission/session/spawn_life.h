@@ -1,4 +1,4 @@
-// The robot of one connection, from the wish to spawn it to its first word.
+// The spawning of one connection's robot, from the request to its first data.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace usar::mission {
 
-/// What a spawn needs of its session.
+/// Interface of the session that a spawn uses.
 class SpawnOwner {
 public:
     virtual ~SpawnOwner() = default;
@@ -23,8 +23,8 @@ public:
     virtual void robotFailed(const std::string& reason) = 0;
 };
 
-/// Sends one INIT per connection, and believes that the robot is there as soon as data comes: no server confirms an
-/// INIT. Wall times are arguments and count from any moment. Belongs to one session and its thread.
+/// Sends one INIT per connection, and assumes that the robot has spawned as soon as data arrives: no server confirms
+/// an INIT. Wall times are arguments and count from any moment. Belongs to one session and its thread.
 class SpawnLife {
 public:
     /// Both must outlive this object.
@@ -35,7 +35,7 @@ public:
     /// The newest request, also after its robot was lost.
     const SpawnRequest& request() const { return request_; }
     const std::string& robotName() const { return request_.robot_name; }
-    /// True for a station, which never says that it has come, and neither drives nor sends.
+    /// True if the robot is a base station, which sends no data and does not drive, so its spawn is never confirmed.
     bool isStation() const;
     /// The INIT that was sent on this connection and has not failed.
     std::optional<protocol::Init> standingInit() const;
@@ -43,25 +43,25 @@ public:
     /// Refused with a notice while there is no connection or a robot on it.
     void ask(const SpawnRequest& request, bool connected, Seconds wall);
     void beginConnection();
-    /// Sends what waited for a new connection.
+    /// Sends a request that was waiting for a new connection.
     void connected(Seconds wall);
-    /// Data of a robot have come.
+    /// Takes note that data from a robot has arrived.
     void heard();
-    /// The protocol's clock when a line had been taken; the first one with a robot counts as its time of spawning.
+    /// Takes the protocol clock after each line; its first value after the spawn counts as the spawn time.
     void passed(Seconds now);
-    /// Silence after INIT means a failed spawn.
+    /// Fails the spawn if the robot has been silent for longer than `limit` after INIT.
     void look(Seconds wall, Seconds limit);
     /// Returns the state of the spawn that was lost with the connection.
     SpawnState loseConnection();
-    /// To be called with what `loseConnection` returned: the robot had been there.
+    /// Reports that a spawned robot was lost; `lost` is the result of `loseConnection`.
     void reportLoss(SpawnState lost);
-    /// Likewise: the server hung up instead of an answer.
+    /// Reports that the server closed the connection instead of answering INIT; `lost` as above.
     void reportRefusal(SpawnState lost);
-    /// There is no robot any more.
+    /// Forgets the robot because it no longer exists.
     void end() { set(SpawnState::None); }
     /// Forgets a request that waits for a new connection.
     void dropWaiting() { waiting_.reset(); }
-    /// A replayed INIT.
+    /// Takes an INIT from a replay.
     void sawInit(const protocol::Init& init);
 
     void describe(SessionFigures& figures) const;
@@ -75,12 +75,12 @@ private:
     Notices& notices_;
     SpawnState state_ = SpawnState::None;
     SpawnRequest request_;
-    std::optional<SpawnRequest> waiting_; ///< for a new connection
+    std::optional<SpawnRequest> waiting_; ///< waits for a new connection
     std::optional<Seconds> asked_at_;     ///< wall time of the newest INIT
     Seconds spawned_at_{0.0};             ///< protocol clock; 0 until it is known
 };
 
-/// Fails for names that no line can contain.
+/// Returns the INIT command for a request; fails if a protocol line cannot contain its names.
 Result<protocol::Init> initOf(const SpawnRequest& request);
 
 } // namespace usar::mission

@@ -1,4 +1,4 @@
-// Paces the updates of a session: what has changed is collected, and handed out once per frame.
+// Paces the updates of a session: collects changes and hands them out once per frame.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@ namespace usar::mission {
 /// Collects nothing while nobody observes the session. Belongs to one session and its thread.
 class UpdateFeed {
 public:
-    /// `owner` lives in the session's thread and must outlive this object. `is_observed` is asked at most once per
-    /// frame; `show` shall take an update with `take` and hand it out.
+    /// `owner` belongs to the session's thread and must outlive this object. `is_observed` is asked at most once per
+    /// frame; `show` must get an update by `take` and hand it out.
     UpdateFeed(QObject& owner, std::function<bool()> is_observed, std::function<void()> show);
 
     void lookForObservers() { observed_ = is_observed_(); }
-    /// Something has changed: there will be an update within 16 ms.
+    /// Schedules an update within 16 ms because something has changed.
     void touched();
-    /// Hands out an update now instead of then.
+    /// Hands out an update now instead of with the next frame.
     void showNow();
     /// While muted, no updates are handed out; what is added is still collected.
     void mute(bool on);
@@ -31,7 +31,7 @@ public:
     void addCommand(const agent::CausedCommand& command, std::string text, LineNumber after, Seconds now);
     void addPublished(const std::vector<agent::Published>& published);
     void addTask(ReplayedTask task) { collector_.addTask(std::move(task)); }
-    /// The next update says that everything before is void.
+    /// Marks in the next update that everything before it is void.
     void rewind() { collector_.rewind(); }
     std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, const SessionFigures& figures);
     /// Fills in what was measured at the last update.

@@ -1,4 +1,4 @@
-// Notices what is missing in a session: start poses, the robot's voice, a sensor, a server that reads.
+// Watches a session for missing start poses, a silent robot or sensor, and a server that does not read.
 #pragma once
 
 #include <cstdint>
@@ -19,33 +19,33 @@ public:
     /// `notices` must outlive this object.
     explicit Vigil(Notices& notices) : notices_(notices) {}
 
-    /// Forgets the sensors.
+    /// Sets the time limits and forgets the sensors.
     void setLimits(const SessionLimits& limits);
-    /// Forgets the sensors, and all that was missing.
+    /// Forgets the sensors and everything that was reported missing.
     void beginConnection();
-    /// The server was reached; start poses are expected from now on.
+    /// Expects start poses from now on because the server was reached.
     void connected(Seconds wall) { connected_at_ = wall; }
-    /// Forgets how many lines were too long.
+    /// Resets the count of lines that were too long.
     void rewind() { overlong_ = 0; }
 
     void heardStartPoses();
-    /// Takes a message of the robot itself.
+    /// Takes a message from the robot itself.
     void heardRobot(const protocol::InfoMessage& message, const std::string& robot_name, Seconds now, Seconds wall);
-    /// The silence until now was not the robot's fault.
+    /// Restarts the measurement of the robot's silence, which was not its fault so far.
     void forgive(Seconds wall) { heard_at_ = wall; }
     /// `expected`: the server's time is stopped on purpose, so silence is not reported.
     void expectSilence(bool expected, Seconds wall);
-    /// For how long nothing has come from a robot; absent before the first word.
+    /// Wall time since the last message from the robot; nullopt before the first one.
     std::optional<Seconds> silentFor(Seconds wall) const;
 
     void lookForStartPoses(Seconds wall);
-    /// For a robot that has spawned and should speak.
+    /// Reports a silent robot; to be called while a spawned robot should send.
     void lookForRobot(const std::string& robot_name, Seconds wall);
-    /// An empty battery explains a sensor's silence.
+    /// Reports sensors that fell silent; an empty battery explains their silence.
     void lookForSensors(Seconds now, bool battery_is_empty);
-    /// `unsent_bytes` wait because the server at `place` does not read.
+    /// Reports that `unsent_bytes` are waiting because the server at `place` does not read.
     void lookAtQueue(std::size_t unsent_bytes, const std::string& place);
-    /// `count`: lines so far that were too long to read.
+    /// Reports lines that were too long to read; `count` is their number so far.
     void lookAtOverlong(std::uint64_t count);
     std::uint64_t overlong() const { return overlong_; }
 

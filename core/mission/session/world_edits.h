@@ -1,4 +1,4 @@
-// The commands by which a person puts objects into the world and moves them: how high above the ground, and how.
+// The commands by which the user places objects in the world and moves them, and their height above the ground.
 #pragma once
 
 #include <functional>
@@ -19,29 +19,29 @@ struct NewObject {
     std::string name;
     Vec3 size_m = Vec3::Ones(); ///< along its own axes, scaled
     Vec3 scale = Vec3::Ones();  ///< factors relative to the size of its class
-    bool conveyor = false;      ///< it stands on the ground and does not fall
+    bool conveyor = false;      ///< true: it stands on the ground and does not fall
 };
 
-/// The word for an object in a command; a name that no line can carry becomes "unnamed".
+/// Returns the name as it is written in a command; "unnamed" for a name that a protocol line cannot contain.
 protocol::Token tokenOf(const std::string& name);
 
-/// Creates the object standing on the ground at `at_m`; one that falls begins 2 cm higher, so that none begins inside
-/// the ground. Fails on a class name that no line can carry.
+/// Creates the object standing on the ground at `at_m`; an object that can fall starts 2 cm higher, so that it does not
+/// start inside the ground. Fails if a protocol line cannot contain the class name.
 Result<protocol::CreateObject> placed(const NewObject& object, const Vec2& at_m, double ground_m);
 
-/// The pose of an object that is moved to another place, as high over the ground there as it was before.
+/// Returns the pose of an object moved to another place, at the same height above the ground as before.
 Pose movedTo(const Pose& body_in_map, const Vec2& center_m, const GroundHeight& ground);
-/// A way point, as high over the ground as the object is now.
+/// Returns a waypoint at the object's present height above the ground, in meters in the map frame.
 Vec3 waypointAt(const Pose& body_in_map, const Vec2& at_m, const GroundHeight& ground);
 
-/// How an object goes along its way.
+/// Motion of an object along its waypoints, or of a conveyor's belt.
 struct Motion {
-    double speed_m_s = 0.0; ///< negative runs a belt backward; along a way only the amount counts
-    bool loop = false;      ///< the way begins anew at its end
+    double speed_m_s = 0.0; ///< negative runs a belt backward; along waypoints only the magnitude counts
+    bool loop = false;      ///< true: from the last waypoint it starts again
     bool moving = true;     ///< false: it stops
 };
 
-/// Starts or stops an object along its way points; a conveyor that has none runs its belt.
+/// Starts or stops an object along its waypoints; a conveyor without waypoints runs its belt.
 protocol::Command motionOf(const std::string& name, bool is_conveyor, bool has_way, const Motion& motion);
 
 } // namespace usar::mission

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double scale_tolerance = 0.02; // Servers round sizes.
 
-/// "Crate" of "USARPhysObj.Crate".
+/// Returns "Crate" for "USARPhysObj.Crate".
 std::string withoutPackage(const std::string& class_name) {
     return class_name.substr(class_name.rfind('.') + 1);
 }
@@ -58,12 +58,12 @@ std::optional<protocol::CreateObject> WorldInventory::creationOf(const std::stri
                                       sameWord(withoutPackage(own->second), withoutPackage(thing->class_name)));
     if (thing->class_name.empty() && !is_own)
         return std::nullopt;
-    protocol::CreateObject created{tokenOf(is_own ? own->second : thing->class_name)}; // of no class: "unnamed"
+    protocol::CreateObject created{tokenOf(is_own ? own->second : thing->class_name)}; // "unnamed" without a class
     created.object_name = protocol::Name::mended(name);
     created.start = thing->body_in_map;
     const std::optional<Vec3> class_size_m = is_own ? std::nullopt : size_of_class_(thing->class_name);
     if (!class_size_m || !thing->size_m)
-        return created; // in the size that its class has
+        return created; // at the normal size of its class
     if (const Vec3 scale = thing->size_m->cwiseQuotient(*class_size_m); !scale.isApprox(Vec3::Ones(), scale_tolerance))
         created.scale = scale;
     return created;
