@@ -49,7 +49,7 @@ struct LayerState {
 
 using LayerStates = std::array<LayerState, map_layer_count>;
 /// Initial state of map and layers panel: everything visible except the radio links; the world is faint, so that it
-/// stays in the background of what is measured.
+/// stays in the background of the measurements.
 LayerStates firstLayers();
 
 /// A robot as the map needs it. `number` 1..9 selects its color and key.
@@ -68,7 +68,7 @@ struct RobotOnMap {
     MapRobot robot;
     /// Path since the spawn, without stale poses.
     Trail trail;
-    /// Place that the behavior is heading for; nullopt while it has no goal.
+    /// Place toward which the behavior is driving; nullopt while it has no goal.
     std::optional<Vec3> goal_in_map_m;
     /// End points of the newest scan; NaN for beams that hit nothing.
     std::vector<Vec3> hits_in_map_m;
@@ -76,7 +76,7 @@ struct RobotOnMap {
 
 /// The mission area while it is drawn and afterwards.
 struct AreaOnMap {
-    /// Not drawn yet if nullopt. Never an empty rectangle.
+    /// nullopt before the first drawing; never an empty rectangle.
     std::optional<Rectangle> area_in_map;
     QString summary;                  ///< "9 lanes · 6 min 12 s", from the planner
     std::vector<Vec2> lanes_in_map_m; ///< planned or flown path, in order
@@ -105,7 +105,7 @@ struct MapContent {
     std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
     AreaOnMap area;
     std::map<QString, RobotOnMap> robots;
-    /// Name; empty: nobody. May name a robot that has no pose yet.
+    /// Name; empty: none. May name a robot that has no pose yet.
     QString selected_robot;
     /// Marks of all robots, in order of time.
     std::vector<agent::MapMark> marks;
@@ -124,15 +124,15 @@ struct MapContent {
 
     /// Adds a robot, or updates the one with the same name; a pose that is not stale extends its trail.
     void takeRobot(const MapRobot& robot);
-    /// The robot that is selected and on the map, else nullptr.
+    /// The selected robot; nullptr if none is selected or it is not on the map.
     const MapRobot* selectedRobot() const;
     /// Removes and deselects what is no longer among them.
     void setObjects(const std::vector<MapObject>& all);
     /// The object with this name; nullptr if there is none. Valid until the next setObjects.
     MapObject* object(const QString& name);
     const MapObject* object(const QString& name) const;
-    /// Makes the start pose that is `by` after the hot one the hot one, around both ends; the first (or last) one if
-    /// none was hot. Returns it, or nullptr if there are none.
+    /// Moves the highlight by `by` start poses, wrapping around at both ends; to the first (or last) one if none was
+    /// highlighted. Returns the highlighted start pose, or nullptr if there are none.
     const protocol::StartPose* stepStartPose(int by);
 };
 

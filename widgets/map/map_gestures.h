@@ -1,4 +1,4 @@
-// The mouse on the map: the active tool, the gesture in progress, and what the user wants by it.
+// Mouse handling of the map: the active tool, the gesture in progress, and the user's requests.
 #pragma once
 
 #include <QDropEvent>
@@ -16,14 +16,14 @@ enum class MapTool { Pan, Area, Place, Waypoint };
 /// MIME type of an object that is dragged out of the palette.
 inline constexpr const char* object_mime = "application/x-usar-thing";
 
-/// Takes all events of the mouse, and drags out of the palette, over a widget. While a drag lasts, the content shows
-/// what it would do; signals say what the user wants, as those of MapView with the same names do. Moving the ground is
+/// Takes all events of the mouse, and drags out of the palette, over a widget. During a drag, the content previews
+/// its effect; the signals report the user's requests, as do those of MapView with the same names. Moving the ground is
 /// left to the owner. Sets the widget's cursor and repaints it. GUI thread.
 class MapGestures : public QObject {
     Q_OBJECT
 public:
-    /// All three belong to the owner and must outlive the gestures. Of the content they change what is selected, what
-    /// is hot under the cursor, the area, and the held and the previewed object.
+    /// All three belong to the owner and must outlive the gestures. The gestures change these parts of the content: the
+    /// selection, the highlight under the cursor, the area, and the held and the previewed object.
     MapGestures(QWidget& widget, MapContent& content, const MapTransform& transform);
 
     MapTool tool() const { return tool_; }
@@ -34,17 +34,17 @@ public:
 
     /// True from a press until its release or cancel().
     bool inProgress() const { return gesture_ != Gesture::None; }
-    /// Ends the gesture and undoes what it has changed.
+    /// Ends the gesture and undoes its changes.
     void cancel();
-    /// Ends the gesture and undoes nothing, because what it has changed is gone.
+    /// Ends the gesture without undoing its changes, because the changed content no longer exists.
     void forget();
-    /// Place of the cursor in pixels of the widget; nullopt: not over it.
+    /// Position of the cursor in pixels of the widget; nullopt if it is outside.
     const std::optional<QPointF>& cursor_px() const { return cursor_px_; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The ground should follow the hand by this much.
+    /// The map should move by this much.
     void panned(const QPointF& by_px);
     void startPoseClicked(std::size_t start_pose);
     void spawnRequested(int start_pose);
@@ -62,7 +62,7 @@ private:
     enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip, DraggingObject };
     bool holdsArea() const { return gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip; }
     MapHits hits() const { return {content_, transform_}; }
-    /// The two return false if the event is of another kind.
+    /// These two functions return false if the event is of another kind.
     bool takeMouse(QEvent* event);
     bool takeDrag(QEvent* event);
     void press(const QMouseEvent& event);
@@ -72,7 +72,7 @@ private:
     void leave();
     void dragIn(QDropEvent& event);
     void drop(QDropEvent& event);
-    /// The pressed mouse has moved so far that it is no click.
+    /// Starts a drag, because the pressed mouse has moved too far for a click.
     void beginDrag();
     void beginAreaDrag();
     /// Starts to drag the object where the mouse was pressed; returns false if there is none.
@@ -100,7 +100,7 @@ private:
     Gesture gesture_ = Gesture::None;
     std::optional<QPointF> cursor_px_;
     QPointF pressed_px_;
-    Vec2 pressed_m_ = Vec2::Zero(); ///< the ground there, even if it moves away
+    Vec2 pressed_m_ = Vec2::Zero(); ///< ground point at `pressed_px_` when pressed, in the map frame
     QPointF last_px_;
     AreaGrip held_grip_;
     std::optional<Rectangle> area_before_; ///< area before the drag

@@ -18,7 +18,7 @@ public:
     /// True if this point is within reach and no farther than all before.
     bool take(const QPointF& at_px) {
         const double distance_px = std::hypot(at_px.x() - to_px_.x(), at_px.y() - to_px_.y());
-        if (!(distance_px <= best_px_)) // Nor is a place that is not a number.
+        if (!(distance_px <= best_px_)) // Also rejects NaN.
             return false;
         best_px_ = distance_px;
         return true;

@@ -1,4 +1,4 @@
-// What of the map's content is under a point of the screen, and what a tooltip says about it.
+// Hit tests: the map's content under a point on the screen, and the tooltip for it.
 #pragma once
 
 #include <optional>

@@ -11,18 +11,19 @@ namespace usar::widgets {
 namespace zoom_step {
 inline constexpr double closer = 1.25; ///< by key or command
 inline constexpr double farther = 0.8;
-/// Factor of a turn of the mouse wheel, given as the y of QWheelEvent::angleDelta: 1.2 for each notch of 120.
+/// Returns the factor for a turn of the mouse wheel, given as the y of QWheelEvent::angleDelta: 1.2 for each notch of
+/// 120.
 double ofWheel(int angle_delta);
 } // namespace zoom_step
 
-/// A value. Places in the drawing are in pixels at a scale of 1, places on the screen in device-independent pixels; y
-/// goes down in both. The viewport is the size of the view; empty bounds are those of an empty drawing.
+/// A plain value. Places in the drawing are in pixels at a scale of 1, places on the screen in device-independent
+/// pixels; y goes down in both. The viewport is the size of the view; empty bounds are those of an empty drawing.
 struct PanZoom {
     static constexpr double minimum_scale = 0.01;
     static constexpr double maximum_scale = 4.0;
     /// Smallest scale at which texts can be read.
     static constexpr double readable_scale = 0.8;
-    /// Room that is left around what is shown.
+    /// Margin around the shown part.
     static constexpr double margin_px = 16.0;
 
     /// Screen pixels for each pixel of the drawing.

@@ -12,6 +12,7 @@
 
 namespace usar::widgets {
 
+/// Description of a command of the editor.
 struct PlanCommand {
     const char* name; ///< unique: "undo", "move_up", "wrap_pattern"
     QString text;

@@ -1,4 +1,4 @@
-// A plan as it is drawn: its tree, what of it is folded, and where each card is.
+// The drawing of a plan: its tree, its folded parts, and the position of each card.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace usar::widgets {
 
-/// Lays out when somebody asks, and not again until something has changed. Places are in pixels at a scale of 1. GUI
+/// Computes the layout on demand, and again only after a change. Places are in pixels at a scale of 1. GUI
 /// thread, because it measures fonts.
 class PlanDrawing {
 public:
@@ -21,16 +21,16 @@ public:
     const PlanFolds& folds() const { return folds_; }
     const PlanLayout& layout();
 
-    /// The two make another tree, in which parts with the same names stay folded. They return the tree before.
+    /// These two build another tree, in which parts with the same names stay folded. They return the previous tree.
     PlanTree setPlan(const posh::Plan& plan);
     PlanTree setSharing(PlanSharing sharing);
     PlanSharing sharing() const { return sharing_; }
-    /// nullopt: the usual one. Call turn() for it to take effect at once.
+    /// nullopt selects the usual flow. Call turn() for it to take effect immediately.
     void setFlow(std::optional<PlanFlow> flow) { flow_ = flow; }
     void forgetFolds();
-    /// The fonts may have changed.
+    /// Forgets the measured sizes, because the fonts may have changed.
     void forgetSizes();
-    /// Forgets the layout if another flow is wanted than it has; returns true then.
+    /// Forgets the layout and returns true if another flow is now wanted.
     bool turn();
     /// Changes what is folded. If `change` returns true, lays out again and returns by how much the node `held` has
     /// moved; 0 for -1, and if it is folded away or was not laid out before. Else returns nullopt.
@@ -54,7 +54,7 @@ private:
     PlanSharing sharing_ = PlanSharing::Once;
     PlanTree tree_;
     PlanFolds folds_;
-    std::vector<QSizeF> sizes_; ///< of the cards; empty: not measured yet
+    std::vector<QSizeF> sizes_; ///< sizes of the cards; empty: not measured yet
     double row_px_ = 20.0;      ///< height of a title or sense
     PlanLayout layout_;
     bool valid_ = false;

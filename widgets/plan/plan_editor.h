@@ -20,15 +20,15 @@
 namespace usar::widgets {
 
 /// The text is the only source: gestures in the drawing become edits of it, and one unlimited history, which saving
-/// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. State comes
-/// in by setters, wishes go out by signals; file dialogs belong to the window. GUI thread.
+/// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. Setters
+/// take the state, signals report the user's requests; file dialogs belong to the window. GUI thread.
 class PlanEditor : public QWidget {
     Q_OBJECT
 public:
     explicit PlanEditor(QWidget* parent = nullptr);
 
     /// The senses and acts of the robot that the plan is for: they fill palette and completion, and plans are checked
-    /// against them. Empty: plans are checked by themselves.
+    /// against them. Empty: plans are checked without a robot.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
     /// The plan that the robot is running now, for comparing; an empty text means none.
     void setRunningPlan(const QString& name, const std::string& text);
@@ -129,10 +129,10 @@ private:
     QSplitter* column_ = nullptr;
     PlanPalette* palette_ = nullptr;
     PlanTextPane* text_pane_ = nullptr;
-    PlanCodeEdit* text_ = nullptr; ///< of text_pane_
+    PlanCodeEdit* text_ = nullptr; ///< child of text_pane_
     PlanDrawingPane* drawing_ = nullptr;
-    PlanCanvas* canvas_ = nullptr;    ///< of drawing_
-    PlanPartEditor* parts_ = nullptr; ///< of drawing_
+    PlanCanvas* canvas_ = nullptr;    ///< child of drawing_
+    PlanPartEditor* parts_ = nullptr; ///< child of drawing_
     PlanLists* lists_ = nullptr;
     QLabel* state_ = nullptr;
     PlanPartCommands* part_commands_ = nullptr;
@@ -140,7 +140,7 @@ private:
     std::string running_text_;
     QTimer check_timer_;
     QTimer draw_timer_;
-    /// The text is changing the drawing, or the drawing the text; keeps each from following itself.
+    /// The text is changing the drawing, or the drawing the text; prevents an endless loop of updates.
     bool from_text_ = false;
     bool from_drawing_ = false;
     int narrow_ = -1; ///< 1: narrow layout, 0: wide; -1: not arranged yet

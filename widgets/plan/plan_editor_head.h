@@ -33,12 +33,12 @@ public:
     PlanEditorHead(const PlanActions& actions, const PlanEditorPanes& panes, const PlanEditorMenus& menus,
                    QWidget* parent = nullptr);
 
-    /// Returns false if it has this title already; then the tooltip stays, too.
+    /// Returns false if the title is unchanged; then the tooltip stays unchanged, too.
     bool setTitle(const QString& title, const QString& help);
     /// Enables "Put into the robot" if the plan is runnable, too. Else its tooltip says `why_not`; it is hidden if that
     /// is empty.
     void setApplicable(bool applicable, const QString& why_not);
-    /// Whether a robot could run the plan as it is.
+    /// `runnable`: a robot could run the current text of the plan.
     void setRunnable(bool runnable);
     /// A narrow head has two rows.
     void setNarrow(bool narrow);

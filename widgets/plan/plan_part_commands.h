@@ -13,7 +13,7 @@ namespace usar::widgets {
 class PlanPartCommands : public QObject {
     Q_OBJECT
 public:
-    /// All three must outlive it.
+    /// The first three arguments must outlive this object.
     PlanPartCommands(PlanActions& actions, PlanPartEditor& parts, PlanCanvas& canvas, QObject* parent);
 
     /// Disables the commands that make no sense for the selected part.

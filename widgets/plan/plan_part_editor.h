@@ -21,7 +21,7 @@ namespace usar::widgets {
 class PlanPartEditor : public QObject {
     Q_OBJECT
 public:
-    /// What a line editor over a part of the drawing changes.
+    /// The property that a line editor over a part of the drawing changes.
     enum class InPlace { Words, Rename, Trigger, Limit, Comment };
 
     /// `canvas` and `text` must outlive it; `owner` is the parent of dialogs.
@@ -57,13 +57,13 @@ public:
     void addForm(posh::FormKind kind, const std::string& base_name);
     /// Wraps the selected parts in a new form.
     void wrap(posh::FormKind kind);
-    /// Puts what the selected call does in its place.
+    /// Replaces the selected call by the content of the form that it calls.
     void inlineSelected();
     /// Remembers the first part by its place in the text until the text changes; swaps the second part with it.
     void swap();
 
 signals:
-    /// The text should become that of the edit, and the edited part selected.
+    /// The receiver must replace the text by that of the edit, and select the edited part.
     void editRequested(const usar::posh::PlanEdit& edit);
     /// The user is about to edit in the drawing, so it should be visible.
     void drawingWanted();
@@ -82,7 +82,7 @@ private:
     std::vector<agent::PrimitiveDescription> primitives_;
     posh::Plan plan_;
     std::string drawn_text_;
-    std::optional<PlanGestures> gestures_;     ///< of the drawn plan; nullopt if it cannot be edited
+    std::optional<PlanGestures> gestures_;     ///< gestures for the drawn plan; nullopt if it cannot be edited
     std::optional<posh::PlanPart> swap_first_; ///< first part to swap; valid while the drawn text is swap_text_
     std::string swap_text_;
 };

@@ -14,15 +14,15 @@
 
 namespace usar::widgets {
 
-/// Does not look for fixes itself: it says when they are wanted, and takes them by setters. GUI thread.
+/// Does not look for fixes itself: signals request them, and setters take them. GUI thread.
 class PlanTextPane : public QWidget {
     Q_OBJECT
 public:
     explicit PlanTextPane(QWidget* parent = nullptr);
 
     PlanCodeEdit& edit() { return *edit_; }
-    /// Says what is wrong in the cursor's line, else how many of these findings there are. `fits_robot`: the plan was
-    /// checked against a robot. The lamp goes out until setFixable.
+    /// Shows the finding in the cursor's line, or the number of findings if that line has none. `fits_robot`: the plan
+    /// was checked against a robot. The lamp is off until setFixable turns it on.
     void showFinding(const posh::Findings& findings, bool fits_robot);
     /// Lights the lamp and shows the button for fixes, or hides both.
     void setFixable(bool fixable);

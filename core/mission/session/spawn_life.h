@@ -35,7 +35,7 @@ public:
     /// The newest request, also after its robot was lost.
     const SpawnRequest& request() const { return request_; }
     const std::string& robotName() const { return request_.robot_name; }
-    /// True if the robot is a base station, which sends no data and does not drive, so its spawn is never confirmed.
+    /// True for a base station, which sends no data and does not drive; it counts as spawned as soon as INIT is sent.
     bool isStation() const;
     /// The INIT that was sent on this connection and has not failed.
     std::optional<protocol::Init> standingInit() const;

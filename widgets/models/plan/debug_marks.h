@@ -9,14 +9,14 @@
 
 namespace usar::widgets {
 
-/// Adds the breakpoints of this plan. Breakpoints on keys of the blackboard, and those whose place the plan does not
-/// have now, leave no mark.
+/// Adds the breakpoints of this plan. Breakpoints on keys of the blackboard, and those whose place the plan
+/// no longer has, leave no mark.
 void markBreakpoints(const BreakpointList& list, const std::string& plan_name, std::vector<PlanMark>& marks);
 /// Adds the places whose calls are pinned, and the drives that are switched off. `paths` are the paths of all places of
 /// the program, by place.
 void markPins(const agent::SetPins& pins, const posh::Program& program, const std::vector<std::string>& paths,
               std::vector<PlanMark>& marks);
-/// Adds the place where the plan stands still.
+/// Adds the place at which the plan is halted.
 void markHalt(const std::string& path, std::vector<PlanMark>& marks);
 
 } // namespace usar::widgets

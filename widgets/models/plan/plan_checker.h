@@ -14,13 +14,13 @@ namespace usar::widgets {
 /// Keeps the result for the newest text, so that a text is checked only once.
 class PlanChecker {
 public:
-    /// The senses and acts of the robot that the plan is for; empty: plans are checked by themselves.
+    /// The senses and acts of the robot that the plan is for; empty: plans are checked without a robot.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
     const std::vector<agent::PrimitiveDescription>& primitives() const { return primitives_; }
     /// True if plans are checked against a robot.
     bool binds() const { return !primitives_.empty(); }
 
-    /// The text has changed: the next call of check reads it.
+    /// Makes the next call of check read the text, because it has changed.
     void invalidate() { is_current_ = false; }
     bool isCurrent() const { return is_current_; }
     /// Reads and checks the text unless that has been done since the last change.
@@ -35,7 +35,7 @@ public:
     std::vector<posh::QuickFix> fixes(std::string_view text, const posh::Finding& finding) const;
 
 private:
-    /// Checks any text.
+    /// Reads and checks any text without keeping the result.
     posh::PlanReading read(std::string_view text) const;
 
     std::vector<agent::PrimitiveDescription> primitives_;

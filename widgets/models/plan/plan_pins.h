@@ -1,4 +1,4 @@
-// What a user has pinned or switched off in one run of a plan.
+// The calls that a user has pinned and the drives switched off in one run of a plan.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@ namespace usar::widgets {
 /// A pin belongs to a call: it holds wherever the plan makes this call.
 class PlanPins {
 public:
-    /// What the robot is to be told.
+    /// All pins and switched-off drives, to be sent to the robot.
     const agent::SetPins& all() const { return pins_; }
     bool empty() const { return pins_.empty(); }
 

@@ -17,14 +17,14 @@ public:
     /// Forgets the search.
     void moveTo(const PlanTree& to, const PlanTree& from);
 
-    /// Searches anew; without words nothing is found.
+    /// Replaces the search; finds nothing if `words` is empty.
     void search(const PlanTree& tree, const QString& words);
     /// The nodes that were found, in ascending order.
     const std::vector<int>& found() const { return found_; }
     /// The same by node: true if it was found; empty if none was.
     const std::vector<bool>& foundByNode() const { return found_by_node_; }
     bool isFound() const;
-    /// The found node after or before the selected one, around both ends; -1 if none was found.
+    /// The found node after or before the selected one, wrapping around at both ends; -1 if none was found.
     int nextFound(bool backward) const;
 
 private:

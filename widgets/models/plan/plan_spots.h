@@ -9,7 +9,7 @@
 
 namespace usar::widgets {
 
-/// A place of a program, by what breakpoints and pins refer to it.
+/// A place of a program, with the names by which breakpoints and pins refer to it.
 struct PlanSpot {
     std::string path;  ///< "/P:0/DC:0/DE:1"
     std::string names; ///< the same path as names, separated by " ▸ "

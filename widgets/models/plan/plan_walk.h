@@ -1,4 +1,4 @@
-// Steps from node to node of a drawn plan, as the keys make them.
+// Steps between the nodes of a drawn plan, for keyboard navigation.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@ namespace usar::widgets {
 /// the same depth, where the senses of a card follow the card.
 enum class PlanStep { Out, In, Before, After };
 
-/// The node that a step leads to: the first one if `node` is -1, and -1 at an end.
+/// Returns the node that a step leads to: the first node if `node` is -1; -1 if there is none in that direction.
 int planStep(const PlanTree& tree, int node, PlanStep step);
 
-/// Of nodes in ascending order, the next one after `node` or before it, around both ends; -1 if there are none. `node`
-/// need not be among them; -1 is before all of them.
+/// Returns the entry of `nodes` (in ascending order) after or before `node`, wrapping around at both ends; -1 if
+/// `nodes` is empty. `node` need not be among them; -1 is before all of them.
 int nextOf(const std::vector<int>& nodes, int node, bool backward);
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// The plan of one robot and what it does, put together from what the robot publishes: now, and at any moment before.
+// The plan of one robot and its activity, now and at any earlier moment, assembled from what the robot publishes.
 #pragma once
 
 #include <memory>
@@ -16,53 +16,54 @@
 
 namespace usar::widgets {
 
-/// Keeps the trace of the run: a few bytes for each tick. Follows the run, or stands at a moment of it. A replay that
-/// is wound back does not forget what it has heard: it is at an earlier moment of it. GUI thread.
+/// Keeps the trace of the run: a few bytes per tick. Either follows the run or shows an earlier moment of it. When a
+/// replay is rewound, the known trace is kept, and an earlier moment of it becomes the current one. GUI thread.
 class PlanWatch {
 public:
     PlanWatch() = default;
     PlanWatch(const PlanWatch&) = delete;
     PlanWatch& operator=(const PlanWatch&) = delete;
 
-    /// What a robot's session says at once.
+    /// Data of one update from a robot's session.
     struct Update {
         std::span<const agent::Published> published{};
         Seconds now{0.0};       ///< protocol clock
-        bool is_replay = false; ///< of a recorded run
-        bool rewound = false;   ///< a replay was wound back; what is published is all there is now
+        bool is_replay = false; ///< the run comes from a recording
+        bool rewound = false;   ///< a replay was rewound; `published` replaces everything before it
     };
 
-    /// Of what is shown. Plan: another one, or another text of it.
+    /// The change in what is shown. Plan: another plan, or another text of the same plan.
     enum class News { None, Activity, Plan };
     News take(const Update& update);
-    /// What a replay of that robot's run is going to say, so that all of it can be gone to at once.
+    /// Takes the trace of the run that a replay is about to repeat, so that every moment can be shown from the start.
     void expect(const PlanWatch& flown) { expected_ = flown.history_.bytes(); }
 
-    /// No plan has decided yet.
+    /// True if the shown state has no program, because no plan has run yet.
     bool empty() const { return !activity().program(); }
     const posh::Plan& plan() const { return reading_.plan; }
     const std::string& planText() const { return text_; }
     const posh::Findings& findings() const { return reading_.findings; }
     PlanSnapshot snapshot() const;
-    /// What the shown state is of; null where it is empty.
+    /// The program of the shown state; null if there is none.
     const std::shared_ptr<const posh::Program>& program() const { return activity().program(); }
-    /// By place.
+    /// Paths of all places of the program, by place.
     const std::vector<std::string>& paths() const;
 
     PlanTime time() const;
-    /// Of the run up to the shown moment; only where there is a program.
+    /// Statistics of the run up to the shown moment. Requires a program.
     const posh::RunStatistics& statistics() const { return activity().statistics(); }
+    /// True while it follows the run.
     bool live() const { return !moment_; }
     News goLive();
-    /// To the cycle that was the newest at that time.
+    /// Goes to the cycle that was the newest at that time of the protocol clock.
     News goTo(Seconds time);
-    /// So many cycles on or back. Beyond the newest it follows the run.
+    /// Goes forward (or back, if negative) by this many cycles. From the newest cycle on, it follows the run.
     News step(int cycles);
-    /// One epoch on, within the shown cycle; None where it was the last.
+    /// Goes to the next epoch within the shown cycle; returns None if that was the last.
     News stepEpoch();
-    /// To the first epoch of the newest cycle, unless it has but one.
+    /// Goes to the first epoch of the newest cycle; returns None if it has only one.
     News goToFirstEpoch();
-    /// Of the cycle that is so many behind the shown one, or of the last that is known.
+    /// Time of the cycle that is `cycles` after the shown one, limited to the known cycles; 0 if none is shown.
     Seconds timeOfStep(int cycles) const;
 
 private:
@@ -76,14 +77,14 @@ private:
     News goToMoment(std::optional<std::size_t> moment, std::optional<std::size_t> epoch);
 
     posh::RunHistory history_;
-    std::string expected_;  ///< the trace of a run, as far as it is known from elsewhere
-    std::size_t heard_ = 0; ///< bytes of `history_`, since a replay was wound back last
+    std::string expected_;  ///< trace of the run from expect(); empty: unknown
+    std::size_t heard_ = 0; ///< bytes of `history_` received since the last rewind of a replay
     bool all_heard_ = true;
-    std::optional<std::size_t> moment_; ///< nothing: it follows
-    std::optional<std::size_t> epoch_;  ///< of `moment_`
+    std::optional<std::size_t> moment_; ///< the shown moment; nullopt: follows the run
+    std::optional<std::size_t> epoch_;  ///< the shown epoch of `moment_`; nullopt: all of it
     bool is_replay_ = false;
-    Seconds now_{0.0};        ///< the robot's clock
-    posh::RunActivity shown_; ///< unless it is the newest of all
+    Seconds now_{0.0};        ///< protocol clock
+    posh::RunActivity shown_; ///< the shown state, unless it is the newest in `history_`
     std::shared_ptr<const posh::Program> program_;
     std::string text_;
     posh::PlanReading reading_;
