@@ -23,7 +23,8 @@ public:
         protocol::CameraConfiguration configuration;
         double fov_rad = protocol::usual_camera_fov_rad; ///< current angle of view
     };
-    /// What a message changed for the display: the list of cameras, the angle of view, or what can be turned or lit.
+    /// The change that a message made for the display: the list of cameras, the angle of view, or what can be turned or
+    /// lit.
     enum class News { None, Cameras, Picture, Abilities };
 
     News take(const protocol::InfoMessage& message);

@@ -22,7 +22,7 @@ public:
     /// Time between two beats of a hold (protocol.md 9.2: DRIVE no more often than about 20 Hz).
     static constexpr Seconds beat = DriveGate::spacing;
 
-    /// What a device's intent means for the hold.
+    /// Effect of a device's intent on the hold.
     enum class Change { None, Begins, Ends };
 
     /// Forgets the robot and ends any control by hand.

@@ -21,7 +21,7 @@
 
 namespace usar::mission {
 
-/// What the helm needs of its session.
+/// Interface of the session that the helm uses.
 class HelmOwner {
 public:
     virtual ~HelmOwner() = default;

@@ -27,8 +27,8 @@ std::string placeOf(const link::LinkStatus& status);
 struct RecordingScene {
     link::LinkStatus link;
     std::string_view pending{};              ///< received part of a line that has not ended
-    double cell_size_m = 0.0;                ///< of the height map
-    std::string level{};                     ///< of the server's map; empty: unknown
+    double cell_size_m = 0.0;                ///< cell size of the height map
+    std::string level{};                     ///< name of the server's map; empty: unknown
     std::optional<protocol::Init> robot{};   ///< nullopt: no robot was requested
     const ScanRecord* of_behavior = nullptr; ///< its task and marks; null: no behavior runs
 };
