@@ -91,7 +91,7 @@ private:
     QByteArray head_;                ///< bytes of the next frame's head received so far
     QByteArray data_;                ///< bytes of its data received so far
     qsizetype data_bytes_ = 0;       ///< size of the frame that is arriving
-    std::deque<qint64> arrivals_ms_; ///< of the last frames, by clock_
+    std::deque<qint64> arrivals_ms_; ///< when the last frames arrived, by clock_
     qint64 asked_ms_ = 0;
     quint64 frames_ = 0;
     int failed_tries_ = 0;

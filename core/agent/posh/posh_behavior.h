@@ -83,7 +83,7 @@ private:
     PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program> program);
     /// Runs one cycle of the plan. Returns the reason if the plan halts after it.
     std::optional<PlanHalted> runCycle(const Tick& tick, CommandPort& port);
-    /// Publishes the events of the cycle, and the end of the behavior if it has come.
+    /// Publishes the events of the cycle, and the end of the behavior once it has ended.
     void report(posh::Outcome outcome, CommandPort& port);
     void publishStatus(const Tick& tick, CommandPort& port);
     /// The default effect of the order to land.
