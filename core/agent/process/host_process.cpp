@@ -24,6 +24,8 @@ namespace {
 
 /// The file descriptor under which the host finds its end of the connection.
 constexpr int host_socket = 3;
+/// A process ends within milliseconds of SIGKILL unless it is writing a core dump.
+constexpr Seconds end_patience{0.2};
 
 std::string signalInWords(int signal) {
     const char* const name = ::sigabbrev_np(signal);
@@ -127,7 +129,7 @@ HostProcess::~HostProcess() {
     channel_.reset(); // a healthy process ends because of this
     if (process_handle_ >= 0)
         ::close(process_handle_);
-    if (process_ > 0 && !statusOf(process_, Seconds{0.2}))
+    if (process_ > 0 && !statusOf(process_, end_patience))
         kill();
 }
 
@@ -137,9 +139,13 @@ void HostProcess::becomeDeaf() {
 }
 
 void HostProcess::kill() {
-    if (process_ > 0)
-        ::kill(process_, SIGKILL);
-    reap();
+    if (process_ <= 0)
+        return;
+    ::kill(process_, SIGKILL);
+    if (statusOf(process_, end_patience))
+        process_ = 0;
+    else
+        reap();
 }
 
 void HostProcess::leave() {
@@ -148,10 +154,13 @@ void HostProcess::leave() {
     reap();
 }
 
-/// Waits in a thread, because a process that writes a core dump may take long to end.
+/// Waits in a thread, because a process that writes a core dump may take long to end. Its folder stays until then: a
+/// process that finds no folder for temporary files writes to the root of the file system.
 void HostProcess::reap() {
     if (process_ > 0)
-        std::thread([process = std::exchange(process_, 0)] { ::waitpid(process, nullptr, 0); }).detach();
+        std::thread([process = std::exchange(process_, 0), scratch = std::move(scratch_)] {
+            ::waitpid(process, nullptr, 0);
+        }).detach();
 }
 
 FrameChannel::Received HostProcess::ask(const frames::Request& request, Seconds patience,

@@ -15,8 +15,8 @@ namespace usar::agent {
 
 /// The destructor closes the connection, waits up to 200 ms for the process to end, and then kills it. Use it from the
 /// owner's thread. POSIX only; on systems other than Linux, only the end of the connection shows that the process is
-/// gone. The process has its own folder for temporary files, which this object deletes, because a killed process leaves
-/// its files behind.
+/// gone. The process has its own folder for temporary files, which is deleted when the process has ended, because a killed
+/// process leaves its files behind.
 class HostProcess {
 public:
     /// `program` is the path of usar-behavior-host. The error names `subject`, the behavior or plugin that needs the
@@ -43,7 +43,7 @@ public:
     void becomeDeaf();
     /// A file descriptor that becomes readable when the process ends; -1 if the system has none.
     int processHandle() const { return process_handle_; }
-    /// Kills the process without waiting for its end.
+    /// Kills the process and waits up to 200 ms for its end, which takes longer only while it writes a core dump.
     void kill();
     /// Closes the connection and lets the process end by itself, however long it takes: it may be writing a core dump.
     void leave();
