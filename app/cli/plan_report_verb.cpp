@@ -7,7 +7,7 @@
 #include "core/mission/files/report_options.h"
 #include "core/mission/reports/recorded_runs.h"
 #include "core/mission/reports/run_report_text.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::app {
 

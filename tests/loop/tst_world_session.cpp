@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "app/host/headless_simulator.h"
-#include "core/mission/session/trace_watch.h"
-#include "core/mission/session/world_session.h"
+#include "core/mission/fleet/trace_watch.h"
+#include "core/mission/world/world_session.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"

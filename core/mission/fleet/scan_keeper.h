@@ -14,7 +14,7 @@
 #include <QTimer>
 
 #include "core/mission/fleet/robot.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/run_summary.h"
 
 namespace usar::mission {
 

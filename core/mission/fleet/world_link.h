@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QThread>
 
-#include "core/mission/session/world_session.h"
+#include "core/mission/world/world_session.h"
 
 namespace usar::mission {
 

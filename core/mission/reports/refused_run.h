@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/mission_options.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/run_summary.h"
 
 namespace usar::mission {
 

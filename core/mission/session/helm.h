@@ -12,10 +12,10 @@
 #include <QTimer>
 
 #include "core/agent/running_behavior.h"
+#include "core/mission/commands/outgoing.h"
 #include "core/mission/session/hand_hold.h"
 #include "core/mission/session/incoming.h"
 #include "core/mission/session/notices.h"
-#include "core/mission/session/outgoing.h"
 #include "core/mission/session/spawn_life.h"
 #include "core/mission/session/vigil.h"
 
