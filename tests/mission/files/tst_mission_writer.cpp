@@ -51,67 +51,61 @@ Mission anyMission(std::mt19937& random) {
 class tst_MissionWriter : public QObject {
     Q_OBJECT
 private slots:
-    void whatIsWrittenIsReadBack();
-    void anglesAreWrittenAsAPersonTypedThem();
-    void aPlanInTheMissionsFolderMovesWithIt();
-    void aMissionWithoutAnAreaStaysWithoutOne();
-    void aFolderThatIsNotThereIsNamed();
-};
+    void whatIsWrittenIsReadBack() {
+        std::mt19937 random(7);
+        for (int i = 0; i < 200; ++i) {
+            const Mission mission = anyMission(random);
+            const auto back = readMission(writeMission(mission, specs), "back.json");
+            QVERIFY2(back.has_value(), back ? "" : back.error().text().c_str());
+            QCOMPARE(back->name, mission.name);
+            QCOMPARE(back->start, mission.start);
+            QVERIFY(back->area_in_map == mission.area_in_map);
+            QCOMPARE(back->cell_size_m, mission.cell_size_m);
+            QCOMPARE(back->faults, mission.faults);
+            QVERIFY(back->isolate);
+            auto parameters = withAnglesInRadians(back->parameters, specs);
+            const double turn_rad = std::get<double>(parameters.at("turn_rad"));
+            QVERIFY(std::abs(turn_rad - std::get<double>(mission.parameters.at("turn_rad"))) < 1e-12);
+            parameters["turn_rad"] = mission.parameters.at("turn_rad");
+            QVERIFY(parameters == mission.parameters);
+        }
+    }
 
-void tst_MissionWriter::whatIsWrittenIsReadBack() {
-    std::mt19937 random(7);
-    for (int i = 0; i < 200; ++i) {
-        const Mission mission = anyMission(random);
+    void anglesAreWrittenAsAPersonTypedThem() {
+        Mission mission;
+        mission.name = "Field";
+        mission.area_in_map = {{0, 0}, {10, 10}};
+        mission.parameters["turn_rad"] = radians(33.3);
+        const QByteArray json = writeMission(mission, specs);
+        QVERIFY2(json.contains("\"turn_rad\": 33.3\n"), json);
+    }
+
+    void aPlanInTheMissionsFolderMovesWithIt() {
+        Mission mission;
+        mission.name = "Field";
+        mission.plan = "/data/field/plans/own.lap";
+        QVERIFY(writeMission(mission, specs, "/data/field").contains("\"plan\": \"plans/own.lap\""));
+        QVERIFY(writeMission(mission, specs, "/data/other").contains("\"plan\": \"/data/field/plans/own.lap\""));
+        QCOMPARE(readMission(writeMission(mission, specs, "/data/field"), "/moved/m.json")->plan,
+                 std::string("/moved/plans/own.lap"));
+    }
+
+    void aMissionWithoutAnAreaStaysWithoutOne() {
+        Mission mission;
+        mission.name = "Field";
         const auto back = readMission(writeMission(mission, specs), "back.json");
         QVERIFY2(back.has_value(), back ? "" : back.error().text().c_str());
-        QCOMPARE(back->name, mission.name);
-        QCOMPARE(back->start, mission.start);
-        QVERIFY(back->area_in_map == mission.area_in_map);
-        QCOMPARE(back->cell_size_m, mission.cell_size_m);
-        QCOMPARE(back->faults, mission.faults);
-        QVERIFY(back->isolate);
-        auto parameters = withAnglesInRadians(back->parameters, specs);
-        const double turn_rad = std::get<double>(parameters.at("turn_rad"));
-        QVERIFY(std::abs(turn_rad - std::get<double>(mission.parameters.at("turn_rad"))) < 1e-12);
-        parameters["turn_rad"] = mission.parameters.at("turn_rad");
-        QVERIFY(parameters == mission.parameters);
+        QVERIFY(back->area_in_map.empty());
     }
-}
 
-void tst_MissionWriter::anglesAreWrittenAsAPersonTypedThem() {
-    Mission mission;
-    mission.name = "Field";
-    mission.area_in_map = {{0, 0}, {10, 10}};
-    mission.parameters["turn_rad"] = radians(33.3);
-    const QByteArray json = writeMission(mission, specs);
-    QVERIFY2(json.contains("\"turn_rad\": 33.3\n"), json);
-}
-
-void tst_MissionWriter::aPlanInTheMissionsFolderMovesWithIt() {
-    Mission mission;
-    mission.name = "Field";
-    mission.plan = "/data/field/plans/own.lap";
-    QVERIFY(writeMission(mission, specs, "/data/field").contains("\"plan\": \"plans/own.lap\""));
-    QVERIFY(writeMission(mission, specs, "/data/other").contains("\"plan\": \"/data/field/plans/own.lap\""));
-    QCOMPARE(readMission(writeMission(mission, specs, "/data/field"), "/moved/m.json")->plan,
-             std::string("/moved/plans/own.lap"));
-}
-
-void tst_MissionWriter::aMissionWithoutAnAreaStaysWithoutOne() {
-    Mission mission;
-    mission.name = "Field";
-    const auto back = readMission(writeMission(mission, specs), "back.json");
-    QVERIFY2(back.has_value(), back ? "" : back.error().text().c_str());
-    QVERIFY(back->area_in_map.empty());
-}
-
-void tst_MissionWriter::aFolderThatIsNotThereIsNamed() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath("nowhere/mission.json");
-    const auto saved = writeMissionFile({}, specs, path);
-    QVERIFY(!saved.has_value());
-    QCOMPARE(QString::fromStdString(saved.error().where), path);
-}
+    void aFolderThatIsNotThereIsNamed() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("nowhere/mission.json");
+        const auto saved = writeMissionFile({}, specs, path);
+        QVERIFY(!saved.has_value());
+        QCOMPARE(QString::fromStdString(saved.error().where), path);
+    }
+};
 
 USAR_TEST(tst_MissionWriter)
 

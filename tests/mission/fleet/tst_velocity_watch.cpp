@@ -53,57 +53,52 @@ SessionUpdate tickOf(int tick, const Pose& pose) {
 class tst_VelocityWatch : public QObject {
     Q_OBJECT
 private slots:
-    void itTellsTheMotionInTheRobotsFrame();
-    void groundTruthIsBelievedMoreThanOdometry();
-    void aRobotThatFellSilentHasNoVelocity();
-    void aReplayThatIsWoundBackBeginsAnew();
-};
-
-void tst_VelocityWatch::itTellsTheMotionInTheRobotsFrame() {
-    VelocityWatch watch;
-    QVERIFY(!watch.twist());
-    for (int tick = 0; tick < 10; ++tick)
-        watch.take(tickOf<protocol::GroundTruthReading>(tick, turnedBy3(onCircle(tick * tick_s))));
-    const auto twist = watch.twist();
-    QVERIFY(twist && !twist->planar);
-    QVERIFY2(std::abs(twist->velocity_m_s.x() - 1.0) < 0.02, qPrintable(QString::number(twist->velocity_m_s.x())));
-    QVERIFY2(std::abs(twist->velocity_m_s.y()) < 0.02, qPrintable(QString::number(twist->velocity_m_s.y())));
-    QVERIFY(std::abs(twist->velocity_m_s.z() - 0.1) < 1e-9);
-    QVERIFY(std::abs(twist->yaw_rate_rad_s - 0.5) < 1e-9);
-}
-
-void tst_VelocityWatch::groundTruthIsBelievedMoreThanOdometry() {
-    VelocityWatch watch;
-    watch.take(tickOf<protocol::OdometryReading>(0, {}));
-    watch.take(tickOf<protocol::OdometryReading>(1, {.position_m = {1.0, 0.0, 0.0}}));
-    QVERIFY(watch.twist() && watch.twist()->planar && watch.twist()->velocity_m_s.x() > 4.9);
-    for (int tick = 2; tick < 6; ++tick) {
-        watch.take(tickOf<protocol::GroundTruthReading>(tick, {}));
-        watch.take(tickOf<protocol::OdometryReading>(tick, {.position_m = {double(tick), 0.0, 0.0}}));
+    void itTellsTheMotionInTheRobotsFrame() {
+        VelocityWatch watch;
+        QVERIFY(!watch.twist());
+        for (int tick = 0; tick < 10; ++tick)
+            watch.take(tickOf<protocol::GroundTruthReading>(tick, turnedBy3(onCircle(tick * tick_s))));
+        const auto twist = watch.twist();
+        QVERIFY(twist && !twist->planar);
+        QVERIFY2(std::abs(twist->velocity_m_s.x() - 1.0) < 0.02, qPrintable(QString::number(twist->velocity_m_s.x())));
+        QVERIFY2(std::abs(twist->velocity_m_s.y()) < 0.02, qPrintable(QString::number(twist->velocity_m_s.y())));
+        QVERIFY(std::abs(twist->velocity_m_s.z() - 0.1) < 1e-9);
+        QVERIFY(std::abs(twist->yaw_rate_rad_s - 0.5) < 1e-9);
     }
-    QCOMPARE(watch.twist()->velocity_m_s.norm(), 0.0);
-}
 
-void tst_VelocityWatch::aRobotThatFellSilentHasNoVelocity() {
-    VelocityWatch watch;
-    watch.take(tickOf<protocol::InsReading>(0, {}));
-    watch.take(tickOf<protocol::InsReading>(1, {}));
-    QVERIFY(watch.twist());
-    SessionUpdate later;
-    later.lines = {stateAt(5.0)};
-    watch.take(later);
-    QVERIFY(!watch.twist());
-}
+    void groundTruthIsBelievedMoreThanOdometry() {
+        VelocityWatch watch;
+        watch.take(tickOf<protocol::OdometryReading>(0, {}));
+        watch.take(tickOf<protocol::OdometryReading>(1, {.position_m = {1.0, 0.0, 0.0}}));
+        QVERIFY(watch.twist() && watch.twist()->planar && watch.twist()->velocity_m_s.x() > 4.9);
+        for (int tick = 2; tick < 6; ++tick) {
+            watch.take(tickOf<protocol::GroundTruthReading>(tick, {}));
+            watch.take(tickOf<protocol::OdometryReading>(tick, {.position_m = {double(tick), 0.0, 0.0}}));
+        }
+        QCOMPARE(watch.twist()->velocity_m_s.norm(), 0.0);
+    }
 
-void tst_VelocityWatch::aReplayThatIsWoundBackBeginsAnew() {
-    VelocityWatch watch;
-    watch.take(tickOf<protocol::InsReading>(0, {}));
-    watch.take(tickOf<protocol::InsReading>(1, {}));
-    SessionUpdate again;
-    again.rewound = true;
-    watch.take(again);
-    QVERIFY(!watch.twist());
-}
+    void aRobotThatFellSilentHasNoVelocity() {
+        VelocityWatch watch;
+        watch.take(tickOf<protocol::InsReading>(0, {}));
+        watch.take(tickOf<protocol::InsReading>(1, {}));
+        QVERIFY(watch.twist());
+        SessionUpdate later;
+        later.lines = {stateAt(5.0)};
+        watch.take(later);
+        QVERIFY(!watch.twist());
+    }
+
+    void aReplayThatIsWoundBackBeginsAnew() {
+        VelocityWatch watch;
+        watch.take(tickOf<protocol::InsReading>(0, {}));
+        watch.take(tickOf<protocol::InsReading>(1, {}));
+        SessionUpdate again;
+        again.rewound = true;
+        watch.take(again);
+        QVERIFY(!watch.twist());
+    }
+};
 
 USAR_TEST(tst_VelocityWatch)
 

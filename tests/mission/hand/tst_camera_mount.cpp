@@ -36,126 +36,114 @@ std::vector<double> wanted(const CameraMount& mount) {
 class tst_CameraMount : public QObject {
     Q_OBJECT
 private slots:
-    void knowsNothingBeforeItIsTold();
-    void listsTheCamerasOfAnAnswer();
-    void zoomsWithinWhatTheCameraCanDo();
-    void onlyTheNewestSetOfAKindWaits();
-    void turnsFromWhereTheMountStands();
-    void aSingleLinkTilts();
-    void turnsStopAtTheirEnds();
-    void reportsOnTheWayDoNotMoveTheTarget();
-    void hearsWhatAnAnswerSaysOfTheZoom();
-    void hearsTheHeadlight();
-    void otherPackagesAreNoMounts();
+    void knowsNothingBeforeItIsTold() {
+        CameraMount mount;
+        QVERIFY(!mount.answered() && !mount.shown() && !mount.canZoom() && !mount.canTurn() && !mount.lightKnown());
+        mount.zoomBy(2.0);
+        QVERIFY(!mount.next() && !mount.turnBy(1.0, 1.0) && !mount.drive());
+        QVERIFY(hear(mount, "CONF {Type Camera}") == News::Cameras);
+        QVERIFY(mount.answered() && mount.cameras().empty()); // it has none
+    }
+
+    void listsTheCamerasOfAnAnswer() {
+        CameraMount mount;
+        QVERIFY(hear(mount, "CONF {Type Sonar} {Name F1} {MaxRange 5}") == News::None);
+        QVERIFY(!mount.answered());
+        QVERIFY(hear(mount, two_cameras) == News::Cameras);
+        QCOMPARE(mount.cameras().size(), std::size_t(2));
+        QCOMPARE(mount.shown()->configuration.name, std::string("Left"));
+        QCOMPARE(mount.shown()->fov_rad, 0.8);
+        mount.show("Right");
+        QCOMPARE(mount.shown()->configuration.name, std::string("Right"));
+        QVERIFY(!mount.canZoom()); // its least angle is its largest
+        mount.show("Elsewhere");
+        QCOMPARE(mount.shown()->configuration.name, std::string("Right"));
+    }
+
+    void zoomsWithinWhatTheCameraCanDo() {
+        CameraMount mount;
+        hear(mount, two_cameras);
+        mount.zoomBy(1.25);
+        QCOMPARE(mount.shown()->fov_rad, 0.64);
+        mount.zoomTo(0.1);
+        QCOMPARE(mount.shown()->fov_rad, 0.4);
+        mount.zoomTo(3.0);
+        QCOMPARE(mount.shown()->fov_rad, 1.6);
+        mount.resetZoom();
+        QCOMPARE(mount.shown()->fov_rad, 0.8);
+    }
+
+    void onlyTheNewestSetOfAKindWaits() {
+        CameraMount mount;
+        hear(mount, two_cameras);
+        mount.zoomTo(1.0);
+        mount.zoomTo(1.2);
+        const auto set = mount.next();
+        QVERIFY(set && std::holds_alternative<protocol::ZoomCamera>(*set));
+        QCOMPARE(std::get<protocol::ZoomCamera>(*set).field_of_view_rad, 1.2);
+        QVERIFY(!mount.next());
+    }
+
+    void turnsFromWhereTheMountStands() {
+        CameraMount mount;
+        QVERIFY(hear(mount, pan_and_tilt) == News::Abilities);
+        QVERIFY(hear(mount, pan_and_tilt) == News::None);
+        QVERIFY(mount.turn(0.3, 0.1));
+        const std::vector<double> values = wanted(mount);
+        QCOMPARE(values.size(), std::size_t(2));
+        QVERIFY(std::abs(std::abs(values[0]) - 0.4) < 1e-9 || std::abs(std::abs(values[0]) - 0.2) < 1e-9);
+        mount.center();
+        QCOMPARE(wanted(mount), (std::vector{0.0, 0.0}));
+    }
+
+    void aSingleLinkTilts() {
+        CameraMount mount;
+        hear(mount, "MISSTA {Time 1.0} {Name CameraTilt} {Link 1} {Value 0}");
+        QVERIFY(mount.turn(1.0, 0.25));
+        QCOMPARE(wanted(mount), (std::vector{0.25}));
+    }
+
+    void turnsStopAtTheirEnds() {
+        CameraMount mount;
+        hear(mount, "MISSTA {Time 1.0} {Name CameraPanTilt} {Link 1} {Value 0} {Link 2} {Value 0}");
+        for (int i = 0; i < 100; ++i)
+            mount.turn(1.0, -1.0);
+        QCOMPARE(wanted(mount), (std::vector{pi, -pi / 2.0}));
+    }
+
+    void reportsOnTheWayDoNotMoveTheTarget() {
+        CameraMount mount;
+        hear(mount, "MISSTA {Time 1.0} {Name CameraTilt} {Link 1} {Value 0}");
+        mount.turn(0.0, 0.5);
+        mount.setTurning(true);
+        hear(mount, "MISSTA {Time 1.2} {Name CameraTilt} {Link 1} {Value 0.1}");
+        QCOMPARE(wanted(mount), (std::vector{0.5}));
+    }
+
+    void hearsWhatAnAnswerSaysOfTheZoom() {
+        CameraMount mount;
+        hear(mount, two_cameras);
+        QVERIFY(!mount.takeAnswered());
+        QVERIFY(hear(mount, "RES {Type Camera} {Name Left} {Status OK} {FOV 0.7}") != News::Cameras);
+        QVERIFY(mount.takeAnswered());
+        QVERIFY(!mount.takeAnswered());
+    }
+
+    void hearsTheHeadlight() {
+        CameraMount mount;
+        QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 1} {LightToggle True}") == News::Abilities);
+        QVERIFY(mount.lightKnown() && mount.lightOn());
+        QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 2} {LightToggle True}") == News::None);
+        QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 3} {LightToggle False}") == News::Abilities);
+        QVERIFY(!mount.lightOn());
+    }
+
+    void otherPackagesAreNoMounts() {
+        CameraMount mount;
+        QVERIFY(hear(mount, "MISSTA {Time 1.0} {Name Gripper} {Link 1} {Value 0}") == News::None);
+        QVERIFY(!mount.canTurn());
+    }
 };
-
-void tst_CameraMount::knowsNothingBeforeItIsTold() {
-    CameraMount mount;
-    QVERIFY(!mount.answered() && !mount.shown() && !mount.canZoom() && !mount.canTurn() && !mount.lightKnown());
-    mount.zoomBy(2.0);
-    QVERIFY(!mount.next() && !mount.turnBy(1.0, 1.0) && !mount.drive());
-    QVERIFY(hear(mount, "CONF {Type Camera}") == News::Cameras);
-    QVERIFY(mount.answered() && mount.cameras().empty()); // it has none
-}
-
-void tst_CameraMount::listsTheCamerasOfAnAnswer() {
-    CameraMount mount;
-    QVERIFY(hear(mount, "CONF {Type Sonar} {Name F1} {MaxRange 5}") == News::None);
-    QVERIFY(!mount.answered());
-    QVERIFY(hear(mount, two_cameras) == News::Cameras);
-    QCOMPARE(mount.cameras().size(), std::size_t(2));
-    QCOMPARE(mount.shown()->configuration.name, std::string("Left"));
-    QCOMPARE(mount.shown()->fov_rad, 0.8);
-    mount.show("Right");
-    QCOMPARE(mount.shown()->configuration.name, std::string("Right"));
-    QVERIFY(!mount.canZoom()); // its least angle is its largest
-    mount.show("Elsewhere");
-    QCOMPARE(mount.shown()->configuration.name, std::string("Right"));
-}
-
-void tst_CameraMount::zoomsWithinWhatTheCameraCanDo() {
-    CameraMount mount;
-    hear(mount, two_cameras);
-    mount.zoomBy(1.25);
-    QCOMPARE(mount.shown()->fov_rad, 0.64);
-    mount.zoomTo(0.1);
-    QCOMPARE(mount.shown()->fov_rad, 0.4);
-    mount.zoomTo(3.0);
-    QCOMPARE(mount.shown()->fov_rad, 1.6);
-    mount.resetZoom();
-    QCOMPARE(mount.shown()->fov_rad, 0.8);
-}
-
-void tst_CameraMount::onlyTheNewestSetOfAKindWaits() {
-    CameraMount mount;
-    hear(mount, two_cameras);
-    mount.zoomTo(1.0);
-    mount.zoomTo(1.2);
-    const auto set = mount.next();
-    QVERIFY(set && std::holds_alternative<protocol::ZoomCamera>(*set));
-    QCOMPARE(std::get<protocol::ZoomCamera>(*set).field_of_view_rad, 1.2);
-    QVERIFY(!mount.next());
-}
-
-void tst_CameraMount::turnsFromWhereTheMountStands() {
-    CameraMount mount;
-    QVERIFY(hear(mount, pan_and_tilt) == News::Abilities);
-    QVERIFY(hear(mount, pan_and_tilt) == News::None);
-    QVERIFY(mount.turn(0.3, 0.1));
-    const std::vector<double> values = wanted(mount);
-    QCOMPARE(values.size(), std::size_t(2));
-    QVERIFY(std::abs(std::abs(values[0]) - 0.4) < 1e-9 || std::abs(std::abs(values[0]) - 0.2) < 1e-9);
-    mount.center();
-    QCOMPARE(wanted(mount), (std::vector{0.0, 0.0}));
-}
-
-void tst_CameraMount::aSingleLinkTilts() {
-    CameraMount mount;
-    hear(mount, "MISSTA {Time 1.0} {Name CameraTilt} {Link 1} {Value 0}");
-    QVERIFY(mount.turn(1.0, 0.25));
-    QCOMPARE(wanted(mount), (std::vector{0.25}));
-}
-
-void tst_CameraMount::turnsStopAtTheirEnds() {
-    CameraMount mount;
-    hear(mount, "MISSTA {Time 1.0} {Name CameraPanTilt} {Link 1} {Value 0} {Link 2} {Value 0}");
-    for (int i = 0; i < 100; ++i)
-        mount.turn(1.0, -1.0);
-    QCOMPARE(wanted(mount), (std::vector{pi, -pi / 2.0}));
-}
-
-void tst_CameraMount::reportsOnTheWayDoNotMoveTheTarget() {
-    CameraMount mount;
-    hear(mount, "MISSTA {Time 1.0} {Name CameraTilt} {Link 1} {Value 0}");
-    mount.turn(0.0, 0.5);
-    mount.setTurning(true);
-    hear(mount, "MISSTA {Time 1.2} {Name CameraTilt} {Link 1} {Value 0.1}");
-    QCOMPARE(wanted(mount), (std::vector{0.5}));
-}
-
-void tst_CameraMount::hearsWhatAnAnswerSaysOfTheZoom() {
-    CameraMount mount;
-    hear(mount, two_cameras);
-    QVERIFY(!mount.takeAnswered());
-    QVERIFY(hear(mount, "RES {Type Camera} {Name Left} {Status OK} {FOV 0.7}") != News::Cameras);
-    QVERIFY(mount.takeAnswered());
-    QVERIFY(!mount.takeAnswered());
-}
-
-void tst_CameraMount::hearsTheHeadlight() {
-    CameraMount mount;
-    QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 1} {LightToggle True}") == News::Abilities);
-    QVERIFY(mount.lightKnown() && mount.lightOn());
-    QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 2} {LightToggle True}") == News::None);
-    QVERIFY(hear(mount, "STA {Type GroundVehicle} {Time 3} {LightToggle False}") == News::Abilities);
-    QVERIFY(!mount.lightOn());
-}
-
-void tst_CameraMount::otherPackagesAreNoMounts() {
-    CameraMount mount;
-    QVERIFY(hear(mount, "MISSTA {Time 1.0} {Name Gripper} {Link 1} {Value 0}") == News::None);
-    QVERIFY(!mount.canTurn());
-}
 
 USAR_TEST(tst_CameraMount)
 

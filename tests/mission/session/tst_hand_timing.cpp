@@ -14,28 +14,25 @@ using namespace usar::test;
 class tst_HandTiming : public QObject {
     Q_OBJECT
 private slots:
-    void lettingGoStopsWithin50Ms();
-    void aHandThatSaysNothingIsTakenForDeadWithin600Ms();
+    void lettingGoStopsWithin50Ms() {
+        HeldRobot f;
+        QVERIFY(f.ready);
+        QElapsedTimer since;
+        since.start();
+        f.session.drive(holding(HandSource::Keys, {}));
+        QTRY_VERIFY(stopped(f));
+        QVERIFY2(since.elapsed() < 50, qPrintable(QString::number(since.elapsed())));
+    }
+
+    void aHandThatSaysNothingIsTakenForDeadWithin600Ms() {
+        HeldRobot f;
+        QVERIFY(f.ready);
+        QElapsedTimer since;
+        since.start();
+        QTRY_VERIFY(stopped(f));
+        QVERIFY2(since.elapsed() < 600, qPrintable(QString::number(since.elapsed())));
+    }
 };
-
-void tst_HandTiming::lettingGoStopsWithin50Ms() {
-    HeldRobot f;
-    QVERIFY(f.ready);
-    QElapsedTimer since;
-    since.start();
-    f.session.drive(holding(HandSource::Keys, {}));
-    QTRY_VERIFY(stopped(f));
-    QVERIFY2(since.elapsed() < 50, qPrintable(QString::number(since.elapsed())));
-}
-
-void tst_HandTiming::aHandThatSaysNothingIsTakenForDeadWithin600Ms() {
-    HeldRobot f;
-    QVERIFY(f.ready);
-    QElapsedTimer since;
-    since.start();
-    QTRY_VERIFY(stopped(f));
-    QVERIFY2(since.elapsed() < 600, qPrintable(QString::number(since.elapsed())));
-}
 
 USAR_TEST(tst_HandTiming)
 

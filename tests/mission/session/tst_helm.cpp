@@ -98,173 +98,159 @@ struct Bridge : HelmOwner, NoticeBook {
 class tst_Helm : public QObject {
     Q_OBJECT
 private slots:
-    void aBehaviorDrivesAtEachState();
-    void lockstepAnswersWithCommandsThenStep();
-    void aBehaviorThatIsDismissedInItsLastTickStillGetsItsStep();
-    void aCongestedLinkHoldsDrivesBack();
-    void makingSafeDropsWhatWaits();
-    void nothingIsSentToARobotThatIsNotThere_data();
-    void nothingIsSentToARobotThatIsNotThere();
-    void aHandTakesTheReins();
-    void aHoldEndsWithAStop();
-    void aResumedBehaviorEndsTheControl();
-    void withoutABehaviorAPlanIsRefused();
-    void replayedStepsAreCounted();
-    void aStandingClockHoldsNoDrives();
+    void aBehaviorDrivesAtEachState() {
+        Bridge b;
+        b.fly(2.0);
+        b.state(1.2);
+        b.state(1.4);
+        QCOMPARE(b.lines.size(), 2);
+        QVERIFY(b.lines.last().contains("{LinearVelocity 2}"));
+        QCOMPARE(b.causes.last(), QString("test/scripted: flying"));
+        QCOMPARE(b.figures().control.reins, Reins::Behavior);
+        QCOMPARE(b.figures().control.behavior_id, std::string("test/scripted"));
+        QCOMPARE(b.figures().steps_sent, std::uint64_t(0));
+    }
+
+    void lockstepAnswersWithCommandsThenStep() {
+        Bridge b;
+        b.helm.setLockstep(true);
+        b.fly(2.0);
+        b.state(1.2);
+        QCOMPARE(b.lines.size(), 2);
+        QVERIFY(b.lines.front().startsWith("DRIVE"));
+        QCOMPARE(b.lines.back(), QString("STEP"));
+        QCOMPARE(b.causes.back(), QString("session: lockstep"));
+        QCOMPARE(b.figures().steps_sent, std::uint64_t(1));
+        b.helm.loseConnection();
+        b.state(1.4);
+        QVERIFY(b.lines.back() != "STEP");
+    }
+
+    void aBehaviorThatIsDismissedInItsLastTickStillGetsItsStep() {
+        Bridge b;
+        b.helm.setLockstep(true);
+        auto script = b.fly(2.0);
+        script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
+            port.publish(agent::BehaviorFinished{true, "Done."});
+        };
+        b.state(1.2);
+        QCOMPARE(b.ended, QStringList{"Done."});
+        QCOMPARE(b.lines, (QStringList{zero, "STEP"})); // time stands still until everybody knows of the end
+        QVERIFY(!b.helm.hasBehavior());
+    }
+
+    void aCongestedLinkHoldsDrivesBack() {
+        Bridge b;
+        b.is_congested = true;
+        b.fly(2.0);
+        b.state(1.2);
+        b.state(1.4);
+        b.helm.look();
+        QVERIFY(b.lines.isEmpty());
+        QCOMPARE(b.figures().traffic.drives_replaced, std::uint64_t(1));
+        b.helm.makeSafe("test"); // does not wait
+        QCOMPARE(b.lines, QStringList{zero});
+    }
+
+    void makingSafeDropsWhatWaits() {
+        Bridge b;
+        b.is_congested = true;
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 5.0, 0.0, 0.0}, "test");
+        b.is_congested = false;
+        b.helm.stopBehavior("operator: stop", "Stopped by the operator.");
+        QCOMPARE(b.lines, QStringList{zero});
+        QCOMPARE(b.causes, QStringList{"operator: stop"});
+        QVERIFY(b.ended.isEmpty()); // there was none
+    }
+
+    void nothingIsSentToARobotThatIsNotThere_data() {
+        using Case = std::function<void(Bridge&)>;
+        QTest::addColumn<Case>("arrange");
+        QTest::newRow("a replay") << Case([](Bridge& b) { b.is_replay = true; });
+        QTest::newRow("no robot") << Case([](Bridge& b) { b.spawning.end(); });
+    }
+
+    void nothingIsSentToARobotThatIsNotThere() {
+        QFETCH(std::function<void(Bridge&)>, arrange);
+        Bridge b;
+        b.helm.takeControl();
+        b.hold(1.0);
+        b.lines.clear();
+        arrange(b);
+        b.helm.makeSafe("test");
+        b.helm.endControl("test");
+        QVERIFY2(b.lines.isEmpty(), qPrintable(b.lines.join('\n')));
+        QCOMPARE(b.figures().control.last_stop, std::string());
+        QCOMPARE(b.figures().control.reins, Reins::Nobody);
+    }
+
+    void aHandTakesTheReins() {
+        Bridge b;
+        const auto script = b.fly(2.0);
+        b.helm.takeControl();
+        QCOMPARE(script->orders, std::vector{agent::Order::Pause});
+        QVERIFY(b.saidWords("You drive. The behavior test/scripted is paused"));
+        QVERIFY(b.lines.contains(zero));
+        QVERIFY(b.causes.contains("by hand: how it is driven"));
+        b.lines.clear();
+        b.state(1.2);
+        QVERIFY2(b.lines.filter("LinearVelocity").isEmpty(), "the behavior's drives do not come through");
+        b.hold(1.0);
+        QVERIFY2(!b.lines.filter("LinearVelocity").isEmpty(), "the hand's do");
+        QCOMPARE(b.causes.last(), QString("by hand: keys"));
+        QCOMPARE(b.figures().control.reins, Reins::Hand);
+    }
+
+    void aHoldEndsWithAStop() {
+        Bridge b;
+        b.helm.takeControl();
+        b.hold(1.0);
+        b.hold(0.0);
+        QCOMPARE(b.causes.last(), QString("by hand: stop, the keys were let go"));
+        QVERIFY(b.figures().control.reins == Reins::Hand);
+        b.helm.endControl("control was given back");
+        QCOMPARE(b.figures().control.reins, Reins::Nobody);
+        QCOMPARE(b.causes.last(), QString("by hand: stop, control was given back"));
+    }
+
+    void aResumedBehaviorEndsTheControl() {
+        Bridge b;
+        b.fly(2.0);
+        b.helm.takeControl();
+        b.helm.order(agent::Order::Pause);
+        QCOMPARE(b.figures().control.reins, Reins::Hand);
+        b.helm.order(agent::Order::Resume);
+        QCOMPARE(b.figures().control.reins, Reins::Behavior);
+        QCOMPARE(b.causes.last(), QString("by hand: stop, the behavior test/scripted took over"));
+    }
+
+    void withoutABehaviorAPlanIsRefused() {
+        Bridge b;
+        b.helm.control(agent::ReplacePlan{});
+        QCOMPARE(b.plans_refused, 1);
+    }
+
+    void replayedStepsAreCounted() {
+        Bridge b;
+        b.helm.sawSent(protocol::Step{});
+        b.helm.sawSent(protocol::GetStartPoses{});
+        b.helm.sawSent(protocol::Step{});
+        QCOMPARE(b.figures().steps_sent, std::uint64_t(2));
+        b.helm.rewind();
+        QCOMPARE(b.figures().steps_sent, std::uint64_t(0));
+        QVERIFY(b.lines.isEmpty());
+    }
+
+    void aStandingClockHoldsNoDrives() {
+        Bridge b;
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 1.0, 0.0, 0.0}, "test");
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 2.0, 0.0, 0.0}, "test");
+        QCOMPARE(b.lines.size(), 1);
+        b.helm.look();
+        QCOMPARE(b.lines.size(), 2);
+        QVERIFY(b.lines.last().contains("{LinearVelocity 2}"));
+    }
 };
-
-void tst_Helm::aBehaviorDrivesAtEachState() {
-    Bridge b;
-    b.fly(2.0);
-    b.state(1.2);
-    b.state(1.4);
-    QCOMPARE(b.lines.size(), 2);
-    QVERIFY(b.lines.last().contains("{LinearVelocity 2}"));
-    QCOMPARE(b.causes.last(), QString("test/scripted: flying"));
-    QCOMPARE(b.figures().control.reins, Reins::Behavior);
-    QCOMPARE(b.figures().control.behavior_id, std::string("test/scripted"));
-    QCOMPARE(b.figures().steps_sent, std::uint64_t(0));
-}
-
-void tst_Helm::lockstepAnswersWithCommandsThenStep() {
-    Bridge b;
-    b.helm.setLockstep(true);
-    b.fly(2.0);
-    b.state(1.2);
-    QCOMPARE(b.lines.size(), 2);
-    QVERIFY(b.lines.front().startsWith("DRIVE"));
-    QCOMPARE(b.lines.back(), QString("STEP"));
-    QCOMPARE(b.causes.back(), QString("session: lockstep"));
-    QCOMPARE(b.figures().steps_sent, std::uint64_t(1));
-    b.helm.loseConnection();
-    b.state(1.4);
-    QVERIFY(b.lines.back() != "STEP");
-}
-
-void tst_Helm::aBehaviorThatIsDismissedInItsLastTickStillGetsItsStep() {
-    Bridge b;
-    b.helm.setLockstep(true);
-    auto script = b.fly(2.0);
-    script->on_tick = [](const agent::Tick&, agent::CommandPort& port) {
-        port.publish(agent::BehaviorFinished{true, "Done."});
-    };
-    b.state(1.2);
-    QCOMPARE(b.ended, QStringList{"Done."});
-    QCOMPARE(b.lines, (QStringList{zero, "STEP"})); // time stands still until everybody knows of the end
-    QVERIFY(!b.helm.hasBehavior());
-}
-
-void tst_Helm::aCongestedLinkHoldsDrivesBack() {
-    Bridge b;
-    b.is_congested = true;
-    b.fly(2.0);
-    b.state(1.2);
-    b.state(1.4);
-    b.helm.look();
-    QVERIFY(b.lines.isEmpty());
-    QCOMPARE(b.figures().traffic.drives_replaced, std::uint64_t(1));
-    b.helm.makeSafe("test"); // does not wait
-    QCOMPARE(b.lines, QStringList{zero});
-}
-
-void tst_Helm::makingSafeDropsWhatWaits() {
-    Bridge b;
-    b.is_congested = true;
-    b.helm.sendForUser(protocol::AerialDrive{0.0, 5.0, 0.0, 0.0}, "test");
-    b.is_congested = false;
-    b.helm.stopBehavior("operator: stop", "Stopped by the operator.");
-    QCOMPARE(b.lines, QStringList{zero});
-    QCOMPARE(b.causes, QStringList{"operator: stop"});
-    QVERIFY(b.ended.isEmpty()); // there was none
-}
-
-void tst_Helm::nothingIsSentToARobotThatIsNotThere_data() {
-    using Case = std::function<void(Bridge&)>;
-    QTest::addColumn<Case>("arrange");
-    QTest::newRow("a replay") << Case([](Bridge& b) { b.is_replay = true; });
-    QTest::newRow("no robot") << Case([](Bridge& b) { b.spawning.end(); });
-}
-
-void tst_Helm::nothingIsSentToARobotThatIsNotThere() {
-    QFETCH(std::function<void(Bridge&)>, arrange);
-    Bridge b;
-    b.helm.takeControl();
-    b.hold(1.0);
-    b.lines.clear();
-    arrange(b);
-    b.helm.makeSafe("test");
-    b.helm.endControl("test");
-    QVERIFY2(b.lines.isEmpty(), qPrintable(b.lines.join('\n')));
-    QCOMPARE(b.figures().control.last_stop, std::string());
-    QCOMPARE(b.figures().control.reins, Reins::Nobody);
-}
-
-void tst_Helm::aHandTakesTheReins() {
-    Bridge b;
-    const auto script = b.fly(2.0);
-    b.helm.takeControl();
-    QCOMPARE(script->orders, std::vector{agent::Order::Pause});
-    QVERIFY(b.saidWords("You drive. The behavior test/scripted is paused"));
-    QVERIFY(b.lines.contains(zero));
-    QVERIFY(b.causes.contains("by hand: how it is driven"));
-    b.lines.clear();
-    b.state(1.2);
-    QVERIFY2(b.lines.filter("LinearVelocity").isEmpty(), "the behavior's drives do not come through");
-    b.hold(1.0);
-    QVERIFY2(!b.lines.filter("LinearVelocity").isEmpty(), "the hand's do");
-    QCOMPARE(b.causes.last(), QString("by hand: keys"));
-    QCOMPARE(b.figures().control.reins, Reins::Hand);
-}
-
-void tst_Helm::aHoldEndsWithAStop() {
-    Bridge b;
-    b.helm.takeControl();
-    b.hold(1.0);
-    b.hold(0.0);
-    QCOMPARE(b.causes.last(), QString("by hand: stop, the keys were let go"));
-    QVERIFY(b.figures().control.reins == Reins::Hand);
-    b.helm.endControl("control was given back");
-    QCOMPARE(b.figures().control.reins, Reins::Nobody);
-    QCOMPARE(b.causes.last(), QString("by hand: stop, control was given back"));
-}
-
-void tst_Helm::aResumedBehaviorEndsTheControl() {
-    Bridge b;
-    b.fly(2.0);
-    b.helm.takeControl();
-    b.helm.order(agent::Order::Pause);
-    QCOMPARE(b.figures().control.reins, Reins::Hand);
-    b.helm.order(agent::Order::Resume);
-    QCOMPARE(b.figures().control.reins, Reins::Behavior);
-    QCOMPARE(b.causes.last(), QString("by hand: stop, the behavior test/scripted took over"));
-}
-
-void tst_Helm::withoutABehaviorAPlanIsRefused() {
-    Bridge b;
-    b.helm.control(agent::ReplacePlan{});
-    QCOMPARE(b.plans_refused, 1);
-}
-
-void tst_Helm::replayedStepsAreCounted() {
-    Bridge b;
-    b.helm.sawSent(protocol::Step{});
-    b.helm.sawSent(protocol::GetStartPoses{});
-    b.helm.sawSent(protocol::Step{});
-    QCOMPARE(b.figures().steps_sent, std::uint64_t(2));
-    b.helm.rewind();
-    QCOMPARE(b.figures().steps_sent, std::uint64_t(0));
-    QVERIFY(b.lines.isEmpty());
-}
-
-void tst_Helm::aStandingClockHoldsNoDrives() {
-    Bridge b;
-    b.helm.sendForUser(protocol::AerialDrive{0.0, 1.0, 0.0, 0.0}, "test");
-    b.helm.sendForUser(protocol::AerialDrive{0.0, 2.0, 0.0, 0.0}, "test");
-    QCOMPARE(b.lines.size(), 1);
-    b.helm.look();
-    QCOMPARE(b.lines.size(), 2);
-    QVERIFY(b.lines.last().contains("{LinearVelocity 2}"));
-}
 
 USAR_TEST(tst_Helm)
 

@@ -39,104 +39,98 @@ bool stops(const QByteArray& drive) {
 class tst_IsolatedSession : public QObject {
     Q_OBJECT
 private slots:
-    void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms_data();
-    void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms();
-    void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick_data();
-    void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick();
-    void whatCannotBeStartedEndsTheBehaviorAndNotTheRobot();
-};
-
-void tst_IsolatedSession::aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms_data() {
-    QTest::addColumn<int>("signal");
-    QTest::newRow("SEGV") << SIGSEGV;
-    QTest::newRow("KILL") << SIGKILL;
-}
-
-void tst_IsolatedSession::aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms() {
-    QFETCH(int, signal);
-    SessionFixture f(SessionFixture::patientLimits());
-    QVERIFY(f.spawnNow());
-    QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
-    const auto behavior = climbing("faulty/none");
-    f.session.startBehavior(behavior, {});
-    QVERIFY(f.tickNow());
-    QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty());
-    QVERIFY(!stops(f.server.heardOf("DRIVE").last()));
-
-    QElapsedTimer timer;
-    timer.start();
-    QCOMPARE(::kill(behavior->processId(), signal), 0); // between two ticks: nobody asks it anything
-    QTRY_VERIFY(stops(f.server.heardOf("DRIVE").last()));
-    QVERIFY2(timer.elapsed() <= tick_ms + 50, qPrintable(QString::number(timer.elapsed())));
-    QCOMPARE(finished.size(), 1);
-    QVERIFY(!finished[0][0].toBool());
-    QVERIFY2(finished[0][1].toString().contains(signal == SIGSEGV ? "died by SIGSEGV" : "died by SIGKILL"),
-             qPrintable(finished[0][1].toString()));
-
-    QVERIFY(f.tickNow()); // the robot is as well as before
-    const qsizetype before = f.server.heardOf("DRIVE").size();
-    f.session.startBehavior(climbing("faulty/none"), {});
-    QVERIFY(f.tickNow());
-    QTRY_VERIFY(f.server.heardOf("DRIVE").size() > before);
-}
-
-void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick_data() {
-    QTest::addColumn<QString>("fault");
-    QTest::addColumn<QString>("words");
-    QTest::addColumn<int>("finding_out_ms"); // at the least: the robot has stopped before
-    QTest::newRow("by a signal that it tells of") << "segfault"
-                                                  << "died by SIGSEGV" << 0;
-    QTest::newRow("by one that nobody can tell of") << "orphan"
-                                                    << "died by SIGKILL" << 0;
-    QTest::newRow("it ends") << "exit"
-                             << "exit code 3" << 0;
-    QTest::newRow("it hangs up and lives on") << "hang up"
-                                              << "broke the connection" << 400;
-}
-
-void tst_IsolatedSession::aRobotWhoseBehaviorDiesInItsTickStopsInThatTick() {
-    QFETCH(QString, fault);
-    QFETCH(QString, words);
-    QFETCH(int, finding_out_ms);
-    SessionFixture f(SessionFixture::patientLimits());
-    QVERIFY(f.spawnNow());
-    QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
-    f.session.startBehavior(climbing("faulty/" + fault.toStdString()), {});
-    for (int i = 0; i < 3; ++i)
-        QVERIFY(f.tickNow());
-    QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty() && !stops(f.server.heardOf("DRIVE").last()));
-
-    // The server goes to a thread of its own, for the session's waits while it finds out the reason.
-    QElapsedTimer timer;
-    std::atomic<qint64> stopped_ms = -1;
-    f.server.on_command = [&](const QByteArray& line) {
-        if (stopped_ms < 0 && line.startsWith("DRIVE") && stops(line))
-            stopped_ms = timer.elapsed();
-    };
-    bool told = false;
-    {
-        const test::OwnThread elsewhere(f.server);
-        timer.start();
-        link::post(&f.server, [&] { f.server.tick(); });
-        told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
+    void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("SEGV") << SIGSEGV;
+        QTest::newRow("KILL") << SIGKILL;
     }
-    QVERIFY(told);
-    QVERIFY2(stopped_ms >= 0 && stopped_ms <= tick_ms + 50, qPrintable(QString::number(stopped_ms)));
-    QVERIFY2(timer.elapsed() >= finding_out_ms, qPrintable(QString::number(timer.elapsed())));
-    QVERIFY2(finished[0][1].toString().contains(words), qPrintable(finished[0][1].toString()));
-    QVERIFY(finished[0][1].toString().contains("while it worked on line"));
-    QVERIFY(!f.session.figures().behavior_running);
-}
 
-void tst_IsolatedSession::whatCannotBeStartedEndsTheBehaviorAndNotTheRobot() {
-    SessionFixture f(SessionFixture::patientLimits());
-    QVERIFY(f.spawnNow());
-    QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
-    f.session.startBehavior(climbing("faulty/unheard of"), {});
-    QCOMPARE(finished.size(), 1);
-    QVERIFY(finished[0][1].toString().contains("There are: faulty/none"));
-    QVERIFY(f.tickNow());
-}
+    void aRobotWhoseBehaviorIsKilledStopsWithinATickAnd50Ms() {
+        QFETCH(int, signal);
+        SessionFixture f(SessionFixture::patientLimits());
+        QVERIFY(f.spawnNow());
+        QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
+        const auto behavior = climbing("faulty/none");
+        f.session.startBehavior(behavior, {});
+        QVERIFY(f.tickNow());
+        QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty());
+        QVERIFY(!stops(f.server.heardOf("DRIVE").last()));
+
+        QElapsedTimer timer;
+        timer.start();
+        QCOMPARE(::kill(behavior->processId(), signal), 0); // between two ticks: nobody asks it anything
+        QTRY_VERIFY(stops(f.server.heardOf("DRIVE").last()));
+        QVERIFY2(timer.elapsed() <= tick_ms + 50, qPrintable(QString::number(timer.elapsed())));
+        QCOMPARE(finished.size(), 1);
+        QVERIFY(!finished[0][0].toBool());
+        QVERIFY2(finished[0][1].toString().contains(signal == SIGSEGV ? "died by SIGSEGV" : "died by SIGKILL"),
+                 qPrintable(finished[0][1].toString()));
+
+        QVERIFY(f.tickNow()); // the robot is as well as before
+        const qsizetype before = f.server.heardOf("DRIVE").size();
+        f.session.startBehavior(climbing("faulty/none"), {});
+        QVERIFY(f.tickNow());
+        QTRY_VERIFY(f.server.heardOf("DRIVE").size() > before);
+    }
+
+    void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick_data() {
+        QTest::addColumn<QString>("fault");
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<int>("finding_out_ms"); // at the least: the robot has stopped before
+        QTest::newRow("by a signal that it tells of") << "segfault"
+                                                      << "died by SIGSEGV" << 0;
+        QTest::newRow("by one that nobody can tell of") << "orphan"
+                                                        << "died by SIGKILL" << 0;
+        QTest::newRow("it ends") << "exit"
+                                 << "exit code 3" << 0;
+        QTest::newRow("it hangs up and lives on") << "hang up"
+                                                  << "broke the connection" << 400;
+    }
+
+    void aRobotWhoseBehaviorDiesInItsTickStopsInThatTick() {
+        QFETCH(QString, fault);
+        QFETCH(QString, words);
+        QFETCH(int, finding_out_ms);
+        SessionFixture f(SessionFixture::patientLimits());
+        QVERIFY(f.spawnNow());
+        QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
+        f.session.startBehavior(climbing("faulty/" + fault.toStdString()), {});
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(f.tickNow());
+        QTRY_VERIFY(!f.server.heardOf("DRIVE").isEmpty() && !stops(f.server.heardOf("DRIVE").last()));
+
+        // The server goes to a thread of its own, for the session's waits while it finds out the reason.
+        QElapsedTimer timer;
+        std::atomic<qint64> stopped_ms = -1;
+        f.server.on_command = [&](const QByteArray& line) {
+            if (stopped_ms < 0 && line.startsWith("DRIVE") && stops(line))
+                stopped_ms = timer.elapsed();
+        };
+        bool told = false;
+        {
+            const test::OwnThread elsewhere(f.server);
+            timer.start();
+            link::post(&f.server, [&] { f.server.tick(); });
+            told = QTest::qWaitFor([&] { return !finished.isEmpty() && stopped_ms >= 0; });
+        }
+        QVERIFY(told);
+        QVERIFY2(stopped_ms >= 0 && stopped_ms <= tick_ms + 50, qPrintable(QString::number(stopped_ms)));
+        QVERIFY2(timer.elapsed() >= finding_out_ms, qPrintable(QString::number(timer.elapsed())));
+        QVERIFY2(finished[0][1].toString().contains(words), qPrintable(finished[0][1].toString()));
+        QVERIFY(finished[0][1].toString().contains("while it worked on line"));
+        QVERIFY(!f.session.figures().behavior_running);
+    }
+
+    void whatCannotBeStartedEndsTheBehaviorAndNotTheRobot() {
+        SessionFixture f(SessionFixture::patientLimits());
+        QVERIFY(f.spawnNow());
+        QSignalSpy finished(&f.session, &RobotSession::behaviorFinished);
+        f.session.startBehavior(climbing("faulty/unheard of"), {});
+        QCOMPARE(finished.size(), 1);
+        QVERIFY(finished[0][1].toString().contains("There are: faulty/none"));
+        QVERIFY(f.tickNow());
+    }
+};
 
 USAR_TEST(tst_IsolatedSession)
 

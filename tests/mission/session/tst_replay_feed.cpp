@@ -110,66 +110,60 @@ struct Fed {
 class tst_ReplayFeed : public QObject {
     Q_OBJECT
 private slots:
-    void aReplayBeginsWithItsFacts();
-    void everyRecordBecomesWhatItWas();
-    void aLostConnectionIsTold();
-    void onTheWayOnlyTheNewestOfAKindIsPassedOn();
-    void theEndForgetsTheReplay();
+    void aReplayBeginsWithItsFacts() {
+        Fed fed;
+        QVERIFY(fed.feed.on() && fed.feed.figures());
+        QCOMPARE(fed.stage.told, (QStringList{"rewound", "began 0.5 flat", QString("link %1").arg(connecting)}));
+        QCOMPARE(fed.feed.linkStatus().host, QString("sim"));
+        QCOMPARE(fed.feed.linkStatus().port, quint16(3000));
+    }
+
+    void everyRecordBecomesWhatItWas() {
+        Fed fed;
+        fed.stage.told.clear();
+        QVERIFY(fed.playAll());
+        QCOMPARE(fed.stage.told,
+                 (QStringList{"connected", QString("link %1").arg(connected), "0 > session: connect: GETSTARTPOSES",
+                              "1: NFO {Level flat}", "fault wind", "task airrobot/cpp R1 4",
+                              QString("published %1").arg(agent::Published(scanning()).index()),
+                              QString("published %1").arg(agent::Published(agent::MapMark{}).index()),
+                              "finished 1 Done.", "closed"}));
+        QCOMPARE(fed.feed.traffic().lines_in, std::uint64_t(1));
+        QCOMPARE(fed.feed.traffic().lines_out, std::uint64_t(1));
+        QCOMPARE(fed.feed.traffic().bytes_out, std::uint64_t(15)); // with its line end
+    }
+
+    void aLostConnectionIsTold() {
+        Fed fed("It hung up.");
+        QVERIFY(fed.playAll());
+        QCOMPARE(fed.stage.told.mid(fed.stage.told.size() - 2),
+                 (QStringList{"lost", QString("link %1 It hung up.").arg(disconnected)}));
+    }
+
+    void onTheWayOnlyTheNewestOfAKindIsPassedOn() {
+        Fed fed;
+        fed.stage.told.clear();
+        fed.feed.order({.seek = fed.feed.figures()->span});
+        QVERIFY(QTest::qWaitFor([&] { return fed.stage.told.contains("arrives"); }));
+        const QStringList& told = fed.stage.told;
+        const QString status = QString("published %1").arg(agent::Published(scanning()).index());
+        const QString mark = QString("published %1").arg(agent::Published(agent::MapMark{}).index());
+        QCOMPARE(told.first(), QString("seeks"));
+        QVERIFY(told.indexOf("passed scanning") > 0);
+        QVERIFY2(told.indexOf(mark) < told.indexOf("arrives"), "what adds up is taken on the way");
+        QVERIFY2(told.indexOf(status) > told.indexOf("arrives"), "of the rest the newest is enough");
+        QVERIFY2(told.indexOf(QString("link %1").arg(connected)) > told.indexOf("arrives"), "and so of the link");
+    }
+
+    void theEndForgetsTheReplay() {
+        Fed fed;
+        fed.feed.end();
+        QVERIFY(!fed.feed.on() && !fed.feed.figures());
+        fed.stage.told.clear();
+        fed.feed.order({.step = true});
+        QVERIFY(fed.stage.told.isEmpty());
+    }
 };
-
-void tst_ReplayFeed::aReplayBeginsWithItsFacts() {
-    Fed fed;
-    QVERIFY(fed.feed.on() && fed.feed.figures());
-    QCOMPARE(fed.stage.told, (QStringList{"rewound", "began 0.5 flat", QString("link %1").arg(connecting)}));
-    QCOMPARE(fed.feed.linkStatus().host, QString("sim"));
-    QCOMPARE(fed.feed.linkStatus().port, quint16(3000));
-}
-
-void tst_ReplayFeed::everyRecordBecomesWhatItWas() {
-    Fed fed;
-    fed.stage.told.clear();
-    QVERIFY(fed.playAll());
-    QCOMPARE(fed.stage.told,
-             (QStringList{"connected", QString("link %1").arg(connected), "0 > session: connect: GETSTARTPOSES",
-                          "1: NFO {Level flat}", "fault wind", "task airrobot/cpp R1 4",
-                          QString("published %1").arg(agent::Published(scanning()).index()),
-                          QString("published %1").arg(agent::Published(agent::MapMark{}).index()), "finished 1 Done.",
-                          "closed"}));
-    QCOMPARE(fed.feed.traffic().lines_in, std::uint64_t(1));
-    QCOMPARE(fed.feed.traffic().lines_out, std::uint64_t(1));
-    QCOMPARE(fed.feed.traffic().bytes_out, std::uint64_t(15)); // with its line end
-}
-
-void tst_ReplayFeed::aLostConnectionIsTold() {
-    Fed fed("It hung up.");
-    QVERIFY(fed.playAll());
-    QCOMPARE(fed.stage.told.mid(fed.stage.told.size() - 2),
-             (QStringList{"lost", QString("link %1 It hung up.").arg(disconnected)}));
-}
-
-void tst_ReplayFeed::onTheWayOnlyTheNewestOfAKindIsPassedOn() {
-    Fed fed;
-    fed.stage.told.clear();
-    fed.feed.order({.seek = fed.feed.figures()->span});
-    QVERIFY(QTest::qWaitFor([&] { return fed.stage.told.contains("arrives"); }));
-    const QStringList& told = fed.stage.told;
-    const QString status = QString("published %1").arg(agent::Published(scanning()).index());
-    const QString mark = QString("published %1").arg(agent::Published(agent::MapMark{}).index());
-    QCOMPARE(told.first(), QString("seeks"));
-    QVERIFY(told.indexOf("passed scanning") > 0);
-    QVERIFY2(told.indexOf(mark) < told.indexOf("arrives"), "what adds up is taken on the way");
-    QVERIFY2(told.indexOf(status) > told.indexOf("arrives"), "of the rest the newest is enough");
-    QVERIFY2(told.indexOf(QString("link %1").arg(connected)) > told.indexOf("arrives"), "and so of the link");
-}
-
-void tst_ReplayFeed::theEndForgetsTheReplay() {
-    Fed fed;
-    fed.feed.end();
-    QVERIFY(!fed.feed.on() && !fed.feed.figures());
-    fed.stage.told.clear();
-    fed.feed.order({.step = true});
-    QVERIFY(fed.stage.told.isEmpty());
-}
 
 USAR_TEST(tst_ReplayFeed)
 

@@ -33,111 +33,102 @@ struct Kept : test::NoticeBook {
 class tst_ScanBook : public QObject {
     Q_OBJECT
 private slots:
-    void nothingIsWorthSavingWithoutAMap();
-    void whatIsWorthSavingIsCounted();
-    void aPathIsOfPointsACellApart();
-    void aScanThatIsTooOldIsToldOnce();
-    void cellsChangeOnlyInAnEmptyMap();
-    void aNewTaskKeepsTheMap();
-    void aRewoundReplayKeepsOnlyTheLevel();
-    void aReplayHasTheCellsOfItsRecording();
+    void nothingIsWorthSavingWithoutAMap() {
+        Kept kept;
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        QCOMPARE(kept.book.record().revision, std::uint64_t(0));
+        QCOMPARE(kept.book.record().marks.size(), std::size_t(1));
+        QVERIFY(kept.book.snapshot().raster.empty());
+    }
+
+    void whatIsWorthSavingIsCounted() {
+        Kept kept;
+        kept.scan(1);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(1));
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        agent::BehaviorStatus status;
+        status.state = "scanning";
+        kept.book.take(status);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(4));
+        status.elapsed = Seconds{5.0};
+        kept.book.take(status);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(4)); // time alone is no news
+        QCOMPARE(kept.book.record().status.elapsed.count(), 5.0);
+        QVERIFY(!kept.book.snapshot().raster.empty());
+    }
+
+    void aPathIsOfPointsACellApart() {
+        Kept kept;
+        for (const double x_m : {0.0, 0.1, 0.2, 0.3, 0.4})
+            kept.moveTo(x_m);
+        QCOMPARE(kept.book.record().path_m.size(), std::size_t(2));
+        QCOMPARE(kept.book.record().path_m.back().x(), 0.3);
+    }
+
+    void aScanThatIsTooOldIsToldOnce() {
+        Kept kept;
+        kept.place(7);
+        kept.place(8);
+        QCOMPARE(kept.topics(), std::vector<std::string>{"placement"});
+        kept.scan(9);
+        kept.book.beginConnection();
+        kept.place(9); // lines are numbered anew
+        QCOMPARE(kept.book.record().revision, std::uint64_t(1));
+    }
+
+    void cellsChangeOnlyInAnEmptyMap() {
+        Kept kept;
+        kept.book.setCellSize(0.5);
+        QCOMPARE(kept.book.cellSize_m(), 0.5);
+        kept.scan(1);
+        kept.book.setCellSize(0.5);
+        QVERIFY(kept.said.empty());
+        kept.book.setCellSize(0.25);
+        QCOMPARE(kept.book.cellSize_m(), 0.5);
+        QCOMPARE(kept.topics(), std::vector<std::string>{"cell size"});
+        QVERIFY(kept.saidWords("keeps its cells of 0.50 m"));
+    }
+
+    void aNewTaskKeepsTheMap() {
+        Kept kept;
+        kept.scan(1);
+        agent::BehaviorStatus status;
+        status.state = "done";
+        kept.book.take(status);
+        kept.book.beginTask("airrobot/cpp", "R1", {{0.0, 0.0}, {10.0, 10.0}});
+        QCOMPARE(kept.book.record().behavior_id, std::string("airrobot/cpp"));
+        QCOMPARE(kept.book.record().robot_name, std::string("R1"));
+        QVERIFY(kept.book.record().status == agent::BehaviorStatus{});
+        QVERIFY(!kept.book.snapshot().raster.empty());
+    }
+
+    void aRewoundReplayKeepsOnlyTheLevel() {
+        Kept kept;
+        protocol::GameInfo game;
+        game.level = "tall_test";
+        kept.book.take(protocol::InfoLine{{1}, "NFO", game, {}});
+        kept.scan(2);
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        kept.book.noteFault("wind");
+        kept.book.rewind();
+        const ScanRecord left = kept.book.snapshot();
+        QVERIFY(left.raster.empty() && left.path_m.empty() && left.marks.empty() && left.faults.empty());
+        QCOMPARE(left.level, std::string("tall_test"));
+        QCOMPARE(left.revision, std::uint64_t(0));
+    }
+
+    void aReplayHasTheCellsOfItsRecording() {
+        Kept kept;
+        kept.book.beginReplay(1.0, "flat");
+        QCOMPARE(kept.book.cellSize_m(), 1.0);
+        kept.book.beginReplay(std::nullopt, "");
+        QCOMPARE(kept.book.cellSize_m(), 1.0);
+        QCOMPARE(kept.book.record().level, std::string());
+    }
 };
-
-void tst_ScanBook::nothingIsWorthSavingWithoutAMap() {
-    Kept kept;
-    kept.moveTo(1.0);
-    kept.book.take(agent::MapMark{});
-    QCOMPARE(kept.book.record().revision, std::uint64_t(0));
-    QCOMPARE(kept.book.record().marks.size(), std::size_t(1));
-    QVERIFY(kept.book.snapshot().raster.empty());
-}
-
-void tst_ScanBook::whatIsWorthSavingIsCounted() {
-    Kept kept;
-    kept.scan(1);
-    QCOMPARE(kept.book.record().revision, std::uint64_t(1));
-    kept.moveTo(1.0);
-    kept.book.take(agent::MapMark{});
-    agent::BehaviorStatus status;
-    status.state = "scanning";
-    kept.book.take(status);
-    QCOMPARE(kept.book.record().revision, std::uint64_t(4));
-    status.elapsed = Seconds{5.0};
-    kept.book.take(status);
-    QCOMPARE(kept.book.record().revision, std::uint64_t(4)); // time alone is no news
-    QCOMPARE(kept.book.record().status.elapsed.count(), 5.0);
-    QVERIFY(!kept.book.snapshot().raster.empty());
-}
-
-void tst_ScanBook::aPathIsOfPointsACellApart() {
-    Kept kept;
-    for (const double x_m : {0.0, 0.1, 0.2, 0.3, 0.4})
-        kept.moveTo(x_m);
-    QCOMPARE(kept.book.record().path_m.size(), std::size_t(2));
-    QCOMPARE(kept.book.record().path_m.back().x(), 0.3);
-}
-
-void tst_ScanBook::aScanThatIsTooOldIsToldOnce() {
-    Kept kept;
-    kept.place(7);
-    kept.place(8);
-    QCOMPARE(kept.topics(), std::vector<std::string>{"placement"});
-    kept.scan(9);
-    kept.book.beginConnection();
-    kept.place(9); // lines are numbered anew
-    QCOMPARE(kept.book.record().revision, std::uint64_t(1));
-}
-
-void tst_ScanBook::cellsChangeOnlyInAnEmptyMap() {
-    Kept kept;
-    kept.book.setCellSize(0.5);
-    QCOMPARE(kept.book.cellSize_m(), 0.5);
-    kept.scan(1);
-    kept.book.setCellSize(0.5);
-    QVERIFY(kept.said.empty());
-    kept.book.setCellSize(0.25);
-    QCOMPARE(kept.book.cellSize_m(), 0.5);
-    QCOMPARE(kept.topics(), std::vector<std::string>{"cell size"});
-    QVERIFY(kept.saidWords("keeps its cells of 0.50 m"));
-}
-
-void tst_ScanBook::aNewTaskKeepsTheMap() {
-    Kept kept;
-    kept.scan(1);
-    agent::BehaviorStatus status;
-    status.state = "done";
-    kept.book.take(status);
-    kept.book.beginTask("airrobot/cpp", "R1", {{0.0, 0.0}, {10.0, 10.0}});
-    QCOMPARE(kept.book.record().behavior_id, std::string("airrobot/cpp"));
-    QCOMPARE(kept.book.record().robot_name, std::string("R1"));
-    QVERIFY(kept.book.record().status == agent::BehaviorStatus{});
-    QVERIFY(!kept.book.snapshot().raster.empty());
-}
-
-void tst_ScanBook::aRewoundReplayKeepsOnlyTheLevel() {
-    Kept kept;
-    protocol::GameInfo game;
-    game.level = "tall_test";
-    kept.book.take(protocol::InfoLine{{1}, "NFO", game, {}});
-    kept.scan(2);
-    kept.moveTo(1.0);
-    kept.book.take(agent::MapMark{});
-    kept.book.noteFault("wind");
-    kept.book.rewind();
-    const ScanRecord left = kept.book.snapshot();
-    QVERIFY(left.raster.empty() && left.path_m.empty() && left.marks.empty() && left.faults.empty());
-    QCOMPARE(left.level, std::string("tall_test"));
-    QCOMPARE(left.revision, std::uint64_t(0));
-}
-
-void tst_ScanBook::aReplayHasTheCellsOfItsRecording() {
-    Kept kept;
-    kept.book.beginReplay(1.0, "flat");
-    QCOMPARE(kept.book.cellSize_m(), 1.0);
-    kept.book.beginReplay(std::nullopt, "");
-    QCOMPARE(kept.book.cellSize_m(), 1.0);
-    QCOMPARE(kept.book.record().level, std::string());
-}
 
 USAR_TEST(tst_ScanBook)
 

@@ -26,82 +26,76 @@ struct Shown {
 class tst_UpdateFeed : public QObject {
     Q_OBJECT
 private slots:
-    void manyChangesAreOneUpdate();
-    void withoutObserversNothingIsCollected();
-    void theLastUpdateDoesNotWait();
-    void whileMutedUpdatesAreCollectedOnly();
-    void aRewoundUpdateSaysSo();
-};
+    void manyChangesAreOneUpdate() {
+        Shown shown;
+        shown.feed.lookForObservers();
+        for (int i = 0; i < 3; ++i) {
+            shown.addLine();
+            shown.feed.touched();
+        }
+        QVERIFY(shown.updates.empty());
+        QTRY_COMPARE(shown.updates.size(), std::size_t(1));
+        QCOMPARE(shown.updates.front()->lines.size(), std::size_t(3));
+    }
 
-void tst_UpdateFeed::manyChangesAreOneUpdate() {
-    Shown shown;
-    shown.feed.lookForObservers();
-    for (int i = 0; i < 3; ++i) {
+    void withoutObserversNothingIsCollected() {
+        Shown shown;
+        shown.is_observed = false;
+        shown.feed.lookForObservers();
         shown.addLine();
         shown.feed.touched();
+        shown.feed.showNow();
+        QVERIFY(shown.updates.empty());
+        shown.is_observed = true;
+        shown.feed.lookForObservers();
+        shown.feed.showNow();
+        QCOMPARE(shown.updates.size(), std::size_t(1));
+        QVERIFY(shown.updates.front()->lines.empty());
     }
-    QVERIFY(shown.updates.empty());
-    QTRY_COMPARE(shown.updates.size(), std::size_t(1));
-    QCOMPARE(shown.updates.front()->lines.size(), std::size_t(3));
-}
 
-void tst_UpdateFeed::withoutObserversNothingIsCollected() {
-    Shown shown;
-    shown.is_observed = false;
-    shown.feed.lookForObservers();
-    shown.addLine();
-    shown.feed.touched();
-    shown.feed.showNow();
-    QVERIFY(shown.updates.empty());
-    shown.is_observed = true;
-    shown.feed.lookForObservers();
-    shown.feed.showNow();
-    QCOMPARE(shown.updates.size(), std::size_t(1));
-    QVERIFY(shown.updates.front()->lines.empty());
-}
+    void theLastUpdateDoesNotWait() {
+        Shown shown;
+        shown.feed.lookForObservers();
+        shown.feed.addCommand({protocol::Step{}, {"test", {4}}}, "STEP", {5}, Seconds{1.5});
+        shown.feed.addPublished({agent::MapMark{}});
+        shown.feed.touched();
+        shown.feed.showNow();
+        QCOMPARE(shown.updates.size(), std::size_t(1));
+        QCOMPARE(shown.updates.front()->published.size(), std::size_t(1));
+        const SentCommand& sent = shown.updates.front()->commands.at(0);
+        QCOMPARE(sent.text, std::string("STEP"));
+        QCOMPARE(sent.after, LineNumber{5});
+        QCOMPARE(sent.time.count(), 1.5);
+    }
 
-void tst_UpdateFeed::theLastUpdateDoesNotWait() {
-    Shown shown;
-    shown.feed.lookForObservers();
-    shown.feed.addCommand({protocol::Step{}, {"test", {4}}}, "STEP", {5}, Seconds{1.5});
-    shown.feed.addPublished({agent::MapMark{}});
-    shown.feed.touched();
-    shown.feed.showNow();
-    QCOMPARE(shown.updates.size(), std::size_t(1));
-    QCOMPARE(shown.updates.front()->published.size(), std::size_t(1));
-    const SentCommand& sent = shown.updates.front()->commands.at(0);
-    QCOMPARE(sent.text, std::string("STEP"));
-    QCOMPARE(sent.after, LineNumber{5});
-    QCOMPARE(sent.time.count(), 1.5);
-}
+    void whileMutedUpdatesAreCollectedOnly() {
+        Shown shown;
+        shown.feed.lookForObservers();
+        shown.feed.mute(true);
+        shown.addLine();
+        shown.feed.touched();
+        shown.feed.showNow();
+        QVERIFY(shown.updates.empty());
+        shown.feed.mute(false);
+        shown.feed.touched();
+        QTRY_COMPARE(shown.updates.size(), std::size_t(1));
+        QCOMPARE(shown.updates.front()->lines.size(), std::size_t(1));
+    }
 
-void tst_UpdateFeed::whileMutedUpdatesAreCollectedOnly() {
-    Shown shown;
-    shown.feed.lookForObservers();
-    shown.feed.mute(true);
-    shown.addLine();
-    shown.feed.touched();
-    shown.feed.showNow();
-    QVERIFY(shown.updates.empty());
-    shown.feed.mute(false);
-    shown.feed.touched();
-    QTRY_COMPARE(shown.updates.size(), std::size_t(1));
-    QCOMPARE(shown.updates.front()->lines.size(), std::size_t(1));
-}
-
-void tst_UpdateFeed::aRewoundUpdateSaysSo() {
-    Shown shown;
-    shown.feed.lookForObservers();
-    shown.addLine();
-    shown.feed.rewind();
-    shown.feed.addTask({"airrobot/cpp", {}});
-    shown.feed.showNow();
-    QVERIFY(shown.updates.at(0)->rewound);
-    QVERIFY(shown.updates.at(0)->lines.empty());
-    QVERIFY(shown.updates.at(0)->task);
-    shown.feed.showNow();
-    QVERIFY(!shown.updates.at(1)->rewound);
-}
+    void aRewoundUpdateSaysSo() {
+        Shown shown;
+        shown.feed.lookForObservers();
+        shown.addLine();
+        shown.feed.rewind();
+        shown.feed.addTask({"airrobot/cpp", {}});
+        shown.feed.showNow();
+        QVERIFY(shown.updates.at(0)->rewound);
+        QVERIFY(shown.updates.at(0)->lines.empty());
+        QVERIFY(shown.updates.at(0)->task);
+        shown.feed.showNow();
+        QVERIFY(!shown.updates.at(1)->rewound);
+    }
+};
 
 USAR_TEST(tst_UpdateFeed)
 
