@@ -136,10 +136,7 @@ private slots:
 
         RobotSession session;
         Told is(session);
-        QSignalSpy ended(&session, &RobotSession::replayEnded);
-        session.openRecording(path);
-        session.orderReplay({.play = true, .speed = speed});
-        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 20000);
+        QVERIFY(playsToItsEnd(session, path, speed));
         QTRY_COMPARE(is.lines.size(), was.lines.size());
         QCOMPARE(is.lines, was.lines);
         QTRY_COMPARE(is.commands.size(), was.commands.size());
@@ -166,10 +163,7 @@ private slots:
         const QString path = recordAFlight(live, 10);
         RobotSession straight;
         Told one(straight);
-        QSignalSpy ended(&straight, &RobotSession::replayEnded);
-        straight.openRecording(path);
-        straight.orderReplay({.play = true, .speed = as_fast_as_it_can});
-        QTRY_COMPARE(ended.size(), 1);
+        QVERIFY(playsToItsEnd(straight, path));
 
         RobotSession session;
         Told other(session);
@@ -216,10 +210,7 @@ private slots:
 
         RobotSession session;
         Told told(session);
-        QSignalSpy ended(&session, &RobotSession::replayEnded);
-        session.openRecording(path);
-        session.orderReplay({.play = true, .speed = as_fast_as_it_can});
-        QTRY_COMPARE(ended.size(), 1);
+        QVERIFY(playsToItsEnd(session, path));
         QTRY_COMPARE(told.lines.size(), after - before);
         QCOMPARE(told.lines.front(),
                  std::to_string(before + 1) + " STA {Type AerialVehicle} {Time 0.40} {Battery 1200}");
@@ -259,10 +250,7 @@ private slots:
 
         RobotSession session;
         Told told(session);
-        QSignalSpy ended(&session, &RobotSession::replayEnded);
-        session.openRecording(file);
-        session.orderReplay({.play = true, .speed = as_fast_as_it_can});
-        QTRY_COMPARE(ended.size(), 1);
+        QVERIFY(playsToItsEnd(session, file));
         const auto all = [&]<class Value>(const Value&) {
             std::vector<Value> values;
             for (const agent::Published& published : told.published)
@@ -281,7 +269,13 @@ private slots:
         QCOMPARE(all(agent::CurrentGoal{}), std::vector{goal});
         QCOMPARE(all(agent::MapMark{}).size(), std::size_t(1));
         QVERIFY(all(agent::PlanHalted{}).empty());
+    }
 
+    void aRecordingBegunAfterTheBehaviorSaysNothingOfIt() {
+        SessionFixture live(SessionFixture::patientLimits());
+        QVERIFY(live.spawnNow());
+        live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {}});
+        QVERIFY(live.tickNow());
         live.session.stop();
         const QString later = newPath();
         QVERIFY(live.session.startRecording(later, {}));
@@ -380,10 +374,7 @@ private slots:
             QTRY_VERIFY(!link.isEmpty());
             live.session.stopRecording();
             RobotSession session;
-            QSignalSpy ended(&session, &RobotSession::replayEnded);
-            session.openRecording(path);
-            session.orderReplay({.play = true, .speed = as_fast_as_it_can});
-            QTRY_COMPARE(ended.size(), 1);
+            QVERIFY(playsToItsEnd(session, path));
             QCOMPARE(session.linkStatus().state, lost ? link::LinkState::Disconnected : link::LinkState::Connected);
             QCOMPARE(session.figures().spawned, !lost);
             QCOMPARE(session.linkStatus().trouble.contains("closed the connection"), lost);
@@ -391,6 +382,13 @@ private slots:
     }
 
 private:
+    static bool playsToItsEnd(RobotSession& session, const QString& path, double speed = as_fast_as_it_can) {
+        QSignalSpy ended(&session, &RobotSession::replayEnded);
+        session.openRecording(path);
+        session.orderReplay({.play = true, .speed = speed});
+        return QTest::qWaitFor([&] { return ended.size() == 1; }, 20000);
+    }
+
     QTemporaryDir folder_;
     int files_ = 0;
     QString newPath() { return folder_.filePath(QString("r%1.usarrec").arg(++files_)); }
