@@ -44,7 +44,7 @@ int runPlanReportVerb(const QStringList& arguments) {
         std::fwrite(report.data(), 1, report.size(), stdout);
     }
     if (std::fflush(stdout) != 0)
-        return complain({"the output takes no more", "standard output", "Make room, or write elsewhere"});
+        return complain({"the output cannot be written", "standard output", "Make room, or write elsewhere"});
     return worst;
 }
 

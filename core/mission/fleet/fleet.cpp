@@ -227,7 +227,7 @@ Result<void> Fleet::checkLine(int connection) const {
         return failure("this is a recording, and nothing can be sent into it", "", "Connect to a server first");
     if (robot->view().link.state != link::LinkState::Connected)
         return failure("the connection is lost", robot->view().spawn.robot_name,
-                       "Wait until it is back, or connect anew");
+                       "Wait until it is back, or connect again");
     return {};
 }
 
@@ -272,7 +272,7 @@ Result<void> Fleet::startBehavior(int id, const std::string& behavior_id, const 
 Result<void> Fleet::startAgain(int id) {
     Robot* robot = this->robot(id);
     if (!robot || !robot->started())
-        return failure("nothing was started there", std::to_string(id), "Choose a behavior, then start it");
+        return failure("no behavior has been started on it", std::to_string(id), "Choose a behavior, then start it");
     if (!robot->view().figures.spawned)
         return failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
     StartedBehavior start = *robot->started();

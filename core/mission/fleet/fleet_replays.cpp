@@ -63,7 +63,8 @@ int Fleet::lookedBackOn(int id) const {
 
 void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint) {
     if (roster.full()) {
-        q.note(Severity::Error, "replay", tr("Nine robots are the most. Remove one, then open the recording again."));
+        q.note(Severity::Error, "replay",
+               tr("There can be no more than nine robots. Remove one, then open the recording again."));
         robot.release()->deleteLater();
         return;
     }

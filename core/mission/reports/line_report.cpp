@@ -141,7 +141,7 @@ Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
         counts.with_diagnostics += object["diagnostics"].toArray().isEmpty() ? 0 : 1;
         const QByteArray json = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
         if (output.write(json) != json.size())
-            return failure("the output takes no more: " + output.errorString().toStdString(),
+            return failure("the output cannot be written: " + output.errorString().toStdString(),
                            "line " + std::to_string(number), "Make room, or write elsewhere");
     }
     return counts;

@@ -34,7 +34,7 @@ QJsonObject noteToJson(const posh::Spot& at, const std::string& message, const Q
 Result<void> print(const QJsonObject& object, QIODevice& output) {
     const QByteArray json = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
     if (output.write(json) != json.size())
-        return failure("the output takes no more: " + output.errorString().toStdString(),
+        return failure("the output cannot be written: " + output.errorString().toStdString(),
                        object["file"].toString().toStdString(), "Make room, or write elsewhere");
     return {};
 }

@@ -138,18 +138,18 @@ void MissionRunner::Private::look() {
     if (phase == Phase::Connecting && elapsedOn(since_start) > options.limits.connect) {
         const std::string trouble = session.linkStatus().trouble.toStdString();
         conclude(false,
-                 trouble.empty() ? "The server gave no start poses. Is it USARSim, and is its game running?" : trouble,
+                 trouble.empty() ? "The server sent no start poses. Is it USARSim, and is its game running?" : trouble,
                  BadInput);
     } else if (phase == Phase::Spawning && elapsedOn(since_spawn) > options.limits.spawn) {
         conclude(false,
-                 "The robot did not come. Is the start pose free, and does the server know " + mission.robot_class +
+                 "The robot did not appear. Is the start pose free, and does the server know " + mission.robot_class +
                      "?",
                  MissionFailed);
     } else if (phase == Phase::Flying && elapsedOn(since_time_moved) > options.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
                  MissionFailed);
     } else if (phase == Phase::Flying && flightTime() > options.limits.flight) {
-        conclude(false, "The mission took longer than any mission may. Make the area smaller.", MissionFailed);
+        conclude(false, "The mission took longer than a mission is allowed to. Make the area smaller.", MissionFailed);
     }
     if (phase != Phase::Over)
         emit q.progressed(progress());

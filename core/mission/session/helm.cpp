@@ -215,14 +215,14 @@ void Helm::takeControl() {
         return;
     if (halted())
         return view_.notices.say(Severity::Warning, Topic::Control,
-                                 "The plan stands still, and the robot's time with it. Let it go on, then take "
+                                 "The plan is halted, and the robot's time with it. Let the plan continue, then take "
                                  "control.");
     hand_.setOn(true);
     if (host_) {
         agent::RunningBehavior::Output output = host_->order(agent::Order::Pause);
         takeOutput(output, false);
         view_.notices.say(Severity::Note, Topic::Control,
-                          "You drive. The behavior " + host_->behaviorId() +
+                          "You are driving. The behavior " + host_->behaviorId() +
                               " is paused; resume it to give it the robot back.");
     }
     makeSafe(handCause("control taken"));

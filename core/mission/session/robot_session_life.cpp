@@ -180,7 +180,7 @@ SessionFigures RobotSession::Private::figures() const {
 bool RobotSession::Private::refusedInReplay() {
     if (replaying() && !notices.stands(Topic::Replay))
         notices.trouble(Severity::Warning, Topic::Replay,
-                        "This is a replay: nothing can be sent, for all of it has happened. Connect to a server and "
+                        "This is a replay of the past, so nothing can be sent. Connect to a server and "
                         "spawn a robot to drive one.");
     return replaying();
 }

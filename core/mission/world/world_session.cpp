@@ -154,7 +154,7 @@ void WorldSession::missAnswer() {
     }
     const std::string where = place(link_.status());
     if (ever_answered_)
-        setState(WorldState::Asking, where + " does not say any more where things are. Is the game paused there?");
+        setState(WorldState::Asking, where + " no longer says where things are. Is the game paused there?");
     else
         setState(WorldState::Refused, "The server at " + where +
                                           " does not answer as a world controller, so things cannot be put into its "
@@ -235,7 +235,7 @@ void WorldSession::noteAwaited() {
             continue;
         }
         emit noticed({Severity::Warning,
-                      one->first + " did not come into the world. The server may not know the class " +
+                      one->first + " did not appear in the world. The server may not know the class " +
                           one->second.class_name + ", or has no room there. Choose another class or place.",
                       topic + std::string("/") + one->first});
         kinds_.erase(one->first);

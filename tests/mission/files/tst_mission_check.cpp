@@ -90,7 +90,7 @@ private slots:
         QVERIFY(!pose.has_value());
         QCOMPARE(
             QString::fromStdString(pose.error().text()),
-            QString("m.json:3:10: Roof: the server knows no start pose of this name. It has PlayerStart, robot1."));
+            QString("m.json:3:10: Roof: the server knows no start pose with this name. It has PlayerStart, robot1."));
     }
 
     void aMissionThatIsNoFileNamesTheThingItself() {
@@ -124,7 +124,7 @@ private slots:
             << planned << QByteArray("((DC d (drives ((a Hlat)))))") << "1:20: error E304";
         QTest::newRow("nothing that a plan decides")
             << QByteArray("test/hop") << QByteArray("((DC d (drives ((a Halt)))))")
-            << "no plan decides in this behavior. Choose test/planned";
+            << "this behavior is not run by a plan. Choose test/planned";
     }
 
     void refusesAPlanBeforeAnythingMoves() {
@@ -146,7 +146,7 @@ private slots:
         QVERIFY(!prepared.has_value());
         QCOMPARE(QString::fromStdString(prepared.error().text()),
                  QString("m.json:3:13: test/hop: it needs a mission area. Add \"area\" with x, y, width and height in "
-                         "metres to the mission."));
+                         "meters to the mission."));
     }
 
 private:

@@ -186,7 +186,7 @@ private slots:
         const auto checked = checkFaultsArePossible(options, mission);
         QCOMPARE(checked.has_value(), possible);
         if (!checked)
-            QVERIFY(checked.error().text().starts_with("10.0.0.5: faults can be made in the embedded simulator only"));
+            QVERIFY(checked.error().text().starts_with("10.0.0.5: faults are possible only in the embedded simulator"));
     }
 
     void helpNamesEveryOption() {

@@ -115,7 +115,8 @@ private slots:
         QCOMPARE(map["far_parts"].toInt(), 2);
         QCOMPARE(map["far_known_cells"].toInt(), 3);
         const QString notice = QString::fromStdString(farPartsNotice(record));
-        QVERIFY2(notice.contains("the middle 32 m x 32 m: 3 cells in 2 places") && notice.contains("larger cells"),
+        QVERIFY2(notice.contains("the middle 32 m x 32 m: 3 cells in 2 other places") &&
+                     notice.contains("larger cells"),
                  qPrintable(notice));
         QVERIFY(!notice.contains("not saved"));
     }

@@ -87,14 +87,14 @@ private slots:
         QCOMPARE(added.size(), 9);
         const auto tenth = spawnNow();
         QVERIFY(!tenth.has_value());
-        QCOMPARE(tenth.error().what, std::string("nine robots are the most"));
+        QCOMPARE(tenth.error().what, std::string("there can be no more than nine robots"));
 
         QSignalSpy removed(fleet_.get(), &Fleet::robotRemoved);
         fleet_->remove(1);
         QCOMPARE(removed.at(0), (QVariantList{1, "R1", 2}));
         const auto twin = spawnNow("R2");
         QVERIFY(!twin.has_value());
-        QCOMPARE(twin.error().what, std::string("there is a robot of this name already"));
+        QCOMPARE(twin.error().what, std::string("a robot already has this name"));
         QCOMPARE(spawnNow("Rex").value_or(0), 1);
     }
 
@@ -110,11 +110,11 @@ private slots:
         QVERIFY(connectNow());
         QCOMPARE(spawnNow().value_or(0), 1);
         fleet_->setWorldExtent({{-10.0, -10.0}, {10.0, 10.0}});
-        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("1: nothing was started there"));
+        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("1: no behavior has been started on it"));
         QVERIFY(textOf(fleet_->startBehavior(1, "test/hip", small, {}, {})).contains("no loaded plugin"));
         QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", no_area, {}, {})).contains("it needs a mission area"));
         QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", {{0, 0}, {40, 2}}, {}, {})).contains("outside the world"));
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, "none.lap")).contains("no plan decides"));
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, "none.lap")).contains("not run by a plan"));
         QVERIFY(!fleet_->robot(1)->started());
         QCOMPARE(textOf(fleet_->startBehavior(1, "test/hop", small, {}, {})), QString());
         QVERIFY(fleet_->robot(1)->started());

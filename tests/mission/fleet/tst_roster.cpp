@@ -55,11 +55,10 @@ private slots:
                                   << "R5: no plugin says which robot to spawn. Start with --plugins FOLDER.";
         QTest::newRow("the name of another") << "Rex"
                                              << "USARBot.P2DX"
-                                             << "Rex: there is a robot of this name already. Choose another name.";
-        QTest::newRow("another's name, not asked for")
-            << ""
-            << "USARBot.P2DX"
-            << "R3: there is a robot of this name already. Choose another name.";
+                                             << "Rex: a robot already has this name. Choose another name.";
+        QTest::newRow("another's name, not asked for") << ""
+                                                       << "USARBot.P2DX"
+                                                       << "R3: a robot already has this name. Choose another name.";
     }
 
     void refusesWhatCannotBeSpawned() {
@@ -82,7 +81,7 @@ private slots:
         const auto tenth = roster.accept(requestFor("Ten"));
         QVERIFY(!tenth.has_value());
         QCOMPARE(QString::fromStdString(tenth.error().text()),
-                 QString("Ten: nine robots are the most. Remove one first."));
+                 QString("Ten: there can be no more than nine robots. Remove one first."));
         roster.take(9);
         QVERIFY(roster.accept(requestFor("Ten")));
     }

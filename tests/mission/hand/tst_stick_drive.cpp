@@ -147,7 +147,8 @@ private slots:
         QTest::newRow("wheels that steer one by one")
             << QByteArrayList{ground, "CONF {Type GroundVehicle} {Name Kurt} {SteeringType OmniDrive} {MaxSpeed 5}"}
             << false << "by itself";
-        QTest::newRow("a platform") << QByteArrayList{"STA {Type StaticPlatform} {Time 1.00}"} << false << "bolted";
+        QTest::newRow("a platform") << QByteArrayList{"STA {Type StaticPlatform} {Time 1.00}"} << false
+                                    << "fixed to the ground";
         QTest::newRow("two legs") << QByteArrayList{"STA {Type LeggedRobot} {Time 1.00} {LeftHip 0.1}"} << false
                                   << "no gait";
         QTest::newRow("no kind and no answer")

@@ -94,7 +94,7 @@ private slots:
         QTest::newRow("a text") << "a.lap"
                                 << "byte 0 does not begin a recording";
         QTest::newRow("a recording without a plan") << "empty.usarrec"
-                                                    << "no plan decided in this recording";
+                                                    << "no plan ran in this recording";
     }
 
     void whatIsNeitherIsRefused() {

@@ -48,7 +48,7 @@ private slots:
         Held held;
         held.hand.accept(forward(1.0), Seconds{10.0});
         QVERIFY(!held.reason(Seconds{10.2}));
-        QCOMPARE(held.reason(Seconds{10.4}), std::optional<std::string>("nothing was heard of the hand"));
+        QCOMPARE(held.reason(Seconds{10.4}), std::optional<std::string>("nothing was heard from the input device"));
     }
 
     void aSilentRobotIsStopped() {

@@ -189,7 +189,7 @@ private slots:
         const auto script = b.fly(2.0);
         b.helm.takeControl();
         QCOMPARE(script->orders, std::vector{agent::Order::Pause});
-        QVERIFY(b.saidWords("You drive. The behavior test/scripted is paused"));
+        QVERIFY(b.saidWords("You are driving. The behavior test/scripted is paused"));
         QVERIFY(b.lines.contains(zero));
         QVERIFY(b.causes.contains("by hand: how it is driven"));
         b.lines.clear();

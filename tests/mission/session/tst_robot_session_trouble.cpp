@@ -115,7 +115,7 @@ private slots:
         QVERIFY(f.spawnNow());
         QTRY_COMPARE(f.countSaid("its values are stale. Is the simulation paused"), std::size_t(1));
         QVERIFY(f.tickNow());
-        QVERIFY(f.said("R1 speaks again."));
+        QVERIFY(f.said("R1 is sending again."));
         QVERIFY(f.saidOn("silence") && f.saidOn("silence", true));
         QTRY_COMPARE(f.countSaid("its values are stale"), std::size_t(2));
     }
@@ -164,7 +164,7 @@ private slots:
         SessionFixture f;
         QVERIFY(f.spawnNow());
         f.server.say("SEN {Type Kinect} {Data " + QByteArray(5 << 20, '7'));
-        QTRY_VERIFY(f.said("a line longer than 4 MiB. It was left out"));
+        QTRY_VERIFY(f.said("a line longer than 4 MiB. It was skipped"));
         QCOMPARE(f.session.figures().lines_overlong, std::uint64_t(1));
         f.server.say("7}\r\n");
         QVERIFY(f.tickNow());
@@ -272,7 +272,7 @@ private slots:
         f.session.spawn(requestFor("R1"));
         QTRY_COMPARE(failed.size(), 1);
         QCOMPARE(f.session.figures().spawn, SpawnState::None);
-        QVERIFY(f.said("closed the connection before R1 said anything"));
+        QVERIFY(f.said("closed the connection before R1 sent anything"));
         QVERIFY(f.saidOn("spawn"));
     }
 
@@ -328,7 +328,7 @@ private slots:
         f.server.forget();
         f.server.setDeaf(true);
         const auto waits = [&] {
-            return f.countSaid("reads slower than commands are sent") ==
+            return f.countSaid("reads more slowly than commands are sent") ==
                    f.countSaid("The server reads commands again.") + 1;
         };
         qsizetype sent = 0;

@@ -124,7 +124,7 @@ private slots:
         HeldRobot f;
         QVERIFY(f.ready);
         QTRY_VERIFY(stopped(f));
-        QCOMPARE(f.session.figures().control.last_stop, std::string("nothing was heard of the hand"));
+        QCOMPARE(f.session.figures().control.last_stop, std::string("nothing was heard from the input device"));
     }
 
     void aSilentRobotIsStopped() {

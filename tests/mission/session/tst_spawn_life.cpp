@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(life.topics(), Texts{"spawn"});
         QVERIFY(
             life.saidWords("Nothing from R1 for 5 s after INIT. Does the server know USARBot.AirRobot, is the start "
-                           "pose free and above the ground, and is the simulation not paused? Spawn again to try once "
+                           "pose free and above the ground, and is the simulation running? Spawn again to try once "
                            "more."));
     }
 
@@ -147,7 +147,7 @@ private slots:
         life.spawn.beginConnection();
         life.spawn.connected(Seconds{20.0});
         QCOMPARE(life.topics(), (Texts{"link", "-link"}));
-        QVERIFY(life.saidWords("Spawn R1 again to go on."));
+        QVERIFY(life.saidWords("Spawn R1 again to continue."));
         QCOMPARE(life.scribe.inits, Texts{"R1"}); // on request only
     }
 
@@ -159,7 +159,7 @@ private slots:
         life.spawn.reportRefusal(lost);
         QCOMPARE(life.spawn.state(), SpawnState::None);
         QCOMPARE(life.scribe.failures.size(), std::size_t(1));
-        QVERIFY(life.saidWords("The server closed the connection before R1 said anything."));
+        QVERIFY(life.saidWords("The server closed the connection before R1 sent anything."));
     }
 
     void theFirstTimeWithARobotCounts() {

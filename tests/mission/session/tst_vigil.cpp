@@ -154,7 +154,7 @@ private slots:
         w.vigil.lookAtQueue(6000, "sim:3000");
         w.vigil.lookAtQueue(10, "sim:3000"); // not before all of it is read
         QCOMPARE(w.topics(), Topics{"queue"});
-        QVERIFY(w.saidWords("The server at sim:3000 reads slower than commands are sent: 5 kB wait."));
+        QVERIFY(w.saidWords("The server at sim:3000 reads more slowly than commands are sent: 5 kB are waiting."));
         w.vigil.lookAtQueue(0, "sim:3000");
         QCOMPARE(w.topics(), (Topics{"queue", "-queue"}));
     }
