@@ -14,60 +14,49 @@ namespace {
 
 using Commands = std::vector<Command>;
 
-Commands stopsOf(const SkidDrive&) {
-    return {no_spin};
-}
-Commands stopsOf(const AckermannDrive&) {
-    return {no_roll};
-}
-Commands stopsOf(const AerialDrive&) {
-    return {no_flight};
-}
-Commands stopsOf(const NauticDrive&) {
-    return {no_thrust};
-}
-Commands stopsOf(const OmniDrive& drive) {
-    OmniDrive stop;
-    for (const WheelDrive& wheel : drive.wheels)
-        stop.wheels.push_back({.wheel = wheel.wheel, .spin_rad_s = 0.0});
-    return {stop};
-}
-
 /// Stops a joint. An angle is held by going to where the joint is now.
-Commands stopsOfJoint(const Token& joint, bool to_an_angle) {
-    return {JointDrive{joint, to_an_angle ? JointOrder::RelativeAngle : JointOrder::Speed, 0.0}};
-}
-Commands stopsOf(const JointDrive& drive) {
-    if (drive.order == JointOrder::Brake)
-        return {};
-    return stopsOfJoint(drive.joint, drive.order == JointOrder::Angle || drive.order == JointOrder::RelativeAngle);
-}
-Commands stopsOf(const MultiDrive& drive) {
-    Commands stops;
-    for (const JointAngleTarget& target : drive.joints)
-        stops.push_back(stopsOfJoint(target.joint, true).front());
-    return stops;
-}
-Commands stopsOf(const SetJoint& set) {
-    if (set.opcode == JointOpcode::Stiffness)
-        return {};
-    return stopsOfJoint(set.joint, set.opcode == JointOpcode::Angle || set.opcode == JointOpcode::RelativeAngle);
+Command stopOfJoint(const Token& joint, bool to_an_angle) {
+    return JointDrive{joint, to_an_angle ? JointOrder::RelativeAngle : JointOrder::Speed, 0.0};
 }
 
-/// Makes one command per link, so that each can be replaced by itself. A package that goes to an angle ends there.
-Commands stopsOf(const PackageDrive& drive) {
-    Commands stops;
-    for (const LinkTarget& target : drive.links) {
-        if (target.order != LinkOrder::Angle)
-            stops.push_back(PackageDrive{drive.package, {{target.link, 0.0, LinkOrder::Speed}}});
+/// The commands that stop what a command has set in motion.
+struct Stops {
+    Commands operator()(const SkidDrive&) const { return {no_spin}; }
+    Commands operator()(const AckermannDrive&) const { return {no_roll}; }
+    Commands operator()(const AerialDrive&) const { return {no_flight}; }
+    Commands operator()(const NauticDrive&) const { return {no_thrust}; }
+    Commands operator()(const OmniDrive& drive) const {
+        OmniDrive stop;
+        for (const WheelDrive& wheel : drive.wheels)
+            stop.wheels.push_back({.wheel = wheel.wheel, .spin_rad_s = 0.0});
+        return {stop};
     }
-    return stops;
-}
-
-template <class Other>
-Commands stopsOf(const Other&) {
-    return {};
-}
+    Commands operator()(const JointDrive& drive) const {
+        if (drive.order == JointOrder::Brake)
+            return {};
+        return {stopOfJoint(drive.joint, drive.order == JointOrder::Angle || drive.order == JointOrder::RelativeAngle)};
+    }
+    Commands operator()(const MultiDrive& drive) const {
+        Commands stops;
+        for (const JointAngleTarget& target : drive.joints)
+            stops.push_back(stopOfJoint(target.joint, true));
+        return stops;
+    }
+    Commands operator()(const SetJoint& set) const {
+        if (set.opcode == JointOpcode::Stiffness)
+            return {};
+        return {stopOfJoint(set.joint, set.opcode == JointOpcode::Angle || set.opcode == JointOpcode::RelativeAngle)};
+    }
+    /// One command per link, so that each can be replaced by itself. A package that goes to an angle ends there.
+    Commands operator()(const PackageDrive& drive) const {
+        Commands stops;
+        for (const LinkTarget& target : drive.links)
+            if (target.order != LinkOrder::Angle)
+                stops.push_back(PackageDrive{drive.package, {{target.link, 0.0, LinkOrder::Speed}}});
+        return stops;
+    }
+    Commands operator()(const auto&) const { return {}; }
+};
 
 bool sameThing(const Command& a, const Command& b) {
     const auto* const package = std::get_if<PackageDrive>(&a);
@@ -84,7 +73,7 @@ void MovingParts::sent(const Command& command) {
             sent(read);
         return;
     }
-    for (const Command& stop : std::visit([](const auto& one) { return stopsOf(one); }, command))
+    for (const Command& stop : std::visit(Stops{}, command))
         remember(stop);
 }
 

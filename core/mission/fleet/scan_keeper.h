@@ -52,8 +52,8 @@ signals:
 private:
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
     void written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files);
-    bool leaves(const Robot& robot) const;
-    void release(Robot& robot);
+    /// Deletes a robot that has left; returns false for one that has not.
+    bool release(const Robot& robot);
 
     QThreadPool pool_;
     QString folder_;

@@ -28,31 +28,27 @@ QJsonValue seedOf(const RunSummary& summary) {
     return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
 }
 
-/// Returns `tell` applied to the part, or null if there is none.
-template <class Part, class Tell>
-QJsonValue partOf(const Part* part, Tell tell) {
-    return part ? QJsonValue(tell(*part)) : QJsonValue(QJsonValue::Null);
-}
-
-template <class Part>
-const Part* pointerTo(const std::optional<Part>& part) {
-    return part ? &*part : nullptr;
-}
-
-QJsonObject truthToJson(const std::optional<TrueFigures>& figures) {
-    const TrueFigures* const truth = pointerTo(figures);
-    const HeightOverGround* const height = truth ? pointerTo(truth->height) : nullptr;
-    const Seconds* const first_touch = truth ? pointerTo(truth->first_touch) : nullptr;
-    return {
-        {"collisions", partOf(truth, [](const TrueFigures& one) { return one.collisions; })},
-        {"true_distance_m", partOf(truth, [](const TrueFigures& one) { return number(one.distance_m, 2); })},
-        {"longest_stay_s", partOf(truth, [](const TrueFigures& one) { return number(one.longest_stay.count(), 1); })},
-        {"falls", partOf(truth, [](const TrueFigures& one) { return one.falls; })},
-        {"touches", partOf(truth, [](const TrueFigures& one) { return one.touches; })},
-        {"first_touch_s", partOf(first_touch, [](Seconds at) { return number(at.count(), 1); })},
-        {"least_height_m", partOf(height, [](const HeightOverGround& one) { return number(one.least_m, 2); })},
-        {"mean_height_m", partOf(height, [](const HeightOverGround& one) { return number(one.mean_m, 2); })},
-        {"height_spread_m", partOf(height, [](const HeightOverGround& one) { return number(one.spread_m, 2); })}};
+/// All keys are there; those of unknown figures are null.
+QJsonObject truthToJson(const std::optional<TrueFigures>& truth) {
+    QJsonObject json;
+    for (const char* key : {"collisions", "true_distance_m", "longest_stay_s", "falls", "touches", "first_touch_s",
+                            "least_height_m", "mean_height_m", "height_spread_m"})
+        json[key] = QJsonValue::Null;
+    if (!truth)
+        return json;
+    json["collisions"] = truth->collisions;
+    json["true_distance_m"] = number(truth->distance_m, 2);
+    json["longest_stay_s"] = number(truth->longest_stay.count(), 1);
+    json["falls"] = truth->falls;
+    json["touches"] = truth->touches;
+    if (truth->first_touch)
+        json["first_touch_s"] = number(truth->first_touch->count(), 1);
+    if (const auto& height = truth->height) {
+        json["least_height_m"] = number(height->least_m, 2);
+        json["mean_height_m"] = number(height->mean_m, 2);
+        json["height_spread_m"] = number(height->spread_m, 2);
+    }
+    return json;
 }
 
 } // namespace

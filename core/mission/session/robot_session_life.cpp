@@ -90,7 +90,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     spawning.passed(incoming.now());
     agent::RunningBehavior::Output output = helm.answerTo(line);
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
-    helm.takeOutput(output, std::holds_alternative<protocol::RobotState>(line.message));
+    helm.takeOutput(std::move(output), std::holds_alternative<protocol::RobotState>(line.message));
     touched();
 }
 

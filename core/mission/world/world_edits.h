@@ -25,6 +25,11 @@ struct NewObject {
 /// Returns the name as it is written in a command; "unnamed" for a name that a protocol line cannot contain.
 protocol::Token tokenOf(const std::string& name);
 
+/// Returns "Crate" for the class name "USARPhysObj.Crate".
+inline std::string withoutPackage(const std::string& class_name) {
+    return class_name.substr(class_name.rfind('.') + 1);
+}
+
 /// Creates the object standing on the ground at `at_m`; an object that can fall starts 2 cm higher, so that it does not
 /// start inside the ground. Fails if a protocol line cannot contain the class name.
 Result<protocol::CreateObject> placed(const NewObject& object, const Vec2& at_m, double ground_m);

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double scale_tolerance = 0.02; // Servers round sizes.
 
-/// Returns "Crate" for "USARPhysObj.Crate".
-std::string withoutPackage(const std::string& class_name) {
-    return class_name.substr(class_name.rfind('.') + 1);
-}
-
 } // namespace
 
 void WorldInventory::setThings(const std::vector<WorldThing>& things) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/mission/world/world_edits.h"
 #include "core/protocol/command_writer.h"
 
 namespace usar::mission {
@@ -16,11 +17,6 @@ const char* const topic = "world";
 
 std::string place(const link::LinkStatus& status) {
     return status.host.toStdString() + ':' + std::to_string(status.port);
-}
-
-std::string bareName(std::string_view class_name) {
-    const std::size_t dot = class_name.rfind('.');
-    return std::string(dot == std::string_view::npos ? class_name : class_name.substr(dot + 1));
 }
 
 } // namespace
@@ -100,7 +96,7 @@ void WorldSession::send(const protocol::Command& command) {
     }
     if (const auto* const created = std::get_if<protocol::CreateObject>(&command)) {
         const std::string name = created->object_name.text();
-        kinds_[name] = bareName(created->class_name.text());
+        kinds_[name] = withoutPackage(created->class_name.text());
         awaited_[name] = {created->class_name.text(), 0};
     }
     if (const auto* const placed = std::get_if<protocol::PlaceObject>(&command))
@@ -183,7 +179,7 @@ void WorldSession::takeLine(std::string_view text) {
     else
         for (const protocol::WorldObject& object : objects->objects)
             if (kinds_[object.name].empty())
-                kinds_[object.name] = bareName(class_name);
+                kinds_[object.name] = withoutPackage(class_name);
     for (WorldThing& thing : view_.things)
         thing.class_name = kinds_[thing.name];
     tell();
