@@ -100,7 +100,7 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
 void applyTo(Mission& mission, const MissionOptions& options) {
     if (!options.behavior.isEmpty()) {
         mission.behavior = options.behavior.toStdString();
-        mission.places.erase("behavior"); // it is not the file that would be wrong
+        mission.places.erase("behavior"); // errors must not name the file
     }
     if (!options.plan.isEmpty()) {
         mission.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
@@ -116,7 +116,7 @@ Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission
                    "Leave out --connect, or the faults");
 }
 
-/// Not the parser's own text: this one is of all verbs, and tells of output and exit codes, too.
+/// The parser's own text would lack the other verbs, the output and the exit codes.
 QString missionHelp() {
     return QStringLiteral(
                "usar-mission run MISSION.json [options]\n"

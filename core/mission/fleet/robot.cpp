@@ -191,7 +191,7 @@ void Robot::take(const SessionUpdate& update) {
     }
 }
 
-/// Counts anew, for another area or map.
+/// Counts again, for another area or map.
 void Robot::countCovered() {
     view_.covered_cells.clear();
     for (const auto& [index, tile] : view_.tiles)

@@ -8,7 +8,8 @@
 
 namespace usar::mission {
 
-/// The reason, and what is known of the run. Null: not even that could be read.
+/// Returns a summary with the reason and whatever is known about the run; a null pointer stands for an argument that
+/// could not be read.
 RunSummary refusedRun(const Error& error, const MissionOptions* options = nullptr, const Mission* mission = nullptr);
 
 } // namespace usar::mission

@@ -1,4 +1,4 @@
-// A robot that a person drives, at a fake server that writes down what it hears.
+// A robot that is driven by hand, on a fake server that records what it receives.
 #pragma once
 
 #include "core/mission/hand/hand_control.h"
@@ -13,7 +13,7 @@ inline mission::HandIntent holding(mission::HandSource source, const Stick& stic
     return {.source = source, .stick = stick};
 }
 
-/// Without the unit, and without the sign of nothing.
+/// The last DRIVE that the server received, without its unit and without the sign of -0.
 inline QByteArray lastDrive(const SessionFixture& f) {
     const QList<QByteArray> drives = f.server.heardOf("DRIVE");
     return drives.isEmpty() ? QByteArray()
@@ -27,7 +27,7 @@ inline bool stopped(const SessionFixture& f) {
     return lastDrive(f) == stop_line;
 }
 
-/// A spawned AirRobot that the person has taken, with the stick held forward until it is on the wire.
+/// A spawned AirRobot under control by hand, with the stick held forward until a DRIVE has been sent.
 struct HeldRobot : SessionFixture {
     explicit HeldRobot(const mission::SessionLimits& limits = patientLimits()) : SessionFixture(limits) {
         ready = spawnNow();

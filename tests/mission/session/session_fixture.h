@@ -12,7 +12,7 @@
 
 namespace usar::test {
 
-/// Made anew for each test. Members say what the session said.
+/// Made for each test. Its functions tell what the session has reported.
 struct SessionFixture {
     explicit SessionFixture(const mission::SessionLimits& limits = quickLimits()) {
         session.setLimits(limits);

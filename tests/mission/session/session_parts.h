@@ -1,4 +1,4 @@
-// The parts of a session that others lean on, without a socket and with a clock that the test moves.
+// Parts of a session that other parts need, without a socket and with a clock that the test sets.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct NoticeBook {
     mission::Notices notices{[this](const mission::Notice& notice) { said.push_back(notice); }};
     std::vector<mission::Notice> said;
 
-    /// The topics in the order in which they were spoken of, with a minus before the end of a complaint.
+    /// Topics of the notices in their order; a minus stands before the end of a problem.
     std::vector<std::string> topics() const {
         std::vector<std::string> topics;
         for (const mission::Notice& notice : said)
@@ -30,7 +30,7 @@ struct NoticeBook {
     }
 };
 
-/// Writes down what a spawn asks of its session.
+/// Records what a spawn asks its session to do.
 struct SpawnScribe : mission::SpawnOwner {
     void sendInit(const protocol::Init& init) override { inits.push_back(init.robot_name); }
     void reconnect() override { ++reconnects; }

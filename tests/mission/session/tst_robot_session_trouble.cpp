@@ -25,7 +25,7 @@ SpawnRequest requestFor(const std::string& robot_name, const std::string& class_
 
 } // namespace
 
-/// What the world can do to a session: one clear message each that names the mend, and nothing scanned is lost.
+/// Trouble from outside: for each kind there is one clear message that names the remedy, and no scan is lost.
 class tst_RobotSessionTrouble : public QObject {
     Q_OBJECT
 private slots:

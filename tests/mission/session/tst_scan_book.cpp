@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(kept.topics(), std::vector<std::string>{"placement"});
         kept.scan(9);
         kept.book.beginConnection();
-        kept.place(9); // lines are numbered anew
+        kept.place(9); // line numbers start again
         QCOMPARE(kept.book.record().revision, std::uint64_t(1));
     }
 

@@ -1,4 +1,4 @@
-// Driving by hand through a session: who has the reins, and every way in which a hold ends with a stop on the wire.
+// Driving by hand through a session: who has control, and every way in which a hold ends with a stop on the wire.
 #include <QTest>
 
 #include "core/mission/hand/hand_control.h"

@@ -1,4 +1,4 @@
-// What a session writes down, and that a session fed with it lives through the same again.
+// A session records everything, and a replay of the recording gives the same results.
 #include <limits>
 #include <map>
 #include <set>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double as_fast_as_it_can = std::numeric_limits<double>::infinity();
 
-/// Everything that a session tells in its updates, in order; begun anew at each rewind.
+/// Everything that a session reports in its updates, in order; cleared at each rewind.
 struct Told {
     explicit Told(RobotSession& session) {
         QObject::connect(&session, &RobotSession::updated, &session, [this](const auto& update) { take(*update); });
