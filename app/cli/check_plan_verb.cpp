@@ -10,7 +10,7 @@
 #include "core/mission/files/plan_file.h"
 #include "core/mission/files/report_options.h"
 #include "core/mission/reports/plan_report.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
 
 namespace usar::app {

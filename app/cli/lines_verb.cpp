@@ -7,7 +7,7 @@
 #include "app/cli/verb_complaint.h"
 #include "core/mission/files/report_options.h"
 #include "core/mission/reports/line_report.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::app {
 

@@ -18,7 +18,7 @@
 #include "core/mission/files/replay_options.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/mission/reports/refused_run.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 

@@ -7,7 +7,7 @@
 #include "core/mission/files/report_options.h"
 #include "core/mission/reports/recorded_runs.h"
 #include "core/mission/reports/run_report_text.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::app {
 
@@ -44,7 +44,7 @@ int runPlanReportVerb(const QStringList& arguments) {
         std::fwrite(report.data(), 1, report.size(), stdout);
     }
     if (std::fflush(stdout) != 0)
-        return complain({"the output takes no more", "standard output", "Make room, or write elsewhere"});
+        return complain({"the output cannot be written", "standard output", "Make room, or write elsewhere"});
     return worst;
 }
 

@@ -13,8 +13,8 @@
 #include "app/host/quit_signals.h"
 #include "core/base/numbers.h"
 #include "core/link/recording_convert.h"
-#include "core/mission/session/mission_runner.h"
-#include "core/mission/session/replay_runner.h"
+#include "core/mission/runs/mission_runner.h"
+#include "core/mission/runs/replay_runner.h"
 
 namespace usar::app {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/base/result.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::app {
 

@@ -7,8 +7,8 @@
 
 #include "app/desks/desk.h"
 #include "app/host/gamepad.h"
+#include "core/mission/fleet/velocity_watch.h"
 #include "core/mission/hand/hand_requests.h"
-#include "core/mission/session/velocity_watch.h"
 #include "widgets/drive/drive_keys.h"
 
 namespace usar::app {

@@ -53,12 +53,13 @@ void RadioDesk::wire() {
     connect(&desk_.control, &MissionControl::linkChanged, this, &RadioDesk::follow);
     connect(&desk_.control, &MissionControl::robotAdded, this, &RadioDesk::followRobots);
     connect(&desk_.control, &MissionControl::robotRemoved, this, &RadioDesk::followRobots);
-    connect(&watch_, &mission::RadioWatch::reported, this, &RadioDesk::take);
-    connect(&watch_, &mission::RadioWatch::statusChanged, this, [this](const link::LinkStatus& status) {
-        status_ = status;
-        desk_.views.radio->setSource(tr("Wireless server at %1:%2").arg(status.host).arg(status.port));
-        explainEmptiness();
-    });
+    link::connectAcross(client_.get(), &link::WirelessClient::reported, this, &RadioDesk::take);
+    link::connectAcross(
+        client_.get(), &link::WirelessClient::statusChanged, this, [this](const link::LinkStatus& status) {
+            status_ = status;
+            desk_.views.radio->setSource(tr("Wireless server at %1:%2").arg(status.host).arg(status.port));
+            explainEmptiness();
+        });
     QAction* const on_map = desk_.commands.action("radio.map");
     connect(desk_.views.layers, &widgets::LayersPanel::layerChanged, on_map,
             [on_map](widgets::MapLayer which, const widgets::LayerState& state) {
@@ -104,11 +105,11 @@ void RadioDesk::follow(const link::LinkStatus& status) {
         return;
     const ServerTarget& server = desk_.control.server();
     if (!connected)
-        watch_.close();
+        client_.call(&link::WirelessClient::close);
     else if (server.embedded)
-        watch_.open("127.0.0.1", ports_.wireless);
+        client_.call(&link::WirelessClient::open, QString("127.0.0.1"), ports_.wireless);
     else
-        watch_.open(server.host, server.simulator.channels.wireless);
+        client_.call(&link::WirelessClient::open, server.host, server.simulator.channels.wireless);
     explainEmptiness();
 }
 
@@ -118,7 +119,7 @@ void RadioDesk::followRobots() {
         if (!robot->isReplay())
             robots << QString::fromStdString(robot->view().spawn.robot_name);
     robots_ = robots;
-    watch_.setRobots(robots_);
+    client_.call(&link::WirelessClient::setRobots, robots_);
     explainEmptiness();
 }
 

@@ -7,7 +7,8 @@
 #include <QObject>
 
 #include "app/desks/desk.h"
-#include "core/mission/fleet/radio_watch.h"
+#include "core/link/wireless_client.h"
+#include "core/mission/fleet/own_thread.h"
 
 namespace usar::app {
 
@@ -36,12 +37,12 @@ private:
     void explainEmptiness();
 
     DeskContext desk_;
-    mission::RadioWatch watch_;
     server::ChannelPorts ports_;  ///< ports of the embedded simulator
     QStringList robots_;          ///< names of all live robots
     link::LinkStatus status_;     ///< state of the connection to the wireless server
     std::map<Pair, bool> linked_; ///< last reported state; only pairs that have been linked
     bool connected_ = false;      ///< to the bot server
+    mission::OwnThread<link::WirelessClient> client_{"radio"};
 };
 
 } // namespace usar::app

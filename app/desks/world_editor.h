@@ -7,9 +7,9 @@
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/world_link.h"
-#include "core/mission/session/deleted_objects.h"
-#include "core/mission/session/world_edits.h"
-#include "core/mission/session/world_inventory.h"
+#include "core/mission/world/deleted_objects.h"
+#include "core/mission/world/world_edits.h"
+#include "core/mission/world/world_inventory.h"
 
 namespace usar::app {
 

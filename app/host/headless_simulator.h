@@ -12,8 +12,8 @@
 #include <QThread>
 
 #include "core/base/result.h"
-#include "core/mission/session/mission_score.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/mission_score.h"
+#include "core/mission/runs/run_summary.h"
 #include "core/server/simulator_server.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/simulation.h"

@@ -111,7 +111,7 @@ void MissionControl::goOnWithNext() {
 
 Result<void> MissionControl::addFaults(const QStringList& texts) {
     if (!simulator_.running())
-        return failure("faults can be made in the embedded simulator only", "", "Connect to it first");
+        return failure("faults are possible only in the embedded simulator", "", "Connect to it first");
     auto faults = server::readFaults(texts);
     if (!faults)
         return tl::unexpected(faults.error());

@@ -1,7 +1,7 @@
 // Converts the embedded simulator's figures about a robot to those of a mission's summary.
 #pragma once
 
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/run_summary.h"
 #include "core/sim/simulation.h"
 
 namespace usar::app {

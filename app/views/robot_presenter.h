@@ -3,7 +3,7 @@
 
 #include "app/host/mission_control.h"
 #include "app/views/window_views.h"
-#include "core/mission/session/trace_watch.h"
+#include "core/mission/fleet/trace_watch.h"
 
 namespace usar::app {
 

@@ -78,7 +78,7 @@ private:
     /// A person then presses the key again.
     void pressAgainAfterAStall(int id) {
         const usar::mission::ControlState& now = state(id);
-        if (!held_ || now.held || now.last_stop != "nothing was heard of the hand")
+        if (!held_ || now.held || now.last_stop != "nothing was heard from the input device")
             return;
         QTimer::singleShot(0, &window(), [this, key = *held_] {
             if (held_ != key)

@@ -62,7 +62,7 @@ void tst_CheckPlan::exitsByTheWorstOfItsFiles_data() {
     QTest::newRow("no file") << QStringList{} << 2 << "usar-mission check-plan FILE";
     QTest::newRow("a plan of another robot") << QStringList{"--robot", "AirRobot", sound} << 1 << "";
     QTest::newRow("a plan of the robot") << QStringList{"--robot=airrobot/posh", survey} << 0 << "";
-    QTest::newRow("an unknown robot") << QStringList{"--robot", "AirRobt", sound} << 2 << "Say one of AirRobot";
+    QTest::newRow("an unknown robot") << QStringList{"--robot", "AirRobt", sound} << 2 << "Choose one of AirRobot";
     QTest::newRow("a robot without a name") << QStringList{sound, "--robot"} << 2 << "usar-mission check-plan FILE";
     QTest::newRow("an unknown option") << QStringList{"--colour", sound} << 2 << "usar-mission check-plan FILE";
 }

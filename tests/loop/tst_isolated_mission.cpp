@@ -8,7 +8,7 @@
 
 #include "app/host/headless_simulator.h"
 #include "core/link/recording_reader.h"
-#include "core/mission/session/mission_runner.h"
+#include "core/mission/runs/mission_runner.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"

@@ -157,7 +157,7 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
         << QStringList{} << "mission.json:1:25: world moon: there is no such world. Known in ";
     QTest::newRow("unknown start pose")
         << QByteArray(R"({ "name": "x", "start": "Roof", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
-        << QStringList{} << "mission.json:1:25: Roof: the server knows no start pose of this name";
+        << QStringList{} << "mission.json:1:25: Roof: the server knows no start pose with this name";
     QTest::newRow("unknown behavior") << small << QStringList{"--behavior", "airrobot/dance"} << "airrobot/dance";
     QTest::newRow("unknown parameter")
         << QByteArray("{ \"name\": \"x\", \"area\": { \"x\": 0, \"y\": 0, \"width\": 5, \"height\": 5 },\n"
@@ -170,7 +170,7 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
         << QStringList{} << "mission.json:2:13: fault \"wind sped=5\": unknown word 'sped'. Did you mean 'speed'?";
     QTest::newRow("wrong fault") << small << QStringList{"--fault", "earthquake"} << "unknown kind 'earthquake'";
     QTest::newRow("faults of a real server") << small << QStringList{"--fault", "wind", "--connect", "127.0.0.1:9"}
-                                             << "faults can be made in the embedded simulator only";
+                                             << "faults are possible only in the embedded simulator";
     QTest::newRow("wrong option") << small << QStringList{"--sped", "3"} << "--sped";
     QTest::newRow("dead host") << small << QStringList{"--connect", "127.0.0.1:9"} << "Nothing listens at 127.0.0.1:9";
 }

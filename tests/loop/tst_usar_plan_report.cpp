@@ -117,7 +117,7 @@ void tst_UsarPlanReport::refusalsNameTheFileAndTheMend_data() {
     QTest::newRow("no such file") << QStringList{path("none")} << QByteArray("none: ");
     QTest::newRow("no recording") << QStringList{path("drive.json")} << QByteArray("drive.json: byte 0");
     QTest::newRow("no plan in it") << QStringList{path("coded.usarrec")}
-                                   << QByteArray("coded.usarrec: no plan decided in this recording");
+                                   << QByteArray("coded.usarrec: no plan ran in this recording");
     QTest::newRow("one of two") << QStringList{path("none"), path("plan.usarrec")} << QByteArray("Check the name");
 }
 

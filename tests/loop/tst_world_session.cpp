@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "app/host/headless_simulator.h"
-#include "core/mission/session/trace_watch.h"
-#include "core/mission/session/world_session.h"
+#include "core/mission/fleet/trace_watch.h"
+#include "core/mission/world/world_session.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
@@ -129,7 +129,7 @@ private slots:
         world.session.open("127.0.0.1", (*simulator)->port());
         QTRY_VERIFY(world.ready());
         world.session.send(creation("Unicorn", "U1", {0, 0, 1}));
-        QTRY_VERIFY(world.said("U1 did not come"));
+        QTRY_VERIFY(world.said("U1 did not appear"));
         QVERIFY(world.said("may not know the class Unicorn"));
     }
 

@@ -10,9 +10,9 @@
 
 namespace usar::mission {
 
-/// Gives the parser these options and has it parse `arguments`, which do not include the program's name. What was
-/// understood can be asked of the parser even after an error. Errors name the option that is unknown, lacks its value
-/// or takes none; `usage` says how to write it, and without it the user is sent to --help.
+/// Adds these options to the parser and parses `arguments`, which do not include the program's name. Even after an
+/// error, the parser has the options that were understood. Errors name the option that is unknown, lacks its value or
+/// takes none; `usage` says how to write it, and without it the error refers to --help.
 [[nodiscard]] Result<void> parseArguments(QCommandLineParser& parser, const QList<QCommandLineOption>& options,
                                           const QStringList& arguments, const std::string& usage = {});
 

@@ -68,7 +68,7 @@ Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const st
     if (!robot)
         return tl::unexpected(plugins.pluginFor(behavior_id).error());
     if (plugins.behavior(behavior_id)->plan_name.empty())
-        return failure("no plan decides in this behavior", behavior_id, whoTakesPlans(*robot));
+        return failure("this behavior is not run by a plan", behavior_id, whoTakesPlans(*robot));
     auto plan = readPlanFile(path);
     if (!plan)
         return tl::unexpected(plan.error());
@@ -91,7 +91,7 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
     if (description->needs_area && mission.area_in_map.empty())
         return tl::unexpected(atValue(mission, "behavior",
                                       {"it needs a mission area", mission.behavior,
-                                       "Add \"area\" with x, y, width and height in metres to the mission"}));
+                                       "Add \"area\" with x, y, width and height in meters to the mission"}));
     auto plan = readOwnPlan(QString::fromStdString(mission.plan), mission.behavior, plugins);
     if (!plan)
         return tl::unexpected(atValue(mission, "plan", plan.error()));
@@ -126,7 +126,7 @@ Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& pos
     std::string names;
     for (const protocol::StartPose& pose : poses.poses)
         names += (names.empty() ? "" : ", ") + pose.name;
-    const Error error{"the server knows no start pose of this name", mission.start,
+    const Error error{"the server knows no start pose with this name", mission.start,
                       names.empty() ? "It has none at all" : "It has " + names};
     return tl::unexpected(atValue(mission, "start", error));
 }

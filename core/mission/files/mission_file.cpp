@@ -63,7 +63,7 @@ public:
             if (required)
                 failMissing(key, path.section('.', 0, -2));
         } else if (!value.isDouble() || !std::isfinite(value.toDouble())) {
-            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in metres");
+            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in meters");
         } else {
             target = value.toDouble();
         }
@@ -156,7 +156,7 @@ void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map)
     }
     if (area_in_map.min_m.cwiseAbs().maxCoeff() > farthest_m || area_in_map.max_m.cwiseAbs().maxCoeff() > farthest_m)
         reading.failAt("area", "the area is larger or further away than any world",
-                       "stay within a thousand kilometres of the origin");
+                       "stay within a thousand kilometers of the origin");
 }
 
 void readParameters(Reading& reading, const QJsonObject& root, Mission& mission) {
@@ -241,7 +241,7 @@ Result<Mission> readMissionFile(const QString& path) {
                        "check the path; missions that come with the program are in resources/missions");
     const QByteArray json = file.read(maximum_bytes + 1);
     if (json.size() > maximum_bytes)
-        return failure("this is larger than any mission", path.toStdString(), "choose a mission file (JSON)");
+        return failure("this file is larger than any mission", path.toStdString(), "choose a mission file (JSON)");
     return readMission(json, path);
 }
 

@@ -100,7 +100,7 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
 void applyTo(Mission& mission, const MissionOptions& options) {
     if (!options.behavior.isEmpty()) {
         mission.behavior = options.behavior.toStdString();
-        mission.places.erase("behavior"); // it is not the file that would be wrong
+        mission.places.erase("behavior"); // errors must not name the file
     }
     if (!options.plan.isEmpty()) {
         mission.plan = QFileInfo(options.plan).absoluteFilePath().toStdString();
@@ -112,11 +112,11 @@ void applyTo(Mission& mission, const MissionOptions& options) {
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission) {
     if (!options.server || (options.faults.isEmpty() && mission.faults.empty()))
         return {};
-    return failure("faults can be made in the embedded simulator only", options.server->host.toStdString(),
+    return failure("faults are possible only in the embedded simulator", options.server->host.toStdString(),
                    "Leave out --connect, or the faults");
 }
 
-/// Not the parser's own text: this one is of all verbs, and tells of output and exit codes, too.
+/// The parser's own text would lack the other verbs, the output and the exit codes.
 QString missionHelp() {
     return QStringLiteral(
                "usar-mission run MISSION.json [options]\n"
@@ -131,10 +131,10 @@ QString missionHelp() {
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
-               "  --fault TEXT         something that goes wrong in the embedded simulator, for example\n"
-               "                       'wind speed=4 gust=1 from=60'; again for more. usar-sim --help lists them\n"
-               "  --plugins FOLDER     robot plugins, besides those that come with the program; again for more\n"
-               "  --isolate            the behavior runs in a process of its own, and may die there alone\n"
+               "  --fault TEXT         a fault of the embedded simulator, for example\n"
+               "                       'wind speed=4 gust=1 from=60'; repeat for more. usar-sim --help lists them\n"
+               "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"
+               "  --isolate            the behavior runs in a process of its own, so that only that can crash\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +

@@ -44,11 +44,11 @@ Result<ServerAddress> readServerAddress(const QString& text);
 /// Reads the command line; `arguments` does not include the program's name. Errors name the option and how to write it.
 Result<MissionOptions> readMissionOptions(const QStringList& arguments);
 
-/// Puts the command line's behavior, plan and isolation over those of the file: what was typed goes first, and is not
-/// a mistake in the file. A relative path of a plan begins at the current folder.
+/// Puts the command line's behavior, plan and isolation over those of the file: what was typed takes precedence, and
+/// errors about it do not name the file. A relative path of a plan begins at the current folder.
 void applyTo(Mission& mission, const MissionOptions& options);
 
-/// Fails where faults are wanted from a server that the command line names: only the embedded simulator makes them.
+/// Fails if faults are requested together with a server: only the embedded simulator can make them.
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission);
 
 /// The text that `--help` prints.

@@ -42,8 +42,9 @@ Result<const agent::RobotDescription*> robotForPlans(const std::vector<agent::Ro
             return &robot;
         known += (known.empty() ? "" : ", ") + robot.name;
     }
-    return failure("no plan can decide for such a robot", wanted,
-                   known.empty() ? "No robot plugin was found; are they beside the program?" : "Say one of " + known);
+    return failure("no plan can run such a robot", wanted,
+                   known.empty() ? "No robot plugin was found; are they beside the program?"
+                                 : "Choose one of " + known);
 }
 
 } // namespace usar::mission

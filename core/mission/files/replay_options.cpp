@@ -97,7 +97,7 @@ QString replayHelp() {
         "\n"
         "usar-mission replay FILE [options]\n"
         "\n"
-        "Plays a recording through the reader and tells what is in it.\n"
+        "Plays a recording through the reader and reports what is in it.\n"
         "\n"
         "  --speed N|max        times the pace of the recording, 0.1 to 100 (max)\n"
         "  --from S, --to S     only this part, in seconds since the recording began\n"

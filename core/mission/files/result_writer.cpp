@@ -167,7 +167,7 @@ QString defaultResultFolder() {
 
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder) {
     if (folder.isEmpty() || !QDir().mkpath(folder))
-        return failure("cannot make the folder for the results", folder.toStdString(), folder_mend.toStdString());
+        return failure("cannot create the folder for the results", folder.toStdString(), folder_mend.toStdString());
     // Held until everything is written: two scans that end at the same time must not take the same free number.
     QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
     lock.setStaleLockTime(0);
@@ -184,7 +184,7 @@ Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& su
         return tl::unexpected(*writing.error());
     if (record.raster.empty())
         return failure("nothing was scanned, so there is no map to save", folder.toStdString(),
-                       "let the robot fly over the area first; the summary is in " +
+                       "let the robot scan the area first; the summary is in " +
                            QFileInfo(writing.pathOf(".json")).fileName().toStdString());
     return writing.files();
 }
@@ -194,14 +194,14 @@ std::string farPartsNotice(const ScanRecord& record) {
         return {};
     const std::size_t far_cells = knownCellCount(record) - record.raster.knownCellCount();
     const double cell_m = record.raster.cell_size_m;
-    std::string text = "Some of the map lies too far from the rest for one picture, which shows the middle " +
+    std::string text = "Part of the map is too far from the rest for one picture, which shows the middle " +
                        fixed(double(record.raster.columns) * cell_m, 0) + " m x " +
                        fixed(double(record.raster.rows) * cell_m, 0) + " m: " + std::to_string(far_cells) +
                        " cells in " + std::to_string(record.far_rasters.size()) +
-                       " places are saved as raw heights of their own (_far1.bil and so on).";
+                       " other places are saved as separate raw heights (_far1.bil and so on).";
     if (record.cells_left_out > 0)
-        text += " " + std::to_string(record.cells_left_out) + " more cells in still other places are not saved.";
-    return text + " Was a position garbled? For a truly large area choose larger cells.";
+        text += " " + std::to_string(record.cells_left_out) + " more cells, in still other places, are not saved.";
+    return text + " Was a position garbled? If the area is really that large, choose larger cells.";
 }
 
 } // namespace usar::mission

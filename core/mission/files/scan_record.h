@@ -1,4 +1,4 @@
-// Everything that a mission leaves behind: the height map, the path and the marks, and what made them.
+// Results of a mission: the height map, the path and the marks, and the robot and behavior that made them.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct ScanRecord {
     mapping::Raster raster; ///< filled when the record is handed out
     /// Parts of the map too far from the rest to be in one raster with it: saved as raw heights, in no picture.
     std::vector<mapping::Raster> far_rasters;
-    std::size_t cells_left_out = 0; ///< known cells in still more distant places, which are not saved
+    std::size_t cells_left_out = 0; ///< known cells in places even farther away, which are not saved
 };
 
 /// Number of known cells in `raster` and `far_rasters`.

@@ -3,13 +3,11 @@
 
 #include <QImage>
 #include <QObject>
-#include <QThread>
 
-#include "core/link/image_client.h"
+#include "core/mission/fleet/camera_receiver.h"
+#include "core/mission/fleet/own_thread.h"
 
 namespace usar::mission {
-
-class CameraReceiver;
 
 /// Belongs to the GUI thread. Calls are queued to the receiving thread and never wait; only the destructor waits for
 /// that thread to end. Pictures are requested only while they are wanted.
@@ -17,7 +15,6 @@ class CameraFeed : public QObject {
     Q_OBJECT
 public:
     explicit CameraFeed(QObject* parent = nullptr);
-    ~CameraFeed() override;
 
     /// Closes any open connection, then connects to this server; a call with the same address changes nothing. Lost
     /// connections are made again until `close`.
@@ -35,15 +32,12 @@ signals:
     void unreadable(const QString& reason);
 
 private:
-    /// Runs a call with the ImageClient in the receiving thread.
-    template <class Call>
-    void later(Call call);
+    link::ImageClient* client() const { return &receiver_.get()->client; }
 
-    QThread thread_;
-    CameraReceiver* receiver_; ///< belongs to thread_ and is deleted there
-    QString host_;             ///< empty: closed
+    QString host_; ///< empty: closed
     quint16 port_ = 0;
     bool wanted_ = false;
+    OwnThread<CameraReceiver> receiver_{"camera"};
 };
 
 } // namespace usar::mission

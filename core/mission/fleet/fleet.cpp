@@ -15,7 +15,12 @@ constexpr std::chrono::seconds closing_patience{5};
 
 } // namespace
 
-Fleet::Private::Private(Fleet& fleet, const QString& host_program) : q(fleet), behavior_host(host_program) {
+Fleet::Private::Private(Fleet& fleet, const QString& host_program)
+    : q(fleet)
+    , behavior_host(host_program)
+    , replays([this](std::unique_ptr<Robot> robot, const RecordingFacts& facts,
+                     const QString& complaint) { addReplay(std::move(robot), facts, complaint); },
+              [this](const QString& reason) { q.note(Severity::Error, "replay", reason); }) {
     plugins.setNews([this](const auto& changes) { emit q.pluginsChanged(changes); });
     patience.setSingleShot(true);
     patience.setInterval(closing_patience);
@@ -111,29 +116,20 @@ void Fleet::setSeed(std::optional<std::uint64_t> seed) {
 }
 
 SimulatorFacts Fleet::Private::factsOf(const Robot& robot) const {
+    if (robot.isReplay())
+        return {};
     const auto truth = truths.find(robot.view().id);
     return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed};
 }
 
 void Fleet::Private::openNext() {
     next = std::make_unique<Robot>();
-    connectRobot(next.get());
-    next->expectSilence(silence_expected);
-    next->open(host, port, lockstep);
-}
-
-void Fleet::Private::connectRobot(Robot* robot) {
-    connect(robot, &Robot::linkChanged, &q, [this, robot] { linkMoved(robot); });
+    Robot* const robot = next.get();
+    connectRobot(robot);
     connect(robot, &Robot::startPosesKnown, &q, [this](const protocol::StartPoses& poses, const QString& level) {
         place.level = level;
         start_poses = poses.poses;
         emit q.startPosesKnown(poses, level);
-    });
-    connect(robot, &Robot::updated, &q, [this, robot](const auto& update) {
-        if (robot->spawned())
-            emit q.robotUpdated(robot->view().id, update);
-        else
-            emit q.linkUpdated(update);
     });
     connect(robot, &Robot::behaviorFinished, &q,
             [this, robot](bool success, const QString& reason) { finished(robot, success, reason); });
@@ -142,8 +138,20 @@ void Fleet::Private::connectRobot(Robot* robot) {
         if (!wanted.empty() && !path.isEmpty())
             openReplay(path, wanted.key(), wanted.mapped());
     });
-    keeper.watch(*robot, [this, robot] { return factsOf(*robot); });
+    robot->expectSilence(silence_expected);
+    robot->open(host, port, lockstep);
+}
+
+void Fleet::Private::connectRobot(Robot* robot) {
+    connect(robot, &Robot::linkChanged, &q, [this, robot] { linkMoved(robot); });
+    connect(robot, &Robot::updated, &q, [this, robot](const auto& update) {
+        if (robot->spawned())
+            emit q.robotUpdated(robot->view().id, update);
+        else if (!robot->isReplay())
+            emit q.linkUpdated(update);
+    });
     connect(robot, &Robot::noticed, &q, [this, robot](const Notice& notice) { tell(robot, notice); });
+    keeper.watch(*robot, [this, robot] { return factsOf(*robot); });
 }
 
 void Fleet::Private::tell(Robot* robot, const Notice& notice) {
@@ -159,12 +167,15 @@ void Fleet::Private::tell(Robot* robot, const Notice& notice) {
 void Fleet::Private::linkMoved(Robot* robot) {
     const link::LinkStatus& status = robot->view().link;
     const bool connected = status.state == link::LinkState::Connected;
-    if (robot == next.get())
+    if (robot == next.get()) {
         emit q.linkChanged(status);
-    else
+        if (connected)
+            emit q.nextConnected();
+    } else if (robot->spawned()) {
         emit q.robotLinkChanged(robot->view().id);
-    if (robot == next.get() && connected)
-        emit q.nextConnected();
+    }
+    if (robot->isReplay())
+        return; // it needs no server
     if (connected)
         emit q.cured("link");
     else if (!status.reason.isEmpty())
@@ -216,7 +227,7 @@ Result<void> Fleet::checkLine(int connection) const {
         return failure("this is a recording, and nothing can be sent into it", "", "Connect to a server first");
     if (robot->view().link.state != link::LinkState::Connected)
         return failure("the connection is lost", robot->view().spawn.robot_name,
-                       "Wait until it is back, or connect anew");
+                       "Wait until it is back, or connect again");
     return {};
 }
 
@@ -261,7 +272,7 @@ Result<void> Fleet::startBehavior(int id, const std::string& behavior_id, const 
 Result<void> Fleet::startAgain(int id) {
     Robot* robot = this->robot(id);
     if (!robot || !robot->started())
-        return failure("nothing was started there", std::to_string(id), "Choose a behavior, then start it");
+        return failure("no behavior has been started on it", std::to_string(id), "Choose a behavior, then start it");
     if (!robot->view().figures.spawned)
         return failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
     StartedBehavior start = *robot->started();
@@ -273,10 +284,7 @@ Result<void> Fleet::Private::start(Robot& robot, const StartedBehavior& start) {
     const auto parameters = checkStart(start, plugins, place);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    std::optional<agent::Isolation> isolation;
-    if (start.isolated)
-        isolation = {behavior_host};
-    return robot.startBehavior(plugins, start.id, start.area_in_map, *parameters, start.plan, isolation);
+    return robot.startBehavior(plugins, start, *parameters, behavior_host);
 }
 
 Result<std::map<std::string, agent::ParameterValue>> Fleet::prepareMission(const Mission& mission) const {
@@ -369,7 +377,7 @@ void Fleet::note(Severity severity, const QString& key, const QString& text) {
 }
 
 void Fleet::endSessions() {
-    d_->opening.clear();
+    d_->replays.clear();
     d_->next.reset();
     d_->roster.clear();
 }

@@ -12,7 +12,7 @@
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/robot.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/run_summary.h"
 
 namespace usar::mission {
 

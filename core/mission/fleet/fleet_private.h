@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include "core/mission/fleet/fleet.h"
+#include "core/mission/fleet/replay_opener.h"
 #include "core/mission/fleet/roster.h"
 #include "core/mission/fleet/scan_keeper.h"
 #include "core/mission/fleet/start_check.h"
@@ -15,6 +16,7 @@ struct Fleet::Private {
 
     Robot* robotOn(int connection) const;
     void openNext();
+    /// Connects a robot of either kind, live or of a recording.
     void connectRobot(Robot* robot);
     void tell(Robot* robot, const Notice& notice);
     void linkMoved(Robot* robot);
@@ -25,10 +27,7 @@ struct Fleet::Private {
 
     void record(Robot& robot, const SpawnRequest& as);
     void openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment);
-    void connectReplay(Robot* robot);
-    void addReplay(Robot* robot, const RecordingFacts& facts, const QString& complaint);
-    /// Removes a replay from `opening` and returns it; null if it is not there.
-    std::unique_ptr<Robot> takeOpening(const Robot* robot);
+    void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
     Fleet& q;
     const QString behavior_host;
@@ -41,10 +40,10 @@ struct Fleet::Private {
     StartPlace place;
     std::vector<protocol::StartPose> start_poses;
     Roster roster;
-    std::unique_ptr<Robot> next;                 ///< connected, not spawned
-    std::vector<std::unique_ptr<Robot>> opening; ///< replays that are not open yet
-    std::map<int, Seconds> wanted_moments;       ///< by connection: moment to look back on, once the file contains it
-    std::map<int, TrueFigures> truths;           ///< by robot id
+    std::unique_ptr<Robot> next; ///< connected, not spawned
+    ReplayOpener replays;
+    std::map<int, Seconds> wanted_moments; ///< by connection: moment to look back on, once the file contains it
+    std::map<int, TrueFigures> truths;     ///< by robot id
     std::optional<std::uint64_t> seed;
     bool recording = true;
     bool silence_expected = false;

@@ -1,5 +1,4 @@
 // Recordings that a fleet writes and opens.
-#include <algorithm>
 #include <utility>
 
 #include <QDateTime>
@@ -42,12 +41,7 @@ void Fleet::openRecording(const QString& path) {
 }
 
 void Fleet::Private::openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment) {
-    auto robot = std::make_unique<Robot>();
-    connectReplay(robot.get());
-    robot->openRecording(QFileInfo(path).absoluteFilePath(), looks_back_on);
-    if (moment)
-        robot->orderReplay({.seek_clock = moment});
-    opening.push_back(std::move(robot));
+    connectRobot(&replays.open(path, looks_back_on, moment));
 }
 
 void Fleet::lookBack(int id, Seconds moment) {
@@ -67,43 +61,11 @@ int Fleet::lookedBackOn(int id) const {
     return flies ? flies->view().id : 0;
 }
 
-void Fleet::Private::connectReplay(Robot* robot) {
-    connect(robot, &Robot::replayOpened, &q, [this, robot](const RecordingFacts& facts, const QString& complaint) {
-        addReplay(robot, facts, complaint);
-    });
-    connect(robot, &Robot::replayFailed, &q, [this, robot](const QString& reason) {
-        q.note(Severity::Error, "replay", reason);
-        if (auto failed = takeOpening(robot))
-            failed.release()->deleteLater(); // it is the robot itself that is speaking
-    });
-    connect(robot, &Robot::linkChanged, &q, [this, robot] {
-        if (robot->spawned())
-            emit q.robotLinkChanged(robot->view().id);
-    });
-    connect(robot, &Robot::updated, &q, [this, robot](const auto& update) {
-        if (robot->spawned())
-            emit q.robotUpdated(robot->view().id, update);
-    });
-    connect(robot, &Robot::noticed, &q, [this, robot](const Notice& notice) { tell(robot, notice); });
-    keeper.watch(*robot, [] { return SimulatorFacts{}; });
-}
-
-std::unique_ptr<Robot> Fleet::Private::takeOpening(const Robot* robot) {
-    const auto found = std::ranges::find(opening, robot, &std::unique_ptr<Robot>::get);
-    if (found == opening.end())
-        return nullptr;
-    std::unique_ptr<Robot> taken = std::move(*found);
-    opening.erase(found);
-    return taken;
-}
-
-void Fleet::Private::addReplay(Robot* robot, const RecordingFacts& facts, const QString& complaint) {
-    std::unique_ptr<Robot> opened = takeOpening(robot);
-    if (!opened)
-        return;
+void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint) {
     if (roster.full()) {
-        q.note(Severity::Error, "replay", tr("Nine robots are the most. Remove one, then open the recording again."));
-        opened.release()->deleteLater();
+        q.note(Severity::Error, "replay",
+               tr("There can be no more than nine robots. Remove one, then open the recording again."));
+        robot.release()->deleteLater();
         return;
     }
     const int id = roster.nextId();
@@ -111,12 +73,13 @@ void Fleet::Private::addReplay(Robot* robot, const RecordingFacts& facts, const 
     const QString recorded = name == facts.end() ? QString() : QString::fromStdString(name->second);
     robot->becomeReplay(id, roster.unusedName(recorded.isEmpty() ? tr("Replay") : tr("%1 replay").arg(recorded)),
                         facts);
-    roster.add(std::move(opened));
+    const QString file = QFileInfo(robot->view().recording).fileName();
+    roster.add(std::move(robot));
     emit q.cured("replay");
     emit q.replayAdded(id);
     emit q.robotAdded(id);
     if (!complaint.isEmpty())
-        q.note(Severity::Warning, "replay-damage", QFileInfo(robot->view().recording).fileName() + ": " + complaint);
+        q.note(Severity::Warning, "replay-damage", file + ": " + complaint);
 }
 
 } // namespace usar::mission

@@ -4,7 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
-#include "core/mission/session/area_cells.h"
+#include "core/mission/runs/area_cells.h"
 
 namespace usar::mission {
 
@@ -22,7 +22,7 @@ int connections_made = 0; // Used in the GUI thread only, where all robots are m
 Robot::Robot(QObject* parent)
     : QObject(parent)
     , thread_(new QThread)
-    , session_(new mission::RobotSession(RobotView{}.cell_size_m)) {
+    , session_(new RobotSession(RobotView{}.cell_size_m)) {
     view_.connection = ++connections_made;
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);
@@ -32,25 +32,25 @@ Robot::Robot(QObject* parent)
 }
 
 Robot::~Robot() {
-    later([](mission::RobotSession& session) {
-        session.close();
-        session.thread()->quit();
+    link::post(session_, [session = session_] {
+        session->close();
+        session->thread()->quit();
     });
     if (thread_->wait(2000))
         delete thread_;
 }
 
 void Robot::connectSession() {
-    link::connectAcross(session_, &mission::RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
+    link::connectAcross(session_, &RobotSession::linkChanged, this, [this](const link::LinkStatus& status) {
         view_.link = status;
         emit linkChanged();
     });
-    link::connectAcross(session_, &mission::RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
-    link::connectAcross(session_, &mission::RobotSession::updated, this, [this](const auto& update) {
+    link::connectAcross(session_, &RobotSession::startPosesKnown, this, &Robot::startPosesKnown);
+    link::connectAcross(session_, &RobotSession::updated, this, [this](const auto& update) {
         take(*update);
         emit updated(update);
     });
-    link::connectAcross(session_, &mission::RobotSession::behaviorFinished, this,
+    link::connectAcross(session_, &RobotSession::behaviorFinished, this,
                         [this](bool success, const QString& reason, bool broke) {
                             took_ = wallTime();
                             view_.broke = broke;
@@ -59,62 +59,57 @@ void Robot::connectSession() {
                             view_.halted.reset();
                             emit behaviorFinished(success, reason);
                         });
-    link::connectAcross(session_, &mission::RobotSession::recordReady, this, &Robot::recordReady);
-    link::connectAcross(session_, &mission::RobotSession::noticed, this, &Robot::noticed);
-    link::connectAcross(session_, &mission::RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
-    link::connectAcross(session_, &mission::RobotSession::replayOpened, this, &Robot::replayOpened);
-    link::connectAcross(session_, &mission::RobotSession::replayFailed, this, &Robot::replayFailed);
+    link::connectAcross(session_, &RobotSession::recordReady, this, &Robot::recordReady);
+    link::connectAcross(session_, &RobotSession::noticed, this, &Robot::noticed);
+    link::connectAcross(session_, &RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
+    link::connectAcross(session_, &RobotSession::replayOpened, this, &Robot::replayOpened);
+    link::connectAcross(session_, &RobotSession::replayFailed, this, &Robot::replayFailed);
 }
 
-template <class Call>
-void Robot::later(Call call) {
-    link::post(session_, [session = session_, call = std::move(call)] { call(*session); });
-}
-
-void Robot::open(const QString& host, quint16 port, bool lockstep) {
-    later([=](mission::RobotSession& session) { session.open(host, port, lockstep); });
-}
-
-void Robot::close() {
-    later([](mission::RobotSession& session) { session.close(); });
-}
-
-void Robot::spawn(int id, const mission::SpawnRequest& request) {
+void Robot::spawn(int id, const SpawnRequest& request) {
     view_.id = id;
     view_.spawn = request;
-    later([=](mission::RobotSession& session) { session.spawn(request); });
+    call(&RobotSession::spawn, request);
 }
 
-Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
-                                  const Rectangle& area_in_map, const agent::ParameterSet& parameters,
-                                  const std::optional<agent::PlanText>& plan,
-                                  const std::optional<agent::Isolation>& isolation) {
-    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, area_in_map};
-    const auto behavior = agent::startBehavior(plugins, behavior_id, {task, parameters, plan}, isolation);
+Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
+                                  const agent::ParameterSet& parameters, const QString& host_program) {
+    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map};
+    std::optional<agent::Isolation> isolation;
+    if (start.isolated)
+        isolation = {host_program};
+    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan}, isolation);
     if (!behavior)
         return tl::unexpected(behavior.error());
-    later([=, host = *behavior, breakpoints = breakpoints_](mission::RobotSession& session) {
-        session.startBehavior(host, task);
-        session.control(breakpoints);
+    // Both in one call, so that the behavior does nothing before its breakpoints are set.
+    link::post(session_, [session = session_, task, host = *behavior, breakpoints = breakpoints_] {
+        session->startBehavior(host, task);
+        session->control(breakpoints);
     });
-    started_ = {behavior_id, area_in_map, parameters.values(), plan, isolation.has_value()};
+    started_ = start;
+    started_->parameters = parameters.values();
     asked_plan_.reset();
     since_start_.start();
     took_.reset();
     view_.broke = false;
+    view_.paused = false;
+    view_.halted.reset();
+    beginTask(start.id, start.area_in_map);
+    return {};
+}
+
+/// Shows a behavior that begins, here or in a replay.
+void Robot::beginTask(const std::string& behavior_id, const Rectangle& area_in_map) {
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
-    view_.halted.reset();
-    view_.paused = false;
     countCovered();
-    return {};
 }
 
 bool Robot::setCellSize(double cell_size_m) {
     if (view_.cell_size_m == cell_size_m)
         return false;
-    later([=](mission::RobotSession& session) { session.setCellSize(cell_size_m); });
+    call(&RobotSession::setCellSize, cell_size_m);
     if (!view_.tiles.empty())
         return false;
     view_.cell_size_m = cell_size_m;
@@ -124,17 +119,13 @@ bool Robot::setCellSize(double cell_size_m) {
 void Robot::order(agent::Order order) {
     view_.paused = order == agent::Order::Pause;
     pause_confirmed_ = false;
-    later([=](mission::RobotSession& session) { session.order(order); });
+    call(&RobotSession::order, order);
 }
 
 void Robot::setParameters(const agent::ParameterSet& parameters) {
     if (started_)
         started_->parameters = parameters.values();
-    later([=](mission::RobotSession& session) { session.setParameters(parameters); });
-}
-
-void Robot::expectSilence(bool expected) {
-    later([=](mission::RobotSession& session) { session.expectSilence(expected); });
+    call(&RobotSession::setParameters, parameters);
 }
 
 void Robot::control(const agent::PlanControl& control) {
@@ -142,11 +133,7 @@ void Robot::control(const agent::PlanControl& control) {
         breakpoints_ = *breakpoints;
     if (const auto* const replace = std::get_if<agent::ReplacePlan>(&control))
         asked_plan_ = replace->plan;
-    later([=](mission::RobotSession& session) { session.control(control); });
-}
-
-void Robot::stop() {
-    later([](mission::RobotSession& session) { session.stop(); });
+    call(&RobotSession::control, control);
 }
 
 void Robot::takeControl() {
@@ -154,58 +141,16 @@ void Robot::takeControl() {
         view_.paused = true;
         pause_confirmed_ = false;
     }
-    later([](mission::RobotSession& session) { session.takeControl(); });
-}
-
-void Robot::giveControlBack() {
-    later([](mission::RobotSession& session) { session.giveControlBack(); });
-}
-
-void Robot::drive(const mission::HandIntent& intent) {
-    later([=](mission::RobotSession& session) { session.drive(intent); });
-}
-
-void Robot::stopDriving(const QString& reason) {
-    later([=](mission::RobotSession& session) { session.stopDriving(reason); });
-}
-
-void Robot::send(const protocol::Command& command, const std::string& source) {
-    later([=](mission::RobotSession& session) { session.sendCommand(command, source); });
-}
-
-void Robot::requestRecord() {
-    later([](mission::RobotSession& session) { session.requestRecord(); });
-}
-
-void Robot::noteFault(const QString& sentence) {
-    later([text = sentence.toStdString()](mission::RobotSession& session) { session.noteFault(text); });
-}
-
-void Robot::startRecording(const QString& path, const mission::RecordingFacts& facts) {
-    later([=](mission::RobotSession& session) {
-        (void)session.startRecording(path, facts);
-    }); // A failure is also a notice.
-}
-
-void Robot::stopRecording() {
-    later([](mission::RobotSession& session) { session.stopRecording(); });
-}
-
-void Robot::flushRecording() {
-    later([](mission::RobotSession& session) { session.flushRecording(); });
+    call(&RobotSession::takeControl);
 }
 
 void Robot::openRecording(const QString& path, int looks_back_on) {
     view_.recording = path;
     view_.looks_back_on = looks_back_on;
-    later([=](mission::RobotSession& session) { session.openRecording(path); });
+    call(&RobotSession::openRecording, path);
 }
 
-void Robot::orderReplay(const mission::ReplayOrder& order) {
-    later([=](mission::RobotSession& session) { session.orderReplay(order); });
-}
-
-void Robot::becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts) {
+void Robot::becomeReplay(int id, const QString& robot_name, const RecordingFacts& facts) {
     view_.id = id;
     view_.spawn.robot_name = robot_name.toStdString();
     if (const auto found = facts.find("class"); found != facts.end())
@@ -217,25 +162,15 @@ void Robot::becomeReplay(int id, const QString& robot_name, const mission::Recor
 /// Resets the view, because a replay was rewound: what was shown until now has not happened yet.
 void Robot::forget() {
     RobotView fresh;
-    fresh.connection = view_.connection;
-    fresh.id = view_.id;
-    fresh.spawn = view_.spawn;
-    fresh.link = view_.link;
-    fresh.cell_size_m = view_.cell_size_m;
-    fresh.recording = view_.recording;
-    fresh.looks_back_on = view_.looks_back_on;
+    static_cast<RobotIdentity&>(fresh) = view_;
     view_ = std::move(fresh);
 }
 
-void Robot::take(const mission::SessionUpdate& update) {
+void Robot::take(const SessionUpdate& update) {
     if (update.rewound)
         forget();
-    if (update.task) {
-        view_.behavior_id = update.task->behavior_id;
-        view_.area_in_map = update.task->area_in_map;
-        view_.finished.reset();
-        countCovered();
-    }
+    if (update.task)
+        beginTask(update.task->behavior_id, update.task->area_in_map);
     view_.figures = update.figures;
     for (const agent::Published& published : update.published)
         take(published);
@@ -256,7 +191,7 @@ void Robot::take(const mission::SessionUpdate& update) {
     }
 }
 
-/// Counts anew, for another area or map.
+/// Counts again, for another area or map.
 void Robot::countCovered() {
     view_.covered_cells.clear();
     for (const auto& [index, tile] : view_.tiles)

@@ -1,7 +1,6 @@
 // One robot as the window knows it: its session in a thread of its own, and the session's newest values.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -10,49 +9,11 @@
 #include <QThread>
 
 #include "core/agent/behavior_start.h"
-#include "core/mapping/height_probe.h"
+#include "core/mission/fleet/own_thread.h"
+#include "core/mission/fleet/robot_view.h"
 #include "core/mission/session/robot_session.h"
 
 namespace usar::mission {
-
-/// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an
-/// absent value has not been reported yet.
-struct RobotView {
-    int connection = 0; ///< number of the session, unique while the program runs
-    int id = 0;         ///< 1-9, the key that selects it; 0 while no robot is spawned
-    mission::SpawnRequest spawn;
-    link::LinkStatus link;
-    mission::SessionFigures figures;
-    std::string behavior_id; ///< id of the newest behavior; empty: none was started
-    Rectangle area_in_map;   ///< its area; empty: none
-    std::optional<agent::BehaviorStatus> status;
-    std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
-    std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
-    std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
-    std::vector<agent::MapMark> marks;
-    std::vector<Vec2> planned_m; ///< path that the behavior has planned
-    std::optional<Vec3> goal_m;
-    mapping::HeightTiles tiles;
-    std::optional<mapping::HeightRange> height_range; ///< range of the whole height map; absent: the map is empty
-    std::optional<mapping::CourseProfile> ground;
-    double cell_size_m = 0.25;                       ///< edge of a height map cell
-    std::map<mapping::GridIndex, int> covered_cells; ///< number of known cells in the mission area, by tile
-    bool paused = false;                             ///< by the user; cleared when the behavior resumes or ends
-    bool unsaved = false;                            ///< something was scanned since the last export
-    bool broke = false;                              ///< the behavior failed by itself, and none was started since
-    std::optional<agent::PlanHalted> halted;         ///< the plan's halt; absent: it is not halted
-    QString recording;                               ///< the file that is replayed; empty: live
-    int looks_back_on = 0; ///< `connection` of the live robot whose past this replay shows; 0: none
-};
-
-/// A behavior as it was started, with later changes of its parameters and plan applied.
-struct StartedBehavior {
-    std::string id;
-    Rectangle area_in_map;
-    std::map<std::string, agent::ParameterValue> parameters;
-    std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
-    bool isolated = false;               ///< it runs in a separate process
-};
 
 /// Belongs to the GUI thread, while its RobotSession runs in a thread of its own: calls are queued to that thread and
 /// never wait, so their effect shows in a later update. Calls that are not described here do what the session's
@@ -77,15 +38,13 @@ public:
     bool isReplay() const { return !view_.recording.isEmpty(); }
 
     /// `lockstep`: ask the server to wait for our STEP after each tick.
-    void open(const QString& host, quint16 port, bool lockstep);
-    void close();
-    void spawn(int id, const mission::SpawnRequest& request);
-    /// Plugins are third-party code: if one throws or refuses, this returns an error. `plan` nullopt: the robot's own
-    /// plan. `isolation` nullopt: the behavior runs in this program.
-    Result<void> startBehavior(const agent::PluginLoader& plugins, const std::string& behavior_id,
-                               const Rectangle& area_in_map, const agent::ParameterSet& parameters,
-                               const std::optional<agent::PlanText>& plan,
-                               const std::optional<agent::Isolation>& isolation);
+    void open(const QString& host, quint16 port, bool lockstep) { call(&RobotSession::open, host, port, lockstep); }
+    void close() { call(&RobotSession::close); }
+    void spawn(int id, const SpawnRequest& request);
+    /// `parameters`: those of `start`, checked. `host_program`: runs a behavior that is isolated. Plugins are
+    /// third-party code: if one throws or refuses, this returns an error.
+    Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
+                               const agent::ParameterSet& parameters, const QString& host_program);
     /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }
     /// Returns true if this changes the cells. A map that has heights keeps its cell size, and a notice says so.
@@ -94,26 +53,30 @@ public:
     void setParameters(const agent::ParameterSet& parameters);
     /// Controls the plan of the behavior. Breakpoints are also kept for behaviors that start later.
     void control(const agent::PlanControl& control);
-    void stop();
+    void stop() { call(&RobotSession::stop); }
     /// `expected`: the server's time is stopped on purpose, so silence is not reported.
-    void expectSilence(bool expected);
+    void expectSilence(bool expected) { call(&RobotSession::expectSilence, expected); }
     /// The user drives from now on; a running behavior is paused. See RobotSession.
     void takeControl();
-    void giveControlBack();
-    void drive(const mission::HandIntent& intent);
-    void stopDriving(const QString& reason);
-    void send(const protocol::Command& command, const std::string& source);
-    void requestRecord();
-    void startRecording(const QString& path, const mission::RecordingFacts& facts);
-    void stopRecording();
+    void giveControlBack() { call(&RobotSession::giveControlBack); }
+    void drive(const HandIntent& intent) { call(&RobotSession::drive, intent); }
+    void stopDriving(const QString& reason) { call(&RobotSession::stopDriving, reason); }
+    void send(const protocol::Command& command, const std::string& source) {
+        call(&RobotSession::sendCommand, command, source);
+    }
+    void requestRecord() { call(&RobotSession::requestRecord); }
+    void startRecording(const QString& path, const RecordingFacts& facts) {
+        call(&RobotSession::startRecording, path, facts);
+    }
+    void stopRecording() { call(&RobotSession::stopRecording); }
     /// `recordingFlushed` follows once everything up to now is in the file.
-    void flushRecording();
-    void noteFault(const QString& sentence);
+    void flushRecording() { call(&RobotSession::flushRecording); }
+    void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
     void openRecording(const QString& path, int looks_back_on = 0);
-    void orderReplay(const mission::ReplayOrder& order);
+    void orderReplay(const ReplayOrder& order) { call(&RobotSession::orderReplay, order); }
     /// Turns this object into the robot of the opened recording.
-    void becomeReplay(int id, const QString& robot_name, const mission::RecordingFacts& facts);
+    void becomeReplay(int id, const QString& robot_name, const RecordingFacts& facts);
     void markSaved() { view_.unsaved = false; }
     void markUnsaved() { view_.unsaved = true; }
 
@@ -133,16 +96,19 @@ signals:
 
 private:
     void connectSession();
-    void take(const mission::SessionUpdate& update);
+    void take(const SessionUpdate& update);
     void take(const agent::Published& published);
     void forget();
+    void beginTask(const std::string& behavior_id, const Rectangle& area_in_map);
     void countCovered();
     void countCovered(const mapping::HeightTile& tile);
-    template <class Call>
-    void later(Call call);
+    template <class Function, class... Arguments>
+    void call(Function function, Arguments... arguments) {
+        callLater(session_, function, std::move(arguments)...);
+    }
 
-    QThread* thread_;                ///< outlives this object only if a plugin hangs in it
-    mission::RobotSession* session_; ///< belongs to thread_ and is deleted there
+    QThread* thread_;       ///< outlives this object only if a plugin hangs in it
+    RobotSession* session_; ///< belongs to thread_ and is deleted there
     RobotView view_;
     bool pause_confirmed_ = false; ///< the behavior has reported that it is paused
     agent::SetBreakpoints breakpoints_;

@@ -28,11 +28,11 @@ Result<SpawnRequest> Roster::accept(SpawnRequest request) const {
     if (request.class_name.empty())
         return failure("no plugin says which robot to spawn", request.robot_name, "Start with --plugins FOLDER");
     if (full())
-        return failure("nine robots are the most", request.robot_name, "Remove one first");
+        return failure("there can be no more than nine robots", request.robot_name, "Remove one first");
     if (request.robot_name.empty())
         request.robot_name = nextName().toStdString();
     if (has(request.robot_name))
-        return failure("there is a robot of this name already", request.robot_name, "Choose another name");
+        return failure("a robot already has this name", request.robot_name, "Choose another name");
     return request;
 }
 

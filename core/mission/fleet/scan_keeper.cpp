@@ -79,8 +79,8 @@ void ScanKeeper::takeLeave(std::unique_ptr<Robot> robot) {
 
 void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& record) {
     awaited_.erase(&robot);
-    if (record->raster.empty() && leaves(robot))
-        return release(robot);
+    if (record->raster.empty() && release(robot))
+        return;
     robot.markSaved(); // what comes from here on is not in the record
     const auto facts = facts_.find(&robot);
     const RunSummary summary = summaryOf(robot, facts == facts_.end() ? SimulatorFacts{} : facts->second());
@@ -106,17 +106,13 @@ void ScanKeeper::written(int id, const QPointer<Robot>& robot, const Result<QStr
         emit failed(id, QString::fromStdString(files.error().text()));
 }
 
-bool ScanKeeper::leaves(const Robot& robot) const {
-    return std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get) != leaving_.end();
-}
-
-/// Later, because it may be the robot itself that is speaking.
-void ScanKeeper::release(Robot& robot) {
+bool ScanKeeper::release(const Robot& robot) {
     const auto found = std::ranges::find(leaving_, &robot, &std::unique_ptr<Robot>::get);
     if (found == leaving_.end())
-        return;
-    found->release()->deleteLater();
+        return false;
+    found->release()->deleteLater(); // later, because the caller may be a signal of this robot
     leaving_.erase(found);
+    return true;
 }
 
 void ScanKeeper::giveUpWaiting() {

@@ -14,7 +14,7 @@
 #include <QTimer>
 
 #include "core/mission/fleet/robot.h"
-#include "core/mission/session/run_summary.h"
+#include "core/mission/runs/run_summary.h"
 
 namespace usar::mission {
 
@@ -52,8 +52,8 @@ signals:
 private:
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
     void written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files);
-    bool leaves(const Robot& robot) const;
-    void release(Robot& robot);
+    /// Deletes a robot that has left; returns false for one that has not.
+    bool release(const Robot& robot);
 
     QThreadPool pool_;
     QString folder_;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QObject>
-#include <QThread>
 
-#include "core/mission/session/world_session.h"
+#include "core/mission/fleet/own_thread.h"
+#include "core/mission/world/world_session.h"
 
 namespace usar::mission {
 
@@ -14,18 +14,19 @@ class WorldLink : public QObject {
     Q_OBJECT
 public:
     explicit WorldLink(QObject* parent = nullptr);
-    ~WorldLink() override;
 
     /// The newest state from the session; valid until control returns to the event loop.
-    const mission::WorldView& view() const { return *view_; }
-    void open(const QString& host, quint16 port);
-    void close();
+    const WorldView& view() const { return *view_; }
+    void open(const QString& host, quint16 port) { session_.call(&WorldSession::open, host, port); }
+    void close() { session_.call(&WorldSession::close); }
     /// Classes that the server is asked about, without package.
-    void setClasses(const std::vector<std::string>& class_names);
+    void setClasses(const std::vector<std::string>& names) { session_.call(&WorldSession::setClasses, names); }
     /// Interval at which to ask where things are; nullopt: only after commands.
-    void setPolling(std::optional<std::chrono::milliseconds> interval);
-    void setPaused(bool paused);
-    void send(const protocol::Command& command);
+    void setPolling(std::optional<std::chrono::milliseconds> interval) {
+        session_.call(&WorldSession::setPolling, interval);
+    }
+    void setPaused(bool paused) { session_.call(&WorldSession::setPaused, paused); }
+    void send(const protocol::Command& command) { session_.call(&WorldSession::send, command); }
 
 signals:
     /// `view` has changed.
@@ -33,12 +34,8 @@ signals:
     void noticed(const usar::mission::Notice& notice);
 
 private:
-    template <class Call>
-    void later(Call call);
-
-    QThread thread_;
-    mission::WorldSession* session_; ///< belongs to thread_ and is deleted there
-    std::shared_ptr<const mission::WorldView> view_ = std::make_shared<const mission::WorldView>();
+    std::shared_ptr<const WorldView> view_ = std::make_shared<const WorldView>();
+    OwnThread<WorldSession> session_{"world"};
 };
 
 } // namespace usar::mission

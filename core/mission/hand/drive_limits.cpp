@@ -54,7 +54,7 @@ void DriveLimits::takeState(const protocol::RobotState& state) {
             hindrance = "It walks on legs that no gait is known for; its joints can be moved by typed commands.";
         break;
     case VehicleKind::StaticPlatform:
-        hindrance = "It is bolted to the ground.";
+        hindrance = "It is fixed to the ground.";
         break;
     case VehicleKind::Ground:
     case VehicleKind::Unknown:

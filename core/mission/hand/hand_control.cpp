@@ -3,15 +3,8 @@
 namespace usar::mission {
 
 std::string wordOf(HandSource source) {
-    switch (source) {
-    case HandSource::Keys:
-        return "keys";
-    case HandSource::Pad:
-        return "pad";
-    case HandSource::Gamepad:
-        break;
-    }
-    return "gamepad";
+    constexpr std::array words{"keys", "pad", "gamepad"};
+    return words[static_cast<std::size_t>(source)];
 }
 
 void HandControl::setOn(bool on) {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <QJsonArray>
-#include <QJsonDocument>
 
 #include "core/base/text.h"
 #include "core/base/type_name.h"
+#include "core/mission/reports/json_line.h"
 #include "core/mission/session/stream_name.h"
 #include "core/protocol/command_grammar.h"
 #include "core/protocol/command_reader.h"
@@ -139,10 +139,8 @@ Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
             object = reporter.report(text, number);
         ++counts.lines;
         counts.with_diagnostics += object["diagnostics"].toArray().isEmpty() ? 0 : 1;
-        const QByteArray json = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-        if (output.write(json) != json.size())
-            return failure("the output takes no more: " + output.errorString().toStdString(),
-                           "line " + std::to_string(number), "Make room, or write elsewhere");
+        if (const auto printed = printLine(object, output, "line " + std::to_string(number)); !printed)
+            return tl::unexpected(printed.error());
     }
     return counts;
 }

@@ -1,9 +1,8 @@
 #include "core/mission/reports/plan_report.h"
 
-#include <QJsonDocument>
-
 #include "core/agent/posh/posh_binding.h"
 #include "core/mission/files/plan_file.h"
+#include "core/mission/reports/json_line.h"
 #include "core/posh/language/plan_reader.h"
 
 namespace usar::mission {
@@ -32,11 +31,7 @@ QJsonObject noteToJson(const posh::Spot& at, const std::string& message, const Q
 }
 
 Result<void> print(const QJsonObject& object, QIODevice& output) {
-    const QByteArray json = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-    if (output.write(json) != json.size())
-        return failure("the output takes no more: " + output.errorString().toStdString(),
-                       object["file"].toString().toStdString(), "Make room, or write elsewhere");
-    return {};
+    return printLine(object, output, object["file"].toString().toStdString());
 }
 
 } // namespace

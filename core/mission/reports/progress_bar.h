@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/mission/session/progress_text.h"
+#include "core/mission/runs/progress_text.h"
 
 namespace usar::mission {
 

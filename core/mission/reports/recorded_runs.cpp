@@ -52,7 +52,7 @@ Result<RecordedTraces> readTraces(const QString& path) {
             append(recorded.traces, trace->bytes);
     }
     if (recorded.traces.empty())
-        return failure("no plan decided in this recording", path.toStdString(),
+        return failure("no plan ran in this recording", path.toStdString(),
                        "Record a robot whose behavior is a POSH plan");
     return recorded;
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "core/base/numbers.h"
+#include "core/mission/reports/json_line.h"
 #include "core/posh/trace/run_report.h"
 
 namespace usar::mission {
@@ -98,10 +98,6 @@ QJsonObject elementObject(const posh::RunStatistics& statistics, Index place) {
     return object;
 }
 
-QByteArray lineOf(const QJsonObject& object) {
-    return QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-}
-
 } // namespace
 
 std::string runReportText(const posh::RunStatistics& statistics, int runs) {
@@ -120,20 +116,20 @@ std::string runReportText(const posh::RunStatistics& statistics, int runs) {
 
 QByteArray runReportJson(const posh::RunStatistics& statistics, int runs) {
     const posh::Program& program = *statistics.program();
-    QByteArray lines = lineOf(QJsonObject{{"kind", "plan"},
-                                          {"plan", QString::fromStdString(program.title)},
-                                          {"runs", runs},
-                                          {"cycles", static_cast<qint64>(statistics.cycles())},
-                                          {"time_s", seconds(statistics.at(0).active_ms)}});
+    QByteArray lines = jsonLine({{"kind", "plan"},
+                                 {"plan", QString::fromStdString(program.title)},
+                                 {"runs", runs},
+                                 {"cycles", static_cast<qint64>(statistics.cycles())},
+                                 {"time_s", seconds(statistics.at(0).active_ms)}});
     for (const posh::RunFinding& finding : posh::reportOn(statistics)) {
         QJsonObject object = placeObject(program, finding.place, "finding");
         object["remark"] = QString::fromUtf8(posh::toText(finding.remark).data(),
                                              static_cast<qsizetype>(posh::toText(finding.remark).size()));
         object["message"] = QString::fromStdString(finding.message);
-        lines += lineOf(object);
+        lines += jsonLine(object);
     }
     for (Index place = 1; place < program.places.size(); ++place)
-        lines += lineOf(elementObject(statistics, place));
+        lines += jsonLine(elementObject(statistics, place));
     return lines;
 }
 

@@ -4,6 +4,11 @@
 
 namespace usar::mission {
 
+bool replacesItsPredecessor(const agent::Published& value) {
+    return std::holds_alternative<agent::BehaviorStatus>(value) || std::holds_alternative<agent::SonarZones>(value) ||
+           std::holds_alternative<agent::PlannedPath>(value) || std::holds_alternative<agent::CurrentGoal>(value);
+}
+
 void BehaviorSoFar::take(const agent::Published& value) {
     if (const auto* const trace = std::get_if<agent::PlanTrace>(&value)) {
         if (trace->bytes.starts_with(posh::trace_codec::magic))
@@ -13,9 +18,7 @@ void BehaviorSoFar::take(const agent::Published& value) {
         halted_ = *halted;
     } else if (std::holds_alternative<agent::PlanResumed>(value)) {
         halted_.reset();
-    } else if (std::holds_alternative<agent::BehaviorStatus>(value) ||
-               std::holds_alternative<agent::SonarZones>(value) || std::holds_alternative<agent::PlannedPath>(value) ||
-               std::holds_alternative<agent::CurrentGoal>(value)) {
+    } else if (replacesItsPredecessor(value)) {
         newest_.insert_or_assign(value.index(), value);
     }
 }

@@ -11,7 +11,10 @@
 
 namespace usar::mission {
 
-/// Keeps the newest value of each kind that replaces its predecessor (status, zones, path, goal), and whether a plan is
+/// True for kinds of values of which only the newest counts: status, zones, path, goal.
+bool replacesItsPredecessor(const agent::Published& value);
+
+/// Keeps the newest value of each kind that replaces its predecessor, and whether a plan is
 /// halted. Of a plan it keeps the whole trace, so that the blackboard and all counts can be restored: some 20 bytes per
 /// cycle, megabytes per day. Marks and the map are not kept here.
 class BehaviorSoFar {

@@ -35,7 +35,7 @@ bool isNoMessage(const protocol::InfoMessage& message) {
 /// Describes what is wrong with the line; nullopt if nothing is.
 std::optional<std::string> wrongIn(const protocol::InfoLine& line) {
     if (isNoMessage(line.message))
-        return "this is no message of the protocol";
+        return "this is not a message of the protocol";
     const auto bad = std::ranges::find_if(
         line.diagnostics, [](const Diagnostic& diagnostic) { return diagnostic.severity != Severity::Note; });
     if (bad != line.diagnostics.end())

@@ -36,7 +36,7 @@ std::optional<std::string> HandHold::reasonToStop(Seconds wall, Seconds patience
                                                   std::optional<Seconds> robot_silent_for,
                                                   const std::string& robot_name) const {
     if (driver_.overdue(wall, patience))
-        return "nothing was heard of the hand";
+        return "nothing was heard from the input device";
     if (robot_silent_for && *robot_silent_for > std::max(shortest_silence, 4.0 * tick_spacing_))
         return robot_name + " is silent";
     return std::nullopt;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/mission/commands/drive_gate.h"
 #include "core/mission/hand/hand_driver.h"
-#include "core/mission/session/drive_gate.h"
 
 namespace usar::mission {
 

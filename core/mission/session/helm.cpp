@@ -52,7 +52,7 @@ agent::RunningBehavior::Output Helm::answerTo(const protocol::InfoLine& line) {
     return host_ ? host_->receive(line) : agent::RunningBehavior::Output{};
 }
 
-void Helm::takeOutput(agent::RunningBehavior::Output& output, bool is_tick) {
+void Helm::takeOutput(agent::RunningBehavior::Output output, bool is_tick) {
     const bool finishing = host_ && (host_->finished() || host_->ending());
     for (const agent::CausedCommand& command : output.commands)
         if (!hand_.on() || !DriveGate::isDrive(command.command))
@@ -152,13 +152,12 @@ void Helm::start(std::shared_ptr<agent::RunningBehavior> host) {
         end_watch_ = std::make_unique<QSocketNotifier>(host_->endHandle(), QSocketNotifier::Read);
         QObject::connect(end_watch_.get(), &QSocketNotifier::activated, end_watch_.get(), [this] { behaviorEnded(); });
     }
-    takeOutput(output, false);
+    takeOutput(std::move(output), false);
 }
 
 /// Takes the end of a behavior that ended between two calls.
 void Helm::behaviorEnded() {
-    agent::RunningBehavior::Output output = host_->takeEnd();
-    takeOutput(output, false);
+    takeOutput(host_->takeEnd(), false);
     owner_.touched();
 }
 
@@ -167,8 +166,7 @@ void Helm::order(agent::Order order) {
         return;
     if (order != agent::Order::Pause)
         endControl("the behavior " + host_->behaviorId() + " took over");
-    agent::RunningBehavior::Output output = host_->order(order);
-    takeOutput(output, false);
+    takeOutput(host_->order(order), false);
     releaseDrives(false);
     stepOwed();
     owner_.flush();
@@ -183,8 +181,7 @@ void Helm::control(const agent::PlanControl& control) {
         return owner_.touched();
     }
     const bool was_halted = host_->halted();
-    agent::RunningBehavior::Output output = host_->control(control);
-    takeOutput(output, false);
+    takeOutput(host_->control(control), false);
     releaseDrives(was_halted); // At the same protocol time as the safe command before it.
     stepOwed();
     owner_.flush();
@@ -195,8 +192,8 @@ void Helm::setParameters(const agent::ParameterSet& parameters) {
     if (!host_)
         return;
     host_->setParameters(parameters);
-    if (agent::RunningBehavior::Output nothing; host_->ending())
-        takeOutput(nothing, false);
+    if (host_->ending())
+        takeOutput({}, false);
 }
 
 bool Helm::dismiss() {
@@ -215,14 +212,13 @@ void Helm::takeControl() {
         return;
     if (halted())
         return view_.notices.say(Severity::Warning, Topic::Control,
-                                 "The plan stands still, and the robot's time with it. Let it go on, then take "
+                                 "The plan is halted, and the robot's time with it. Let the plan continue, then take "
                                  "control.");
     hand_.setOn(true);
     if (host_) {
-        agent::RunningBehavior::Output output = host_->order(agent::Order::Pause);
-        takeOutput(output, false);
+        takeOutput(host_->order(agent::Order::Pause), false);
         view_.notices.say(Severity::Note, Topic::Control,
-                          "You drive. The behavior " + host_->behaviorId() +
+                          "You are driving. The behavior " + host_->behaviorId() +
                               " is paused; resume it to give it the robot back.");
     }
     makeSafe(handCause("control taken"));

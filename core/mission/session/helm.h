@@ -12,10 +12,10 @@
 #include <QTimer>
 
 #include "core/agent/running_behavior.h"
+#include "core/mission/commands/outgoing.h"
 #include "core/mission/session/hand_hold.h"
 #include "core/mission/session/incoming.h"
 #include "core/mission/session/notices.h"
-#include "core/mission/session/outgoing.h"
 #include "core/mission/session/spawn_life.h"
 #include "core/mission/session/vigil.h"
 
@@ -74,7 +74,7 @@ public:
     agent::RunningBehavior::Output answerTo(const protocol::InfoLine& line);
     /// Sends the commands before processing the results, so that the simulator computes its next tick meanwhile. In the
     /// last tick it is the other way around: receivers of the end must find the simulator's time standing still.
-    void takeOutput(agent::RunningBehavior::Output& output, bool is_tick);
+    void takeOutput(agent::RunningBehavior::Output output, bool is_tick);
     /// True while a plan is halted and the server's time is stopped with it.
     bool timeIsHeld() const { return step_held_; }
     /// Releases waiting DRIVEs, because the clock may stand still; not in lockstep or while the owner is congested.

@@ -1,5 +1,6 @@
 #include "core/mission/session/notices.h"
 
+#include <array>
 #include <utility>
 
 #include "core/base/numbers.h"
@@ -8,49 +9,14 @@ namespace usar::mission {
 
 namespace {
 
-/// Ends with ": " if a further word follows.
+/// Words of the topics, in their order; a word ends with ": " if a further word follows.
+constexpr std::array<std::string_view, std::size_t(Topic::StartPoses) + 1> topic_words{
+    "behavior: ",    "cell size", "control",  "lines: ",   "far parts",  "fault",     "link",
+    "no connection", "no robot",  "overlong", "placement", "queue",      "recording", "replay",
+    "second robot",  "sensor: ",  "silence",  "spawn",     "start poses"};
+
 std::string_view wordOf(Topic topic) {
-    switch (topic) {
-    case Topic::Behavior:
-        return "behavior: ";
-    case Topic::CellSize:
-        return "cell size";
-    case Topic::Control:
-        return "control";
-    case Topic::DamagedLine:
-        return "lines: ";
-    case Topic::FarParts:
-        return "far parts";
-    case Topic::Fault:
-        return "fault";
-    case Topic::Link:
-        return "link";
-    case Topic::NoConnection:
-        return "no connection";
-    case Topic::NoRobot:
-        return "no robot";
-    case Topic::Overlong:
-        return "overlong";
-    case Topic::Placement:
-        return "placement";
-    case Topic::Queue:
-        return "queue";
-    case Topic::Recording:
-        return "recording";
-    case Topic::Replay:
-        return "replay";
-    case Topic::SecondRobot:
-        return "second robot";
-    case Topic::Sensor:
-        return "sensor: ";
-    case Topic::Silence:
-        return "silence";
-    case Topic::Spawn:
-        return "spawn";
-    case Topic::StartPoses:
-        return "start poses";
-    }
-    return {};
+    return topic_words[static_cast<std::size_t>(topic)];
 }
 
 } // namespace

@@ -97,27 +97,19 @@ std::optional<RecordingFigures> RecordKeeping::figures() const {
 }
 
 void RecordKeeping::opened(const std::string& place) {
-    if (writer_)
-        writer_->write({.kind = link::RecordKind::Opened, .line = incoming_.newest(), .bytes = place});
+    put({.kind = link::RecordKind::Opened, .bytes = place});
 }
 
 void RecordKeeping::closed(const std::string& reason) {
-    if (writer_)
-        writer_->write({.kind = link::RecordKind::Closed, .line = incoming_.newest(), .bytes = reason});
+    put({.kind = link::RecordKind::Closed, .bytes = reason});
 }
 
 void RecordKeeping::received(std::string_view bytes) {
-    if (writer_)
-        writer_->write({.kind = link::RecordKind::In, .line = incoming_.newest(), .bytes = bytes});
+    put({.kind = link::RecordKind::In, .bytes = bytes});
 }
 
 void RecordKeeping::sent(const Cause& cause, const std::string& text) {
-    if (writer_)
-        writer_->write({.kind = link::RecordKind::Out,
-                        .line = incoming_.newest(),
-                        .trigger = cause.trigger,
-                        .name = cause.source,
-                        .bytes = text + "\r\n"});
+    put({.kind = link::RecordKind::Out, .trigger = cause.trigger, .name = cause.source, .bytes = text + "\r\n"});
 }
 
 void RecordKeeping::noteTask(const ScanRecord& record) {
@@ -149,12 +141,13 @@ void RecordKeeping::noteFinished(const agent::BehaviorFinished& finished) {
 }
 
 void RecordKeeping::note(const char* topic, std::string_view text) {
+    put({.kind = link::RecordKind::Note, .trigger = incoming_.stateLine(), .name = topic, .bytes = text});
+}
+
+void RecordKeeping::put(link::Record record) {
+    record.line = incoming_.newest();
     if (writer_)
-        writer_->write({.kind = link::RecordKind::Note,
-                        .line = incoming_.newest(),
-                        .trigger = incoming_.stateLine(),
-                        .name = topic,
-                        .bytes = text});
+        writer_->write(record);
 }
 
 void RecordKeeping::look() {

@@ -74,6 +74,8 @@ private:
     void beginWith(const RecordingScene& scene);
     void write(const agent::Published& value);
     void note(const char* topic, std::string_view text);
+    /// Writes the record, with the number of the newest line, if a recording is on.
+    void put(link::Record record);
 
     Notices& notices_;
     const Incoming& incoming_;

@@ -6,6 +6,7 @@
 #include "core/agent/published_text.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/mission/session/behavior_so_far.h"
 #include "core/protocol/command_reader.h"
 
 namespace usar::mission {
@@ -148,10 +149,7 @@ void ReplayFeed::takeTask(std::string_view text) {
 }
 
 void ReplayFeed::takePublished(const agent::Published& value) {
-    const bool replaced =
-        std::holds_alternative<agent::BehaviorStatus>(value) || std::holds_alternative<agent::SonarZones>(value) ||
-        std::holds_alternative<agent::PlannedPath>(value) || std::holds_alternative<agent::CurrentGoal>(value);
-    if (!on_the_way_ || !replaced)
+    if (!on_the_way_ || !replacesItsPredecessor(value))
         return stage_.replayPublished(value);
     newest_on_the_way_.insert_or_assign(value.index(), value);
     if (const auto* status = std::get_if<agent::BehaviorStatus>(&value))

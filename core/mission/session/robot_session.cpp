@@ -156,7 +156,7 @@ Result<void> RobotSession::startRecording(const QString& path, const RecordingFa
     stopRecording();
     Result<void> begun;
     if (d_->replaying())
-        begun = failure("a replay is not recorded once more", path.toStdString(), "It has a file already");
+        begun = failure("a replay cannot be recorded", path.toStdString(), "It has a file already");
     else
         begun = d_->records.begin(path, facts,
                                   {.link = d_->link.status(),

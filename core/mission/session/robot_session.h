@@ -28,8 +28,8 @@ public:
     /// To be called before `open`.
     void setLimits(const SessionLimits& limits);
 
-    /// For headless use in the same thread; all but `record` and `linkStatus` are made anew by each call. The raster is
-    /// filled by `snapshot` only.
+    /// For headless use in the same thread; `snapshot` and `figures` are computed by each call. Only `snapshot` fills
+    /// the raster.
     const ScanRecord& record() const;
     ScanRecord snapshot() const;
     SessionFigures figures() const;

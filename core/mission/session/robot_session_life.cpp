@@ -90,7 +90,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     spawning.passed(incoming.now());
     agent::RunningBehavior::Output output = helm.answerTo(line);
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
-    helm.takeOutput(output, std::holds_alternative<protocol::RobotState>(line.message));
+    helm.takeOutput(std::move(output), std::holds_alternative<protocol::RobotState>(line.message));
     touched();
 }
 
@@ -180,7 +180,7 @@ SessionFigures RobotSession::Private::figures() const {
 bool RobotSession::Private::refusedInReplay() {
     if (replaying() && !notices.stands(Topic::Replay))
         notices.trouble(Severity::Warning, Topic::Replay,
-                        "This is a replay: nothing can be sent, for all of it has happened. Connect to a server and "
+                        "This is a replay of the past, so nothing can be sent. Connect to a server and "
                         "spawn a robot to drive one.");
     return replaying();
 }

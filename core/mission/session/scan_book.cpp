@@ -55,7 +55,7 @@ void ScanBook::takePlacement(const agent::ScanPlacement& placement) {
         worthSaving();
     else if (!std::exchange(unplaced_said_, true))
         notices_.say(Severity::Warning, Topic::Placement,
-                     "The behavior placed a scan that is too old to be known; it is left out.");
+                     "The behavior placed a scan that is too old to be known; the scan is left out.");
 }
 
 void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
@@ -84,7 +84,7 @@ void ScanBook::setCellSize(double cell_size_m) {
         return mapper_.clearMap(cell_size_m);
     notices_.say(Severity::Warning, Topic::CellSize,
                  "The height map keeps its cells of " + fixed(cellSize_m(), 2) +
-                     " m, for it has heights already. Remove the robot and spawn it anew to map with cells of " +
+                     " m, because it already has heights. Remove the robot and spawn it again to map with cells of " +
                      fixed(cell_size_m, 2) + " m.");
 }
 

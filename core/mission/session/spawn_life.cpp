@@ -60,7 +60,7 @@ void SpawnLife::beginConnection() {
 
 void SpawnLife::connected(Seconds wall) {
     notices_.over(Topic::NoConnection);
-    notices_.over(Topic::Link, "The connection is back. Spawn " + robotName() + " again to go on.");
+    notices_.over(Topic::Link, "The connection is back. Spawn " + robotName() + " again to continue.");
     if (waiting_)
         init(*std::exchange(waiting_, std::nullopt), wall);
 }
@@ -86,7 +86,7 @@ void SpawnLife::look(Seconds wall, Seconds limit) {
         return;
     fail(SpawnState::Failed, "Nothing from " + robotName() + " for " + spanText(limit) +
                                  " after INIT. Does the server know " + request_.class_name +
-                                 ", is the start pose free and above the ground, and is the simulation not paused? "
+                                 ", is the start pose free and above the ground, and is the simulation running? "
                                  "Spawn again to try once more.");
 }
 
@@ -106,7 +106,7 @@ void SpawnLife::reportLoss(SpawnState lost) {
 void SpawnLife::reportRefusal(SpawnState lost) {
     if (lost == SpawnState::Asked && !waiting_)
         fail(SpawnState::None, "The server closed the connection before " + robotName() +
-                                   " said anything. Is the start pose free, and is the server full? Spawn again "
+                                   " sent anything. Is the start pose free, and is the server full? Spawn again "
                                    "when connected.");
 }
 

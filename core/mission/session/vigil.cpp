@@ -26,15 +26,15 @@ void Vigil::beginConnection() {
 
 void Vigil::heardStartPoses() {
     start_poses_settled_ = true;
-    notices_.over(Topic::StartPoses, "The start poses came after all.");
+    notices_.over(Topic::StartPoses, "The start poses have arrived after all.");
 }
 
 void Vigil::heardRobot(const protocol::InfoMessage& message, const std::string& robot_name, Seconds now, Seconds wall) {
     for (const std::string& name : sensors_.saw(message, now))
-        notices_.over(Topic::Sensor, name + " speaks again.", name);
+        notices_.over(Topic::Sensor, name + " is sending again.", name);
     heard_at_ = wall;
     if (std::exchange(silence_said_, false))
-        notices_.over(Topic::Silence, robot_name + " speaks again.");
+        notices_.over(Topic::Silence, robot_name + " is sending again.");
 }
 
 void Vigil::expectSilence(bool expected, Seconds wall) {
@@ -77,11 +77,12 @@ void Vigil::lookForSensors(Seconds now, bool battery_is_empty) {
 
 void Vigil::lookAtQueue(std::size_t unsent_bytes, const std::string& place) {
     if (unsent_bytes > limits_.unsent_bytes && !notices_.stands(Topic::Queue))
-        notices_.trouble(Severity::Warning, Topic::Queue,
-                         "The server at " + place + " reads slower than commands are sent: " +
-                             fixed(static_cast<double>(unsent_bytes) / 1e3, 0) +
-                             " kB wait. Until it reads on, the newest drive replaces older ones. Is it busy or "
-                             "stopped?");
+        notices_.trouble(
+            Severity::Warning, Topic::Queue,
+            "The server at " + place +
+                " reads more slowly than commands are sent: " + fixed(static_cast<double>(unsent_bytes) / 1e3, 0) +
+                " kB are waiting. Until it reads again, the newest drive replaces older ones. Is it busy or "
+                "stopped?");
     else if (unsent_bytes == 0)
         notices_.over(Topic::Queue, "The server reads commands again.");
 }
@@ -89,7 +90,7 @@ void Vigil::lookAtQueue(std::size_t unsent_bytes, const std::string& place) {
 void Vigil::lookAtOverlong(std::uint64_t count) {
     if (std::exchange(overlong_, count) != count)
         notices_.say(Severity::Warning, Topic::Overlong,
-                     "The server sent a line longer than 4 MiB. It was left out; reading goes on behind it.");
+                     "The server sent a line longer than 4 MiB. It was skipped; reading continues after it.");
 }
 
 } // namespace usar::mission

@@ -1,0 +1,61 @@
+// What the window knows of one robot: the newest values from its session, and the behavior that it was given.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "core/agent/parameters.h"
+#include "core/mapping/height_probe.h"
+#include "core/mission/session/session_orders.h"
+#include "core/mission/session/session_update.h"
+
+namespace usar::mission {
+
+/// What makes a robot this one: it stays when its replay is rewound.
+struct RobotIdentity {
+    int connection = 0; ///< number of the session, unique while the program runs
+    int id = 0;         ///< 1-9, the key that selects it; 0 while no robot is spawned
+    SpawnRequest spawn;
+    link::LinkStatus link;
+    double cell_size_m = 0.25; ///< edge of a height map cell
+    QString recording;         ///< the file that is replayed; empty: live
+    int looks_back_on = 0;     ///< `connection` of the live robot whose past this replay shows; 0: none
+};
+
+/// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an
+/// absent value has not been reported yet.
+struct RobotView : RobotIdentity {
+    SessionFigures figures;
+    std::string behavior_id; ///< id of the newest behavior; empty: none was started
+    Rectangle area_in_map;   ///< its area; empty: none
+    std::optional<agent::BehaviorStatus> status;
+    std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
+    std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
+    std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
+    std::vector<agent::MapMark> marks;
+    std::vector<Vec2> planned_m; ///< path that the behavior has planned
+    std::optional<Vec3> goal_m;
+    mapping::HeightTiles tiles;
+    std::optional<mapping::HeightRange> height_range; ///< range of the whole height map; absent: the map is empty
+    std::optional<mapping::CourseProfile> ground;
+    std::map<mapping::GridIndex, int> covered_cells; ///< number of known cells in the mission area, by tile
+    bool paused = false;                             ///< by the user; cleared when the behavior resumes or ends
+    bool unsaved = false;                            ///< something was scanned since the last export
+    bool broke = false;                              ///< the behavior failed by itself, and none was started since
+    std::optional<agent::PlanHalted> halted;         ///< the plan's halt; absent: it is not halted
+};
+
+/// A behavior as it was started, with later changes of its parameters and plan applied.
+struct StartedBehavior {
+    std::string id;
+    Rectangle area_in_map;
+    std::map<std::string, agent::ParameterValue> parameters;
+    std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
+    bool isolated = false;               ///< it runs in a separate process
+};
+
+} // namespace usar::mission

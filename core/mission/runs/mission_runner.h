@@ -1,0 +1,92 @@
+// Runs one mission without a window: uses the same session code, reports progress by a signal, and ends with a summary.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QJsonObject>
+#include <QObject>
+
+#include "core/agent/plugins/plugin_loader.h"
+#include "core/mission/files/mission_file.h"
+#include "core/mission/runs/mission_score.h"
+#include "core/mission/runs/run_summary.h"
+#include "core/mission/session/robot_session.h"
+#include "core/protocol/usual_values.h"
+
+namespace usar::mission {
+
+/// Time limits after which a run is given up. Wall time, except for the last one.
+struct RunLimits {
+    SessionLimits session;
+    Seconds connect{8.0};     ///< no connection, or no start poses from the server
+    Seconds spawn{20.0};      ///< no robot, and the session gave no reason
+    Seconds stall{30.0};      ///< the protocol clock stands still
+    Seconds flight{6 * 3600}; ///< protocol clock: no mission takes that long
+};
+
+/// Options of one run.
+struct RunOptions {
+    QString host = "127.0.0.1";
+    quint16 port = protocol::usual_port::bot;
+    bool lockstep = true;   ///< ask for it; a real server does not answer
+    std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
+    QString result_folder;  ///< empty: the default folder
+    QString recording;      ///< new file that records everything sent and received; empty: none
+    QString behavior_host;  ///< path of usar-behavior-host, needed by a mission that isolates its behavior
+    RunLimits limits;
+
+    // Known only to the creator of an embedded simulator; absent on a real server.
+    std::optional<Truth> truth;
+    std::optional<Rectangle> world_extent; ///< meters, map frame
+    /// True figures of our robot so far; called once, before the connection closes.
+    std::function<std::optional<TrueFigures>()> true_figures;
+};
+
+/// Progress of a run, for display.
+struct Progress {
+    double percent = 0.0;             ///< of the whole task, 0..100
+    Seconds now{0.0};                 ///< protocol clock
+    std::optional<Seconds> time_left; ///< estimate on the protocol clock; absent: unknown
+    double speed_x = 0.0;             ///< protocol seconds per wall second; 0 before the flight
+    std::string state;                ///< in words: "scanning lane 4 of 9"
+};
+
+/// Exit codes of `usar-mission`.
+enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
+
+/// Leads a RobotSession through connect, spawn, behavior and export. Whatever goes wrong on the way, what was scanned
+/// is written, and `finished` is emitted once, from the event loop. Before the robot moves, behavior, parameters, area
+/// and result folder are checked. One run per object. Runs in its owner's thread, which needs an event loop; the
+/// plugins must outlive it.
+class MissionRunner : public QObject {
+    Q_OBJECT
+public:
+    MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options, QObject* parent = nullptr);
+    ~MissionRunner() override;
+
+    /// Starts the run. A mission that fails the checks ends with BadInput.
+    void start();
+    /// Ends the run (Ctrl+C): stops the robot and keeps what was scanned.
+    void interrupt();
+    /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.
+    void noteFault(const QString& sentence);
+    /// The JSON summary; headless.md lists its keys. Valid after `finished`.
+    const QJsonObject& summary() const;
+
+signals:
+    /// Emitted several times a second until the run ends.
+    void progressed(const usar::mission::Progress& progress);
+    void noticed(const usar::mission::Notice& notice);
+    /// `exit_code` is an ExitCode.
+    void finished(int exit_code);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d_;
+};
+
+} // namespace usar::mission

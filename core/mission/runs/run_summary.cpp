@@ -1,0 +1,100 @@
+#include "core/mission/runs/run_summary.h"
+
+#include <cmath>
+
+#include <QJsonArray>
+
+namespace usar::mission {
+
+namespace {
+
+/// Rounds to a readable number of digits; null if the value is not finite.
+QJsonValue number(double value, int decimals) {
+    if (!std::isfinite(value))
+        return QJsonValue::Null;
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) / scale;
+}
+
+QJsonValue number(const std::optional<double>& value, int decimals) {
+    return value ? number(*value, decimals) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonValue text(const std::string& text) {
+    return text.empty() ? QJsonValue(QJsonValue::Null) : QString::fromStdString(text);
+}
+
+QJsonValue seedOf(const RunSummary& summary) {
+    return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
+}
+
+/// All keys are there; those of unknown figures are null.
+QJsonObject truthToJson(const std::optional<TrueFigures>& truth) {
+    QJsonObject json;
+    for (const char* key : {"collisions", "true_distance_m", "longest_stay_s", "falls", "touches", "first_touch_s",
+                            "least_height_m", "mean_height_m", "height_spread_m"})
+        json[key] = QJsonValue::Null;
+    if (!truth)
+        return json;
+    json["collisions"] = truth->collisions;
+    json["true_distance_m"] = number(truth->distance_m, 2);
+    json["longest_stay_s"] = number(truth->longest_stay.count(), 1);
+    json["falls"] = truth->falls;
+    json["touches"] = truth->touches;
+    if (truth->first_touch)
+        json["first_touch_s"] = number(truth->first_touch->count(), 1);
+    if (const auto& height = truth->height) {
+        json["least_height_m"] = number(height->least_m, 2);
+        json["mean_height_m"] = number(height->mean_m, 2);
+        json["height_spread_m"] = number(height->spread_m, 2);
+    }
+    return json;
+}
+
+} // namespace
+
+void addSession(RunSummary& summary, const SessionFigures& figures) {
+    summary.lines_received = figures.lines_received;
+    summary.lines_malformed = figures.lines_malformed;
+    summary.lockstep = figures.lockstep;
+}
+
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth) {
+    summary.distance_m = record.status.distance_flown_m;
+    summary.charges = record.status.charges;
+    summary.score = score(record.raster, record.area_in_map, truth);
+    summary.cells = knownCellCount(record);
+    for (const std::string& fault : record.faults)
+        summary.faults << QString::fromStdString(fault);
+}
+
+QJsonObject toJson(const RunSummary& summary) {
+    const double wall_s = summary.wall.count();
+    QJsonObject all = truthToJson(summary.truth);
+    const QJsonObject own{
+        {"success", summary.success},
+        {"reason", QString::fromStdString(summary.reason)},
+        {"mission", text(summary.mission)},
+        {"behavior", text(summary.behavior)},
+        {"plan", text(summary.plan)},
+        {"seed", seedOf(summary)},
+        {"duration_s", number(summary.duration.count(), 2)},
+        {"wall_s", number(wall_s, 3)},
+        {"speed_x", wall_s > 0.0 ? number(summary.duration.count() / wall_s, 1) : QJsonValue(QJsonValue::Null)},
+        {"distance_m", number(summary.distance_m, 2)},
+        {"charges", summary.charges},
+        {"coverage_pct", number(summary.score.coverage_pct, 2)},
+        {"rmse_m", number(summary.score.rmse_m, 4)},
+        {"rmse_surface_m", number(summary.score.rmse_surface_m, 4)},
+        {"cells", static_cast<qint64>(summary.cells)},
+        {"lines_received", static_cast<qint64>(summary.lines_received)},
+        {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
+        {"lockstep", summary.lockstep},
+        {"faults", QJsonArray::fromStringList(summary.faults)},
+        {"files", QJsonArray::fromStringList(summary.files)}};
+    for (auto one = own.begin(); one != own.end(); ++one)
+        all[one.key()] = one.value();
+    return all;
+}
+
+} // namespace usar::mission

@@ -1,0 +1,77 @@
+// Figures of a finished run, and their JSON form.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <QJsonObject>
+#include <QStringList>
+
+#include "core/base/clock.h"
+#include "core/mission/files/scan_record.h"
+#include "core/mission/runs/mission_score.h"
+#include "core/mission/session/session_update.h"
+
+namespace usar::mission {
+
+/// Height above the ground, in meters, of a diving robot since it submerged. The keys are least_height_m, mean_height_m
+/// and height_spread_m (standard deviation).
+struct HeightOverGround {
+    double least_m = 0.0;
+    double mean_m = 0.0;
+    double spread_m = 0.0;
+};
+
+/// Figures of our robot that only a simulator can measure.
+struct TrueFigures {
+    int collisions = 0;
+    double distance_m = 0.0;   ///< path length; key true_distance_m
+    Seconds longest_stay{0.0}; ///< longest time within a meter; key longest_stay_s
+    int falls = 0;
+    int touches = 0;                          ///< contacts with things that can be pushed
+    std::optional<Seconds> first_touch{};     ///< since the spawn; key first_touch_s
+    std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
+};
+
+/// Figures of a run, with or without a window. The JSON keys are the field names unless noted. All of them are
+/// present, however the run ended; unknown figures are null. A key speed_x is added: protocol seconds per wall second.
+/// A default-constructed summary describes a run that was refused before it began.
+struct RunSummary {
+    bool success = false;
+    std::string reason;
+    std::string mission;  ///< empty: unknown
+    std::string behavior; ///< empty: unknown
+    std::string plan;     ///< path of the user's own plan; empty: none
+    std::optional<std::uint64_t> seed;
+    /// On the protocol clock; key duration_s. Without a window since the spawn; in the window, where a robot may run
+    /// one behavior after another, since the behavior started.
+    Seconds duration{0.0};
+    Seconds wall{0.0}; ///< wall time since the behavior started; key wall_s
+    double distance_m = 0.0;
+    int charges = 0;
+    std::optional<TrueFigures> truth;
+    Score score;           ///< keys coverage_pct, rmse_m, rmse_surface_m
+    std::size_t cells = 0; ///< known cells of the whole map
+    std::uint64_t lines_received = 0;
+    std::uint64_t lines_malformed = 0;
+    bool lockstep = false;
+    QStringList faults; ///< injected faults, with their times
+    QStringList files;  ///< full paths of the saved files
+};
+
+/// Facts about a run that only the owner of the simulator knows.
+struct SimulatorFacts {
+    std::optional<TrueFigures> truth;
+    std::optional<std::uint64_t> seed;
+};
+
+/// Adds the line counts and whether the server runs in lockstep.
+void addSession(RunSummary& summary, const SessionFigures& figures);
+/// Adds distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
+/// do not call it in the GUI thread.
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth);
+
+QJsonObject toJson(const RunSummary& summary);
+
+} // namespace usar::mission

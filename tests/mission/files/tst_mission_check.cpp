@@ -1,0 +1,169 @@
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/mission/files/mission_check.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_check {
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+const Rectangle world{{-10.0, -10.0}, {10.0, 10.0}};
+
+QString fileIn(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        qWarning("cannot write %s", qPrintable(name));
+    return file.fileName();
+}
+
+} // namespace
+
+/// What is found wrong in a mission file only when plugins and world are known is shown where it stands all the same.
+class tst_MissionCheck : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        plugins_.scan({QString(USAR_BINARY_DIR) + "/tests/mission_plugins"});
+        QVERIFY(plugins_.behavior("test/hop"));
+    }
+
+    void takesWhatIsRight() {
+        const Mission mission = read(R"("behavior": "test/hop", "area": {"x": 0, "y": 0, "width": 4, "height": 2},
+        "parameters": {"ticks": 3, "lean_rad": 45}, "start": "robot1")");
+        const auto prepared = prepareBehavior(mission, plugins_);
+        QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
+        QCOMPARE(prepared->parameters.real("lean_rad"), pi / 4);
+        QVERIFY(checkAreaInside(mission, world));
+        QVERIFY(startPoseOf(mission, {{{"Robot1", {}}}}));
+    }
+
+    void rejectsWrongBehaviorsAndParametersWithTheirPlace_data() {
+        QTest::addColumn<QByteArray>("behavior");
+        QTest::addColumn<QByteArray>("parameters");
+        QTest::addColumn<QString>("said");
+        const QByteArray hop = "test/hop";
+        QTest::newRow("an unknown behavior") << QByteArray("test/hip") << QByteArray()
+                                             << "m.json:3:13: behavior test/hip: no loaded plugin has this behavior.";
+        QTest::newRow("an unknown parameter") << hop << QByteArray(R"("ticks": 3, "leen_rad": 3)")
+                                              << "m.json:4:29: parameter leen_rad: there is no such parameter. "
+                                                 "Did you mean lean_rad?";
+        QTest::newRow("a value out of range")
+            << hop << QByteArray(R"("ticks": 0)") << "m.json:4:26: parameter ticks: 0 is out of range. Give 1 to ";
+        QTest::newRow("a value of the wrong type") << hop << QByteArray(R"("ticks": "many")")
+                                                   << "m.json:4:26: parameter ticks: \"many\" is a text. Give a whole";
+        QTest::newRow("an angle, told as it is written") << hop << QByteArray(R"("lean_rad": 46)")
+                                                         << "m.json:4:29: parameter lean_rad: 46 is out of range. "
+                                                            "Give 0 to 45 deg.";
+    }
+
+    void rejectsWrongBehaviorsAndParametersWithTheirPlace() {
+        QFETCH(QByteArray, behavior);
+        QFETCH(QByteArray, parameters);
+        QFETCH(QString, said);
+        const Mission mission = read("\"behavior\": \"" + behavior + "\",\n \"parameters\": {" + parameters +
+                                     R"(}, "area": {"x": 0, "y": 0, "width": 4, "height": 2})");
+        const auto prepared = prepareBehavior(mission, plugins_);
+        QVERIFY(!prepared.has_value());
+        const QString text = QString::fromStdString(prepared.error().text());
+        QVERIFY2(text.startsWith(said), qPrintable(text));
+    }
+
+    void rejectsAnAreaOutsideTheWorldWithItsPlace() {
+        const auto inside = checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), world);
+        QVERIFY(!inside.has_value());
+        QCOMPARE(inside.error().where, std::string("m.json:3:9"));
+        QVERIFY2(inside.error().text().find("reaches outside the world") != std::string::npos,
+                 inside.error().text().c_str());
+    }
+
+    void aWorldOfUnknownSizeHasRoomForAll() {
+        QVERIFY(checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), {}));
+    }
+
+    void rejectsAnUnknownStartPoseWithItsPlace() {
+        const auto pose = startPoseOf(read(R"("start": "Roof", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
+                                      {{{"PlayerStart", {}}, {"robot1", {}}}});
+        QVERIFY(!pose.has_value());
+        QCOMPARE(
+            QString::fromStdString(pose.error().text()),
+            QString("m.json:3:10: Roof: the server knows no start pose with this name. It has PlayerStart, robot1."));
+    }
+
+    void aMissionThatIsNoFileNamesTheThingItself() {
+        Mission mission;
+        mission.behavior = "test/hop";
+        mission.parameters["ticks"] = 0LL;
+        QCOMPARE(prepareBehavior(mission, plugins_).error().where, std::string("parameter ticks"));
+        mission.behavior = "test/hip";
+        QCOMPARE(prepareBehavior(mission, plugins_).error().where, std::string("behavior test/hip"));
+    }
+
+    void takesAPersonsOwnPlan() {
+        QTemporaryDir folder;
+        const QByteArray text = "((DC own (drives ((first Tick)))))";
+        const QString path = fileIn(folder, "own.lap", text);
+        const Mission mission = read(R"("behavior": "test/planned", "plan": ")" + path.toUtf8() + '"');
+        const auto prepared = prepareBehavior(mission, plugins_);
+        QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
+        QVERIFY(prepared->plan == (agent::PlanText{path.toStdString(), text.toStdString()}));
+        QVERIFY(!prepareBehavior(read(R"("behavior": "test/planned")"), plugins_)->plan);
+    }
+
+    void refusesAPlanBeforeAnythingMoves_data() {
+        QTest::addColumn<QByteArray>("behavior");
+        QTest::addColumn<QByteArray>("text"); // of the plan; empty: no such file
+        QTest::addColumn<QString>("says");
+        const QByteArray planned = "test/planned";
+        QTest::newRow("no such file") << planned << QByteArray() << "cannot read the plan";
+        QTest::newRow("not a plan") << planned << QByteArray("((DC d (drives ((a Halt))))") << "1:28: error E203";
+        QTest::newRow("not of this robot")
+            << planned << QByteArray("((DC d (drives ((a Hlat)))))") << "1:20: error E304";
+        QTest::newRow("nothing that a plan decides")
+            << QByteArray("test/hop") << QByteArray("((DC d (drives ((a Halt)))))")
+            << "this behavior is not run by a plan. Choose test/planned";
+    }
+
+    void refusesAPlanBeforeAnythingMoves() {
+        QFETCH(QByteArray, behavior);
+        QFETCH(QByteArray, text);
+        QFETCH(QString, says);
+        QTemporaryDir folder;
+        const QString path = text.isEmpty() ? folder.filePath("none.lap") : fileIn(folder, "own.lap", text);
+        const auto prepared = prepareBehavior(read("\"behavior\": \"" + behavior + "\", \"plan\": \"" + path.toUtf8() +
+                                                   R"(", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
+                                              plugins_);
+        QVERIFY(!prepared.has_value());
+        const QString said = QString::fromStdString(prepared.error().text());
+        QVERIFY2(said.startsWith("m.json:3:") && said.contains(says), qPrintable(said));
+    }
+
+    void aBehaviorThatNeedsAnAreaSaysSo() {
+        const auto prepared = prepareBehavior(read(R"("behavior": "test/hop")"), plugins_);
+        QVERIFY(!prepared.has_value());
+        QCOMPARE(QString::fromStdString(prepared.error().text()),
+                 QString("m.json:3:13: test/hop: it needs a mission area. Add \"area\" with x, y, width and height in "
+                         "meters to the mission."));
+    }
+
+private:
+    /// The members stand on lines 3 and on.
+    static Mission read(const QByteArray& members) {
+        const QByteArray json = "{\n  \"name\": \"m\",\n" + members + "\n}";
+        const auto mission = readMission(json, "m.json");
+        if (!mission)
+            qWarning("%s", mission.error().text().c_str());
+        return mission.value_or(Mission{});
+    }
+
+    agent::PluginLoader plugins_;
+};
+
+USAR_TEST(tst_MissionCheck)
+
+} // namespace tst_mission_check
+
+#include "tst_mission_check.moc"

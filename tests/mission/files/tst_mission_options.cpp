@@ -1,0 +1,243 @@
+#include <QDir>
+#include <QTest>
+
+#include "core/mission/files/mission_options.h"
+#include "core/mission/runs/progress_text.h"
+#include "tests/suite/suite.h"
+
+namespace tst_mission_options {
+
+using namespace usar;
+using namespace usar::mission;
+
+class tst_MissionOptions : public QObject {
+    Q_OBJECT
+private slots:
+    void readsTheCommandLine_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<MissionOptions>("expected");
+        MissionOptions plain;
+        plain.mission_file = "a.json";
+        QTest::newRow("a file is enough") << QStringList{"run", "a.json"} << plain;
+        QTest::newRow("full speed is the default") << QStringList{"run", "a.json", "--speed", "max"} << plain;
+        MissionOptions full = plain;
+        full.behavior = "airrobot/posh";
+        full.plan = "own.lap";
+        full.seed = 7;
+        full.speed_x = 2.5;
+        full.server = ServerAddress{"10.0.0.5", 3001};
+        full.result_folder = "/data/scans";
+        full.recording = "r.usarrec";
+        full.faults = QStringList{"wind speed=4", "link_delay by=0.2"};
+        QTest::newRow("all options") << QStringList{"run",       "a.json",        "--behavior", "airrobot/posh",
+                                                    "--plan",    "own.lap",       "--seed",     "7",
+                                                    "--speed",   "2.5",           "--out",      "/data/scans",
+                                                    "--connect", "10.0.0.5:3001", "--record",   "r.usarrec",
+                                                    "--fault",   "wind speed=4",  "--fault",    "link_delay by=0.2"}
+                                     << full;
+        QTest::newRow("equals signs, options first") << QStringList{"--behavior=airrobot/posh",
+                                                                    "--plan=own.lap",
+                                                                    "--seed=7",
+                                                                    "--speed=2.5",
+                                                                    "--out=/data/scans",
+                                                                    "--connect=10.0.0.5:3001",
+                                                                    "--record=r.usarrec",
+                                                                    "--fault=wind speed=4",
+                                                                    "--fault=link_delay by=0.2",
+                                                                    "run",
+                                                                    "a.json"}
+                                                     << full;
+        MissionOptions apart = plain;
+        apart.isolate = true;
+        apart.plugin_folders = QStringList{"mine", "yours"};
+        QTest::newRow("a process and plugins of one's own")
+            << QStringList{"run", "--isolate", "a.json", "--plugins", "mine", "--plugins=yours"} << apart;
+        MissionOptions help;
+        help.help = true;
+        QTest::newRow("help") << QStringList{"--help"} << help;
+        QTest::newRow("help, whatever else is said") << QStringList{"run", "a.json", "--seed", "7", "-h"} << help;
+        MissionOptions odd = plain;
+        odd.behavior = "--speed";
+        odd.result_folder = "-3";
+        QTest::newRow("values that look like options")
+            << QStringList{"run", "a.json", "--behavior", "--speed", "--out=-3"} << odd;
+    }
+
+    void readsTheCommandLine() {
+        QFETCH(QStringList, arguments);
+        QFETCH(MissionOptions, expected);
+        const auto options = readMissionOptions(arguments);
+        QVERIFY2(options, options ? "" : options.error().text().c_str());
+        QVERIFY(*options == expected);
+    }
+
+    void rejectsTheRestAndSaysWhere_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("nothing") << QStringList{} << "usar-mission run MISSION.json";
+        QTest::newRow("no file") << QStringList{"run"} << "usar-mission run MISSION.json";
+        QTest::newRow("two files") << QStringList{"run", "a.json", "b.json"} << "usar-mission run MISSION.json";
+        QTest::newRow("another verb") << QStringList{"fly", "a.json"} << "usar-mission run MISSION.json";
+        QTest::newRow("unknown option") << QStringList{"run", "a.json", "--sped", "3"}
+                                        << "--sped: there is no such option";
+        QTest::newRow("value missing") << QStringList{"run", "a.json", "--seed"} << "--seed: the value is missing";
+        QTest::newRow("an option for a value")
+            << QStringList{"run", "a.json", "--out", "x", "--speed"} << "--speed: the value is missing";
+        QTest::newRow("a value for a flag")
+            << QStringList{"run", "a.json", "--isolate=no"} << "--isolate: this option takes no value";
+        QTest::newRow("joined value empty") << QStringList{"run", "a.json", "--seed="} << "the seed is not";
+        QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
+        QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
+        QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"}
+                                    << "--speed 0: the speed is neither";
+        QTest::newRow("speed with a comma") << QStringList{"run", "a.json", "--speed", "1,5"} << "the speed is neither";
+        QTest::newRow("port too large") << QStringList{"run", "a.json", "--connect", "h:70000"} << "from 1 to 65535";
+        QTest::newRow("no host") << QStringList{"run", "a.json", "--connect", ":3000"} << "the host is missing";
+    }
+
+    void rejectsTheRestAndSaysWhere() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, words);
+        const auto options = readMissionOptions(arguments);
+        QVERIFY(!options);
+        QVERIFY2(QString::fromStdString(options.error().text()).contains(words), options.error().text().c_str());
+        QVERIFY(!options.error().mend.empty());
+    }
+
+    void readsServerAddresses_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("host");
+        QTest::addColumn<int>("port");
+        QTest::newRow("host and port") << "usarsim.local:3001"
+                                       << "usarsim.local" << 3001;
+        QTest::newRow("host alone") << "usarsim.local"
+                                    << "usarsim.local" << 3000;
+        QTest::newRow("IPv6 with port") << "[::1]:3001"
+                                        << "::1" << 3001;
+        QTest::newRow("IPv6 in brackets") << "[::1]"
+                                          << "::1" << 3000;
+        QTest::newRow("bare IPv6") << "fe80::1"
+                                   << "fe80::1" << 3000;
+    }
+
+    void readsServerAddresses() {
+        QFETCH(QString, text);
+        QFETCH(QString, host);
+        QFETCH(int, port);
+        const auto address = readServerAddress(text);
+        QVERIFY(address);
+        QCOMPARE(address->host, host);
+        QCOMPARE(int(address->port), port);
+    }
+
+    void theCommandLineGoesBeforeTheFile() {
+        Mission mission;
+        mission.behavior = "p2dx/cpp";
+        mission.places = {{"behavior", {"m.json:1:2", "m.json:1:9"}}, {"plan", {}}, {"world", {}}};
+        MissionOptions options;
+        options.behavior = "airrobot/posh";
+        options.plan = "own.lap";
+        options.isolate = true;
+        applyTo(mission, options);
+        QCOMPARE(mission.behavior, std::string("airrobot/posh"));
+        QCOMPARE(QString::fromStdString(mission.plan), QDir::current().filePath("own.lap"));
+        QVERIFY(mission.isolate);
+        QCOMPARE(mission.places.size(), std::size_t(1)); // no error blames the file for what was typed
+        QVERIFY(mission.places.contains("world"));
+    }
+
+    void whatIsNotTypedIsTheFiles() {
+        Mission mission;
+        mission.behavior = "p2dx/cpp";
+        mission.plan = "/plans/a.lap";
+        mission.isolate = true;
+        mission.places = {{"behavior", {}}, {"plan", {}}};
+        applyTo(mission, {});
+        QCOMPARE(mission.behavior, std::string("p2dx/cpp"));
+        QCOMPARE(mission.plan, std::string("/plans/a.lap"));
+        QVERIFY(mission.isolate);
+        QCOMPARE(mission.places.size(), std::size_t(2));
+    }
+
+    void faultsNeedTheEmbeddedSimulator_data() {
+        QTest::addColumn<bool>("server");
+        QTest::addColumn<bool>("typed");
+        QTest::addColumn<bool>("in_file");
+        QTest::addColumn<bool>("possible");
+        QTest::newRow("embedded, both") << false << true << true << true;
+        QTest::newRow("a server, none") << true << false << false << true;
+        QTest::newRow("a server, typed") << true << true << false << false;
+        QTest::newRow("a server, in the file") << true << false << true << false;
+    }
+
+    void faultsNeedTheEmbeddedSimulator() {
+        QFETCH(bool, server);
+        QFETCH(bool, typed);
+        QFETCH(bool, in_file);
+        QFETCH(bool, possible);
+        MissionOptions options;
+        if (server)
+            options.server = ServerAddress{"10.0.0.5", 3000};
+        if (typed)
+            options.faults << "wind";
+        Mission mission;
+        if (in_file)
+            mission.faults = {"wind"};
+        const auto checked = checkFaultsArePossible(options, mission);
+        QCOMPARE(checked.has_value(), possible);
+        if (!checked)
+            QVERIFY(checked.error().text().starts_with("10.0.0.5: faults are possible only in the embedded simulator"));
+    }
+
+    void helpNamesEveryOption() {
+        for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out", "--record", "replay FILE",
+                                   "--from", "--to", "text-to-recording", "lines FILE"})
+            QVERIFY2(missionHelp().contains(option), option);
+    }
+
+    void progressLinesTellStateSpeedAndTimeLeft() {
+        Progress progress;
+        progress.percent = 40.0;
+        progress.speed_x = 120.0;
+        progress.time_left = Seconds{1440.0};
+        progress.state = "scanning lane 4 of 9";
+        QCOMPARE(progressLine(progress, Seconds{8.0}),
+                 std::string("[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12"));
+        progress = {};
+        progress.percent = 250.0;
+        progress.state = "done";
+        QCOMPARE(progressLine(progress, Seconds{1.0}).substr(0, 28), std::string("[####################] 100 %"));
+    }
+
+    void timeLeftComesFromTheBehaviorElseFromThePercentage() {
+        Progress progress;
+        QVERIFY(!wallTimeLeft(progress, Seconds{10.0}));
+        progress.percent = 25.0;
+        QCOMPARE(wallTimeLeft(progress, Seconds{10.0})->count(), 30.0);
+        progress.time_left = Seconds{100.0};
+        progress.speed_x = 10.0;
+        QCOMPARE(wallTimeLeft(progress, Seconds{10.0})->count(), 10.0);
+    }
+
+    void clocksReadAsClocks_data() {
+        QTest::addColumn<double>("span_s");
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("nothing") << 0.0 << QByteArray("0:00");
+        QTest::newRow("part of a second is one") << 0.2 << QByteArray("0:01");
+        QTest::newRow("minutes") << 754.0 << QByteArray("12:34");
+        QTest::newRow("hours") << 3723.0 << QByteArray("1:02:03");
+        QTest::newRow("never negative") << -5.0 << QByteArray("0:00");
+    }
+
+    void clocksReadAsClocks() {
+        QFETCH(double, span_s);
+        QFETCH(QByteArray, text);
+        QCOMPARE(QByteArray::fromStdString(clockText(Seconds{span_s})), text);
+    }
+};
+
+USAR_TEST(tst_MissionOptions)
+
+} // namespace tst_mission_options
+
+#include "tst_mission_options.moc"

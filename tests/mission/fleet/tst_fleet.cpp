@@ -1,0 +1,219 @@
+#include <cmath>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/mission/fleet/fleet.h"
+#include "tests/doubles/fake_robot_server.h"
+#include "tests/suite/suite.h"
+
+namespace tst_fleet {
+
+using namespace usar;
+using namespace usar::mission;
+using usar::test::FakeRobotServer;
+
+namespace {
+
+const Rectangle no_area{};
+const Rectangle small{{0.0, 0.0}, {4.0, 2.0}};
+
+QJsonObject objectIn(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+}
+
+} // namespace
+
+/// Robots of a window, without the window and without a simulator.
+class tst_Fleet : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        server_ = std::make_unique<FakeRobotServer>();
+        server_->answers_init = false;
+        QVERIFY(server_->listen());
+        fleet_ = std::make_unique<Fleet>(QString());
+        fleet_->setResultFolder(folder_->path());
+        fleet_->setRecording(false);
+        fleet_->plugins().scan({QString(USAR_BINARY_DIR) + "/tests/mission_plugins"});
+        QVERIFY(fleet_->plugins().behavior("test/hop"));
+    }
+
+    void cleanup() {
+        fleet_.reset();
+        server_.reset();
+        folder_.reset();
+    }
+
+    void withoutALinkNothingIsSpawned() {
+        const auto spawned = fleet_->spawn({});
+        QVERIFY(!spawned.has_value());
+        QCOMPARE(QString::fromStdString(spawned.error().text()),
+                 QString("R1: there is no link to a server yet. Connect first, then spawn."));
+        QCOMPARE(fleet_->connectionOf(0), 0);
+    }
+
+    void theConnectionThatWaitsLearnsTheStartPoses() {
+        QStringList told;
+        connect(fleet_.get(), &Fleet::linkChanged, this, [&](const link::LinkStatus& status) {
+            if (status.state == link::LinkState::Connected)
+                told << "link";
+        });
+        connect(fleet_.get(), &Fleet::nextConnected, this, [&] { told << "next"; });
+        QVERIFY(connectNow());
+        QCOMPARE(fleet_->startPoses().size(), std::size_t(2));
+        QCOMPARE(fleet_->level(), QString("tall_test"));
+        QVERIFY2(told.size() >= 2 && told.at(0) == "link" && told.at(1) == "next", qPrintable(told.join(' ')));
+        QVERIFY(fleet_->connectionOf(0) != 0);
+        QVERIFY(fleet_->robots().empty());
+    }
+
+    void nineRobotsAreTheMost() {
+        QVERIFY(connectNow());
+        QSignalSpy added(fleet_.get(), &Fleet::robotAdded);
+        for (int id = 1; id <= 9; ++id) {
+            QCOMPARE(fleet_->nextRobotName(), QString("R%1").arg(id));
+            const auto spawned = spawnNow();
+            QVERIFY2(spawned.has_value(), spawned ? "" : spawned.error().text().c_str());
+            QCOMPARE(*spawned, id);
+            QCOMPARE(fleet_->robot(id)->view().spawn.robot_name, "R" + std::to_string(id));
+        }
+        QCOMPARE(added.size(), 9);
+        const auto tenth = spawnNow();
+        QVERIFY(!tenth.has_value());
+        QCOMPARE(tenth.error().what, std::string("there can be no more than nine robots"));
+
+        QSignalSpy removed(fleet_.get(), &Fleet::robotRemoved);
+        fleet_->remove(1);
+        QCOMPARE(removed.at(0), (QVariantList{1, "R1", 2}));
+        const auto twin = spawnNow("R2");
+        QVERIFY(!twin.has_value());
+        QCOMPARE(twin.error().what, std::string("a robot already has this name"));
+        QCOMPARE(spawnNow("Rex").value_or(0), 1);
+    }
+
+    void linesGoWhereAConnectionIs() {
+        QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf(0))).startsWith("There is no connection to send it on"));
+        QVERIFY(connectNow());
+        QVERIFY(fleet_->sendLine(fleet_->connectionOf(0), "GETGEO {Type Robot}", "test"));
+        QTRY_COMPARE(server_->heardOf("GETGEO {Type Robot}").size(), 1);
+    }
+
+    void checksBeforeItStarts() {
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, {})).startsWith("1: there is no such robot"));
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(0), 1);
+        fleet_->setWorldExtent({{-10.0, -10.0}, {10.0, 10.0}});
+        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("1: no behavior has been started on it"));
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hip", small, {}, {})).contains("no loaded plugin"));
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", no_area, {}, {})).contains("it needs a mission area"));
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", {{0, 0}, {40, 2}}, {}, {})).contains("outside the world"));
+        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, "none.lap")).contains("not run by a plan"));
+        QVERIFY(!fleet_->robot(1)->started());
+        QCOMPARE(textOf(fleet_->startBehavior(1, "test/hop", small, {}, {})), QString());
+        QVERIFY(fleet_->robot(1)->started());
+        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("R1: the robot is gone")); // it never came
+    }
+
+    void leavingTheServerIsToldInOrder() {
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(0), 1);
+        QStringList told;
+        connect(fleet_.get(), &Fleet::robotRemoved, this, [&] { told << "robot"; });
+        connect(fleet_.get(), &Fleet::serverLeft, this, [&] { told << "server"; });
+        connect(fleet_.get(), &Fleet::linkChanged, this, [&] { told << "link"; });
+        fleet_->disconnectFromServer();
+        QCOMPARE(told, (QStringList{"robot", "server", "link"}));
+        QVERIFY(fleet_->robots().empty() && fleet_->startPoses().empty() && fleet_->level().isEmpty());
+        QCOMPARE(fleet_->connectionOf(0), 0);
+    }
+
+    void aWindowsResultHasTheKeysOfARunWithoutOne() {
+        server_->answers_init = true;
+        // The robot's connection is the one to speak to, whichever came last.
+        server_->on_line = [this, obey = server_->on_line](const QByteArray& line) {
+            if (line.startsWith("INIT"))
+                server_->keepClient();
+            obey(line);
+        };
+        QVERIFY(connectNow());
+        fleet_->setSeed(7);
+        QCOMPARE(spawnNow().value_or(0), 1);
+        QTRY_VERIFY(fleet_->robot(1)->view().figures.spawned);
+        fleet_->setTruth("R1", {.collisions = 3, .distance_m = 9.8765});
+        fleet_->setTruth("R2", {.collisions = 5});
+        QVERIFY(fleet_->startBehavior(1, "test/hop", small, {}, {}));
+        QSignalSpy written(fleet_.get(), &Fleet::resultsWritten);
+        const auto over = [&] { return fleet_->robot(1)->view().finished.has_value(); };
+        QVERIFY(QTest::qWaitFor([&] {
+            if (!over())
+                server_->tick();
+            return over();
+        }));
+        QTRY_COMPARE(written.size(), 1);
+        QTRY_VERIFY(!fleet_->anythingToSave());
+
+        const QStringList files = QDir(folder_->path()).entryList({"*.json"});
+        QCOMPARE(files.size(), 1);
+        const QJsonObject summary = objectIn(folder_->filePath(files.front()));
+        QStringList keys = toJson(RunSummary{}).keys() + QStringList{"map", "marks"};
+        keys.sort();
+        QCOMPARE(summary.keys(), keys);
+        QVERIFY(summary["success"].toBool());
+        QCOMPARE(summary["reason"].toString(), QString("Hopped enough."));
+        QCOMPARE(summary["behavior"].toString(), QString("test/hop"));
+        QCOMPARE(summary["distance_m"].toDouble(), 5.0);
+        QCOMPARE(summary["charges"].toInt(), 1);
+        QCOMPARE(summary["seed"].toInt(), 7);
+        QCOMPARE(summary["collisions"].toInt(), 3);
+        QCOMPARE(summary["true_distance_m"].toDouble(), 9.88);
+        QVERIFY(summary["cells"].toInt() > 0);
+        QVERIFY(summary["wall_s"].toDouble() > 0.0);
+        QVERIFY(summary["rmse_m"].isNull() && summary["mission"].isNull() && summary["plan"].isNull());
+        const double shown_pct = fleet_->robot(1)->coverage_pct().value();
+        QVERIFY(shown_pct > 0.0);
+        QCOMPARE(summary["coverage_pct"].toDouble(), std::round(shown_pct * 100.0) / 100.0);
+    }
+
+    void withNothingToSaveItClosesAtOnce() {
+        QSignalSpy ready(fleet_.get(), &Fleet::readyToClose);
+        fleet_->prepareToClose();
+        QCOMPARE(ready.size(), 1);
+        QVERIFY(fleet_->closing());
+        fleet_->stayOpen();
+        QVERIFY(!fleet_->closing());
+    }
+
+private:
+    bool connectNow() {
+        fleet_->openLink("127.0.0.1", server_->port(), false);
+        return QTest::qWaitFor([&] { return !fleet_->startPoses().empty(); });
+    }
+
+    /// When the connection that waits is there.
+    Result<int> spawnNow(const std::string& name = {}) {
+        if (!QTest::qWaitFor([&] { return fleet_->checkLine(fleet_->connectionOf(0)).has_value(); }))
+            return failure("no connection waits", name);
+        return fleet_->spawn({.class_name = "USARBot.AirRobot", .robot_name = name, .start_in_map = {}});
+    }
+
+    static QString textOf(const Result<void>& result) {
+        return result ? QString() : QString::fromStdString(result.error().text());
+    }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<FakeRobotServer> server_;
+    std::unique_ptr<Fleet> fleet_;
+};
+
+USAR_TEST(tst_Fleet)
+
+} // namespace tst_fleet
+
+#include "tst_fleet.moc"

@@ -1,0 +1,89 @@
+#include <QJsonArray>
+#include <QTest>
+
+#include "core/mission/runs/run_summary.h"
+#include "tests/mission/files/sample_scan.h"
+#include "tests/suite/suite.h"
+
+namespace tst_run_summary {
+
+using namespace usar;
+using namespace usar::mission;
+
+class tst_RunSummary : public QObject {
+    Q_OBJECT
+private slots:
+    void allKeysArePresentAndWhatNobodyKnowsIsNull() {
+        const QJsonObject refused = toJson(RunSummary{});
+        RunSummary flown;
+        flown.truth = TrueFigures{3, 12.5, Seconds(4.0), 1, 2, Seconds(7.5), HeightOverGround{0.5, 4.0, 0.25}};
+        flown.seed = 7;
+        QCOMPARE(toJson(flown).keys(), refused.keys());
+        QCOMPARE(refused.size(), 29);
+        for (const char* key : {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m",
+                                "collisions", "true_distance_m", "least_height_m", "first_touch_s"})
+            QVERIFY2(refused[key].isNull(), key);
+        QCOMPARE(toJson(flown)["seed"].toInt(), 7);
+    }
+
+    void figuresAreRounded_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<double>("value");
+        QTest::newRow("protocol time") << "duration_s" << 12.35;
+        QTest::newRow("wall time") << "wall_s" << 3.457;
+        QTest::newRow("speed") << "speed_x" << 3.6;
+        QTest::newRow("distance") << "distance_m" << 100.12;
+        QTest::newRow("coverage") << "coverage_pct" << 66.67;
+        QTest::newRow("error of heights") << "rmse_m" << 0.1235;
+        QTest::newRow("true distance") << "true_distance_m" << 9.88;
+    }
+
+    void figuresAreRounded() {
+        QFETCH(QString, key);
+        QFETCH(double, value);
+        RunSummary summary;
+        summary.duration = Seconds(12.3456);
+        summary.wall = Seconds(3.4567);
+        summary.distance_m = 100.1234;
+        summary.score = {.coverage_pct = 66.6666, .rmse_m = 0.123456, .rmse_surface_m = std::nullopt};
+        summary.truth = TrueFigures{.distance_m = 9.8765};
+        QCOMPARE(toJson(summary)[key].toDouble(), value);
+    }
+
+    void takesWhatTheRecordSays() {
+        ScanRecord record = sampleScan(20);
+        record.status.distance_flown_m = 12.0;
+        record.status.charges = 2;
+        record.faults = {"60.2 s: fault begins: wind speed=5"};
+        RunSummary summary;
+        addRecord(summary, record, nullptr);
+        QCOMPARE(summary.distance_m, 12.0);
+        QCOMPARE(summary.charges, 2);
+        QCOMPARE(summary.cells, record.raster.knownCellCount());
+        QCOMPARE(summary.score.coverage_pct, score(record.raster, record.area_in_map, nullptr).coverage_pct);
+        QVERIFY(!summary.score.rmse_m);
+        QCOMPARE(summary.faults, QStringList{"60.2 s: fault begins: wind speed=5"});
+        const Truth truth{[](const Vec2&) { return 0.0; }, [](const Vec2&) { return 0.0; }};
+        addRecord(summary, record, &truth);
+        QVERIFY(summary.score.rmse_m);
+    }
+
+    void takesWhatTheSessionSays() {
+        SessionFigures figures;
+        figures.lines_received = 70;
+        figures.lines_malformed = 3;
+        figures.lockstep = true;
+        RunSummary summary;
+        addSession(summary, figures);
+        const QJsonObject json = toJson(summary);
+        QCOMPARE(json["lines_received"].toInt(), 70);
+        QCOMPARE(json["lines_malformed"].toInt(), 3);
+        QVERIFY(json["lockstep"].toBool());
+    }
+};
+
+USAR_TEST(tst_RunSummary)
+
+} // namespace tst_run_summary
+
+#include "tst_run_summary.moc"

@@ -1,0 +1,137 @@
+#include <QTest>
+
+#include "core/mission/session/scan_book.h"
+#include "tests/mission/session/session_parts.h"
+#include "tests/suite/suite.h"
+
+namespace tst_scan_book {
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+struct Kept : test::NoticeBook {
+    /// A scan comes in this line, and the behavior says that it was taken 5 m above the origin.
+    void scan(std::uint64_t line) {
+        const protocol::RangeScan scan{
+            .name = "Scanner1", .resolution_rad = 0.1, .fov_rad = 0.2, .ranges_m = {2.0, 2.0, 2.0}};
+        book.take(protocol::InfoLine{{line}, "SEN", scan, {}});
+        place(line);
+    }
+    void place(std::uint64_t line) {
+        book.take(agent::ScanPlacement{.scan_line = {line},
+                                       .scanner_in_map = {.position_m = {0.0, 0.0, 5.0}, .pitch_rad = pi / 2}});
+    }
+    void moveTo(double x_m) { book.take(agent::PoseEstimate{Seconds{1.0}, {.position_m = {x_m, 0.0, 5.0}}}); }
+
+    ScanBook book{0.25, notices};
+};
+
+} // namespace
+
+class tst_ScanBook : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingIsWorthSavingWithoutAMap() {
+        Kept kept;
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        QCOMPARE(kept.book.record().revision, std::uint64_t(0));
+        QCOMPARE(kept.book.record().marks.size(), std::size_t(1));
+        QVERIFY(kept.book.snapshot().raster.empty());
+    }
+
+    void whatIsWorthSavingIsCounted() {
+        Kept kept;
+        kept.scan(1);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(1));
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        agent::BehaviorStatus status;
+        status.state = "scanning";
+        kept.book.take(status);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(4));
+        status.elapsed = Seconds{5.0};
+        kept.book.take(status);
+        QCOMPARE(kept.book.record().revision, std::uint64_t(4)); // time alone is no news
+        QCOMPARE(kept.book.record().status.elapsed.count(), 5.0);
+        QVERIFY(!kept.book.snapshot().raster.empty());
+    }
+
+    void aPathIsOfPointsACellApart() {
+        Kept kept;
+        for (const double x_m : {0.0, 0.1, 0.2, 0.3, 0.4})
+            kept.moveTo(x_m);
+        QCOMPARE(kept.book.record().path_m.size(), std::size_t(2));
+        QCOMPARE(kept.book.record().path_m.back().x(), 0.3);
+    }
+
+    void aScanThatIsTooOldIsToldOnce() {
+        Kept kept;
+        kept.place(7);
+        kept.place(8);
+        QCOMPARE(kept.topics(), std::vector<std::string>{"placement"});
+        kept.scan(9);
+        kept.book.beginConnection();
+        kept.place(9); // line numbers start again
+        QCOMPARE(kept.book.record().revision, std::uint64_t(1));
+    }
+
+    void cellsChangeOnlyInAnEmptyMap() {
+        Kept kept;
+        kept.book.setCellSize(0.5);
+        QCOMPARE(kept.book.cellSize_m(), 0.5);
+        kept.scan(1);
+        kept.book.setCellSize(0.5);
+        QVERIFY(kept.said.empty());
+        kept.book.setCellSize(0.25);
+        QCOMPARE(kept.book.cellSize_m(), 0.5);
+        QCOMPARE(kept.topics(), std::vector<std::string>{"cell size"});
+        QVERIFY(kept.saidWords("keeps its cells of 0.50 m"));
+    }
+
+    void aNewTaskKeepsTheMap() {
+        Kept kept;
+        kept.scan(1);
+        agent::BehaviorStatus status;
+        status.state = "done";
+        kept.book.take(status);
+        kept.book.beginTask("airrobot/cpp", "R1", {{0.0, 0.0}, {10.0, 10.0}});
+        QCOMPARE(kept.book.record().behavior_id, std::string("airrobot/cpp"));
+        QCOMPARE(kept.book.record().robot_name, std::string("R1"));
+        QVERIFY(kept.book.record().status == agent::BehaviorStatus{});
+        QVERIFY(!kept.book.snapshot().raster.empty());
+    }
+
+    void aRewoundReplayKeepsOnlyTheLevel() {
+        Kept kept;
+        protocol::GameInfo game;
+        game.level = "tall_test";
+        kept.book.take(protocol::InfoLine{{1}, "NFO", game, {}});
+        kept.scan(2);
+        kept.moveTo(1.0);
+        kept.book.take(agent::MapMark{});
+        kept.book.noteFault("wind");
+        kept.book.rewind();
+        const ScanRecord left = kept.book.snapshot();
+        QVERIFY(left.raster.empty() && left.path_m.empty() && left.marks.empty() && left.faults.empty());
+        QCOMPARE(left.level, std::string("tall_test"));
+        QCOMPARE(left.revision, std::uint64_t(0));
+    }
+
+    void aReplayHasTheCellsOfItsRecording() {
+        Kept kept;
+        kept.book.beginReplay(1.0, "flat");
+        QCOMPARE(kept.book.cellSize_m(), 1.0);
+        kept.book.beginReplay(std::nullopt, "");
+        QCOMPARE(kept.book.cellSize_m(), 1.0);
+        QCOMPARE(kept.book.record().level, std::string());
+    }
+};
+
+USAR_TEST(tst_ScanBook)
+
+} // namespace tst_scan_book
+
+#include "tst_scan_book.moc"
