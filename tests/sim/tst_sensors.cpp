@@ -233,8 +233,8 @@ private slots:
         const World world = flatWorld();
         const RayCaster still(world);
         const auto physics = makePhysics(world);
-        AirRobotBody self(*physics, inTheAir({0.0, 0.0, 5.0}));
-        AirRobotBody other(*physics, inTheAir({3.0, 0.0, 5.0}));
+        RotorDrive self(*physics, inTheAir({0.0, 0.0, 5.0}));
+        RotorDrive other(*physics, inTheAir({3.0, 0.0, 5.0}));
         SonarSensor sonar(quietSonar(), birth(1, 1));
         const WorldRays rays(still, *physics, self.id());
         QVERIFY(std::abs(sonar.range_m(self.state().pose().isometry(), rays) - 2.5) < 0.02);
