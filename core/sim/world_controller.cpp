@@ -94,16 +94,15 @@ WorldController::Answer WorldController::describe(const protocol::CreateObject& 
 }
 
 WorldController::Answer WorldController::startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const {
-    const auto* const name = std::get_if<protocol::Token>(&wanted.start);
-    if (!name) {
-        start_in_map = std::get<Pose>(wanted.start);
+    if (const auto* const pose = std::get_if<Pose>(&wanted.start)) {
+        start_in_map = *pose;
         return {};
     }
-    const auto start =
-        std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *name); });
-    if (start == world_.start_poses.end())
-        return "there is no start pose '" + name->text() + "'";
-    start_in_map = start->pose_in_map;
+    const auto& name = std::get<protocol::Token>(wanted.start);
+    const Pose* const start = findStart(world_, name);
+    if (!start)
+        return "there is no start pose '" + name.text() + "'";
+    start_in_map = *start;
     return {};
 }
 
