@@ -10,8 +10,8 @@ namespace {
 constexpr double pod_bottom_m = -0.10;
 constexpr double leg_top_m = -0.03;
 
-BodyPart part(decltype(BodyPart::shape) shape, const Vec3& center_m) {
-    return {std::move(shape), Pose{center_m, 0.0, 0.0, 0.0}};
+BodyPart part(const Shape& shape, const Vec3& center_m) {
+    return {shape, Pose{center_m}};
 }
 
 } // namespace

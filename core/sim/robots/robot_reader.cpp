@@ -13,13 +13,12 @@
 #include "core/base/numbers.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/sim/world/sdf_fields.h"
-#include "core/sim/world/sdf_loader.h"
 
 namespace usar::sim {
 
 namespace {
 
-constexpr const char* mend = "Mend the file; resources/robots/README.md tells what a robot file says";
+constexpr const char* fix = "Fix the file; resources/robots/README.md describes robot files";
 constexpr std::string_view prefix = "usar:";
 
 std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
@@ -92,7 +91,7 @@ private:
     Result<void> readPackages(const sdf::Element& facts);
     Result<void> check() const;
 
-    tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), mend); }
+    tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), fix); }
     const sdf::Link* linkNamed(const std::string& name) const { return source_.LinkByName(name); }
     /// Pose in the model's frame of the link's center of mass, with the link's axes.
     static Pose bodyInModel(const sdf::Link& link);
@@ -111,19 +110,10 @@ Pose RobotReading::bodyInModel(const sdf::Link& link) {
 Result<BodyPart> RobotReading::partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
     Pose part_in_body = toPose(collision.RawPose());
     part_in_body.position_m -= center_of_mass_m;
-    const sdf::Geometry& shape = *collision.Geom();
-    switch (shape.Type()) {
-    case sdf::GeometryType::BOX:
-        return BodyPart{BoxShape{toVec3(shape.BoxShape()->Size())}, part_in_body};
-    case sdf::GeometryType::CYLINDER:
-        return BodyPart{CylinderShape{shape.CylinderShape()->Radius(), shape.CylinderShape()->Length()}, part_in_body};
-    case sdf::GeometryType::CAPSULE:
-        return BodyPart{CapsuleShape{shape.CapsuleShape()->Radius(), shape.CapsuleShape()->Length()}, part_in_body};
-    case sdf::GeometryType::SPHERE:
-        return BodyPart{SphereShape{shape.SphereShape()->Radius()}, part_in_body};
-    default:
+    const auto shape = shapeIn(*collision.Geom());
+    if (!shape)
         return refuse("the collision \"" + collision.Name() + "\" is neither box, cylinder, capsule nor sphere");
-    }
+    return BodyPart{shape->shape, part_in_body};
 }
 
 Result<BodyDescription> RobotReading::bodyOf(const sdf::Link& link) const {
@@ -308,12 +298,12 @@ Result<RobotModel> RobotReading::read() {
     return std::move(model_);
 }
 
-Result<RobotModel> readAnew(const std::filesystem::path& file) {
+Result<RobotModel> readFile(const std::filesystem::path& file) {
     const auto root = loadSdf(file);
     if (!root)
         return tl::unexpected(root.error());
     if (!root->Model())
-        return failure("there is no model in it", file.string(), mend);
+        return failure("there is no model in it", file.string(), fix);
     return RobotReading(file, *root->Model()).read();
 }
 
@@ -336,12 +326,12 @@ Result<RobotModel> readRobot(const std::filesystem::path& file) {
     const auto written = std::filesystem::last_write_time(path, trouble);
     const std::uintmax_t bytes = trouble ? 0 : std::filesystem::file_size(path, trouble);
     if (trouble)
-        return readAnew(file); // Its error says what is wrong.
+        return readFile(file); // Its error says what is wrong.
     const std::scoped_lock lock(one_at_a_time);
     const auto found = known.find(path);
     if (found != known.end() && found->second.written == written && found->second.bytes == bytes)
         return found->second.robot;
-    auto robot = readAnew(file);
+    auto robot = readFile(file);
     if (robot)
         known.insert_or_assign(path, ReadRobot{written, bytes, *robot});
     return robot;

@@ -8,7 +8,6 @@
 
 #include "core/sim/world/height_png.h"
 #include "core/sim/world/sdf_fields.h"
-#include "core/sim/world/sdf_loader.h"
 #include "core/sim/world/world_marks_reader.h"
 #include "core/sim/world/world_object_reader.h"
 
@@ -147,8 +146,7 @@ Result<World> readWorld(const std::filesystem::path& folder) {
     if (!root)
         return tl::unexpected(root.error());
     if (root->WorldCount() != 1)
-        return failure("there must be exactly one world in it", file.string(),
-                       "Mend the file or generate the world again");
+        return failure("there must be exactly one world in it", file.string(), fix_sdf);
     return WorldReading(file).read(*root->WorldByIndex(0));
 }
 
