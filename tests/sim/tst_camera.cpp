@@ -110,7 +110,6 @@ private slots:
         QTest::newRow("to the right and above") << -2.5 << 1.5 << 80.0;
         QTest::newRow("seen through a long lens") << 0.5 << 0.0 << 20.0;
     }
-
     void aBallsOutlineIsWhereThePinholeSaysItIs() {
         QFETCH(double, left_m);
         QFETCH(double, up_m);

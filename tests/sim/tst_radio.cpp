@@ -64,7 +64,6 @@ private slots:
         QTest::newRow("nearer than the reference is stronger") << 0.2 << 0 << 1.0 << -39.67;
         QTest::newRow("on the same spot it is finite") << 0.0 << 0 << 1.0 << -49.67 + 10.0 * std::log10(200.0);
     }
-
     void strengthFollowsTheClosedForm() {
         QFETCH(double, distance_m);
         QFETCH(int, obstacles);
@@ -95,7 +94,6 @@ private slots:
         water.water = Water{10.0, 1000.0};
         QTest::newRow("water is none") << water << 0;
     }
-
     void obstaclesAreCounted() {
         QFETCH(World, world);
         QFETCH(int, expected);
