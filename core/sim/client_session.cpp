@@ -36,7 +36,7 @@ void ClientSession::receive(std::string_view bytes, const Log& log) {
     const std::size_t overlong = splitter_.overlongCount();
     splitter_.feed(bytes, [&](std::string_view line) { take(line, log); });
     if (splitter_.overlongCount() > overlong)
-        log("dropped a line without end");
+        log("dropped a line that does not end");
 }
 
 void ClientSession::take(std::string_view line, const Log& log) {
@@ -156,7 +156,7 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
 
 void ClientSession::control(const protocol::Command& command, const Host& host) {
     if (!controls_)
-        return host.log("ignored " + quoted(command) + ": this connection is no world controller's");
+        return host.log("ignored " + quoted(command) + ": this connection is not a world controller's");
     if (const auto* const asked = std::get_if<protocol::GetObjectStates>(&command))
         return send(host.objectStates(*asked));
     if (const auto trouble = host.control(command))
@@ -239,7 +239,7 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
 
 void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (initialized_)
-        return host.log("ignored a second INIT: one connection is one robot");
+        return host.log("ignored a second INIT: a connection can have only one robot");
     robot_name_ = wanted.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");

@@ -16,7 +16,7 @@ constexpr std::size_t most_viewers = 64;
 
 Result<void> checked(const World& world, const SimulationOptions& options) {
     if (world.terrain.empty() && world.boxes.empty())
-        return failure("nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
+        return failure("there is nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
     if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
         return failure("a tick needs a length and at least one physics step", "simulation options");
     if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
@@ -117,7 +117,7 @@ void Simulation::State::followFaults() {
         if (!changed.empty() || session.isNew())
             setFaults(client, session);
         if (session.overfull())
-            log(client, "too much waits behind a fault: the connection is cut");
+            log(client, "too much data is held back by a fault: the connection is cut");
         if (session.overfull() || (session.robot() && faults.takeCut(session.robotName())))
             cut.push_back(client);
         if (session.robot() && vanishes(session)) {

@@ -82,7 +82,7 @@ WorldController::Answer WorldController::describe(const protocol::CreateObject& 
         own = std::ranges::find_if(world_.objects, ofClass);
     if (own != world_.objects.end()) {
         if (!scale.isOnes())
-            return "an object of class '" + wanted.class_name.text() + "' has one size, for it is the world's own";
+            return "an object of class '" + wanted.class_name.text() + "' cannot be scaled, because it is one of the world's own";
         object = *own;
         return {};
     }
@@ -152,7 +152,7 @@ WorldController::Answer WorldController::runConveyor(const protocol::RunConveyor
     if (!object)
         return missing(wanted.object_name);
     if (!object->belt)
-        return "'" + object->name + "' is no conveyor";
+        return "'" + object->name + "' is not a conveyor";
     physics_.runSurface(*object->belt, {wanted.speed_m_s, 0.0, 0.0});
     return {};
 }

@@ -88,7 +88,7 @@ private slots:
         QTest::newRow("out of range") << "link_loss share=2"
                                       << "from 0 to 1";
         QTest::newRow("not a number") << "link_delay by=nan"
-                                      << "is no by";
+                                      << "is not a valid by";
         QTest::newRow("a sensor where there is none") << "battery sensor=INS"
                                                       << "unknown word 'sensor'";
         QTest::newRow("a bias of nothing") << "sensor_bias sensor=INS x=0"

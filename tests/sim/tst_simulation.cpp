@@ -389,7 +389,7 @@ private slots:
     void aWorldWithoutGroundIsRefused() {
         const auto made = Simulation::make(World{});
         QVERIFY(!made);
-        QVERIFY(made.error().text().find("nothing to stand on") != std::string::npos);
+        QVERIFY(made.error().text().find("there is nothing to stand on") != std::string::npos);
     }
 };
 

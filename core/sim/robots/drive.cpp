@@ -20,7 +20,7 @@ Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physi
         return AckermannDrive::make(model, physics, body);
     if (model.drive.kind == "legs")
         return LegDrive::make(model, physics, body);
-    return failure("no drive here is of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
+    return failure("there is no drive of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
                    "Known are rotors, skid, ackermann, nautic and legs");
 }
 

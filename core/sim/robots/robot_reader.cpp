@@ -338,7 +338,7 @@ RobotsRead readRobots(const std::filesystem::path& folder) {
             read.refused.push_back(robot.error());
         else if (findRobot(read.robots, robot->class_name))
             read.refused.push_back(
-                {"there is a " + robot->class_name + " already", file.string(), "Name it otherwise"});
+                {"there is a " + robot->class_name + " already", file.string(), "Give it another class name"});
         else
             read.robots.push_back(std::move(*robot));
     }

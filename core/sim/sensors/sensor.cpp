@@ -64,7 +64,7 @@ Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const Senso
     const std::string where = "robot " + birth.robot.class_name;
     const auto row = rowOf(model.type);
     if (row == rows.end())
-        return failure("no sensor here is of the type " + model.type, where,
+        return failure("there is no sensor of the type " + model.type, where,
                        "Check usar:type of \"" + model.name + "\"");
     for (const std::string_view word : row->joints)
         if (!word.empty() && !linkNamedBy(word, model, birth.robot))

@@ -88,7 +88,7 @@ Result<void> readVictim(sdf::Element& element, const std::filesystem::path& file
         victim.parts.push_back({*kind, *position_m});
     }
     if (victim.parts.empty())
-        return refusal("the victim \"" + *name + "\" has no usar:part, so nobody could find it", file, element);
+        return refusal("the victim \"" + *name + "\" has no usar:part, so nobody can find it", file, element);
     world.victims.push_back(std::move(victim));
     return {};
 }

@@ -82,7 +82,7 @@ Result<WorldObject> readObject(const sdf::Model& model, const std::filesystem::p
     if (!center_in_link)
         return refuse(center_in_link.error(), link.Element());
     if (link.CollisionCount() == 0)
-        return refuse("has no collision, so it would fall for ever", link.Element());
+        return refuse("has no collision, so it would fall forever", link.Element());
     const SurfaceFigures surface = surfaceOf(*link.CollisionByIndex(0));
     for (std::uint64_t c = 0; c < link.CollisionCount(); ++c) {
         const sdf::Collision& collision = *link.CollisionByIndex(c);

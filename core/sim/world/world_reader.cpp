@@ -35,7 +35,7 @@ public:
             return refuse("the world has no ground: no collision with a height map, a plane or a box",
                           source.Element());
         if (world_.start_poses.empty())
-            return refuse("the world has no usar:start_pose, so no robot could begin", source.Element());
+            return refuse("the world has no usar:start_pose, so no robot can start", source.Element());
         return std::move(world_);
     }
 
@@ -88,7 +88,7 @@ private:
         const auto side = [](std::size_t posts) { return static_cast<double>(posts - 1); };
         const ignition::math::Vector3d& size_m = heightmap.Size();
         if (image->columns < 2 || image->rows < 2)
-            return refuse("the height map has less than 2 x 2 posts", heightmap.Element());
+            return refuse("the height map has fewer than 2 x 2 posts", heightmap.Element());
         const double step_m = size_m.X() / side(image->columns);
         if (!(step_m > 0.0) || std::abs(size_m.Y() / side(image->rows) - step_m) > 1e-9 * step_m ||
             !(size_m.Z() >= 0.0))
@@ -118,7 +118,7 @@ private:
         auto floor = Terrain::level({center_m - half_m, center_m + half_m}, collision_in_map.position_m.z());
         if (!floor)
             return refuse(
-                "the sides of the plane need a common measure not too small, such as 1 m or 0.1 m, above zero",
+                "the sides of the plane need a common measure that is not too small, such as 1 m or 0.1 m, above zero",
                 plane.Element());
         world_.terrain = *std::move(floor);
         return {};
