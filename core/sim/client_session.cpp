@@ -26,6 +26,14 @@ std::string quoted(const protocol::Command& command) {
     return quoted(protocol::write(command));
 }
 
+/// The segments of a line, which must outlive them.
+protocol::Segments segmentsOf(std::string_view line) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(line, diagnostics);
+    return segments;
+}
+
 } // namespace
 
 ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
@@ -208,9 +216,7 @@ bool ClientSession::setViewports(const protocol::Command& command, const Host& h
 
 void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
     const std::string line = protocol::write(command);
-    Diagnostics diagnostics;
-    protocol::Segments segments;
-    segments.read(line, diagnostics);
+    const protocol::Segments segments = segmentsOf(line);
     // UT2004 answers every SET except that of a joint, at the tick; UDK obeys at once and never answers.
     const bool is_set = sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint");
     if (is_set && isUdk() && robot_->alive())
@@ -300,9 +306,7 @@ protocol::Response ClientSession::resultOf(const protocol::Command& asked, Secon
     std::optional<protocol::Response> result = robot_->set(asked);
     if (!result) {
         const std::string line = protocol::write(asked);
-        Diagnostics diagnostics;
-        protocol::Segments segments;
-        segments.read(line, diagnostics);
+        const protocol::Segments segments = segmentsOf(line);
         result =
             protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
     }
