@@ -78,11 +78,6 @@ std::unique_ptr<Simulation> robotByTower() {
     return simulationOf(std::move(world));
 }
 
-void steps(Simulation& simulation, int count) {
-    for (int i = 0; i < count; ++i)
-        simulation.step();
-}
-
 Picture pictureOf(const Simulation& simulation) {
     const CameraScene scene = simulation.cameraScene();
     return render(scene, scene.cameras.front());

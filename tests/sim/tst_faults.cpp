@@ -34,11 +34,6 @@ std::unique_ptr<Simulation> faultySimulation(std::initializer_list<const char*> 
     return simulationOf(flatWorld(), options);
 }
 
-void run(Simulation& simulation, int ticks) {
-    for (int i = 0; i < ticks; ++i)
-        simulation.step();
-}
-
 bool logHas(Simulation& simulation, const std::string& words) {
     for (const std::string& sentence : simulation.takeLog())
         if (sentence.find(words) != std::string::npos)
@@ -111,7 +106,7 @@ private slots:
         talker.say(init_air_robot);
         const auto offset = [&](int ticks) {
             talker.hear();
-            run(*simulation, ticks);
+            steps(*simulation, ticks);
             Pose ins;
             Pose truth;
             for (const protocol::InfoLine& line : talker.hear()) {
@@ -137,8 +132,8 @@ private slots:
         std::vector<protocol::SonarReadings> lines;
         for (Talker* talker : {&faulty, &fine})
             talker->say(init_air_robot);
-        run(*simulation, 5);
-        run(*healthy, 5);
+        steps(*simulation, 5);
+        steps(*healthy, 5);
         const auto odd = faulty.hearLast<protocol::SonarReadings>();
         const auto even = fine.hearLast<protocol::SonarReadings>();
         QVERIFY(odd && even);
@@ -154,11 +149,11 @@ private slots:
         Talker talker(*simulation);
         talker.say(init_air_robot);
         talker.say("DRIVE {AltitudeVelocity 0} {LinearVelocity 1} {LateralVelocity 0} {RotationalVelocity 0}");
-        run(*simulation, 7);
+        steps(*simulation, 7);
         const auto first = talker.hearLast<protocol::GroundTruthReading>();
-        run(*simulation, 5);
+        steps(*simulation, 5);
         const auto again = talker.hearLast<protocol::GroundTruthReading>();
-        run(*simulation, 8);
+        steps(*simulation, 8);
         const auto later = talker.hearLast<protocol::GroundTruthReading>();
         QVERIFY(first && again && later);
         QCOMPARE(again->base_in_map, first->base_in_map);
@@ -173,7 +168,7 @@ private slots:
         int readings = 0;
         constexpr int ticks = 1000;
         for (int i = 0; i < ticks / 100; ++i) {
-            run(*simulation, 100);
+            steps(*simulation, 100);
             for (const protocol::InfoLine& line : talker.hear())
                 readings += std::holds_alternative<protocol::InsReading>(line.message) ? 1 : 0;
         }
@@ -186,7 +181,7 @@ private slots:
             const auto simulation = faultySimulation(texts, true);
             Talker talker(*simulation);
             talker.say(init_air_robot);
-            run(*simulation, 50);
+            steps(*simulation, 50);
             std::vector<std::string> lines = talker.hearText();
             std::erase_if(lines, [](const std::string& line) { return kindOf(line) == "SEN INS"; });
             return lines;
@@ -260,11 +255,11 @@ private slots:
         Talker other(*simulation);
         talker.say(init_air_robot);
         other.say("INIT {ClassName USARBot.P2DX} {Name R2} {Location 4,0,-0.2}");
-        run(*simulation, 4);
+        steps(*simulation, 4);
         QVERIFY(simulation->takeCut().empty());
-        run(*simulation, 3);
+        steps(*simulation, 3);
         QCOMPARE(simulation->takeCut(), std::vector<ClientId>{talker.id()});
-        run(*simulation, 3);
+        steps(*simulation, 3);
         QVERIFY(simulation->takeCut().empty()); // once
         QCOMPARE(simulation->faults().front().phase, FaultPhase::Over);
     }
@@ -295,10 +290,10 @@ private slots:
         const auto simulation = faultySimulation({"battery robot=R1 left=3 from=2"});
         Talker talker(*simulation);
         talker.say(init_air_robot);
-        run(*simulation, 15);
+        steps(*simulation, 15);
         QCOMPARE(talker.hearLast<protocol::RobotState>()->battery_left, Seconds{2.0});
         QVERIFY(simulation->robots().front().base_in_map.position_m.z() > 2.5);
-        run(*simulation, 25);
+        steps(*simulation, 25);
         QCOMPARE(talker.hearLast<protocol::RobotState>()->battery_left, Seconds{0.0});
         QVERIFY(simulation->robots().front().base_in_map.position_m.z() < 1.0);
     }
@@ -307,9 +302,9 @@ private slots:
         const auto simulation = faultySimulation({"rotor rotor=2 from=2"});
         Talker talker(*simulation);
         talker.say(init_air_robot);
-        run(*simulation, 9);
+        steps(*simulation, 9);
         QVERIFY(std::abs(simulation->robots().front().base_in_map.roll_rad) < 0.05);
-        run(*simulation, 20);
+        steps(*simulation, 20);
         QVERIFY(simulation->robots().front().broken);
     }
 
@@ -318,7 +313,7 @@ private slots:
             const auto simulation = faultySimulation(texts);
             Talker talker(*simulation);
             talker.say(init_air_robot);
-            run(*simulation, 100);
+            steps(*simulation, 100);
             return Vec3(simulation->robots().front().base_in_map.position_m - Vec3(0.0, 0.0, 3.0));
         };
         QVERIFY(way({}).norm() < 0.1);
@@ -357,12 +352,12 @@ private slots:
         const auto simulation = faultySimulation({"vanish robot=R1 after=1"});
         Talker talker(*simulation);
         talker.say(init_air_robot);
-        run(*simulation, 5);
+        steps(*simulation, 5);
         QVERIFY(talker.hearLast<protocol::RobotState>());
-        run(*simulation, 5);
+        steps(*simulation, 5);
         QVERIFY(logHas(*simulation, "'R1' has vanished"));
         talker.hear();
-        run(*simulation, 5);
+        steps(*simulation, 5);
         QVERIFY(talker.hear().empty());
         QVERIFY(simulation->robots().empty());
         QCOMPARE(simulation->clientCount(), std::size_t(1));
@@ -372,7 +367,7 @@ private slots:
         const auto simulation = faultySimulation({"rotor robot=R1", "sensor_freeze robot=R1 sensor=Radar"});
         Talker talker(*simulation);
         talker.say(init_p2dx);
-        run(*simulation, 2);
+        steps(*simulation, 2);
         const std::vector<std::string> log = simulation->takeLog();
         const auto has = [&](const char* words) {
             return std::ranges::any_of(log, [&](const auto& one) { return one.find(words) != std::string::npos; });
@@ -396,14 +391,14 @@ private slots:
         const auto simulation = faultySimulation({});
         Talker talker(*simulation);
         talker.say(init_air_robot);
-        run(*simulation, 5);
+        steps(*simulation, 5);
         const int id = simulation->addFault(readFault("sensor_dropout sensor=INS").value());
         talker.hear();
-        run(*simulation, 5);
+        steps(*simulation, 5);
         QVERIFY(!talker.hearLast<protocol::InsReading>());
         QVERIFY(logHas(*simulation, "fault begins: sensor_dropout sensor=INS"));
         QVERIFY(simulation->endFault(id));
-        run(*simulation, 5);
+        steps(*simulation, 5);
         QVERIFY(talker.hearLast<protocol::InsReading>());
         QVERIFY(logHas(*simulation, "fault ends"));
         QVERIFY(!simulation->endFault(id));

@@ -131,8 +131,7 @@ private slots:
         Talker nobody(*simulation);
         robot.say(init_p2dx);
         station.say("INIT {ClassName USARBot.ComStation} {Name Base} {Location 8,-3,-0.5}");
-        for (int i = 0; i < 5; ++i)
-            simulation->step();
+        steps(*simulation, 5);
         const std::vector<RadioStation> radios = simulation->radios();
         QCOMPARE(radios.size(), std::size_t(2));
         QCOMPARE(radios[0].name, std::string("R1"));
@@ -161,8 +160,7 @@ private slots:
         robot.say(init_p2dx);
         simulation->step();
         QVERIFY(!simulation->radios().at(0).silent);
-        for (int i = 0; i < 10; ++i)
-            simulation->step();
+        steps(*simulation, 10);
         QVERIFY(simulation->radios().at(0).silent);
     }
 

@@ -197,11 +197,12 @@ private slots:
         QTest::newRow("something else") << QByteArray("hello\n") << "this is not a snapshot";
         QTest::newRow("cut short") << good.chopped(20) << "breaks off";
         QTest::newRow("unknown word") << QByteArray(good).replace("\nseed", "\nsead") << "line 3: unknown word 'sead'";
-        QTest::newRow("no number") << QByteArray(good).replace("\nticks 1", "\nticks x") << "'x' is not a valid number of ticks";
-        QTest::newRow("a run without end")
-            << QByteArray(good).replace("\nticks 1", "\nticks 999999999999") << "'999999999999' is not a valid number of ticks";
-        QTest::newRow("steps without end")
-            << QByteArray(good).replace("_tick 50", "_tick 4000000000") << "'4000000000' is not a valid number of steps";
+        QTest::newRow("no number") << QByteArray(good).replace("\nticks 1", "\nticks x")
+                                   << "'x' is not a valid number of ticks";
+        QTest::newRow("a run without end") << QByteArray(good).replace("\nticks 1", "\nticks 999999999999")
+                                           << "'999999999999' is not a valid number of ticks";
+        QTest::newRow("steps without end") << QByteArray(good).replace("_tick 50", "_tick 4000000000")
+                                           << "'4000000000' is not a valid number of steps";
         QTest::newRow("wrong kind") << QByteArray(good).replace("\nc 0 1 0\n", "\nz 0 1 0\n")
                                     << "'z' is not a kind of entry";
         QTest::newRow("wrong count") << QByteArray(good).replace("\nc 0 1 0\n", "\nc 0 1 999999999999\n")
