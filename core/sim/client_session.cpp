@@ -26,6 +26,14 @@ std::string quoted(const protocol::Command& command) {
     return quoted(protocol::write(command));
 }
 
+/// The segments of a line, which must outlive them.
+protocol::Segments segmentsOf(std::string_view line) {
+    Diagnostics diagnostics;
+    protocol::Segments segments;
+    segments.read(line, diagnostics);
+    return segments;
+}
+
 } // namespace
 
 ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
@@ -36,7 +44,7 @@ void ClientSession::receive(std::string_view bytes, const Log& log) {
     const std::size_t overlong = splitter_.overlongCount();
     splitter_.feed(bytes, [&](std::string_view line) { take(line, log); });
     if (splitter_.overlongCount() > overlong)
-        log("dropped a line without end");
+        log("dropped a line that does not end");
 }
 
 void ClientSession::take(std::string_view line, const Log& log) {
@@ -156,7 +164,7 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
 
 void ClientSession::control(const protocol::Command& command, const Host& host) {
     if (!controls_)
-        return host.log("ignored " + quoted(command) + ": this connection is no world controller's");
+        return host.log("ignored " + quoted(command) + ": this connection is not a world controller's");
     if (const auto* const asked = std::get_if<protocol::GetObjectStates>(&command))
         return send(host.objectStates(*asked));
     if (const auto trouble = host.control(command))
@@ -208,9 +216,7 @@ bool ClientSession::setViewports(const protocol::Command& command, const Host& h
 
 void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
     const std::string line = protocol::write(command);
-    Diagnostics diagnostics;
-    protocol::Segments segments;
-    segments.read(line, diagnostics);
+    const protocol::Segments segments = segmentsOf(line);
     // UT2004 answers every SET except that of a joint, at the tick; UDK obeys at once and never answers.
     const bool is_set = sameWord(segments.typeWord(), "SET") && !sameWord(segments.value("Type"), "Joint");
     if (is_set && isUdk() && robot_->alive())
@@ -239,7 +245,7 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
 
 void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (initialized_)
-        return host.log("ignored a second INIT: one connection is one robot");
+        return host.log("ignored a second INIT: a connection can have only one robot");
     robot_name_ = wanted.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
@@ -300,9 +306,7 @@ protocol::Response ClientSession::resultOf(const protocol::Command& asked, Secon
     std::optional<protocol::Response> result = robot_->set(asked);
     if (!result) {
         const std::string line = protocol::write(asked);
-        Diagnostics diagnostics;
-        protocol::Segments segments;
-        segments.read(line, diagnostics);
+        const protocol::Segments segments = segmentsOf(line);
         result =
             protocol::Response{{}, std::string(segments.value("Type")), std::string(segments.value("Name")), false};
     }

@@ -16,7 +16,7 @@ constexpr std::size_t most_viewers = 64;
 
 Result<void> checked(const World& world, const SimulationOptions& options) {
     if (world.terrain.empty() && world.boxes.empty())
-        return failure("nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
+        return failure("there is nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
     if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
         return failure("a tick needs a length and at least one physics step", "simulation options");
     if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
@@ -87,10 +87,8 @@ Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
     const auto* const name = std::get_if<protocol::Token>(&init.start);
     if (!name)
         return std::get<Pose>(init.start);
-    const auto found = std::find_if(world.start_poses.begin(), world.start_poses.end(),
-                                    [&](const NamedPose& start) { return sameWord(start.name, *name); });
-    if (found != world.start_poses.end())
-        return found->pose_in_map;
+    if (const Pose* const start = findStart(world, *name))
+        return *start;
     log(client, "there is no start pose '" + name->text() + "'");
     return init.fallback_in_map.value_or(Pose{});
 }
@@ -119,7 +117,7 @@ void Simulation::State::followFaults() {
         if (!changed.empty() || session.isNew())
             setFaults(client, session);
         if (session.overfull())
-            log(client, "too much waits behind a fault: the connection is cut");
+            log(client, "too much data is held back by a fault: the connection is cut");
         if (session.overfull() || (session.robot() && faults.takeCut(session.robotName())))
             cut.push_back(client);
         if (session.robot() && vanishes(session)) {
@@ -215,13 +213,11 @@ std::string Simulation::takeOutput(ClientId client) {
 }
 
 bool Simulation::readyToStep() const {
-    return std::all_of(state_->sessions.begin(), state_->sessions.end(),
-                       [](const auto& one) { return one.second.ready() && !one.second.isOrphan(); });
+    return awaited().empty();
 }
 
 bool Simulation::hasLockstepClients() const {
-    return std::any_of(state_->sessions.begin(), state_->sessions.end(),
-                       [](const auto& one) { return one.second.lockstep(); });
+    return std::ranges::any_of(state_->sessions, [](const auto& one) { return one.second.lockstep(); });
 }
 
 std::vector<ClientId> Simulation::awaited() const {
@@ -244,8 +240,7 @@ void Simulation::releaseFromLockstep(ClientId client) {
 }
 
 bool Simulation::idle() const {
-    return std::all_of(state_->sessions.begin(), state_->sessions.end(),
-                       [](const auto& one) { return one.second.idle(); });
+    return std::ranges::all_of(state_->sessions, [](const auto& one) { return one.second.idle(); });
 }
 
 void Simulation::step() {
@@ -306,14 +301,9 @@ CameraScene Simulation::cameraScene() const {
 
 std::vector<RobotTruth> Simulation::robots() const {
     std::vector<RobotTruth> truths;
-    for (const auto& [client, session] : state_->sessions) {
-        if (!session.robot())
-            continue;
-        const RobotFigures figures = session.robot()->figures();
-        truths.push_back({client, session.robotName(), figures.base_in_map, figures.velocity_in_map_m_s, figures.broken,
-                          figures.collisions, figures.distance_m, figures.longest_stay, figures.falls, figures.touches,
-                          figures.first_touch, figures.height});
-    }
+    for (const auto& [client, session] : state_->sessions)
+        if (session.robot())
+            truths.push_back({session.robot()->figures(), client, session.robotName()});
     return truths;
 }
 

@@ -16,7 +16,7 @@
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
-#include "core/sim/robots/height_watch.h"
+#include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/snapshot.h"
 #include "core/sim/world/world.h"
@@ -48,20 +48,10 @@ struct ClientId {
     auto operator<=>(const ClientId&) const = default;
 };
 
-/// Ground truth about a robot for viewers other than the wire (tests, scoring, figures). Behaviors never see it.
-struct RobotTruth {
-    ClientId client;
-    std::string name;
-    Pose base_in_map;
-    Vec3 velocity_in_map_m_s = Vec3::Zero();
-    bool broken = false;
-    int collisions = 0;
-    double distance_m = 0.0;               ///< length of the path it actually traveled
-    Seconds longest_stay{0.0};             ///< see StayWatch
-    int falls = 0;                         ///< see FallWatch
-    int touches = 0;                       ///< how often it touched an object or another robot; see TouchWatch
-    std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
-    std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
+/// Ground truth about a robot for viewers other than the wire (tests, scoring, figures).
+struct RobotTruth : RobotFigures {
+    ClientId client{};
+    std::string name{};
 };
 
 struct TraceMark;

@@ -82,7 +82,7 @@ bool Simulation::State::adopt(ClientId client, ClientSession& session) {
 
 Result<Snapshot> Simulation::snapshot() const {
     if (state_->journal_bytes > most_journal_bytes)
-        return failure("this run has been told too much to be kept", "snapshot", "Start the simulator anew");
+        return failure("this run has received too much input to be saved", "snapshot", "Restart the simulator");
     const SimulationOptions& options = state_->options;
     return Snapshot{.world = options.world_source.empty() ? state_->world.name : options.world_source,
                     .seed = options.seed,
@@ -157,14 +157,14 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
     const Seconds whole = static_cast<double>(snapshot.ticks) * snapshot.tick;
     for (applyUntilNow(); simulation.state_->ticks < snapshot.ticks; applyUntilNow()) {
         if (watch && !watch(simulation.now(), whole))
-            return failure("it was given up before its moment was reached", "snapshot of " + snapshot.world);
+            return failure("it was given up before the saved moment was reached", "snapshot of " + snapshot.world);
         simulation.step();
         for (auto& [client, session] : simulation.state_->sessions)
             session.takeOutput(simulation.now()); // As the server did in the original run.
     }
     if (simulation.state_->digest() != snapshot.digest)
-        return failure("the run does not come out as it was", "snapshot of " + snapshot.world,
-                       "World, robot files and program must be those that it was made with");
+        return failure("the replayed run differs from the saved one", "snapshot of " + snapshot.world,
+                       "Use the world, the robot files and the program that it was saved with");
     simulation.apply({.kind = JournalEntry::Kind::Resume, .tick = snapshot.ticks});
     simulation.takeLog();
     simulation.takeFaultNews();

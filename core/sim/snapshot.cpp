@@ -38,7 +38,7 @@ public:
         ++line_;
         const std::size_t end = rest_.find('\n');
         if (end == std::string_view::npos) {
-            fail("the file breaks off");
+            fail("the file is cut short");
             return {};
         }
         const std::string_view line = rest_.substr(0, end);
@@ -48,7 +48,7 @@ public:
 
     std::string bytes(std::uint64_t count) {
         if (count >= rest_.size() || rest_[count] != '\n') {
-            fail("the file breaks off, or bytes are missing");
+            fail("the file is cut short, or bytes are missing");
             return {};
         }
         std::string bytes(rest_.substr(0, count));
@@ -60,7 +60,7 @@ public:
         std::uint64_t value = 0;
         const auto [end, trouble] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (trouble != std::errc() || end != text.data() + text.size())
-            fail("'" + std::string(text) + "' is no " + std::string(what));
+            fail("'" + std::string(text) + "' is not a valid " + std::string(what));
         return value;
     }
 
@@ -68,14 +68,14 @@ public:
     std::uint64_t upTo(std::uint64_t most, std::string_view text, std::string_view what) {
         const std::uint64_t value = whole(text, what);
         if (value > most)
-            fail("'" + std::string(text) + "' is no " + std::string(what));
+            fail("'" + std::string(text) + "' is not a valid " + std::string(what));
         return value;
     }
 
     double number(std::string_view text, std::string_view what) {
         const auto value = readNumber(text);
         if (!value || !(*value > 0.0))
-            fail("'" + std::string(text) + "' is no " + std::string(what));
+            fail("'" + std::string(text) + "' is not a valid " + std::string(what));
         return value.value_or(1.0);
     }
 
@@ -149,7 +149,7 @@ Result<Snapshot> readSnapshot(std::string_view file) {
     SnapshotReading reading(file);
     Snapshot snapshot;
     if (reading.line() != first_line)
-        return failure("this is no snapshot", "line 1", "Choose a file that Save snapshot has written");
+        return failure("this is not a snapshot", "line 1", "Choose a file that Save snapshot has written");
     std::uint64_t entries = 0;
     while (!reading.done()) {
         std::string_view line = reading.line();
@@ -165,7 +165,7 @@ Result<Snapshot> readSnapshot(std::string_view file) {
         const std::string_view kind = takeWord(line);
         JournalEntry entry;
         if (kind.size() != 1 || record_kinds.find(kind.front()) == std::string_view::npos)
-            reading.fail("'" + std::string(kind) + "' is no kind of entry");
+            reading.fail("'" + std::string(kind) + "' is not a kind of entry");
         else
             entry.kind = static_cast<JournalEntry::Kind>(kind.front());
         entry.tick = reading.whole(takeWord(line), "tick");

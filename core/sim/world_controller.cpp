@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/alternatives.h"
 #include "core/base/text.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world/object_kinds.h"
@@ -9,17 +10,11 @@
 namespace usar::sim {
 
 bool WorldController::isControl(const protocol::Command& command) {
-    return std::visit(
-        [](const auto& one) {
-            using One = std::decay_t<decltype(one)>;
-            return std::is_same_v<One, protocol::CreateObject> || std::is_same_v<One, protocol::KillObject> ||
-                   std::is_same_v<One, protocol::KillAllObjects> || std::is_same_v<One, protocol::PlaceObject> ||
-                   std::is_same_v<One, protocol::ShiftObject> || std::is_same_v<One, protocol::SpinObject> ||
-                   std::is_same_v<One, protocol::RunConveyor> || std::is_same_v<One, protocol::AddWaypoints> ||
-                   std::is_same_v<One, protocol::ClearWaypoints> || std::is_same_v<One, protocol::FollowWaypoints> ||
-                   std::is_same_v<One, protocol::GetObjectStates>;
-        },
-        static_cast<const protocol::CommandVariant&>(command));
+    using namespace protocol;
+    using Controls = std::variant<CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject,
+                                  RunConveyor, AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates>;
+    return std::visit([](const auto& one) { return AlternativeOf<decltype(one), Controls>; },
+                      static_cast<const CommandVariant&>(command));
 }
 
 SceneObject* WorldController::find(std::string_view name) const {
@@ -82,7 +77,8 @@ WorldController::Answer WorldController::describe(const protocol::CreateObject& 
         own = std::ranges::find_if(world_.objects, ofClass);
     if (own != world_.objects.end()) {
         if (!scale.isOnes())
-            return "an object of class '" + wanted.class_name.text() + "' has one size, for it is the world's own";
+            return "an object of class '" + wanted.class_name.text() +
+                   "' cannot be scaled, because it is one of the world's own";
         object = *own;
         return {};
     }
@@ -94,16 +90,15 @@ WorldController::Answer WorldController::describe(const protocol::CreateObject& 
 }
 
 WorldController::Answer WorldController::startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const {
-    const auto* const name = std::get_if<protocol::Token>(&wanted.start);
-    if (!name) {
-        start_in_map = std::get<Pose>(wanted.start);
+    if (const auto* const pose = std::get_if<Pose>(&wanted.start)) {
+        start_in_map = *pose;
         return {};
     }
-    const auto start =
-        std::ranges::find_if(world_.start_poses, [&](const NamedPose& one) { return sameWord(one.name, *name); });
-    if (start == world_.start_poses.end())
-        return "there is no start pose '" + name->text() + "'";
-    start_in_map = start->pose_in_map;
+    const auto& name = std::get<protocol::Token>(wanted.start);
+    const Pose* const start = findStart(world_, name);
+    if (!start)
+        return "there is no start pose '" + name.text() + "'";
+    start_in_map = *start;
     return {};
 }
 
@@ -153,7 +148,7 @@ WorldController::Answer WorldController::runConveyor(const protocol::RunConveyor
     if (!object)
         return missing(wanted.object_name);
     if (!object->belt)
-        return "'" + object->name + "' is no conveyor";
+        return "'" + object->name + "' is not a conveyor";
     physics_.runSurface(*object->belt, {wanted.speed_m_s, 0.0, 0.0});
     return {};
 }
@@ -222,9 +217,7 @@ WorldController::Answer WorldController::obey(const protocol::Command& command, 
                     auto& points = object->motion.waypoints_in_map_m;
                     points.insert(points.end(), one.points_in_map_m.begin(), one.points_in_map_m.end());
                 } else if constexpr (std::is_same_v<One, protocol::ClearWaypoints>) {
-                    const Vec3 spin_rad_s = object->motion.spin_rad_s;
-                    object->motion = {};
-                    object->motion.spin_rad_s = spin_rad_s;
+                    object->motion = {.spin_rad_s = object->motion.spin_rad_s};
                 }
             }
             return {};

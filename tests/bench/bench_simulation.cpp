@@ -5,7 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/random.h"
-#include "core/sim/robots/air_robot_body.h"
+#include "core/sim/drives/rotor_drive.h"
 #include "core/sim/robots/robot.h"
 #include "core/sim/robots/robot_body.h"
 #include "core/sim/simulation.h"
@@ -24,8 +24,8 @@ World tallTest() {
     return world ? std::move(*world) : World{};
 }
 
-AirRobotSpawn overTheStart(const World& world, double above_m) {
-    AirRobotSpawn spawn;
+DriveBirth overTheStart(const World& world, double above_m) {
+    DriveBirth spawn;
     spawn.base_in_map = world.start_poses.front().pose_in_map;
     spawn.base_in_map.position_m.z() += above_m;
     spawn.near_ground = above_m < 1.0;
@@ -35,7 +35,7 @@ AirRobotSpawn overTheStart(const World& world, double above_m) {
 void physicsStep(benchmark::State& state) {
     const World world = tallTest();
     const auto physics = makePhysics(world);
-    AirRobotBody robot(*physics, overTheStart(world, static_cast<double>(state.range(0))));
+    RotorDrive robot(*physics, overTheStart(world, static_cast<double>(state.range(0))));
     const auto step = [&] {
         robot.beforeStep(dt);
         physics->step(dt);

@@ -133,7 +133,7 @@ void tst_WindowSnapshots::aFileThatIsNoSnapshotIsNamed() {
     WindowPage page;
     QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
     page.window().server().openSnapshot(file.fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(page.notified("run.usarsnap: line 1: this is no snapshot").contains("Save snapshot"),
+    QTRY_VERIFY_WITH_TIMEOUT(page.notified("run.usarsnap: line 1: this is not a snapshot").contains("Save snapshot"),
                              soon_ms);
 }
 

@@ -109,7 +109,7 @@ void tst_UsarSim::goesOnWhereItWasSaved() {
 
 void tst_UsarSim::aFileThatIsNoSnapshotIsRefused() {
     Simulator simulator({"--resume", program});
-    QVERIFY(!simulator.printed("line 1: this is no snapshot").isEmpty());
+    QVERIFY(!simulator.printed("line 1: this is not a snapshot").isEmpty());
     QCOMPARE(simulator.exitCode(), 2);
 }
 

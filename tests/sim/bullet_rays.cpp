@@ -1,5 +1,7 @@
 #include "tests/sim/bullet_rays.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
@@ -13,6 +15,22 @@ namespace {
 
 btVector3 toBullet(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
+}
+
+/// Möller and Trumbore, both sides.
+double hitTriangle(const Vec3& origin_m, const Vec3& direction, const std::array<Vec3, 3>& corners_m) {
+    const Vec3 e1 = corners_m[1] - corners_m[0];
+    const Vec3 e2 = corners_m[2] - corners_m[0];
+    const Vec3 p = direction.cross(e2);
+    const double determinant = e1.dot(p);
+    if (determinant == 0.0)
+        return 1e9;
+    const Vec3 s = (origin_m - corners_m[0]) / determinant;
+    const double u = s.dot(p);
+    const Vec3 q = s.cross(e1);
+    const double v = direction.dot(q);
+    const double t = e2.dot(q);
+    return u >= -1e-12 && v >= -1e-12 && u + v <= 1.0 + 1e-12 && t >= 0.0 ? t : 1e9;
 }
 
 } // namespace
@@ -82,6 +100,23 @@ double BulletRays::cast(const Vec3& origin_m, const Vec3& direction, double maxi
     btCollisionWorld::ClosestRayResultCallback nearest(from, to);
     scene_->bullet.rayTest(from, to, nearest);
     return nearest.hasHit() ? nearest.m_closestHitFraction * maximum_m : maximum_m;
+}
+
+double tryEveryTriangle(const sim::Terrain& terrain, const Vec3& origin_m, const Vec3& direction) {
+    double nearest_m = 1e9;
+    const auto corner = [&](std::size_t column, std::size_t row) {
+        return Vec3{terrain.origin_m().x() + terrain.step_m() * static_cast<double>(column),
+                    terrain.origin_m().y() + terrain.step_m() * static_cast<double>(row),
+                    static_cast<double>(terrain.post_m(column, row))};
+    };
+    for (std::size_t row = 0; row + 1 < terrain.rows(); ++row)
+        for (std::size_t column = 0; column + 1 < terrain.columns(); ++column) {
+            const Vec3 low = corner(column, row);
+            const Vec3 high = corner(column + 1, row + 1);
+            nearest_m = std::min({nearest_m, hitTriangle(origin_m, direction, {low, corner(column + 1, row), high}),
+                                  hitTriangle(origin_m, direction, {low, corner(column, row + 1), high})});
+        }
+    return nearest_m;
 }
 
 } // namespace usar::doubles

@@ -1,4 +1,5 @@
-// The physics engine's own ray test over the same world: the second opinion for our caster.
+// Second opinions for our ray caster: the physics engine's own ray test over the same world, and a plain loop over all
+// triangles of a terrain.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 namespace usar::doubles {
 
 /// Terrain and boxes as Bullet knows them, trunks as capped cylinders, round crowns as spheres. Cones are left out:
-/// Bullet gives them a margin of centimetres (robots-and-worlds.md, section 6). The world must outlive it.
+/// Bullet gives them a margin of centimeters (robots-and-worlds.md, section 6). The world must outlive it.
 class BulletRays {
 public:
     explicit BulletRays(const sim::World& world);
@@ -19,5 +20,8 @@ private:
     struct Scene;
     std::unique_ptr<Scene> scene_;
 };
+
+/// Distance to the first triangle that the ray meets, from either side; 1e9 on a miss.
+double tryEveryTriangle(const sim::Terrain& terrain, const Vec3& origin_m, const Vec3& direction);
 
 } // namespace usar::doubles

@@ -14,6 +14,12 @@ namespace usar::sim {
 
 std::unique_ptr<Simulation> simulationOf(World world, SimulationOptions options = {});
 
+/// Simulates this many message ticks.
+inline void steps(Simulation& simulation, int count) {
+    for (int i = 0; i < count; ++i)
+        simulation.step();
+}
+
 class Talker {
 public:
     explicit Talker(Simulation& simulation) : simulation_(simulation), id_(simulation.connect()) {}

@@ -33,7 +33,7 @@ World slopeWorld(double slope_rad) {
     return groundOf([=](const Vec2& point_m) { return std::tan(slope_rad) * point_m.x(); });
 }
 
-Flight::Flight(World world_, const AirRobotSpawn& spawn)
+Flight::Flight(World world_, const DriveBirth& spawn)
     : world(std::move(world_))
     , physics(makePhysics(world))
     , robot(*physics, spawn) {}
@@ -53,14 +53,14 @@ void Flight::drive(double forward_m_s, double left_m_s, double climb_m_s, double
     robot.drive({climb_m_s, forward_m_s, left_m_s, yaw_rate_rad_s, false});
 }
 
-AirRobotSpawn inTheAir(const Vec3& position_m) {
-    AirRobotSpawn spawn;
+DriveBirth inTheAir(const Vec3& position_m) {
+    DriveBirth spawn;
     spawn.base_in_map.position_m = position_m;
     return spawn;
 }
 
-AirRobotSpawn onTheGround(const Vec3& ground_m) {
-    AirRobotSpawn spawn = inTheAir(ground_m + Vec3(0.0, 0.0, 0.35));
+DriveBirth onTheGround(const Vec3& ground_m) {
+    DriveBirth spawn = inTheAir(ground_m + Vec3(0.0, 0.0, 0.35));
     spawn.near_ground = true;
     return spawn;
 }

@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
+#include "core/sim/drives/rotor_drive.h"
 #include "core/sim/physics/physics.h"
-#include "core/sim/robots/air_robot_body.h"
 #include "core/sim/world/world.h"
 
 namespace usar::sim {
@@ -22,7 +22,7 @@ World slopeWorld(double slope_rad);
 
 /// A world, its physics and one AirRobot.
 struct Flight {
-    explicit Flight(World world_, const AirRobotSpawn& spawn);
+    explicit Flight(World world_, const DriveBirth& spawn);
 
     /// Runs the robot; `each` is called after every physics step with the time since the call.
     void run(Seconds duration, const std::function<void(Seconds)>& each = {});
@@ -32,12 +32,12 @@ struct Flight {
 
     World world;
     std::unique_ptr<Physics> physics;
-    AirRobotBody robot;
+    RotorDrive robot;
 };
 
 /// In the air at this point, level.
-AirRobotSpawn inTheAir(const Vec3& position_m);
+DriveBirth inTheAir(const Vec3& position_m);
 /// Just above the ground there, going to settle.
-AirRobotSpawn onTheGround(const Vec3& ground_m);
+DriveBirth onTheGround(const Vec3& ground_m);
 
 } // namespace usar::sim

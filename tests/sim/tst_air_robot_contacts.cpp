@@ -56,7 +56,7 @@ private slots:
         QFETCH(double, yaw_deg);
         const World world =
             groundOf([](const Vec2& p) { return 0.3 * std::sin(1.3 * p.x()) * std::cos(0.9 * p.y()) + 0.2 * p.y(); });
-        AirRobotSpawn spawn = inTheAir({2.0, 1.0, 3.0});
+        DriveBirth spawn = inTheAir({2.0, 1.0, 3.0});
         spawn.base_in_map.yaw_rad = radians(yaw_deg);
         Flight flight(world, spawn);
         flight.drive(0.0, 0.0, -0.5);
@@ -153,15 +153,15 @@ private slots:
     void twoThatMeetBothFall() {
         World world = flatWorld();
         const auto physics = makePhysics(world);
-        AirRobotBody left(*physics, inTheAir({-2.0, 0.1, 5.0}));
-        AirRobotBody right(*physics, inTheAir({2.0, 0.0, 5.0}));
+        RotorDrive left(*physics, inTheAir({-2.0, 0.1, 5.0}));
+        RotorDrive right(*physics, inTheAir({2.0, 0.0, 5.0}));
         left.drive({{}, 1.5, {}, {}, false});
         right.drive({{}, -1.5, {}, {}, false});
         for (int i = 0; i < 1500; ++i) {
-            for (AirRobotBody* robot : {&left, &right})
+            for (RotorDrive* robot : {&left, &right})
                 robot->beforeStep(physics_dt);
             physics->step(physics_dt);
-            for (AirRobotBody* robot : {&left, &right})
+            for (RotorDrive* robot : {&left, &right})
                 robot->afterStep(physics_dt);
         }
         QVERIFY(left.broken() && right.broken());

@@ -78,11 +78,6 @@ std::unique_ptr<Simulation> robotByTower() {
     return simulationOf(std::move(world));
 }
 
-void steps(Simulation& simulation, int count) {
-    for (int i = 0; i < count; ++i)
-        simulation.step();
-}
-
 Picture pictureOf(const Simulation& simulation) {
     const CameraScene scene = simulation.cameraScene();
     return render(scene, scene.cameras.front());
@@ -110,7 +105,6 @@ private slots:
         QTest::newRow("to the right and above") << -2.5 << 1.5 << 80.0;
         QTest::newRow("seen through a long lens") << 0.5 << 0.0 << 20.0;
     }
-
     void aBallsOutlineIsWhereThePinholeSaysItIs() {
         QFETCH(double, left_m);
         QFETCH(double, up_m);

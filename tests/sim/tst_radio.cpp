@@ -64,7 +64,6 @@ private slots:
         QTest::newRow("nearer than the reference is stronger") << 0.2 << 0 << 1.0 << -39.67;
         QTest::newRow("on the same spot it is finite") << 0.0 << 0 << 1.0 << -49.67 + 10.0 * std::log10(200.0);
     }
-
     void strengthFollowsTheClosedForm() {
         QFETCH(double, distance_m);
         QFETCH(int, obstacles);
@@ -95,7 +94,6 @@ private slots:
         water.water = Water{10.0, 1000.0};
         QTest::newRow("water is none") << water << 0;
     }
-
     void obstaclesAreCounted() {
         QFETCH(World, world);
         QFETCH(int, expected);
@@ -133,8 +131,7 @@ private slots:
         Talker nobody(*simulation);
         robot.say(init_p2dx);
         station.say("INIT {ClassName USARBot.ComStation} {Name Base} {Location 8,-3,-0.5}");
-        for (int i = 0; i < 5; ++i)
-            simulation->step();
+        steps(*simulation, 5);
         const std::vector<RadioStation> radios = simulation->radios();
         QCOMPARE(radios.size(), std::size_t(2));
         QCOMPARE(radios[0].name, std::string("R1"));
@@ -163,8 +160,7 @@ private slots:
         robot.say(init_p2dx);
         simulation->step();
         QVERIFY(!simulation->radios().at(0).silent);
-        for (int i = 0; i < 10; ++i)
-            simulation->step();
+        steps(*simulation, 10);
         QVERIFY(simulation->radios().at(0).silent);
     }
 

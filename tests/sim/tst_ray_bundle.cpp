@@ -17,16 +17,6 @@ namespace tst_ray_bundle {
 using namespace usar;
 using namespace usar::sim;
 
-class tst_RayBundle : public QObject {
-    Q_OBJECT
-
-private slots:
-    void hearsTheLeastOfItsRaysInEveryWorld_data();
-    void hearsTheLeastOfItsRaysInEveryWorld();
-    void theLengthOfALookDoesNotMoveTheGround();
-    void deniesNothingThatARayMeets();
-};
-
 namespace {
 
 Vec3 randomDirection(Random& random) {
@@ -84,83 +74,87 @@ std::vector<BodyId> addBodies(Random& random, const World& world, Physics& physi
 
 } // namespace
 
-void tst_RayBundle::hearsTheLeastOfItsRaysInEveryWorld_data() {
-    QTest::addColumn<World>("world");
-    for (const std::string& name : generatedWorldNames()) {
-        auto world = makeWorld(name, 1, USAR_SOURCE_DIR "/resources/worlds");
-        QVERIFY(world.has_value());
-        QTest::newRow(name.c_str()) << *std::move(world);
-    }
-    QTest::newRow("a thicket on waves") << doubles::woodedWorld(3, 200);
-    QTest::newRow("the roughest ground") << doubles::roughWorld(3);
-}
+class tst_RayBundle : public QObject {
+    Q_OBJECT
 
-void tst_RayBundle::hearsTheLeastOfItsRaysInEveryWorld() {
-    QFETCH(const World, world);
-    Random random = seeded(41, 7);
-    const RayCaster still(world);
-    const auto physics = makePhysics(world);
-    const std::vector<BodyId> bodies = addBodies(random, world, *physics);
-    const WorldRays rays(still, *physics, bodies.front());
-    int misses = 0;
-    int hits = 0;
-    int bodies_heard = 0;
-    for (int i = 0; i < 6000; ++i) {
-        const Vec3 origin_m = randomEye(random, world, *physics, bodies);
-        const std::vector<Vec3> directions = randomCone(random);
-        const double maximum_m = i % 20 == 0 ? 60.0 : uniform(random, 0.2, 6.0);
-        double alone_m = maximum_m;
-        double still_m = maximum_m;
-        for (const Vec3& direction : directions) {
-            alone_m = std::min(alone_m, rays.cast(origin_m, direction, maximum_m));
-            still_m = std::min(still_m, still.cast(origin_m, direction, maximum_m));
+private slots:
+    void hearsTheLeastOfItsRaysInEveryWorld_data() {
+        QTest::addColumn<World>("world");
+        for (const std::string& name : generatedWorldNames()) {
+            auto world = makeWorld(name, 1, USAR_SOURCE_DIR "/resources/worlds");
+            QVERIFY(world.has_value());
+            QTest::newRow(name.c_str()) << *std::move(world);
         }
-        QVERIFY(still.castNearest({origin_m, directions}, maximum_m) == still_m);
-        QVERIFY(rays.castNearest(origin_m, directions, maximum_m) == alone_m);
-        ++(alone_m == maximum_m ? misses : hits);
-        bodies_heard += alone_m < still_m ? 1 : 0;
+        QTest::newRow("a thicket on waves") << doubles::woodedWorld(3, 200);
+        QTest::newRow("the roughest ground") << doubles::roughWorld(3);
     }
-    const QByteArray figures =
-        QString("%1 hits, %2 misses, %3 bodies").arg(hits).arg(misses).arg(bodies_heard).toUtf8();
-    QVERIFY2(misses > 300 && hits > 300 && bodies_heard > 50, figures);
-}
-
-void tst_RayBundle::theLengthOfALookDoesNotMoveTheGround() {
-    const World world = doubles::roughWorld(5);
-    const RayCaster caster(world);
-    Random random = seeded(42, 7);
-    for (int i = 0; i < 5000; ++i) {
-        const Vec3 origin_m{uniform(random, -9.0, 9.0), uniform(random, -9.0, 9.0), uniform(random, 0.0, 5.0)};
-        const Vec3 direction = randomDirection(random);
-        const double far_m = caster.cast(origin_m, direction, 100.0);
-        for (const double more : {1e-12, 1e-6, 0.01, 1.0})
-            if (far_m < 100.0)
-                QVERIFY(caster.cast(origin_m, direction, far_m + more) == far_m);
-        QVERIFY(caster.cast(origin_m, direction, far_m / 2.0) == far_m / 2.0);
-    }
-}
-
-void tst_RayBundle::deniesNothingThatARayMeets() {
-    Random random = seeded(43, 7);
-    int denied = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const std::vector<Vec3> directions = randomCone(random);
-        const Vec3 origin_m = 5.0 * randomDirection(random);
-        const RayBundle bundle(origin_m, directions);
-        const double length_m = uniform(random, 0.5, 8.0);
-        const Vec2 column_m{uniform(random, -8.0, 8.0), uniform(random, -8.0, 8.0)};
-        const double radius_m = uniform(random, 0.0, 2.0);
-        const bool may_meet = bundle.mayMeetColumn(column_m, radius_m, length_m);
-        denied += may_meet ? 0 : 1;
-        for (const Vec3& direction : directions)
-            for (double along_m = 0.0; along_m <= length_m; along_m += length_m / 16.0) {
-                const Vec3 point_m = origin_m + along_m * direction;
-                QVERIFY(bundle.box(length_m).contains(point_m));
-                QVERIFY(may_meet || (point_m.head<2>() - column_m).norm() > radius_m);
+    void hearsTheLeastOfItsRaysInEveryWorld() {
+        QFETCH(const World, world);
+        Random random = seeded(41, 7);
+        const RayCaster still(world);
+        const auto physics = makePhysics(world);
+        const std::vector<BodyId> bodies = addBodies(random, world, *physics);
+        const WorldRays rays(still, *physics, bodies.front());
+        int misses = 0;
+        int hits = 0;
+        int bodies_heard = 0;
+        for (int i = 0; i < 6000; ++i) {
+            const Vec3 origin_m = randomEye(random, world, *physics, bodies);
+            const std::vector<Vec3> directions = randomCone(random);
+            const double maximum_m = i % 20 == 0 ? 60.0 : uniform(random, 0.2, 6.0);
+            double alone_m = maximum_m;
+            double still_m = maximum_m;
+            for (const Vec3& direction : directions) {
+                alone_m = std::min(alone_m, rays.cast(origin_m, direction, maximum_m));
+                still_m = std::min(still_m, still.cast(origin_m, direction, maximum_m));
             }
+            QVERIFY(still.castNearest({origin_m, directions}, maximum_m) == still_m);
+            QVERIFY(rays.castNearest(origin_m, directions, maximum_m) == alone_m);
+            ++(alone_m == maximum_m ? misses : hits);
+            bodies_heard += alone_m < still_m ? 1 : 0;
+        }
+        const QByteArray figures =
+            QString("%1 hits, %2 misses, %3 bodies").arg(hits).arg(misses).arg(bodies_heard).toUtf8();
+        QVERIFY2(misses > 300 && hits > 300 && bodies_heard > 50, figures);
     }
-    QVERIFY(denied > 5000);
-}
+
+    void theLengthOfALookDoesNotMoveTheGround() {
+        const World world = doubles::roughWorld(5);
+        const RayCaster caster(world);
+        Random random = seeded(42, 7);
+        for (int i = 0; i < 5000; ++i) {
+            const Vec3 origin_m{uniform(random, -9.0, 9.0), uniform(random, -9.0, 9.0), uniform(random, 0.0, 5.0)};
+            const Vec3 direction = randomDirection(random);
+            const double far_m = caster.cast(origin_m, direction, 100.0);
+            for (const double more : {1e-12, 1e-6, 0.01, 1.0})
+                if (far_m < 100.0)
+                    QVERIFY(caster.cast(origin_m, direction, far_m + more) == far_m);
+            QVERIFY(caster.cast(origin_m, direction, far_m / 2.0) == far_m / 2.0);
+        }
+    }
+
+    void deniesNothingThatARayMeets() {
+        Random random = seeded(43, 7);
+        int denied = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const std::vector<Vec3> directions = randomCone(random);
+            const Vec3 origin_m = 5.0 * randomDirection(random);
+            const RayBundle bundle(origin_m, directions);
+            const double length_m = uniform(random, 0.5, 8.0);
+            const Vec2 column_m{uniform(random, -8.0, 8.0), uniform(random, -8.0, 8.0)};
+            const double radius_m = uniform(random, 0.0, 2.0);
+            const bool may_meet = bundle.mayMeetColumn(column_m, radius_m, length_m);
+            denied += may_meet ? 0 : 1;
+            for (const Vec3& direction : directions)
+                for (double along_m = 0.0; along_m <= length_m; along_m += length_m / 16.0) {
+                    const Vec3 point_m = origin_m + along_m * direction;
+                    QVERIFY(bundle.box(length_m).contains(point_m));
+                    QVERIFY(may_meet || (point_m.head<2>() - column_m).norm() > radius_m);
+                }
+        }
+        QVERIFY(denied > 5000);
+    }
+};
 
 USAR_TEST(tst_RayBundle)
 

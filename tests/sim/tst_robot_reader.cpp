@@ -167,7 +167,6 @@ private slots:
         QTest::newRow("as long") << "6";
         QTest::newRow("longer") << "6.0";
     }
-
     void aFileThatWasWrittenSinceIsReadAgain() {
         QFETCH(QString, mass);
         const QTemporaryDir folder;

@@ -2,9 +2,8 @@
 #include <QString>
 #include <QTest>
 
-#include "core/sim/sensors/ins.h"
-#include "core/sim/sensors/range_scanner.h"
-#include "core/sim/sensors/sonar.h"
+#include "core/sim/sensors/motion_sensors.h"
+#include "core/sim/sensors/range_sensors.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"
 
@@ -35,21 +34,24 @@ Eigen::Isometry3d atHeight(double z_m) {
     return Pose{{0.0, 0.0, z_m}, 0.0, 0.0, 0.0}.isometry();
 }
 
-SonarParameters quietSonar(double yaw_rad = 0.0) {
-    SonarParameters parameters;
-    parameters.name = "S";
-    parameters.sonar_in_base.yaw_rad = yaw_rad;
-    parameters.sigma = 0.0;
-    return parameters;
+SensorBirth birth(std::uint64_t seed, std::uint64_t stream, const Pose& base_in_map = {}) {
+    static const RobotModel robot;
+    return {robot, base_in_map, Seconds{0.2}, true, seeded(seed, stream)};
+}
+
+SensorModel quietSonar(double yaw_rad = 0.0, double cones = 2.0) {
+    SensorModel model;
+    model.sensor_in_link.yaw_rad = yaw_rad;
+    model.numbers = {{"sigma", 0.0}, {"cones", cones}};
+    return model;
 }
 
 /// A belly mount: x down, y left.
-RangeScannerParameters bellyScanner(double sigma = 0.0) {
-    RangeScannerParameters parameters;
-    parameters.name = "Scanner1";
-    parameters.scanner_in_base.pitch_rad = pi / 2.0;
-    parameters.sigma = sigma;
-    return parameters;
+SensorModel bellyScanner(double sigma = 0.0) {
+    SensorModel model;
+    model.sensor_in_link.pitch_rad = pi / 2.0;
+    model.numbers = {{"sigma", sigma}};
+    return model;
 }
 
 double rms(const std::vector<double>& values) {
@@ -80,24 +82,20 @@ private slots:
         QFETCH(double, yaw_deg);
         QFETCH(double, wall_m);
         QFETCH(double, reading_m);
-        Sonar sonar(quietSonar(radians(yaw_deg)), seeded(1, 1));
+        SonarSensor sonar(quietSonar(radians(yaw_deg)), birth(1, 1));
         Wall wall;
         wall.distance_m = wall_m;
-        const auto reading = sonar.measure(Eigen::Isometry3d::Identity(), wall);
-        QCOMPARE(reading.name, std::string("S"));
-        QVERIFY(std::abs(reading.range_m - reading_m) < 1e-9);
+        QVERIFY(std::abs(sonar.range_m(Eigen::Isometry3d::Identity(), wall) - reading_m) < 1e-9);
     }
 
     void sonarRaysAreOneAndTheCones() {
-        SonarParameters parameters = quietSonar();
-        QCOMPARE(Sonar(parameters, seeded(1, 1)).rayCount(), 33u);
-        parameters.cones = 10;
-        QCOMPARE(Sonar(parameters, seeded(1, 1)).rayCount(), 161u);
+        QCOMPARE(SonarSensor(quietSonar(0.0, 2.0), birth(1, 1)).rayCount(), 33u);
+        QCOMPARE(SonarSensor(quietSonar(0.0, 10.0), birth(1, 1)).rayCount(), 161u);
     }
 
     void beamsOverAFlatFloorReadHeightOverCosine() {
-        RangeScanner scanner(bellyScanner(), seeded(1, 1));
-        const auto scan = scanner.measure(atHeight(6.0), Floor());
+        ScannerSensor scanner(bellyScanner(), birth(1, 1));
+        const auto scan = scanner.scan(atHeight(6.0), Floor());
         QCOMPARE(scan.ranges_m.size(), 181u);
         for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
             const double expected_m = std::min(20.0, 6.0 / std::cos(scan.beamAngle_rad(i)));
@@ -106,9 +104,9 @@ private slots:
     }
 
     void beamsRunFromRightToLeft() {
-        RangeScanner scanner(bellyScanner(), seeded(1, 1));
+        ScannerSensor scanner(bellyScanner(), birth(1, 1));
         Eigen::Isometry3d rolled = Pose{{0.0, 0.0, 6.0}, radians(20.0), 0.0, 0.0}.isometry(); // left side up
-        const auto scan = scanner.measure(rolled, Floor());
+        const auto scan = scanner.scan(rolled, Floor());
         QVERIFY(std::abs(scan.ranges_m[90] - 6.0 / std::cos(radians(20.0))) < 1e-6);
         QVERIFY(std::abs(scan.ranges_m[70] - 6.0) < 1e-6); // 20 degrees to the right is straight down
         QVERIFY(scan.ranges_m[60] < scan.ranges_m[120]);   // the lowered right side is nearer
@@ -122,11 +120,11 @@ private slots:
     }
     void scannerNoiseIsSevenHundredthsOfAPercent() {
         QFETCH(double, height_m);
-        RangeScanner scanner(bellyScanner(0.0007), seeded(7, 1));
+        ScannerSensor scanner(bellyScanner(0.0007), birth(7, 1));
         std::vector<double> errors;
         double sum = 0.0;
         for (int i = 0; i < 4000; ++i) {
-            errors.push_back(scanner.measure(atHeight(height_m), Floor()).ranges_m[90] / height_m - 1.0);
+            errors.push_back(scanner.scan(atHeight(height_m), Floor()).ranges_m[90] / height_m - 1.0);
             sum += errors.back();
         }
         QVERIFY(std::abs(rms(errors) - 0.0007) < 0.00004);
@@ -134,9 +132,9 @@ private slots:
     }
 
     void aMissHasNoNoise() {
-        RangeScanner scanner(bellyScanner(0.0007), seeded(7, 1));
+        ScannerSensor scanner(bellyScanner(0.0007), birth(7, 1));
         for (int i = 0; i < 100; ++i)
-            QCOMPARE(scanner.measure(atHeight(30.0), Floor()).ranges_m[90], 20.0);
+            QCOMPARE(scanner.scan(atHeight(30.0), Floor()).ranges_m[90], 20.0);
     }
 
     void insDriftsAsThePublishedModel_data() {
@@ -155,14 +153,14 @@ private slots:
         std::vector<double> horizontal;
         std::vector<double> height;
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-            Ins ins({}, Pose{}, seeded(seed, 3));
+            InsSensor ins({}, birth(seed, 3));
             Pose truth;
             for (int i = 0; i < 3; ++i)
-                ins.measure(truth);
+                ins.estimate(truth);
             Pose estimate;
             for (double flown_m = 0.0; flown_m < way_m; flown_m += 0.2) {
                 truth.position_m.x() += 0.2;
-                estimate = ins.measure(truth).base_in_map;
+                estimate = ins.estimate(truth);
             }
             const Vec3 error_m = estimate.position_m - truth.position_m;
             horizontal.push_back(error_m.head<2>().norm());
@@ -175,14 +173,14 @@ private slots:
     void insHeadingDriftsByTurning() {
         std::vector<double> errors_deg;
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-            Ins ins({}, Pose{}, seeded(seed, 3));
+            InsSensor ins({}, birth(seed, 3));
             Pose truth;
             for (int i = 0; i < 3; ++i)
-                ins.measure(truth);
+                ins.estimate(truth);
             Pose estimate;
             for (double turned_rad = 0.0; turned_rad < pi / 2.0; turned_rad += 0.1) {
                 truth.yaw_rad += 0.1;
-                estimate = ins.measure(truth).base_in_map;
+                estimate = ins.estimate(truth);
             }
             errors_deg.push_back(degrees(normalizedAngle(estimate.yaw_rad - truth.yaw_rad)));
         }
@@ -190,43 +188,43 @@ private slots:
     }
 
     void insStaysAtTheSpawnPoseUntilTwoScansAtRest() {
-        Ins ins({}, Pose{{1.0, 2.0, 3.0}, 0.0, 0.0, 0.0}, seeded(1, 1));
+        InsSensor ins({}, birth(1, 1, {{1.0, 2.0, 3.0}}));
         Pose truth{{1.0, 2.0, 3.0}, 0.0, 0.0, 0.0};
         for (int i = 0; i < 20; ++i) { // turning all the time
             truth.yaw_rad += 0.05;
             truth.position_m.x() += 0.2;
-            QCOMPARE(ins.measure(truth).base_in_map.position_m, Vec3(1.0, 2.0, 3.0));
+            QCOMPARE(ins.estimate(truth).position_m, Vec3(1.0, 2.0, 3.0));
         }
-        ins.measure(truth);
-        ins.measure(truth);
+        ins.estimate(truth);
+        ins.estimate(truth);
         truth.position_m.x() += 0.2;
-        QVERIFY(std::abs(ins.measure(truth).base_in_map.position_m.x() - 1.2) < 0.05);
+        QVERIFY(std::abs(ins.estimate(truth).position_m.x() - 1.2) < 0.05);
     }
 
     void insIsSetOnlyAtRest() {
-        Ins ins({}, Pose{}, seeded(1, 1));
+        InsSensor ins({}, birth(1, 1));
         const Pose wanted{{4.0, 5.0, 6.0}, 0.0, 0.0, 0.5};
-        QVERIFY(!ins.set(wanted, false));
-        QCOMPARE(ins.measure(Pose{}).base_in_map, Pose{});
-        QVERIFY(ins.set(wanted, true));
-        QCOMPARE(ins.measure(Pose{}).base_in_map, wanted);
+        QVERIFY(!ins.setEstimate(wanted, false));
+        QCOMPARE(ins.estimate(Pose{}), Pose{});
+        QVERIFY(ins.setEstimate(wanted, true));
+        QCOMPARE(ins.estimate(Pose{}), wanted);
     }
 
     void aSetInsHasNoBias() {
         double sum_m = 0.0;
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-            InsParameters parameters;
-            parameters.precision = 50.0; // biases of up to 1 %
-            Ins reset(parameters, Pose{}, seeded(seed, 1));
+            SensorModel model;
+            model.numbers["precision"] = 50.0; // biases of up to 1 %
+            InsSensor reset(model, birth(seed, 1));
             Pose truth;
             for (int i = 0; i < 3; ++i)
-                reset.measure(truth);
-            QVERIFY(reset.set(Pose{}, true));
+                reset.estimate(truth);
+            QVERIFY(reset.setEstimate(Pose{}, true));
             for (int i = 0; i < 5000; ++i) {
                 truth.position_m.x() += 0.2;
-                reset.measure(truth);
+                reset.estimate(truth);
             }
-            sum_m += std::abs(reset.measure(truth).base_in_map.position_m.x() - truth.position_m.x());
+            sum_m += std::abs(reset.estimate(truth).position_m.x() - truth.position_m.x());
         }
         QVERIFY(sum_m / 100.0 < 1.0); // with its bias it would be 5 m
     }
@@ -235,12 +233,11 @@ private slots:
         const World world = flatWorld();
         const RayCaster still(world);
         const auto physics = makePhysics(world);
-        AirRobotBody self(*physics, inTheAir({0.0, 0.0, 5.0}));
-        AirRobotBody other(*physics, inTheAir({3.0, 0.0, 5.0}));
-        Sonar sonar(quietSonar(), seeded(1, 1));
+        RotorDrive self(*physics, inTheAir({0.0, 0.0, 5.0}));
+        RotorDrive other(*physics, inTheAir({3.0, 0.0, 5.0}));
+        SonarSensor sonar(quietSonar(), birth(1, 1));
         const WorldRays rays(still, *physics, self.id());
-        const auto reading = sonar.measure(self.state().pose().isometry(), rays);
-        QVERIFY(std::abs(reading.range_m - 2.5) < 0.02);
+        QVERIFY(std::abs(sonar.range_m(self.state().pose().isometry(), rays) - 2.5) < 0.02);
         QVERIFY(std::abs(rays.cast({0.0, 0.0, 5.0}, -Vec3::UnitZ(), 20.0) - 5.0) < 1e-6);
     }
 };

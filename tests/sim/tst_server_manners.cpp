@@ -15,14 +15,7 @@ namespace tst_server_manners {
 using namespace usar;
 using namespace usar::sim;
 
-namespace {
-
-void steps(Simulation& simulation, int count) {
-    for (int i = 0; i < count; ++i)
-        simulation.step();
-}
-
-} // namespace
+namespace {} // namespace
 
 /// What anybody may say to the server, and what it does to the others: nothing.
 class tst_ServerManners : public QObject {

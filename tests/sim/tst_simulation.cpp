@@ -28,11 +28,6 @@ World startWorld() {
     return world;
 }
 
-void steps(Simulation& simulation, int count) {
-    for (int i = 0; i < count; ++i)
-        simulation.step();
-}
-
 bool anyContains(const Lines& lines, const std::string& text) {
     return std::any_of(lines.begin(), lines.end(),
                        [&](const std::string& line) { return line.find(text) != std::string::npos; });
@@ -389,7 +384,7 @@ private slots:
     void aWorldWithoutGroundIsRefused() {
         const auto made = Simulation::make(World{});
         QVERIFY(!made);
-        QVERIFY(made.error().text().find("nothing to stand on") != std::string::npos);
+        QVERIFY(made.error().text().find("there is nothing to stand on") != std::string::npos);
     }
 };
 

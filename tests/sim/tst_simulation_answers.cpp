@@ -22,8 +22,7 @@ struct Landed {
 
     Landed() {
         talker.say("INIT {ClassName USARBot.AirRobot} {Name R1} {Location 1,2,-0.3}");
-        for (int i = 0; i < 30; ++i)
-            simulation->step();
+        steps(*simulation, 30);
         talker.hearText();
     }
 

@@ -89,8 +89,7 @@ private slots:
             Talker company(*simulation);
             if (with_company)
                 company.say("INIT {ClassName AirRobot} {Location 25,25,-6}");
-            for (int i = 0; i < 10; ++i)
-                simulation->step();
+            steps(*simulation, 10);
             return talker.hearText();
         };
         QCOMPARE(scans(true), scans(false));
@@ -103,8 +102,7 @@ private slots:
             const std::string all = init + "\r\nDRIVE {LinearVelocity 1}\nGETCONF {Type Robot}\r\n";
             for (std::size_t at = 0; at < all.size(); at += chunk)
                 simulation->receive(client, std::string_view(all).substr(at, chunk));
-            for (int i = 0; i < 10; ++i)
-                simulation->step();
+            steps(*simulation, 10);
             return simulation->takeOutput(client);
         };
         const std::string whole = said(1000);
@@ -190,8 +188,7 @@ private slots:
     void timeGoesByTicks() {
         const auto simulation = simulationOf(flatWorld());
         QCOMPARE(simulation->now(), Seconds{0.0});
-        for (int i = 0; i < 5; ++i)
-            simulation->step();
+        steps(*simulation, 5);
         QVERIFY(std::abs(simulation->now().count() - 1.0) < 1e-12);
     }
 

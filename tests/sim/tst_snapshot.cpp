@@ -62,168 +62,160 @@ Result<std::unique_ptr<Simulation>> resumed(const Snapshot& snapshot) {
 class tst_Snapshot : public QObject {
     Q_OBJECT
 private slots:
-    void goesOnAsIfNothingHadBeen();
-    void canBeTakenUpTwiceAndGoDifferentWays();
-    void ofAResumedRunIsAnotherSnapshot();
-    void aRobotNobodyWantsIsLetGo();
-    void whoTakesItUpIsToldHowFarItIsAndMayGiveUp();
-    void theFileRoundTrips();
-    void anotherWorldIsRefused();
-    void damagedFilesAreRefusedWithTheirLine_data();
-    void damagedFilesAreRefusedWithTheirLine();
-};
+    void goesOnAsIfNothingHadBeen() {
+        Run run;
+        for (int tick = 0; tick < 60; ++tick)
+            run.go(tick);
+        const auto snapshot = run.simulation->snapshot();
+        QVERIFY(snapshot);
+        auto again = resumed(*snapshot);
+        QVERIFY2(again, again ? "" : again.error().text().c_str());
+        Simulation& twin = **again;
+        QCOMPARE(twin.now(), run.simulation->now());
 
-void tst_Snapshot::goesOnAsIfNothingHadBeen() {
-    Run run;
-    for (int tick = 0; tick < 60; ++tick)
-        run.go(tick);
-    const auto snapshot = run.simulation->snapshot();
-    QVERIFY(snapshot);
-    auto again = resumed(*snapshot);
-    QVERIFY2(again, again ? "" : again.error().text().c_str());
-    Simulation& twin = **again;
-    QCOMPARE(twin.now(), run.simulation->now());
-
-    // Its robots wait, and time with them, until somebody comes for each.
-    QVERIFY(!twin.readyToStep());
-    QCOMPARE(twin.orphans().size(), std::size_t(2));
-    Run same; // for the numbers of its clients
-    same.flyer = twin.connect();
-    twin.receive(same.flyer, "LOCKSTEP {On true}\r\n");
-    twin.receive(same.flyer, init_air_robot);
-    QVERIFY(!twin.readyToStep());
-    same.walker = twin.connect();
-    same.controller = twin.connect();
-    twin.receive(same.walker, init_ers);
-    QVERIFY(twin.readyToStep());
-    QVERIFY(twin.orphans().empty());
-    const std::string greetings =
-        twin.takeOutput(same.flyer) + twin.takeOutput(same.walker) + twin.takeOutput(same.controller);
-    QVERIFY(greetings.find("NFO") != std::string::npos);
-    for (int tick = 60; tick < 160; ++tick) {
-        const std::string was = run.go(tick);
-        const std::string is = same.go(twin, tick);
-        QVERIFY2(was.size() > 1000 && is == was, qPrintable(QString("tick %1").arg(tick)));
+        // Its robots wait, and time with them, until somebody comes for each.
+        QVERIFY(!twin.readyToStep());
+        QCOMPARE(twin.orphans().size(), std::size_t(2));
+        Run same; // for the numbers of its clients
+        same.flyer = twin.connect();
+        twin.receive(same.flyer, "LOCKSTEP {On true}\r\n");
+        twin.receive(same.flyer, init_air_robot);
+        QVERIFY(!twin.readyToStep());
+        same.walker = twin.connect();
+        same.controller = twin.connect();
+        twin.receive(same.walker, init_ers);
+        QVERIFY(twin.readyToStep());
+        QVERIFY(twin.orphans().empty());
+        const std::string greetings =
+            twin.takeOutput(same.flyer) + twin.takeOutput(same.walker) + twin.takeOutput(same.controller);
+        QVERIFY(greetings.find("NFO") != std::string::npos);
+        for (int tick = 60; tick < 160; ++tick) {
+            const std::string was = run.go(tick);
+            const std::string is = same.go(twin, tick);
+            QVERIFY2(was.size() > 1000 && is == was, qPrintable(QString("tick %1").arg(tick)));
+        }
     }
-}
 
-void tst_Snapshot::canBeTakenUpTwiceAndGoDifferentWays() {
-    Run run;
-    for (int tick = 0; tick < 20; ++tick)
-        run.go(tick);
-    const auto snapshot = run.simulation->snapshot();
-    const auto goOn = [&](const char* command) {
-        auto fork = resumed(*snapshot);
-        const ClientId client = (*fork)->connect();
-        (*fork)->receive(client, std::string(init_air_robot) + command);
+    void canBeTakenUpTwiceAndGoDifferentWays() {
+        Run run;
         for (int tick = 0; tick < 20; ++tick)
-            (*fork)->step();
-        return (*fork)->robots().back().base_in_map.position_m;
-    };
-    const Vec3 forth_m = goOn("DRIVE {LinearVelocity 2} {AltitudeVelocity 0}\r\n");
-    const Vec3 up_m = goOn("DRIVE {LinearVelocity 0} {AltitudeVelocity 2}\r\n");
-    QVERIFY(forth_m.x() > up_m.x() + 2.0);
-    QVERIFY(up_m.z() > forth_m.z() + 2.0);
-    QVERIFY(forth_m == goOn("DRIVE {LinearVelocity 2} {AltitudeVelocity 0}\r\n"));
-}
+            run.go(tick);
+        const auto snapshot = run.simulation->snapshot();
+        const auto goOn = [&](const char* command) {
+            auto fork = resumed(*snapshot);
+            const ClientId client = (*fork)->connect();
+            (*fork)->receive(client, std::string(init_air_robot) + command);
+            for (int tick = 0; tick < 20; ++tick)
+                (*fork)->step();
+            return (*fork)->robots().back().base_in_map.position_m;
+        };
+        const Vec3 forth_m = goOn("DRIVE {LinearVelocity 2} {AltitudeVelocity 0}\r\n");
+        const Vec3 up_m = goOn("DRIVE {LinearVelocity 0} {AltitudeVelocity 2}\r\n");
+        QVERIFY(forth_m.x() > up_m.x() + 2.0);
+        QVERIFY(up_m.z() > forth_m.z() + 2.0);
+        QVERIFY(forth_m == goOn("DRIVE {LinearVelocity 2} {AltitudeVelocity 0}\r\n"));
+    }
 
-void tst_Snapshot::ofAResumedRunIsAnotherSnapshot() {
-    Run run;
-    for (int tick = 0; tick < 10; ++tick)
-        run.go(tick);
-    auto first = resumed(run.simulation->snapshot().value());
-    const ClientId client = (*first)->connect();
-    (*first)->receive(client, init_air_robot);
-    (*first)->releaseFromLockstep((*first)->awaited().front()); // the walker
-    for (int tick = 0; tick < 10; ++tick)
-        (*first)->step();
-    const auto snapshot = (*first)->snapshot();
-    auto second = resumed(*snapshot);
-    QVERIFY2(second, second ? "" : second.error().text().c_str());
-    QCOMPARE((*second)->orphans().size(), std::size_t(1));
-    QCOMPARE((*second)->robots().front().base_in_map, (*first)->robots().front().base_in_map);
-}
+    void ofAResumedRunIsAnotherSnapshot() {
+        Run run;
+        for (int tick = 0; tick < 10; ++tick)
+            run.go(tick);
+        auto first = resumed(run.simulation->snapshot().value());
+        const ClientId client = (*first)->connect();
+        (*first)->receive(client, init_air_robot);
+        (*first)->releaseFromLockstep((*first)->awaited().front()); // the walker
+        for (int tick = 0; tick < 10; ++tick)
+            (*first)->step();
+        const auto snapshot = (*first)->snapshot();
+        auto second = resumed(*snapshot);
+        QVERIFY2(second, second ? "" : second.error().text().c_str());
+        QCOMPARE((*second)->orphans().size(), std::size_t(1));
+        QCOMPARE((*second)->robots().front().base_in_map, (*first)->robots().front().base_in_map);
+    }
 
-void tst_Snapshot::aRobotNobodyWantsIsLetGo() {
-    Run run;
-    for (int tick = 0; tick < 5; ++tick)
-        run.go(tick);
-    auto again = resumed(run.simulation->snapshot().value());
-    QCOMPARE((*again)->awaited().size(), std::size_t(2));
-    for (const ClientId client : (*again)->awaited())
-        (*again)->releaseFromLockstep(client);
-    QVERIFY((*again)->readyToStep());
-    QVERIFY((*again)->robots().empty());
-}
+    void aRobotNobodyWantsIsLetGo() {
+        Run run;
+        for (int tick = 0; tick < 5; ++tick)
+            run.go(tick);
+        auto again = resumed(run.simulation->snapshot().value());
+        QCOMPARE((*again)->awaited().size(), std::size_t(2));
+        for (const ClientId client : (*again)->awaited())
+            (*again)->releaseFromLockstep(client);
+        QVERIFY((*again)->readyToStep());
+        QVERIFY((*again)->robots().empty());
+    }
 
-void tst_Snapshot::whoTakesItUpIsToldHowFarItIsAndMayGiveUp() {
-    Run run;
-    for (int tick = 0; tick < 30; ++tick)
-        run.go(tick);
-    const Snapshot snapshot = run.simulation->snapshot().value();
-    std::vector<double> done_s;
-    const auto watch = [&](Seconds done, Seconds whole) {
-        done_s.push_back(done.count());
-        return whole == run.simulation->now();
-    };
-    QVERIFY(Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot, watch));
-    QCOMPARE(done_s.size(), std::size_t(30));
-    QVERIFY(std::ranges::is_sorted(done_s) && done_s.back() > 5.0);
-    int asked = 0;
-    const auto given_up = Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot,
-                                             [&](Seconds, Seconds) { return ++asked < 5; });
-    QVERIFY(!given_up);
-    QCOMPARE(asked, 5);
-    QVERIFY(given_up.error().text().find("given up") != std::string::npos);
-}
+    void whoTakesItUpIsToldHowFarItIsAndMayGiveUp() {
+        Run run;
+        for (int tick = 0; tick < 30; ++tick)
+            run.go(tick);
+        const Snapshot snapshot = run.simulation->snapshot().value();
+        std::vector<double> done_s;
+        const auto watch = [&](Seconds done, Seconds whole) {
+            done_s.push_back(done.count());
+            return whole == run.simulation->now();
+        };
+        QVERIFY(Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot, watch));
+        QCOMPARE(done_s.size(), std::size_t(30));
+        QVERIFY(std::ranges::is_sorted(done_s) && done_s.back() > 5.0);
+        int asked = 0;
+        const auto given_up = Simulation::resume(flatWorld(), doubles::shippedRobots(), snapshot,
+                                                 [&](Seconds, Seconds) { return ++asked < 5; });
+        QVERIFY(!given_up);
+        QCOMPARE(asked, 5);
+        QVERIFY(given_up.error().text().find("given up") != std::string::npos);
+    }
 
-void tst_Snapshot::theFileRoundTrips() {
-    Run run;
-    for (int tick = 0; tick < 5; ++tick)
-        run.go(tick);
-    run.simulation->receive(run.walker, std::string("\0\n\r bytes \xff", 12));
-    const Snapshot snapshot = run.simulation->snapshot().value();
-    const auto back = readSnapshot(write(snapshot));
-    QVERIFY2(back, back ? "" : back.error().text().c_str());
-    QVERIFY(*back == snapshot);
-}
+    void theFileRoundTrips() {
+        Run run;
+        for (int tick = 0; tick < 5; ++tick)
+            run.go(tick);
+        run.simulation->receive(run.walker, std::string("\0\n\r bytes \xff", 12));
+        const Snapshot snapshot = run.simulation->snapshot().value();
+        const auto back = readSnapshot(write(snapshot));
+        QVERIFY2(back, back ? "" : back.error().text().c_str());
+        QVERIFY(*back == snapshot);
+    }
 
-void tst_Snapshot::anotherWorldIsRefused() {
-    Run run;
-    for (int tick = 0; tick < 20; ++tick)
-        run.go(tick);
-    const auto other = Simulation::resume(lake(), doubles::shippedRobots(), run.simulation->snapshot().value());
-    QVERIFY(!other);
-    QVERIFY2(other.error().text().find("World, robot files and program must be those") != std::string::npos,
-             other.error().text().c_str());
-}
+    void anotherWorldIsRefused() {
+        Run run;
+        for (int tick = 0; tick < 20; ++tick)
+            run.go(tick);
+        const auto other = Simulation::resume(lake(), doubles::shippedRobots(), run.simulation->snapshot().value());
+        QVERIFY(!other);
+        QVERIFY2(other.error().text().find("World, robot files and program must be those") != std::string::npos,
+                 other.error().text().c_str());
+    }
 
-void tst_Snapshot::damagedFilesAreRefusedWithTheirLine_data() {
-    QTest::addColumn<QByteArray>("file");
-    QTest::addColumn<QString>("words");
-    Run run;
-    run.go(0);
-    const QByteArray good = QByteArray::fromStdString(write(run.simulation->snapshot().value()));
-    QTest::newRow("empty") << QByteArray() << "this is no snapshot";
-    QTest::newRow("something else") << QByteArray("hello\n") << "this is no snapshot";
-    QTest::newRow("cut short") << good.chopped(20) << "breaks off";
-    QTest::newRow("unknown word") << QByteArray(good).replace("\nseed", "\nsead") << "line 3: unknown word 'sead'";
-    QTest::newRow("no number") << QByteArray(good).replace("\nticks 1", "\nticks x") << "'x' is no number of ticks";
-    QTest::newRow("a run without end") << QByteArray(good).replace("\nticks 1", "\nticks 999999999999")
-                                       << "'999999999999' is no number of ticks";
-    QTest::newRow("steps without end") << QByteArray(good).replace("_tick 50", "_tick 4000000000")
-                                       << "'4000000000' is no number of steps";
-    QTest::newRow("wrong kind") << QByteArray(good).replace("\nc 0 1 0\n", "\nz 0 1 0\n") << "'z' is no kind of entry";
-    QTest::newRow("wrong count") << QByteArray(good).replace("\nc 0 1 0\n", "\nc 0 1 999999999999\n") << "breaks off";
-}
-
-void tst_Snapshot::damagedFilesAreRefusedWithTheirLine() {
-    QFETCH(const QByteArray, file);
-    QFETCH(const QString, words);
-    const auto snapshot = readSnapshot(file.toStdString());
-    QVERIFY(!snapshot);
-    QVERIFY2(QString::fromStdString(snapshot.error().text()).contains(words), snapshot.error().text().c_str());
-}
+    void damagedFilesAreRefusedWithTheirLine_data() {
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QString>("words");
+        Run run;
+        run.go(0);
+        const QByteArray good = QByteArray::fromStdString(write(run.simulation->snapshot().value()));
+        QTest::newRow("empty") << QByteArray() << "this is not a snapshot";
+        QTest::newRow("something else") << QByteArray("hello\n") << "this is not a snapshot";
+        QTest::newRow("cut short") << good.chopped(20) << "breaks off";
+        QTest::newRow("unknown word") << QByteArray(good).replace("\nseed", "\nsead") << "line 3: unknown word 'sead'";
+        QTest::newRow("no number") << QByteArray(good).replace("\nticks 1", "\nticks x")
+                                   << "'x' is not a valid number of ticks";
+        QTest::newRow("a run without end") << QByteArray(good).replace("\nticks 1", "\nticks 999999999999")
+                                           << "'999999999999' is not a valid number of ticks";
+        QTest::newRow("steps without end") << QByteArray(good).replace("_tick 50", "_tick 4000000000")
+                                           << "'4000000000' is not a valid number of steps";
+        QTest::newRow("wrong kind") << QByteArray(good).replace("\nc 0 1 0\n", "\nz 0 1 0\n")
+                                    << "'z' is not a kind of entry";
+        QTest::newRow("wrong count") << QByteArray(good).replace("\nc 0 1 0\n", "\nc 0 1 999999999999\n")
+                                     << "breaks off";
+    }
+    void damagedFilesAreRefusedWithTheirLine() {
+        QFETCH(const QByteArray, file);
+        QFETCH(const QString, words);
+        const auto snapshot = readSnapshot(file.toStdString());
+        QVERIFY(!snapshot);
+        QVERIFY2(QString::fromStdString(snapshot.error().text()).contains(words), snapshot.error().text().c_str());
+    }
+};
 
 USAR_TEST(tst_Snapshot)
 

@@ -40,8 +40,7 @@ private slots:
         robot.say(init_p2dx);
         robot.say("Trace {On true} {Interval 0.4} {Color Cyan}");
         robot.say("DRIVE {Left 3} {Right 3}");
-        for (int i = 0; i < 25; ++i)
-            simulation->step();
+        steps(*simulation, 25);
         const std::vector<TraceMark> marks = simulation->traceMarks();
         QVERIFY2(marks.size() >= 11 && marks.size() <= 13, qPrintable(QString::number(marks.size())));
         for (std::size_t i = 1; i < marks.size(); ++i) {
@@ -54,8 +53,7 @@ private slots:
         QVERIFY(simulation->traceMarksSince(marks.size() - 2) == std::vector(marks.end() - 2, marks.end()));
         QVERIFY(simulation->traceMarksSince(marks.size()).empty());
         robot.say("Trace {On false}");
-        for (int i = 0; i < 5; ++i)
-            simulation->step();
+        steps(*simulation, 5);
         QCOMPARE(simulation->traceMarks().size(), marks.size());
         for (const std::string& sentence : simulation->takeLog())
             QVERIFY2(sentence.find("ignored") == std::string::npos, sentence.c_str());
@@ -69,8 +67,7 @@ private slots:
         robot.say(init_p2dx);
         robot.say("Trace {On true} {Interval 0.2} {Color Red}");
         robot.say("DRIVE {Left 3} {Right 3}");
-        for (int i = 0; i < 10; ++i)
-            simulation->step();
+        steps(*simulation, 10);
         QVERIFY(simulation->traceMarks().empty());
     }
 };

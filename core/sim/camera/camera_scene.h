@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -24,7 +23,7 @@ using Color = Eigen::Array3f;
 
 /// One convex part of something that moves, or that only cameras see.
 struct SeenSolid {
-    std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape> shape;
+    Shape shape;
     Vec3 center_m = Vec3::Zero();
     Eigen::Matrix3d solid_in_map = Eigen::Matrix3d::Identity();
     double radius_m = 0.0; ///< radius of a sphere around its center that encloses it

@@ -78,8 +78,7 @@ Eigen::Isometry3d shiftedTo(const Vec3& position_m) {
 
 } // namespace
 
-SeenSolid seenSolid(const std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape>& shape,
-                    const Eigen::Isometry3d& solid_in_map, const Color& color) {
+SeenSolid seenSolid(const Shape& shape, const Eigen::Isometry3d& solid_in_map, const Color& color) {
     const double radius_m = std::visit([](const auto& one) { return radiusOf(one); }, shape);
     return {shape, solid_in_map.translation(), solid_in_map.linear(), radius_m, color};
 }

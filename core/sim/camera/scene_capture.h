@@ -15,7 +15,6 @@ void addObjects(CameraScene& seen, const Scene& scene);
 void addMarks(CameraScene& seen, const World& world);
 
 /// Makes a solid and computes its radius.
-SeenSolid seenSolid(const std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape>& shape,
-                    const Eigen::Isometry3d& solid_in_map, const Color& color);
+SeenSolid seenSolid(const Shape& shape, const Eigen::Isometry3d& solid_in_map, const Color& color);
 
 } // namespace usar::sim

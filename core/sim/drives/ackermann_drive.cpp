@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/sim/drives/drive_term.h"
+
 namespace usar::sim {
 
 namespace {
@@ -28,9 +30,9 @@ Result<std::unique_ptr<Drive>> AckermannDrive::make(const RobotModel& model, Phy
 
 AckermannDrive::AckermannDrive(const RobotModel& model, Physics& physics, BodyId body,
                                const std::vector<std::size_t>& wheels, const std::vector<std::size_t>& steered)
-    : WheeledDrive(model, physics, body, wheels)
-    , largest_front_rad_(numberOr(model.drive.numbers, "max_front_steer", 0.0))
-    , largest_rear_rad_(numberOr(model.drive.numbers, "max_rear_steer", 0.0)) {
+    : WheeledDrive(model, physics, body, wheels) {
+    largest_front_rad_ = numberOr(model.drive.numbers, "max_front_steer", 0.0);
+    largest_rear_rad_ = numberOr(model.drive.numbers, "max_rear_steer", 0.0);
     const double wheel_base_m = numberOr(model.drive.numbers, "wheel_base", 0.0);
     for (const std::size_t joint : steered) {
         const double x_m = joints_.pivot(joint).x();
@@ -50,11 +52,11 @@ bool AckermannDrive::obey(const protocol::Command& command) {
         return true;
     wheels_.takeBack();
     if (drive->speed_rad_s)
-        spin_rad_s_ = limitedTerm(*drive->speed_rad_s, wheels_.largestSpin(), drive->normalized);
+        spin_rad_s_ = limited(*drive->speed_rad_s, wheels_.largestSpin(), drive->normalized);
     if (drive->front_steer_rad)
-        front_rad_ = limitedTerm(*drive->front_steer_rad, largest_front_rad_, false);
+        front_rad_ = limited(*drive->front_steer_rad, largest_front_rad_, false);
     if (drive->rear_steer_rad)
-        rear_rad_ = limitedTerm(*drive->rear_steer_rad, largest_rear_rad_, false);
+        rear_rad_ = limited(*drive->rear_steer_rad, largest_rear_rad_, false);
     steer();
     return true;
 }
@@ -75,8 +77,13 @@ void AckermannDrive::steer() {
     for (std::size_t i = 0; i < wheels_.count(); ++i) {
         const Vec3& at_m = joints_.pivot(wheels_.joint(i));
         const double way = turns ? std::hypot(at_m.x() - center_x_m, at_m.y() - center_y_m) / middle_m : 1.0;
-        wheels_.want(i, limitedTerm(spin_rad_s_ * way, wheels_.largestSpin(), false));
+        wheels_.want(i, limited(spin_rad_s_ * way, wheels_.largestSpin(), false));
     }
+}
+
+void AckermannDrive::addTo(protocol::RobotState& state) const {
+    state.front_steer_rad = meanSteer_rad(true);
+    state.rear_steer_rad = meanSteer_rad(false);
 }
 
 double AckermannDrive::meanSteer_rad(bool front) const {

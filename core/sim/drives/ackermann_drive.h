@@ -15,6 +15,8 @@ public:
     static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
 
     bool obey(const protocol::Command& command) override;
+    using WheeledDrive::addTo;
+    void addTo(protocol::RobotState& state) const override;
 
 private:
     AckermannDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels,
@@ -26,17 +28,12 @@ private:
         bool front = true;
     };
 
-    double frontSteer_rad() const override { return meanSteer_rad(true); }
-    double rearSteer_rad() const override { return meanSteer_rad(false); }
-    double largestFrontSteer_rad() const override { return largest_front_rad_; }
-    double largestRearSteer_rad() const override { return largest_rear_rad_; }
+    /// Mean steering angle of the front or rear wheels, counter-clockwise positive; 0 if there are none.
     double meanSteer_rad(bool front) const;
     /// Gives all wheels their angles and spins for the commanded values.
     void steer();
 
     std::vector<Steered> steered_;
-    double largest_front_rad_;
-    double largest_rear_rad_;
     double front_x_m_ = 0.0; ///< positions of the axles in the base's frame
     double rear_x_m_ = 0.0;
     double spin_rad_s_ = 0.0; ///< as commanded, like the angles

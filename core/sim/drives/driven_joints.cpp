@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/sim/drives/drive_term.h"
 
 namespace usar::sim {
 
@@ -15,36 +16,32 @@ using protocol::JointOpcode;
 using protocol::JointOrder;
 
 bool isInPackage(const RobotModel& model, const std::string& joint) {
-    return std::any_of(model.packages.begin(), model.packages.end(), [&](const PackageModel& package) {
-        return std::find(package.joints.begin(), package.joints.end(), joint) != package.joints.end();
+    return std::ranges::any_of(model.packages, [&](const PackageModel& package) {
+        return std::ranges::find(package.joints, joint) != package.joints.end();
     });
 }
 
 JointOrder orderOf(JointOpcode opcode) {
+    using enum JointOpcode;
     switch (opcode) {
-    case JointOpcode::Speed:
+    case Speed:
         return JointOrder::Speed;
-    case JointOpcode::Torque:
+    case Torque:
         return JointOrder::Torque;
-    case JointOpcode::RelativeAngle:
+    case RelativeAngle:
         return JointOrder::RelativeAngle;
-    case JointOpcode::RelativeSpeed:
+    case RelativeSpeed:
         return JointOrder::RelativeSpeed;
-    case JointOpcode::RelativeTorque:
+    case RelativeTorque:
         return JointOrder::RelativeTorque;
-    case JointOpcode::Angle:
-    case JointOpcode::Stiffness:
+    case Angle:
+    case Stiffness:
         break;
     }
     return JointOrder::Angle;
 }
 
 } // namespace
-
-double limitedTerm(double value, double limit, bool normalized) {
-    const double physical = normalized ? value / 100.0 * limit : value;
-    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
-}
 
 DrivenJoints::DrivenJoints(const RobotModel& model, Physics& physics, BodyId body) : physics_(physics), body_(body) {
     std::vector<Eigen::Isometry3d> links_in_base;
@@ -64,10 +61,8 @@ DrivenJoints::DrivenJoints(const RobotModel& model, Physics& physics, BodyId bod
 }
 
 std::optional<std::size_t> DrivenJoints::find(std::string_view joint) const {
-    for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (sameWord(joints_[i].name, joint))
-            return i;
-    return std::nullopt;
+    const auto found = std::ranges::find_if(joints_, [&](const Joint& one) { return sameWord(one.name, joint); });
+    return found == joints_.end() ? std::nullopt : std::optional<std::size_t>(found - joints_.begin());
 }
 
 std::vector<std::size_t> DrivenJoints::obey(const protocol::Command& command) {
@@ -119,13 +114,13 @@ bool DrivenJoints::obey(std::size_t joint, JointOrder order, double value, bool 
         hold(joint, now.position + value);
         break;
     case JointOrder::Speed:
-        spin(joint, limitedTerm(value, known.speed_limit, normalized));
+        spin(joint, limited(value, known.speed_limit, normalized));
         break;
     case JointOrder::RelativeSpeed:
         spin(joint, now.velocity + value);
         break;
     case JointOrder::Torque:
-        push(joint, limitedTerm(value, known.torque_limit, normalized));
+        push(joint, limited(value, known.torque_limit, normalized));
         break;
     case JointOrder::RelativeTorque: {
         const bool pushes = known.motor.mode == JointMotor::Mode::Torque;
@@ -133,7 +128,7 @@ bool DrivenJoints::obey(std::size_t joint, JointOrder order, double value, bool 
         break;
     }
     case JointOrder::Brake:
-        drive(joint, {JointMotor::Mode::Velocity, 0.0, std::abs(limitedTerm(value, known.torque_limit, normalized)),
+        drive(joint, {JointMotor::Mode::Velocity, 0.0, std::abs(limited(value, known.torque_limit, normalized)),
                       known.speed_limit});
         break;
     }
@@ -149,24 +144,20 @@ void DrivenJoints::hold(std::size_t joint, double position) {
 
 void DrivenJoints::spin(std::size_t joint, double speed) {
     const Joint& known = joints_[joint];
-    drive(joint, {JointMotor::Mode::Velocity, limitedTerm(speed, known.speed_limit, false), known.torque_limit,
+    drive(joint, {JointMotor::Mode::Velocity, limited(speed, known.speed_limit, false), known.torque_limit,
                   known.speed_limit});
 }
 
 void DrivenJoints::push(std::size_t joint, double torque) {
     const Joint& known = joints_[joint];
-    drive(joint, {JointMotor::Mode::Torque, limitedTerm(torque, known.torque_limit, false), known.torque_limit,
+    drive(joint, {JointMotor::Mode::Torque, limited(torque, known.torque_limit, false), known.torque_limit,
                   known.speed_limit});
-}
-
-void DrivenJoints::release(std::size_t joint) {
-    drive(joint, {});
 }
 
 void DrivenJoints::releaseAll() {
     for (std::size_t i = 0; i < joints_.size(); ++i)
         if (!joints_[i].in_package)
-            release(i);
+            drive(i, {});
 }
 
 void DrivenJoints::drive(std::size_t joint, const JointMotor& motor) {
@@ -189,6 +180,18 @@ std::vector<protocol::JointAngle> DrivenJoints::angles() const {
         if (joints_[i].torque_limit > 0.0 && joints_[i].lower <= joints_[i].upper && !joints_[i].in_package)
             angles.push_back({joints_[i].name, state(i).position});
     return angles;
+}
+
+void JointDrive::switchOff() {
+    off_ = true;
+    joints_.releaseAll();
+    physics_.letSleep(body_, true);
+}
+
+void JointDrive::letSleep(bool allowed) {
+    if (allowed != may_sleep_)
+        physics_.letSleep(body_, allowed);
+    may_sleep_ = allowed;
 }
 
 } // namespace usar::sim

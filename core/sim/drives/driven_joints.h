@@ -9,6 +9,7 @@
 #include "core/protocol/command.h"
 #include "core/protocol/info/robot_state.h"
 #include "core/sim/physics/physics.h"
+#include "core/sim/robots/drive.h"
 #include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
@@ -30,10 +31,10 @@ public:
     void hold(std::size_t joint, double position);
     void spin(std::size_t joint, double speed);
     void push(std::size_t joint, double torque);
-    /// Turns the motor off; `releaseAll` leaves out the joints of mission packages.
-    void release(std::size_t joint);
+    /// Turns all motors off, except those of mission packages.
     void releaseAll();
 
+    const std::string& name(std::size_t joint) const { return joints_[joint].name; }
     /// Current position and velocity of a joint; below, its limits in N m or N, and in rad/s or m/s.
     JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
     double torqueLimit(std::size_t joint) const { return joints_[joint].torque_limit; }
@@ -70,7 +71,29 @@ private:
     std::vector<Joint> joints_;
 };
 
-/// Clamps a value to -limit..limit, of which a normalized one is a percentage. NaN gives 0.
-double limitedTerm(double value, double limit, bool normalized);
+/// Base of the drives that move joints. `model` is not kept; `physics` must outlive it.
+class JointDrive : public Drive {
+public:
+    void switchOff() override;
+
+protected:
+    JointDrive(const RobotModel& model, Physics& physics, BodyId body)
+        : joints_(model, physics, body)
+        , physics_(physics)
+        , body_(body) {}
+    bool off() const { return off_; }
+    /// Allows or forbids the body to sleep. Tells the physics only if this is new, because that wakes the body.
+    void letSleep(bool allowed);
+    const Physics& physics() const { return physics_; }
+    BodyId body() const { return body_; }
+
+    DrivenJoints joints_;
+
+private:
+    Physics& physics_;
+    BodyId body_;
+    bool off_ = false;
+    bool may_sleep_ = false; ///< as the physics was last told
+};
 
 } // namespace usar::sim

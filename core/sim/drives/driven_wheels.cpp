@@ -14,12 +14,8 @@ constexpr double standing_rad_s = 0.1;
 DrivenWheels::DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>& wheels, double acceleration_rad_s2)
     : joints_(joints)
     , acceleration_rad_s2_(acceleration_rad_s2) {
-    for (const std::size_t joint : wheels) {
-        Wheel wheel;
-        wheel.joint = joint;
-        wheel.sign = joints.axis(joint).y() < 0.0 ? -1.0 : 1.0;
-        wheels_.push_back(wheel);
-    }
+    for (const std::size_t joint : wheels)
+        wheels_.push_back({.joint = joint, .sign = joints.axis(joint).y() < 0.0 ? -1.0 : 1.0});
 }
 
 void DrivenWheels::want(std::size_t wheel, double spin_rad_s) {
@@ -71,16 +67,14 @@ void DrivenWheels::brake(Wheel& wheel) {
 }
 
 bool DrivenWheels::braking() const {
-    return std::all_of(wheels_.begin(), wheels_.end(), [](const Wheel& wheel) {
+    return std::ranges::all_of(wheels_, [](const Wheel& wheel) {
         return wheel.ours && wheel.told && wheel.wanted_rad_s == 0.0 && wheel.now_rad_s == 0.0;
     });
 }
 
 double DrivenWheels::largestSpin() const {
-    double least_rad_s = joints_.speedLimit(wheels_.front().joint);
-    for (const Wheel& wheel : wheels_)
-        least_rad_s = std::min(least_rad_s, joints_.speedLimit(wheel.joint));
-    return least_rad_s;
+    const auto limit = [&](const Wheel& wheel) { return joints_.speedLimit(wheel.joint); };
+    return limit(*std::ranges::min_element(wheels_, {}, limit));
 }
 
 double DrivenWheels::largestTorque() const {

@@ -18,42 +18,29 @@ Result<std::unique_ptr<Drive>> LegDrive::make(const RobotModel& model, Physics& 
 }
 
 LegDrive::LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints)
-    : joints_(model, physics, body)
-    , physics_(physics)
-    , body_(body) {
-    for (const std::size_t joint : joints) {
-        named_.emplace_back(model.links[joint].joint, joint);
+    : JointDrive(model, physics, body)
+    , reported_(joints) {
+    for (const std::size_t joint : joints)
         joints_.hold(joint, 0.0);
-    }
 }
 
 bool LegDrive::obey(const protocol::Command& command) {
-    if (off_ || joints_.obey(command).empty())
+    if (off() || joints_.obey(command).empty())
         return false;
     still_for_ = Seconds{0.0};
     return true;
 }
 
 void LegDrive::beforeStep(Seconds dt) {
-    if (off_)
+    if (off())
         return;
     still_for_ = joints_.still() ? still_for_ + dt : Seconds{0.0};
-    const bool sleepy = still_for_ > standing;
-    if (sleepy != may_sleep_) {
-        may_sleep_ = sleepy;
-        physics_.letSleep(body_, sleepy);
-    }
-}
-
-void LegDrive::switchOff() {
-    off_ = true;
-    joints_.releaseAll();
-    physics_.letSleep(body_, true);
+    letSleep(still_for_ > standing);
 }
 
 void LegDrive::addTo(protocol::RobotState& state) const {
-    for (const auto& [name, joint] : named_)
-        state.joints.push_back({name, joints_.state(joint).position});
+    for (const std::size_t joint : reported_)
+        state.joints.push_back({joints_.name(joint), joints_.state(joint).position});
 }
 
 } // namespace usar::sim

@@ -1,58 +1,170 @@
 #include "core/sim/drives/rotor_drive.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+
+#include "core/sim/drives/drive_term.h"
 
 namespace usar::sim {
 
-AirRobotParameters airRobotParametersOf(const RobotModel& model) {
-    AirRobotParameters p;
-    const auto take = [&](const char* key, double& figure) { figure = numberOr(model.drive.numbers, key, figure); };
-    p.mass_kg = model.mass_kg();
-    p.inertia_kg_m2 = model.body.base.inertia_kg_m2;
-    p.dimensions_m = model.dimensions_m;
-    take("rotor_span", p.rotor_span_m);
-    take("rotor_radius", p.rotor_radius_m);
-    take("thrust_limit", p.rotor_limit_n);
-    p.rotor_lag = Seconds{numberOr(model.drive.numbers, "rotor_lag", p.rotor_lag.count())};
-    take("rotor_drag", p.rotor_drag_m);
-    take("drag", p.drag_kg_m);
-    take("spin_drag", p.spin_drag_n_m_s);
-    take("forward_limit", p.forward_limit_m_s);
-    take("sideways_limit", p.sideways_limit_m_s);
-    take("climb_limit", p.climb_limit_m_s);
-    take("yaw_rate_limit", p.yaw_rate_limit_rad_s);
-    take("tilt_limit", p.tilt_limit_rad);
-    take("tilt_rate_limit", p.tilt_rate_limit_rad_s);
-    take("ring_height", p.ring_height_m);
-    take("pod_width", p.pod_size_m.x());
-    take("breaking_impulse", p.breaking_impulse_n_s);
-    take("safe_touchdown", p.safe_touchdown_m_s);
-    return p;
+namespace {
+
+constexpr double climb_wish_m_s = 0.05;
+constexpr double sink_wish_m_s = -0.02;
+constexpr double landing_itself_m_s = -0.3;
+constexpr Seconds settling_time{2.0};
+constexpr Seconds spooling_time{0.8};
+constexpr double settling_share = 0.2;
+constexpr double spooling_share = 0.3;
+constexpr Seconds ground_lost{0.3};
+constexpr double rest_m_s = 0.01;
+constexpr double rest_rad_s = 0.01;
+
+} // namespace
+
+RotorDrive::RotorDrive(Physics& physics, BodyId body, const DriveBirth& birth, const AirRobotParameters& parameters)
+    : physics_(physics)
+    , parameters_(parameters)
+    , id_(body)
+    , rotors_(parameters_)
+    , controller_(parameters_)
+    , landing_itself_(birth.near_ground) {
+    controller_.reset(state());
+    rotors_.start(parameters_.mass_kg * gravity_m_s2);
 }
 
-RotorDrive::RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth)
-    : body_(physics, body, {birth.base_in_map, birth.near_ground, Seconds{std::numeric_limits<double>::infinity()}},
-            airRobotParametersOf(model)) {}
+RotorDrive::RotorDrive(Physics& physics, const DriveBirth& birth, const AirRobotParameters& parameters)
+    : RotorDrive(physics, physics.add(bodyOf(parameters), birth.base_in_map), birth, parameters) {}
 
 bool RotorDrive::obey(const protocol::Command& command) {
     const auto* const drive = std::get_if<protocol::AerialDrive>(&command);
     if (drive)
-        body_.drive(*drive);
+        this->drive(*drive);
     return drive != nullptr;
 }
 
 bool RotorDrive::weakenRotor(int rotor, double share) {
-    body_.rotors().weaken(static_cast<std::size_t>(std::clamp(rotor, 1, 4) - 1), share);
+    rotors_.weaken(static_cast<std::size_t>(std::clamp(rotor, 1, 4) - 1), share);
     return true;
 }
 
 void RotorDrive::addTo(std::vector<protocol::Setting>& settings) const {
-    const AirRobotParameters& p = body_.parameters();
-    settings.insert(settings.end(), {{"MaxLateralVelocity", "", p.sideways_limit_m_s},
-                                     {"MaxLinearVelocity", "", p.forward_limit_m_s},
-                                     {"MaxAltitudeVelocity", "", p.climb_limit_m_s},
-                                     {"MaxRotationalVelocity", "", p.yaw_rate_limit_rad_s}});
+    settings.insert(settings.end(), {{"MaxLateralVelocity", "", parameters_.sideways_limit_m_s},
+                                     {"MaxLinearVelocity", "", parameters_.forward_limit_m_s},
+                                     {"MaxAltitudeVelocity", "", parameters_.climb_limit_m_s},
+                                     {"MaxRotationalVelocity", "", parameters_.yaw_rate_limit_rad_s}});
+}
+
+void RotorDrive::drive(const protocol::AerialDrive& drive) {
+    landing_itself_ = false;
+    const auto take = [&](const std::optional<double>& term, double limit, double& into) {
+        if (term)
+            into = limited(*term, limit, drive.normalized);
+    };
+    take(drive.forward_m_s, parameters_.forward_limit_m_s, command_.forward_m_s);
+    take(drive.left_m_s, parameters_.sideways_limit_m_s, command_.left_m_s);
+    take(drive.climb_m_s, parameters_.climb_limit_m_s, command_.climb_m_s);
+    take(drive.yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, command_.yaw_rate_rad_s);
+}
+
+void RotorDrive::beforeStep(Seconds dt) {
+    const BodyState now = state();
+    if (motors_ == MotorState::Idle || ended())
+        rotors_.stop();
+    else
+        rotors_.command(wantedWrench(now, dt));
+    rotors_.step(dt);
+    const RotorWrench wrench = rotors_.wrench();
+    const Vec3 through_air_m_s = now.velocity_m_s - wind_m_s_;
+    const Vec3 drag_n = -parameters_.drag_kg_m * through_air_m_s.norm() * through_air_m_s;
+    const Vec3 spin_drag_n_m = -parameters_.spin_drag_n_m_s * now.rate_rad_s;
+    physics_.apply(id_, now.rotation * Vec3(0.0, 0.0, wrench.thrust_n) + drag_n,
+                   now.rotation * wrench.torque_n_m + spin_drag_n_m);
+}
+
+RotorWrench RotorDrive::wantedWrench(const BodyState& now, Seconds dt) {
+    if (motors_ == MotorState::Settling)
+        return controller_.settle(now, settling_share * std::max(0.0, 1.0 - in_state_ / settling_time));
+    VelocityCommand wanted = command_;
+    if (landing_itself_)
+        wanted.climb_m_s = landing_itself_m_s;
+    RotorWrench wrench = controller_.control(now, wanted, dt);
+    if (motors_ == MotorState::SpoolingUp)
+        wrench.thrust_n *= spooling_share + (1.0 - spooling_share) * std::min(1.0, in_state_ / spooling_time);
+    return wrench;
+}
+
+void RotorDrive::afterStep(Seconds dt) {
+    in_state_ += dt;
+    since_gear_ += dt;
+    collisions_.pass(dt);
+    if (off_ && !ended())
+        enter(MotorState::Dead);
+    feelContacts();
+    touchDown();
+    leaveGround();
+}
+
+void RotorDrive::feelContacts() {
+    double impulse_n_s = 0.0;
+    bool broke = false;
+    bool collided = false;
+    for (const Contact& contact : physics_.contacts(id_)) {
+        if (isTouchdown(contact)) {
+            since_gear_ = Seconds{0.0};
+            broke |= contact.closing_speed_m_s >= parameters_.safe_touchdown_m_s;
+            continue;
+        }
+        collided = true;
+        impulse_n_s += contact.impulse_n_s;
+        broke |= partAt(parameters_, contact.point_in_body_m) == AirRobotPart::RotorDisc;
+    }
+    broke |= impulse_n_s > parameters_.breaking_impulse_n_s;
+    if ((collided || broke) && !broken())
+        collisions_.touch();
+    if (broke && !broken())
+        enter(MotorState::Broken);
+}
+
+bool RotorDrive::isTouchdown(const Contact& contact) const {
+    const bool on_floor = contact.surface == Surface::Ground || contact.surface == Surface::Building;
+    return on_floor && partAt(parameters_, contact.point_in_body_m) == AirRobotPart::Gear;
+}
+
+void RotorDrive::touchDown() {
+    const bool on_gear = since_gear_ == Seconds{0.0};
+    const bool sinking = landing_itself_ || command_.climb_m_s < sink_wish_m_s;
+    if (motors_ == MotorState::Flying && on_gear && sinking)
+        enter(MotorState::Settling);
+    if (motors_ != MotorState::Settling)
+        return;
+    if (since_gear_ > ground_lost)
+        enter(MotorState::Flying);
+    else if (in_state_ > settling_time)
+        enter(MotorState::Idle);
+}
+
+void RotorDrive::leaveGround() {
+    const bool standing = motors_ == MotorState::Idle || motors_ == MotorState::Settling;
+    if (standing && command_.climb_m_s > climb_wish_m_s)
+        enter(MotorState::SpoolingUp);
+    else if (motors_ == MotorState::SpoolingUp && in_state_ > spooling_time)
+        motors_ = MotorState::Flying; // The controller keeps what it has learned on the way up.
+}
+
+void RotorDrive::enter(MotorState motors) {
+    motors_ = motors;
+    in_state_ = Seconds{0.0};
+    physics_.letSleep(id_, motors == MotorState::Idle || ended());
+    landing_itself_ = landing_itself_ && motors != MotorState::Idle;
+    controller_.reset(state());
+}
+
+bool RotorDrive::atRest() const {
+    if (motors_ == MotorState::Flying || motors_ == MotorState::SpoolingUp || motors_ == MotorState::Settling)
+        return false;
+    const BodyState now = state();
+    return now.velocity_m_s.norm() < rest_m_s && now.rate_rad_s.norm() < rest_rad_s;
 }
 
 } // namespace usar::sim

@@ -1,35 +1,74 @@
-// Four rotors under the AirRobot's autopilot, as a drive.
+// Four rotors under the AirRobot's autopilot, as a drive: motors, autopilot and contacts.
 #pragma once
 
-#include "core/sim/robots/air_robot_body.h"
+#include "core/sim/robots/air_robot_parameters.h"
+#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/drive.h"
+#include "core/sim/robots/flight_controller.h"
+#include "core/sim/robots/rotors.h"
 
 namespace usar::sim {
 
-/// The drive's settings are the figures of AirRobotParameters by name, without units: forward_limit, thrust_limit,
-/// tilt_limit …
+/// Idle: motors off on the ground. Settling: the legs have found the ground, and the lift is gently taken away.
+/// SpoolingUp: the lift returns while it is still on its legs. Broken and Dead (switched off): it never flies again.
+enum class MotorState { Idle, SpoolingUp, Flying, Settling, Broken, Dead };
+
+/// Breaks on a contact of a rotor disc, on an impulse above 0.5 N s, and on touching down at 1 m/s or faster; then it
+/// falls without control (robots-and-worlds.md 3.1). It has landed when its legs are on the ground while it is told to
+/// sink: the motors then go idle until it is told to climb.
 class RotorDrive : public Drive {
 public:
-    /// `physics` must outlive it; the body belongs to the caller.
-    RotorDrive(const RobotModel& model, Physics& physics, BodyId body, const DriveBirth& birth);
+    /// Flies a body that the caller has added. `physics` must outlive it.
+    RotorDrive(Physics& physics, BodyId body, const DriveBirth& birth, const AirRobotParameters& parameters);
+    /// Adds a body made from the parameters to the physics, where it stays.
+    RotorDrive(Physics& physics, const DriveBirth& birth, const AirRobotParameters& parameters = {});
 
     bool obey(const protocol::Command& command) override;
-    void beforeStep(Seconds dt) override { body_.beforeStep(dt); }
-    void afterStep(Seconds dt) override { body_.afterStep(dt); }
-    void feelWind(const Vec3& wind_in_map_m_s) override { body_.setWind(wind_in_map_m_s); }
+    /// Sets the velocity command. Absent terms keep their value; all are clamped to the robot's limits, of which they
+    /// are percentages when normalized.
+    void drive(const protocol::AerialDrive& drive);
+    void beforeStep(Seconds dt) override;
+    void afterStep(Seconds dt) override;
+    void feelWind(const Vec3& wind_in_map_m_s) override { wind_m_s_ = wind_in_map_m_s; }
     bool weakenRotor(int rotor, double share) override;
-    void switchOff() override { body_.switchOff(); }
-    bool idle() const override { return body_.motorsOff(); }
-    bool broken() const override { return body_.broken(); }
-    int collisions() const override { return body_.collisions(); }
+    /// The motors stop at the end of the next step.
+    void switchOff() override { off_ = true; }
+    /// True if no rotor pushes: idle on the ground, broken, or switched off.
+    bool idle() const override { return motors_ == MotorState::Idle || ended(); }
+    bool broken() const override { return motors_ == MotorState::Broken; }
+    int collisions() const override { return collisions_.count(); }
     using Drive::addTo;
     void addTo(std::vector<protocol::Setting>& settings) const override;
 
-private:
-    AirRobotBody body_;
-};
+    BodyId id() const { return id_; }
+    BodyState state() const { return physics_.state(id_); }
+    const VelocityCommand& command() const { return command_; }
+    MotorState motors() const { return motors_; }
+    /// True if it stands or lies still with its motors off.
+    bool atRest() const;
 
-/// The default parameters, overridden by the figures that the model gives.
-AirRobotParameters airRobotParametersOf(const RobotModel& model);
+private:
+    RotorWrench wantedWrench(const BodyState& state, Seconds dt);
+    void feelContacts();
+    bool isTouchdown(const Contact& contact) const;
+    void touchDown();
+    void leaveGround();
+    void enter(MotorState motors);
+    bool ended() const { return motors_ == MotorState::Broken || motors_ == MotorState::Dead; }
+
+    Physics& physics_;
+    AirRobotParameters parameters_;
+    BodyId id_;
+    Rotors rotors_;
+    FlightController controller_;
+    VelocityCommand command_;
+    Vec3 wind_m_s_ = Vec3::Zero();
+    MotorState motors_ = MotorState::Flying;
+    bool landing_itself_;     ///< sinks without a command, until it gets one
+    Seconds in_state_{0.0};   ///< time since `motors_` last changed
+    Seconds since_gear_{1e9}; ///< time since the legs last touched something to stand on
+    bool off_ = false;        ///< switched off
+    CollisionCounter collisions_;
+};
 
 } // namespace usar::sim

@@ -1,5 +1,7 @@
 #include "core/sim/drives/skid_drive.h"
 
+#include "core/sim/drives/drive_term.h"
+
 namespace usar::sim {
 
 Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
@@ -20,7 +22,7 @@ bool SkidDrive::obey(const protocol::Command& command) {
     const std::size_t half = wheels_.count() / 2;
     for (std::size_t i = 0; i < wheels_.count(); ++i)
         if (const std::optional<double>& side = i < half ? drive->left_rad_s : drive->right_rad_s)
-            wheels_.want(i, limitedTerm(*side, wheels_.largestSpin(), drive->normalized));
+            wheels_.want(i, limited(*side, wheels_.largestSpin(), drive->normalized));
     return true;
 }
 

@@ -4,7 +4,6 @@
 #include "core/base/result.h"
 #include "core/sim/drives/driven_wheels.h"
 #include "core/sim/robots/collision_counter.h"
-#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -12,13 +11,12 @@ namespace usar::sim {
 /// of a wheel's spin (rad/s2; unlimited if absent). Torque and speed of a wheel are limited by its joint. Other joints,
 /// such as flippers, obey commands to single joints. The robot may sleep while its wheels brake. Touching a plant, a
 /// building or another body counts as a collision unless the robot stands on it.
-class WheeledDrive : public Drive {
+class WheeledDrive : public JointDrive {
 public:
     void beforeStep(Seconds dt) override;
     void afterStep(Seconds dt) override;
-    void switchOff() override;
     int collisions() const override { return collisions_.count(); }
-    bool idle() const override { return off_ || (wheels_.braking() && !others_moving_); }
+    bool idle() const override { return off() || (wheels_.braking() && !others_moving_); }
 
     using Drive::addTo;
     void addTo(protocol::RobotState& state) const override;
@@ -29,28 +27,16 @@ protected:
     /// `wheels` are the driven joints. `model` is not kept; `physics` must outlive the drive.
     WheeledDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels);
 
-    /// Mean steering angles, counter-clockwise positive; 0 for skid-steered robots.
-    virtual double frontSteer_rad() const { return 0.0; }
-    virtual double rearSteer_rad() const { return 0.0; }
-    virtual double largestFrontSteer_rad() const { return 0.0; }
-    virtual double largestRearSteer_rad() const { return 0.0; }
-
-    bool off() const { return off_; }
     /// Obeys a command to single joints. Returns true if at least one of them is here.
     bool obeyJoint(const protocol::Command& command);
 
-    DrivenJoints joints_;
     DrivenWheels wheels_;
+    double largest_front_rad_ = 0.0; ///< largest steering angles; 0 for skid-steered robots
+    double largest_rear_rad_ = 0.0;
 
 private:
-    Physics& physics_;
-    BodyId body_;
-    std::optional<double> wheel_radius_m_;
-    std::optional<double> wheel_separation_m_;
-    std::optional<double> wheel_base_m_;
+    Numbers figures_;
     CollisionCounter collisions_;
-    bool off_ = false;
-    bool may_sleep_ = false;
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
 };
 

@@ -22,7 +22,7 @@ constexpr std::array bias_numbers{
     FaultNumber{"y", "m", -1e3, 1e3, 0.0, "added to a position, map frame"},
     FaultNumber{"z", "m", -1e3, 1e3, 0.0, "added to a position, map frame"},
     FaultNumber{"yaw_deg", "deg", -180.0, 180.0, 0.0, "added to an orientation, counter-clockwise"}};
-constexpr std::array dropout_numbers{FaultNumber{"share", "", 0.0, 1.0, 1.0, "of the readings that do not come"}};
+constexpr std::array dropout_numbers{FaultNumber{"share", "", 0.0, 1.0, 1.0, "of the readings that are missing"}};
 constexpr std::array delay_numbers{
     FaultNumber{"by", "s", 0.0, 60.0, 1.0, "each way, rounded up to whole message ticks"}};
 constexpr std::array loss_numbers{FaultNumber{"share", "", 0.0, 1.0, 0.001, "of the bytes that are lost, each way"}};
@@ -39,21 +39,21 @@ constexpr std::array vanish_numbers{FaultNumber{"after", "s", 0.0, longest_s, 1.
 constexpr std::array kinds{
     FaultDescription{FaultKind::SensorBias, "sensor_bias", "a sensor reads too much or too little", true, true,
                      bias_numbers},
-    FaultDescription{FaultKind::SensorDropout, "sensor_dropout", "readings of a sensor do not come", true, true,
+    FaultDescription{FaultKind::SensorDropout, "sensor_dropout", "readings of a sensor are missing", true, true,
                      dropout_numbers},
     FaultDescription{FaultKind::SensorFreeze, "sensor_freeze", "a sensor repeats its last reading", true, true, {}},
-    FaultDescription{FaultKind::LinkDelay, "link_delay", "lines and commands come late", true, false, delay_numbers},
+    FaultDescription{FaultKind::LinkDelay, "link_delay", "lines and commands arrive late", true, false, delay_numbers},
     FaultDescription{FaultKind::LinkLoss, "link_loss", "bytes are lost both ways", true, false, loss_numbers},
     FaultDescription{FaultKind::LinkCut, "link_cut", "the server hangs up", true, false, {}},
     FaultDescription{FaultKind::LinkHalfOpen,
                      "link_half_open",
-                     "the connection stands but nothing comes through; what waited comes when it ends",
+                     "the connection stays open but nothing gets through; what was held back arrives at the end",
                      true,
                      false,
                      {}},
     FaultDescription{FaultKind::Battery, "battery", "the battery loses its charge", true, false, battery_numbers},
     FaultDescription{FaultKind::Rotor, "rotor", "a rotor of a flying robot loses thrust", true, false, rotor_numbers},
-    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for all that flies", false, false, wind_numbers},
+    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for everything that flies", false, false, wind_numbers},
     FaultDescription{FaultKind::Vanish, "vanish", "the robot is gone, the connection stays", true, false,
                      vanish_numbers}};
 
@@ -110,7 +110,7 @@ tl::unexpected<Error> unknown(const std::string& what, const std::string& word, 
 Result<double> numberOf(std::string_view key, std::string_view value, double smallest, double largest) {
     const std::optional<double> number = readNumber(value);
     if (!number || !(*number >= smallest && *number <= largest))
-        return failure("'" + std::string(value) + "' is no " + std::string(key), "fault",
+        return failure("'" + std::string(value) + "' is not a valid " + std::string(key), "fault",
                        "Give a number from " + short_(smallest) + " to " + short_(largest));
     return *number;
 }

@@ -46,38 +46,4 @@ BulletWorld::BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadp
     setForceUpdateAllAabbs(false);
 }
 
-void BulletWorld::clearForces() {
-    plain() ? btDiscreteDynamicsWorld::clearForces() : btMultiBodyDynamicsWorld::clearForces();
-}
-
-void BulletWorld::applyGravity() {
-    plain() ? btDiscreteDynamicsWorld::applyGravity() : btMultiBodyDynamicsWorld::applyGravity();
-}
-
-void BulletWorld::integrateTransforms(btScalar dt) {
-    plain() ? btDiscreteDynamicsWorld::integrateTransforms(dt) : btMultiBodyDynamicsWorld::integrateTransforms(dt);
-}
-
-void BulletWorld::predictUnconstraintMotion(btScalar dt) {
-    plain() ? btDiscreteDynamicsWorld::predictUnconstraintMotion(dt)
-            : btMultiBodyDynamicsWorld::predictUnconstraintMotion(dt);
-}
-
-void BulletWorld::saveKinematicState(btScalar dt) {
-    plain() ? btDiscreteDynamicsWorld::saveKinematicState(dt) : btMultiBodyDynamicsWorld::saveKinematicState(dt);
-}
-
-void BulletWorld::calculateSimulationIslands() {
-    plain() ? btDiscreteDynamicsWorld::calculateSimulationIslands()
-            : btMultiBodyDynamicsWorld::calculateSimulationIslands();
-}
-
-void BulletWorld::updateActivationState(btScalar dt) {
-    plain() ? btDiscreteDynamicsWorld::updateActivationState(dt) : btMultiBodyDynamicsWorld::updateActivationState(dt);
-}
-
-void BulletWorld::solveConstraints(btContactSolverInfo& info) {
-    plain() ? btDiscreteDynamicsWorld::solveConstraints(info) : btMultiBodyDynamicsWorld::solveConstraints(info);
-}
-
 } // namespace usar::sim

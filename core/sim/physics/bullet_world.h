@@ -29,18 +29,33 @@ public:
     BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,
                 BulletSolver& link_solver, btCollisionConfiguration& configuration);
 
-    void clearForces() override;
-    void applyGravity() override;
-    void integrateTransforms(btScalar dt) override;
-    void predictUnconstraintMotion(btScalar dt) override;
-    void saveKinematicState(btScalar dt) override;
+    void clearForces() override { plain() ? Rigid::clearForces() : Linked::clearForces(); }
+    void applyGravity() override { plain() ? Rigid::applyGravity() : Linked::applyGravity(); }
+    void integrateTransforms(btScalar dt) override {
+        plain() ? Rigid::integrateTransforms(dt) : Linked::integrateTransforms(dt);
+    }
+    void predictUnconstraintMotion(btScalar dt) override {
+        plain() ? Rigid::predictUnconstraintMotion(dt) : Linked::predictUnconstraintMotion(dt);
+    }
+    void saveKinematicState(btScalar dt) override {
+        plain() ? Rigid::saveKinematicState(dt) : Linked::saveKinematicState(dt);
+    }
 
 protected:
-    void calculateSimulationIslands() override;
-    void updateActivationState(btScalar dt) override;
-    void solveConstraints(btContactSolverInfo& info) override;
+    void calculateSimulationIslands() override {
+        plain() ? Rigid::calculateSimulationIslands() : Linked::calculateSimulationIslands();
+    }
+    void updateActivationState(btScalar dt) override {
+        plain() ? Rigid::updateActivationState(dt) : Linked::updateActivationState(dt);
+    }
+    void solveConstraints(btContactSolverInfo& info) override {
+        plain() ? Rigid::solveConstraints(info) : Linked::solveConstraints(info);
+    }
 
 private:
+    using Rigid = btDiscreteDynamicsWorld;
+    using Linked = btMultiBodyDynamicsWorld;
+
     bool plain() const { return getNumMultibodies() == 0; }
 };
 

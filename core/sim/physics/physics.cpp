@@ -29,15 +29,68 @@ struct DeepestContact : btCollisionWorld::ContactResultCallback {
 
 class BulletPhysics : public Physics {
 public:
-    explicit BulletPhysics(const World& world);
-    ~BulletPhysics() override;
+    explicit BulletPhysics(const World& world) : terrain_(world.terrain), ground_(world) {
+        dynamics_.setGravity({0.0, 0.0, -gravity_m_s2});
+        for (const auto& object : ground_.objects())
+            dynamics_.addCollisionObject(object.get(), ground_group, body_group);
+    }
 
-    BodyId add(const BodyDescription& description, const Pose& body_in_map) override;
-    BodyId add(const ArticulatedDescription& description, const Pose& base_in_map) override;
-    void remove(BodyId id) override;
-    void place(BodyId id, const Pose& body_in_map) override;
+    ~BulletPhysics() override {
+        bodies_.clear();
+        for (const auto& object : ground_.objects())
+            dynamics_.removeCollisionObject(object.get());
+    }
+
+    BodyId add(const BodyDescription& description, const Pose& body_in_map) override {
+        const BodyId id{++last_.value};
+        moved_ = true;
+        bodies_.emplace(id, std::make_unique<BulletRigidBody>(dynamics_, description, body_in_map, id));
+        return id;
+    }
+
+    BodyId add(const ArticulatedDescription& description, const Pose& base_in_map) override {
+        if (description.links.empty())
+            return add(description.base, base_in_map);
+        const BodyId id{++last_.value};
+        moved_ = true;
+        bodies_.emplace(id, std::make_unique<BulletMultiBody>(dynamics_, description, base_in_map, id));
+        return id;
+    }
+
+    void remove(BodyId id) override {
+        bodies_.erase(id);
+        moved_ = true;
+        wakeAll();
+    }
+
+    void place(BodyId id, const Pose& body_in_map) override {
+        bodies_.at(id)->place(body_in_map);
+        bodies_.at(id)->placed = true;
+        moved_ = true;
+        wakeAll();
+    }
+
     void letSleep(BodyId id, bool allowed) override { bodies_.at(id)->letSleep(allowed); }
-    bool isStuck(BodyId id) override;
+
+    bool isStuck(BodyId id) override {
+        const BulletBody& self = *bodies_.at(id);
+        const Vec3 position_m = fromBullet(self.position());
+        const Vec2 point_m = position_m.head<2>();
+        // To Bullet the height field is a thin sheet: a body entirely beneath it touches nothing.
+        if (!terrain_.empty() && terrain_.extent().contains(point_m) && position_m.z() < terrain_.height_m(point_m))
+            return true;
+        DeepestContact deepest;
+        for (const BulletPiece& piece : self.pieces()) {
+            for (const auto& object : ground_.objects())
+                dynamics_.contactPairTest(piece.object, object.get(), deepest);
+            for (const auto& [other, body] : bodies_)
+                for (const BulletPiece& theirs : body->pieces())
+                    if (other != id)
+                        dynamics_.contactPairTest(piece.object, theirs.object, deepest);
+        }
+        return deepest.depth_m > stuck_depth_m;
+    }
+
     BodyState state(BodyId id) const override { return bodies_.at(id)->state(-1); }
     BodyState state(BodyId id, std::size_t link) const override {
         return bodies_.at(id)->state(static_cast<int>(link));
@@ -52,22 +105,161 @@ public:
     void apply(BodyId id, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
         bodies_.at(id)->apply(force_in_map_n, torque_in_map_n_m);
     }
-    void step(Seconds dt) override;
+
+    void step(Seconds dt) override {
+        moved_ = true;
+        for (auto& [id, body] : bodies_) {
+            body->contacts.clear();
+            body->beforeStep(dt);
+        }
+        dynamics_.stepSimulation(dt.count(), 0);
+        collectContacts();
+        for (auto& [id, body] : bodies_) {
+            body->afterStep();
+            keepAboveGround(*body);
+        }
+    }
+
     std::span<const Contact> contacts(BodyId id) const override { return bodies_.at(id)->contacts; }
+
     double castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, double nearest_m,
-                        BodyId except) const override;
-    bool hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const override;
-    double distanceToBodies_m(const Vec3& point_m, BodyId except) const override;
+                        BodyId except) const override {
+        if (isAlone(except))
+            return nearest_m;
+        indexBodies();
+        const btTransform start(btQuaternion::getIdentity(), toBullet(origin_m));
+        const btTransform end(btQuaternion::getIdentity(), toBullet(origin_m + maximum_m * direction));
+        btCollisionWorld::ClosestRayResultCallback met(start.getOrigin(), end.getOrigin());
+        return index_.along({origin_m, direction}, nearest_m, [&](const BodySphere& sphere, double so_far_m) {
+            btCollisionObject* const object = indexed_[sphere.piece];
+            if (object->getUserIndex2() == static_cast<int>(except.value))
+                return so_far_m;
+            btCollisionWorld::rayTestSingle(start, end, object, object->getCollisionShape(),
+                                            object->getWorldTransform(), met);
+            return met.hasHit() ? std::min(so_far_m, maximum_m * met.m_closestHitFraction) : so_far_m;
+        });
+    }
+
+    bool hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const override {
+        if (isAlone(except))
+            return false;
+        indexBodies();
+        return index_.anyIn(box_in_map_m, [&](const BodySphere& sphere) {
+            return indexed_[sphere.piece]->getUserIndex2() != static_cast<int>(except.value);
+        });
+    }
+
+    double distanceToBodies_m(const Vec3& point_m, BodyId except) const override {
+        double nearest_m = std::numeric_limits<double>::infinity();
+        for (const auto& [id, body] : bodies_)
+            if (id != except)
+                nearest_m = std::min(nearest_m, (fromBullet(body->position()) - point_m).norm());
+        return nearest_m;
+    }
 
 private:
-    bool isAlone(BodyId body) const;
-    void indexBodies() const;
-    BulletBody* bodyOf(const btCollisionObject& object);
-    void wakeAll();
-    void keepAboveGround(BulletBody& body);
-    void collectContacts();
-    void record(const btPersistentManifold& manifold, const btManifoldPoint& point);
-    void bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s);
+    bool isAlone(BodyId body) const {
+        return bodies_.empty() || (bodies_.size() == 1 && bodies_.begin()->first == body);
+    }
+
+    void indexBodies() const {
+        if (!std::exchange(moved_, false))
+            return;
+        std::vector<BodySphere> spheres;
+        indexed_.clear();
+        for (const auto& [id, body] : bodies_)
+            for (const BulletPiece& piece : body->pieces()) {
+                const Vec3 center_m = fromBullet(piece.object->getWorldTransform().getOrigin());
+                spheres.push_back({center_m, piece.radius_m, static_cast<std::uint32_t>(indexed_.size())});
+                indexed_.push_back(piece.object);
+            }
+        index_.build(std::move(spheres));
+    }
+
+    BulletBody* bodyOf(const btCollisionObject& object) {
+        if (object.getUserIndex() != static_cast<int>(Surface::Body))
+            return nullptr;
+        return bodies_.at(BodyId{static_cast<std::uint32_t>(object.getUserIndex2())}).get();
+    }
+
+    // Sleeping bodies wake when they are touched, but not when the thing they lie on goes away.
+    void wakeAll() {
+        for (auto& [id, body] : bodies_)
+            body->wake();
+    }
+
+    // To Bullet the height field is a thin sheet, but the ground is a solid block: a body that was pressed through it,
+    // for example by a car that rolls over it, is lifted out again. A body that was just placed is left where it is.
+    void keepAboveGround(BulletBody& body) {
+        const Vec3 at_m = fromBullet(body.position());
+        const bool carried = std::exchange(body.placed, false);
+        if (carried || terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
+            return;
+        const double under_m = terrain_.height_m(at_m.head<2>()) - at_m.z();
+        if (under_m > 0.0)
+            body.lift(under_m);
+    }
+
+    void collectContacts() {
+        for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+            const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+            for (int k = 0; k < manifold.getNumContacts(); ++k)
+                if (manifold.getContactPoint(k).getAppliedImpulse() > 0.0)
+                    record(manifold, manifold.getContactPoint(k));
+        }
+    }
+
+    void record(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+        const btCollisionObject* const pair[2] = {manifold.getBody0(), manifold.getBody1()};
+        BulletBody* const bodies[2] = {bodyOf(*pair[0]), bodyOf(*pair[1])};
+        const btVector3 at[2] = {point.getPositionWorldOnA(), point.getPositionWorldOnB()};
+        btVector3 velocity[2] = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+        double restitution = 0.0;
+        for (int side = 0; side < 2; ++side) {
+            if (!bodies[side])
+                continue;
+            velocity[side] = bodies[side]->velocityBefore(pair[side]->getUserIndex3(), at[side]);
+            restitution = std::max(restitution, bodies[side]->restitution);
+        }
+        // Bullet's normal points from the second body to the first.
+        const double closing_speed_m_s = (velocity[1] - velocity[0]).dot(point.m_normalWorldOnB);
+        for (int side = 0; side < 2; ++side) {
+            if (!bodies[side])
+                continue;
+            const btVector3 in_body = pair[side]->getWorldTransform().invXform(at[side]);
+            const Vec3 normal = fromBullet(side == 0 ? point.m_normalWorldOnB : -point.m_normalWorldOnB);
+            bodies[side]->contacts.push_back({static_cast<Surface>(pair[1 - side]->getUserIndex()), fromBullet(in_body),
+                                              point.getAppliedImpulse(), closing_speed_m_s, pair[side]->getUserIndex3(),
+                                              normal});
+        }
+        if (restitution > 0.0 && closing_speed_m_s > bouncing_m_s)
+            bounce(manifold, point, restitution * closing_speed_m_s);
+    }
+
+    // Bullet reports contacts slightly ahead of time, so its own restitution falls short by the width of the gap. At
+    // this point it has brought rigid bodies to the surface; here they get the speed at which they leave it.
+    void bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s) {
+        const btRigidBody* const pair[2] = {btRigidBody::upcast(manifold.getBody0()),
+                                            btRigidBody::upcast(manifold.getBody1())};
+        const btVector3 at[2] = {point.getPositionWorldOnA(), point.getPositionWorldOnB()};
+        double speed_m_s = 0.0;
+        double mobility = 0.0;
+        for (int side = 0; side < 2; ++side) {
+            if (!pair[side])
+                continue;
+            const btVector3 arm = at[side] - pair[side]->getCenterOfMassPosition();
+            const double along = pair[side]->getVelocityInLocalPoint(arm).dot(point.m_normalWorldOnB);
+            speed_m_s += side == 0 ? along : -along;
+            mobility += pair[side]->computeImpulseDenominator(at[side], point.m_normalWorldOnB);
+        }
+        if (mobility <= 0.0 || speed_m_s >= separating_m_s)
+            return;
+        const btVector3 impulse = (separating_m_s - speed_m_s) / mobility * point.m_normalWorldOnB;
+        for (int side = 0; side < 2; ++side)
+            if (pair[side])
+                const_cast<btRigidBody*>(pair[side])
+                    ->applyImpulse(side == 0 ? impulse : -impulse, at[side] - pair[side]->getCenterOfMassPosition());
+    }
 
     const Terrain& terrain_;
     BulletGround ground_;
@@ -84,218 +276,6 @@ private:
     mutable std::vector<btCollisionObject*> indexed_; ///< index: BodySphere::piece
     mutable bool moved_ = true;
 };
-
-BulletPhysics::BulletPhysics(const World& world) : terrain_(world.terrain), ground_(world) {
-    dynamics_.setGravity({0.0, 0.0, -gravity_m_s2});
-    for (const auto& object : ground_.objects())
-        dynamics_.addCollisionObject(object.get(), ground_group, body_group);
-}
-
-BulletPhysics::~BulletPhysics() {
-    bodies_.clear();
-    for (const auto& object : ground_.objects())
-        dynamics_.removeCollisionObject(object.get());
-}
-
-BodyId BulletPhysics::add(const BodyDescription& description, const Pose& body_in_map) {
-    const BodyId id{++last_.value};
-    moved_ = true;
-    bodies_.emplace(id, std::make_unique<BulletRigidBody>(dynamics_, description, body_in_map, id));
-    return id;
-}
-
-BodyId BulletPhysics::add(const ArticulatedDescription& description, const Pose& base_in_map) {
-    if (description.links.empty())
-        return add(description.base, base_in_map);
-    const BodyId id{++last_.value};
-    moved_ = true;
-    bodies_.emplace(id, std::make_unique<BulletMultiBody>(dynamics_, description, base_in_map, id));
-    return id;
-}
-
-void BulletPhysics::remove(BodyId id) {
-    bodies_.erase(id);
-    moved_ = true;
-    wakeAll();
-}
-
-void BulletPhysics::place(BodyId id, const Pose& body_in_map) {
-    bodies_.at(id)->place(body_in_map);
-    bodies_.at(id)->placed = true;
-    moved_ = true;
-    wakeAll();
-}
-
-// Sleeping bodies wake when they are touched, but not when the thing they lie on goes away.
-void BulletPhysics::wakeAll() {
-    for (auto& [id, body] : bodies_)
-        body->wake();
-}
-
-bool BulletPhysics::isStuck(BodyId id) {
-    const BulletBody& self = *bodies_.at(id);
-    const Vec3 position_m = fromBullet(self.position());
-    const Vec2 point_m = position_m.head<2>();
-    // To Bullet the height field is a thin sheet: a body entirely beneath it touches nothing.
-    if (!terrain_.empty() && terrain_.extent().contains(point_m) && position_m.z() < terrain_.height_m(point_m))
-        return true;
-    DeepestContact deepest;
-    for (const BulletPiece& piece : self.pieces()) {
-        for (const auto& object : ground_.objects())
-            dynamics_.contactPairTest(piece.object, object.get(), deepest);
-        for (const auto& [other, body] : bodies_)
-            for (const BulletPiece& theirs : body->pieces())
-                if (other != id)
-                    dynamics_.contactPairTest(piece.object, theirs.object, deepest);
-    }
-    return deepest.depth_m > stuck_depth_m;
-}
-
-void BulletPhysics::step(Seconds dt) {
-    moved_ = true;
-    for (auto& [id, body] : bodies_) {
-        body->contacts.clear();
-        body->beforeStep(dt);
-    }
-    dynamics_.stepSimulation(dt.count(), 0);
-    collectContacts();
-    for (auto& [id, body] : bodies_) {
-        body->afterStep();
-        keepAboveGround(*body);
-    }
-}
-
-// To Bullet the height field is a thin sheet, but the ground is a solid block: a body that was pressed through it, for
-// example by a car that rolls over it, is lifted out again. A body that was just placed is left where it is.
-void BulletPhysics::keepAboveGround(BulletBody& body) {
-    const Vec3 at_m = fromBullet(body.position());
-    const bool carried = std::exchange(body.placed, false);
-    if (carried || terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
-        return;
-    const double under_m = terrain_.height_m(at_m.head<2>()) - at_m.z();
-    if (under_m > 0.0)
-        body.lift(under_m);
-}
-
-void BulletPhysics::collectContacts() {
-    for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
-        for (int k = 0; k < manifold.getNumContacts(); ++k)
-            if (manifold.getContactPoint(k).getAppliedImpulse() > 0.0)
-                record(manifold, manifold.getContactPoint(k));
-    }
-}
-
-BulletBody* BulletPhysics::bodyOf(const btCollisionObject& object) {
-    if (object.getUserIndex() != static_cast<int>(Surface::Body))
-        return nullptr;
-    return bodies_.at(BodyId{static_cast<std::uint32_t>(object.getUserIndex2())}).get();
-}
-
-void BulletPhysics::record(const btPersistentManifold& manifold, const btManifoldPoint& point) {
-    const btCollisionObject* const pair[2] = {manifold.getBody0(), manifold.getBody1()};
-    BulletBody* const bodies[2] = {bodyOf(*pair[0]), bodyOf(*pair[1])};
-    const btVector3 at[2] = {point.getPositionWorldOnA(), point.getPositionWorldOnB()};
-    btVector3 velocity[2] = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-    double restitution = 0.0;
-    for (int side = 0; side < 2; ++side) {
-        if (!bodies[side])
-            continue;
-        velocity[side] = bodies[side]->velocityBefore(pair[side]->getUserIndex3(), at[side]);
-        restitution = std::max(restitution, bodies[side]->restitution);
-    }
-    // Bullet's normal points from the second body to the first.
-    const double closing_speed_m_s = (velocity[1] - velocity[0]).dot(point.m_normalWorldOnB);
-    for (int side = 0; side < 2; ++side) {
-        if (!bodies[side])
-            continue;
-        const btVector3 in_body = pair[side]->getWorldTransform().invXform(at[side]);
-        const Vec3 normal = fromBullet(side == 0 ? point.m_normalWorldOnB : -point.m_normalWorldOnB);
-        bodies[side]->contacts.push_back({static_cast<Surface>(pair[1 - side]->getUserIndex()), fromBullet(in_body),
-                                          point.getAppliedImpulse(), closing_speed_m_s, pair[side]->getUserIndex3(),
-                                          normal});
-    }
-    if (restitution > 0.0 && closing_speed_m_s > bouncing_m_s)
-        bounce(manifold, point, restitution * closing_speed_m_s);
-}
-
-// Bullet reports contacts slightly ahead of time, so its own restitution falls short by the width of the gap. At this
-// point it has brought rigid bodies to the surface; here they get the speed at which they leave it.
-void BulletPhysics::bounce(const btPersistentManifold& manifold, const btManifoldPoint& point, double separating_m_s) {
-    const btRigidBody* const pair[2] = {btRigidBody::upcast(manifold.getBody0()),
-                                        btRigidBody::upcast(manifold.getBody1())};
-    const btVector3 at[2] = {point.getPositionWorldOnA(), point.getPositionWorldOnB()};
-    double speed_m_s = 0.0;
-    double mobility = 0.0;
-    for (int side = 0; side < 2; ++side) {
-        if (!pair[side])
-            continue;
-        const btVector3 arm = at[side] - pair[side]->getCenterOfMassPosition();
-        const double along = pair[side]->getVelocityInLocalPoint(arm).dot(point.m_normalWorldOnB);
-        speed_m_s += side == 0 ? along : -along;
-        mobility += pair[side]->computeImpulseDenominator(at[side], point.m_normalWorldOnB);
-    }
-    if (mobility <= 0.0 || speed_m_s >= separating_m_s)
-        return;
-    const btVector3 impulse = (separating_m_s - speed_m_s) / mobility * point.m_normalWorldOnB;
-    for (int side = 0; side < 2; ++side)
-        if (pair[side])
-            const_cast<btRigidBody*>(pair[side])
-                ->applyImpulse(side == 0 ? impulse : -impulse, at[side] - pair[side]->getCenterOfMassPosition());
-}
-
-bool BulletPhysics::isAlone(BodyId body) const {
-    return bodies_.empty() || (bodies_.size() == 1 && bodies_.begin()->first == body);
-}
-
-double BulletPhysics::castAtBodies(const Vec3& origin_m, const Vec3& direction, double maximum_m, double nearest_m,
-                                   BodyId except) const {
-    if (isAlone(except))
-        return nearest_m;
-    indexBodies();
-    const btTransform start(btQuaternion::getIdentity(), toBullet(origin_m));
-    const btTransform end(btQuaternion::getIdentity(), toBullet(origin_m + maximum_m * direction));
-    btCollisionWorld::ClosestRayResultCallback met(start.getOrigin(), end.getOrigin());
-    return index_.along({origin_m, direction}, nearest_m, [&](const BodySphere& sphere, double so_far_m) {
-        btCollisionObject* const object = indexed_[sphere.piece];
-        if (object->getUserIndex2() == static_cast<int>(except.value))
-            return so_far_m;
-        btCollisionWorld::rayTestSingle(start, end, object, object->getCollisionShape(), object->getWorldTransform(),
-                                        met);
-        return met.hasHit() ? std::min(so_far_m, maximum_m * met.m_closestHitFraction) : so_far_m;
-    });
-}
-
-bool BulletPhysics::hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const {
-    if (isAlone(except))
-        return false;
-    indexBodies();
-    return index_.anyIn(box_in_map_m, [&](const BodySphere& sphere) {
-        return indexed_[sphere.piece]->getUserIndex2() != static_cast<int>(except.value);
-    });
-}
-
-void BulletPhysics::indexBodies() const {
-    if (!std::exchange(moved_, false))
-        return;
-    std::vector<BodySphere> spheres;
-    indexed_.clear();
-    for (const auto& [id, body] : bodies_)
-        for (const BulletPiece& piece : body->pieces()) {
-            const Vec3 center_m = fromBullet(piece.object->getWorldTransform().getOrigin());
-            spheres.push_back({center_m, piece.radius_m, static_cast<std::uint32_t>(indexed_.size())});
-            indexed_.push_back(piece.object);
-        }
-    index_.build(std::move(spheres));
-}
-
-double BulletPhysics::distanceToBodies_m(const Vec3& point_m, BodyId except) const {
-    double nearest_m = std::numeric_limits<double>::infinity();
-    for (const auto& [id, body] : bodies_)
-        if (id != except)
-            nearest_m = std::min(nearest_m, (fromBullet(body->position()) - point_m).norm());
-    return nearest_m;
-}
 
 } // namespace
 

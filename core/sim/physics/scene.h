@@ -16,7 +16,7 @@ namespace usar::sim {
 /// Kinematic motion of an object, which replaces physics for it: along waypoints, spinning in place, or both.
 struct ObjectMotion {
     Vec3 spin_rad_s = Vec3::Zero(); ///< roll, pitch and yaw rates
-    std::vector<Vec3> waypoints_in_map_m;
+    std::vector<Vec3> waypoints_in_map_m{};
     std::size_t next_waypoint = 0; ///< index of the waypoint it heads for; the number of waypoints after the last one
     double speed_m_s = 0.0;
     bool loop = false;   ///< starts again at the first waypoint after the last one

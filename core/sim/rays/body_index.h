@@ -34,22 +34,14 @@ public:
     bool anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const;
 
 private:
-    /// Columns and rows of buckets, both ends included.
-    struct Range {
-        std::ptrdiff_t first_column, last_column, first_row, last_row;
-    };
-    Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
     /// Buckets under a sphere.
-    Range footprint(const BodySphere& sphere) const;
+    BucketGrid::Range footprint(const BodySphere& sphere) const;
     /// Fits the grid to the spheres.
     void layOut();
 
     static constexpr std::size_t few_spheres = 8; ///< up to this many spheres, a linear scan is faster than the grid
 
-    Vec2 origin_m_ = Vec2::Zero();
-    double bucket_m_ = 1.0; ///< width of a bucket
-    std::ptrdiff_t columns_ = 0;
-    std::ptrdiff_t rows_ = 0;
+    BucketGrid grid_;
     double minimum_z_m_ = 0.0;
     double maximum_z_m_ = 0.0;
     std::vector<BodySphere> spheres_;
@@ -59,29 +51,19 @@ private:
 
 template <class Visit>
 double BodyIndex::along(const Ray& ray, double maximum_m, Visit visit) const {
-    double nearest_m = maximum_m;
     if (spheres_.empty())
-        return nearest_m;
-    GridWalk walk(ray, origin_m_, bucket_m_, maximum_m);
-    walk.clip(walk.x, 0.0, static_cast<double>(columns_));
-    walk.clip(walk.y, 0.0, static_cast<double>(rows_));
-    walk.clip(walk.z, minimum_z_m_, maximum_z_m_);
-    if (walk.leave < walk.enter)
-        return nearest_m;
-    double enter = walk.enter;
-    GridCell cell(walk, enter, columns_, rows_, 1);
-    while (enter <= std::min(walk.leave, nearest_m) && cell.isWithin(columns_, rows_)) {
-        const auto bucket = static_cast<std::size_t>(cell.row * columns_ + cell.column);
-        for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i) {
-            const BodySphere& sphere = spheres_[items_[i]];
-            const Vec3 toward_m = sphere.center_m - ray.origin_m;
-            const double closest_m = std::clamp(toward_m.dot(ray.direction), 0.0, nearest_m);
-            if ((toward_m - closest_m * ray.direction).squaredNorm() <= sphere.radius_m * sphere.radius_m)
-                nearest_m = visit(sphere, nearest_m);
-        }
-        enter = std::max(enter, cell.advance(walk));
-    }
-    return nearest_m;
+        return maximum_m;
+    return grid_.along(
+        ray, maximum_m, minimum_z_m_, maximum_z_m_, [&](std::size_t bucket, double /*lowest_m*/, double nearest_m) {
+            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i) {
+                const BodySphere& sphere = spheres_[items_[i]];
+                const Vec3 toward_m = sphere.center_m - ray.origin_m;
+                const double closest_m = std::clamp(toward_m.dot(ray.direction), 0.0, nearest_m);
+                if ((toward_m - closest_m * ray.direction).squaredNorm() <= sphere.radius_m * sphere.radius_m)
+                    nearest_m = visit(sphere, nearest_m);
+            }
+            return nearest_m;
+        });
 }
 
 template <class Counts>
@@ -90,16 +72,11 @@ bool BodyIndex::anyIn(const Eigen::AlignedBox3d& box_m, Counts counts) const {
         return box_m.squaredExteriorDistance(sphere.center_m) <= sphere.radius_m * sphere.radius_m && counts(sphere);
     };
     if (spheres_.size() <= few_spheres)
-        return std::any_of(spheres_.begin(), spheres_.end(), reaches);
-    const Range range = bucketsUnder(box_m.min().head<2>(), box_m.max().head<2>());
-    for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
-        for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
-            const auto bucket = static_cast<std::size_t>(row * columns_ + column);
-            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
-                if (reaches(spheres_[items_[i]]))
-                    return true;
-        }
-    return false;
+        return std::ranges::any_of(spheres_, reaches);
+    return grid_.anyIn(grid_.under(box_m.min().head<2>(), box_m.max().head<2>()), [&](std::size_t bucket) {
+        return std::any_of(items_.begin() + starts_[bucket], items_.begin() + starts_[bucket + 1],
+                           [&](std::uint32_t item) { return reaches(spheres_[item]); });
+    });
 }
 
 } // namespace usar::sim

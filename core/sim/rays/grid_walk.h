@@ -1,4 +1,5 @@
-// A ray's way over a grid of square cells: its coordinates at any time, and the next cell on its way.
+// A ray's way over a grid of square cells: its coordinates at any time, the next cell on its way, and a walk over
+// buckets.
 #pragma once
 
 #include <algorithm>
@@ -85,6 +86,65 @@ struct GridCell {
     }
 
     std::ptrdiff_t column, row, width;
+};
+
+/// Square buckets, row by row, over a part of the map.
+struct BucketGrid {
+    /// Columns and rows of buckets, both ends included.
+    struct Range {
+        std::ptrdiff_t first_column, last_column, first_row, last_row;
+        std::ptrdiff_t buckets() const { return (last_column - first_column + 1) * (last_row - first_row + 1); }
+    };
+
+    std::size_t buckets() const { return static_cast<std::size_t>(columns * rows); }
+
+    /// The buckets under a rectangle; its parts outside of the grid count as those on the border.
+    Range under(const Vec2& low_m, const Vec2& high_m) const {
+        const auto bucket = [&](double at_m, double from_m, std::ptrdiff_t count) {
+            const double last = static_cast<double>(count - 1);
+            return static_cast<std::ptrdiff_t>(std::min(std::max(0.0, (at_m - from_m) / bucket_m), last));
+        };
+        return {bucket(low_m.x(), origin_m.x(), columns), bucket(high_m.x(), origin_m.x(), columns),
+                bucket(low_m.y(), origin_m.y(), rows), bucket(high_m.y(), origin_m.y(), rows)};
+    }
+
+    /// Calls `take(bucket)` for the range's buckets until one call returns true; then returns true.
+    template <class Take>
+    bool anyIn(const Range& range, Take take) const {
+        for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
+            for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column)
+                if (take(static_cast<std::size_t>(row * columns + column)))
+                    return true;
+        return false;
+    }
+
+    /// Calls `take(bucket, lowest_m, nearest_m)` for each bucket on the ray's way between two heights, with the ray's
+    /// lowest height over the bucket. `take` returns the new `nearest_m`, at which the walk ends; the last one is the
+    /// result.
+    template <class Take>
+    double along(const Ray& ray, double maximum_m, double low_z_m, double high_z_m, Take take) const {
+        GridWalk walk(ray, origin_m, bucket_m, maximum_m);
+        walk.clip(walk.x, 0.0, static_cast<double>(columns));
+        walk.clip(walk.y, 0.0, static_cast<double>(rows));
+        walk.clip(walk.z, low_z_m, high_z_m);
+        if (walk.leave < walk.enter)
+            return maximum_m;
+        double nearest_m = maximum_m;
+        double enter = walk.enter;
+        GridCell cell(walk, enter, columns, rows, 1);
+        while (enter <= std::min(walk.leave, nearest_m) && cell.isWithin(columns, rows)) {
+            const auto bucket = static_cast<std::size_t>(cell.row * columns + cell.column);
+            const double next = std::max(enter, cell.advance(walk));
+            nearest_m = take(bucket, walk.lowest_m(enter, std::min(next, walk.leave)), nearest_m);
+            enter = next;
+        }
+        return nearest_m;
+    }
+
+    Vec2 origin_m = Vec2::Zero(); ///< corner with the lowest x and y
+    double bucket_m = 1.0;        ///< width of a bucket
+    std::ptrdiff_t columns = 0;
+    std::ptrdiff_t rows = 0;
 };
 
 } // namespace usar::sim

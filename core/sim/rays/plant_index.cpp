@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/rays/grid_walk.h"
-
 namespace usar::sim {
 
 namespace {
 
-constexpr double bucket_m = 4.0;
 constexpr double slack_m = 0.001;
 
 double reach_m(const Plant& plant) {
@@ -64,10 +61,6 @@ double nearestOn(const Plant& plant, const RayBundle& bundle, double nearest_m) 
     return nearest_m;
 }
 
-std::ptrdiff_t bucketOf(double offset_m) {
-    return static_cast<std::ptrdiff_t>(std::floor(offset_m / bucket_m));
-}
-
 } // namespace
 
 PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
@@ -83,46 +76,28 @@ PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
         minimum_z_m_ = std::min(minimum_z_m_, bottom_m(plant));
         maximum_z_m_ = std::max(maximum_z_m_, top_m(plant));
     }
-    origin_m_ = low_m;
-    columns_ = bucketOf(high_m.x() - low_m.x()) + 1;
-    rows_ = bucketOf(high_m.y() - low_m.y()) + 1;
+    grid_.origin_m = low_m;
+    grid_.columns = static_cast<std::ptrdiff_t>((high_m.x() - low_m.x()) / grid_.bucket_m) + 1;
+    grid_.rows = static_cast<std::ptrdiff_t>((high_m.y() - low_m.y()) / grid_.bucket_m) + 1;
 
-    const auto buckets = static_cast<std::size_t>(columns_ * rows_);
-    std::vector<std::vector<Plant>> sorted(buckets);
-    tops_m_.assign(buckets, -std::numeric_limits<float>::infinity());
+    std::vector<std::vector<Plant>> sorted(grid_.buckets());
+    tops_m_.assign(sorted.size(), -std::numeric_limits<float>::infinity());
     for (const Plant& plant : plants) {
-        const Range range = footprint(plant);
-        for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
-            for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
-                const std::size_t bucket = bucketAt(column, row);
-                sorted[bucket].push_back(plant);
-                tops_m_[bucket] = std::max(tops_m_[bucket], std::nextafter(static_cast<float>(top_m(plant)), 1e30f));
-            }
+        // Slightly more than the radius, because a ray that touches the very edge may be counted into the next bucket.
+        const Vec2 reach = Vec2::Constant(reach_m(plant) + 1e-6);
+        const Vec2 center_m = plant.base_in_map_m.head<2>();
+        grid_.anyIn(grid_.under(center_m - reach, center_m + reach), [&](std::size_t bucket) {
+            sorted[bucket].push_back(plant);
+            tops_m_[bucket] = std::max(tops_m_[bucket], std::nextafter(static_cast<float>(top_m(plant)), 1e30f));
+            return false;
+        });
     }
-    starts_.reserve(buckets + 1);
+    starts_.reserve(sorted.size() + 1);
     for (const std::vector<Plant>& bucket : sorted) {
         starts_.push_back(static_cast<std::uint32_t>(plants_.size()));
         plants_.insert(plants_.end(), bucket.begin(), bucket.end());
     }
     starts_.push_back(static_cast<std::uint32_t>(plants_.size()));
-}
-
-PlantIndex::Range PlantIndex::footprint(const Plant& plant) const {
-    // Slightly more than the radius, because a ray that touches the very edge may be counted into the next bucket.
-    const Vec2 reach = Vec2::Constant(reach_m(plant) + 1e-6);
-    return bucketsUnder(plant.base_in_map_m.head<2>() - reach, plant.base_in_map_m.head<2>() + reach);
-}
-
-PlantIndex::Range PlantIndex::bucketsUnder(const Vec2& low_m, const Vec2& high_m) const {
-    const auto within = [](double offset_m, std::ptrdiff_t count) {
-        return std::clamp<std::ptrdiff_t>(bucketOf(offset_m), 0, count - 1);
-    };
-    return {within(low_m.x() - origin_m_.x(), columns_), within(high_m.x() - origin_m_.x(), columns_),
-            within(low_m.y() - origin_m_.y(), rows_), within(high_m.y() - origin_m_.y(), rows_)};
-}
-
-std::size_t PlantIndex::bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const {
-    return static_cast<std::size_t>(row * columns_ + column);
 }
 
 double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const {
@@ -133,21 +108,19 @@ double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const 
     if (plants_.empty() || bottom > maximum_z_m_ || top < minimum_z_m_)
         return maximum_m;
     double nearest_m = maximum_m;
-    const Range range = bucketsUnder(box.min().head<2>(), box.max().head<2>());
-    if ((range.last_column - range.first_column + 1) * (range.last_row - range.first_row + 1) > most_buckets) {
+    const BucketGrid::Range range = grid_.under(box.min().head<2>(), box.max().head<2>());
+    if (range.buckets() > most_buckets) {
         for (const Vec3& direction : bundle.directions())
             nearest_m = cast({bundle.origin_m(), direction}, nearest_m);
         return nearest_m;
     }
-    for (std::ptrdiff_t row = range.first_row; row <= range.last_row; ++row)
-        for (std::ptrdiff_t column = range.first_column; column <= range.last_column; ++column) {
-            const std::size_t bucket = bucketAt(column, row);
-            if (static_cast<double>(tops_m_[bucket]) < bottom)
-                continue;
+    grid_.anyIn(range, [&](std::size_t bucket) {
+        if (static_cast<double>(tops_m_[bucket]) >= bottom)
             for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
                 if (bottom_m(plants_[i]) <= top && top_m(plants_[i]) >= bottom)
                     nearest_m = nearestOn(plants_[i], bundle, nearest_m);
-        }
+        return false;
+    });
     return nearest_m;
 }
 
@@ -155,24 +128,13 @@ template <class TakeBucket>
 double PlantIndex::walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const {
     if (plants_.empty())
         return maximum_m;
-    GridWalk walk(ray, origin_m_, bucket_m, maximum_m);
-    walk.clip(walk.x, 0.0, static_cast<double>(columns_));
-    walk.clip(walk.y, 0.0, static_cast<double>(rows_));
     // A ray into the sky is soon above all crowns.
-    walk.clip(walk.z, minimum_z_m_ - slack_m, maximum_z_m_ + slack_m);
-    if (walk.leave < walk.enter)
-        return maximum_m;
-    double nearest_m = maximum_m;
-    double enter = walk.enter;
-    GridCell cell(walk, enter, columns_, rows_, 1);
-    while (enter <= std::min(walk.leave, nearest_m) && cell.isWithin(columns_, rows_)) {
-        const std::size_t bucket = bucketAt(cell.column, cell.row);
-        const double next = std::max(enter, cell.advance(walk));
-        if (walk.lowest_m(enter, std::min(next, walk.leave)) <= static_cast<double>(tops_m_[bucket]))
-            nearest_m = takeBucket(starts_[bucket], starts_[bucket + 1], nearest_m);
-        enter = next;
-    }
-    return nearest_m;
+    return grid_.along(ray, maximum_m, minimum_z_m_ - slack_m, maximum_z_m_ + slack_m,
+                       [&](std::size_t bucket, double lowest_m, double nearest_m) {
+                           return lowest_m <= static_cast<double>(tops_m_[bucket])
+                                      ? takeBucket(starts_[bucket], starts_[bucket + 1], nearest_m)
+                                      : nearest_m;
+                       });
 }
 
 double PlantIndex::cast(const Ray& ray, double maximum_m) const {

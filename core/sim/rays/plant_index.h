@@ -1,12 +1,11 @@
 // Trunks and crowns sorted into square buckets, so that a ray tests only plants near its path.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/sim/rays/grid_walk.h"
 #include "core/sim/rays/ray_bundle.h"
-#include "core/sim/rays/ray_shapes.h"
 #include "core/sim/world/world.h"
 
 namespace usar::sim {
@@ -27,20 +26,11 @@ public:
     double maximum_z_m() const { return maximum_z_m_; }
 
 private:
-    /// Columns and rows of buckets, both ends included.
-    struct Range {
-        std::ptrdiff_t first_column, last_column, first_row, last_row;
-    };
-    Range footprint(const Plant& plant) const;
-    Range bucketsUnder(const Vec2& low_m, const Vec2& high_m) const;
-    std::size_t bucketAt(std::ptrdiff_t column, std::ptrdiff_t row) const;
     /// `takeBucket(first, last, nearest_m)` returns how far the ray gets among these plants.
     template <class TakeBucket>
     double walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const;
 
-    Vec2 origin_m_ = Vec2::Zero();
-    std::ptrdiff_t columns_ = 0;
-    std::ptrdiff_t rows_ = 0;
+    BucketGrid grid_{.bucket_m = 4.0};
     double minimum_z_m_ = 0.0;
     double maximum_z_m_ = 0.0;
     std::vector<std::uint32_t> starts_; ///< bucket i holds plants_[starts_[i]] to plants_[starts_[i + 1] - 1]

@@ -6,6 +6,7 @@
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/sim/physics/physics.h"
+#include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
 
@@ -13,7 +14,6 @@ namespace usar::sim {
 struct AirRobotParameters {
     double mass_kg = 1.0;
     Vec3 inertia_kg_m2{0.041, 0.041, 0.080};
-    Vec3 dimensions_m{0.999, 0.999, 0.24};
 
     // Four rotors in an X configuration; thrust acts along the body's z axis.
     double rotor_span_m = 0.19; ///< |x| and |y| of each rotor's center
@@ -43,6 +43,10 @@ struct AirRobotParameters {
     double breaking_impulse_n_s = 0.5; ///< contacts of one step with more than this break it
     double safe_touchdown_m_s = 1.0;   ///< touching down this fast or faster breaks it
 };
+
+/// The default parameters, overridden by the mass, inertia and figures that the model's drive gives: settings by the
+/// names of the parameters, without units: forward_limit, thrust_limit, tilt_limit …
+AirRobotParameters airRobotParametersOf(const RobotModel& model);
 
 /// Centers of the rotors in this order: front left, front right, rear right, rear left.
 std::array<Vec3, 4> rotorCenters(const AirRobotParameters& parameters);

@@ -11,7 +11,7 @@ namespace usar::sim {
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          const DriveBirth& birth) {
     if (model.drive.kind == "rotors")
-        return std::make_unique<RotorDrive>(model, physics, body, birth);
+        return std::make_unique<RotorDrive>(physics, body, birth, airRobotParametersOf(model));
     if (model.drive.kind == "nautic")
         return std::make_unique<NauticDrive>(model, physics, body, world);
     if (model.drive.kind == "skid")
@@ -20,7 +20,7 @@ Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physi
         return AckermannDrive::make(model, physics, body);
     if (model.drive.kind == "legs")
         return LegDrive::make(model, physics, body);
-    return failure("no drive here is of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
+    return failure("there is no drive of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
                    "Known are rotors, skid, ackermann, nautic and legs");
 }
 

@@ -63,8 +63,7 @@ Result<void> Robot::equip(const RobotSurroundings& surroundings, const RobotOpti
     if (!drive)
         return tl::unexpected(drive.error());
     drive_ = std::move(*drive);
-    auto sensors = SensorSuite::make(model, {options.base_in_map, options.seed, options.number, options.scan_interval,
-                                             options.noise, options.profile});
+    auto sensors = SensorSuite::make(model, options);
     if (!sensors)
         return tl::unexpected(sensors.error());
     sensors_ = std::move(*sensors);

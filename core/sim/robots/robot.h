@@ -14,13 +14,10 @@
 #include "core/sim/physics/physics.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/drive.h"
-#include "core/sim/robots/fall_watch.h"
-#include "core/sim/robots/height_watch.h"
 #include "core/sim/robots/mission_package.h"
 #include "core/sim/robots/robot_body.h"
+#include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/sensor_suite.h"
-#include "core/sim/robots/stay_watch.h"
-#include "core/sim/robots/touch_watch.h"
 
 namespace usar::sim {
 
@@ -30,31 +27,6 @@ struct RobotSurroundings {
     const RayCaster& caster;
     Physics& physics;
     Scene& scene;
-};
-
-/// Initial conditions of a robot.
-struct RobotOptions {
-    Pose base_in_map;
-    std::uint64_t seed = 1;
-    std::uint64_t number = 0;              ///< number of the spawn: each robot has random streams of its own
-    std::optional<Seconds> battery_life{}; ///< replaces the model's
-    Seconds scan_interval{0.2};            ///< the message tick
-    bool noise = true;
-    protocol::Dialect profile = protocol::Dialect::Ut2004;
-};
-
-/// Ground truth about a robot, as in RobotTruth.
-struct RobotFigures {
-    Pose base_in_map;
-    Vec3 velocity_in_map_m_s = Vec3::Zero();
-    bool broken = false;
-    int collisions = 0;
-    double distance_m = 0.0;
-    Seconds longest_stay{0.0};             ///< see StayWatch
-    int falls = 0;                         ///< see FallWatch
-    int touches = 0;                       ///< how often it touched an object or another robot; see TouchWatch
-    std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
-    std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
 };
 
 /// One spawned robot. Owned by its client's session.

@@ -13,13 +13,12 @@
 #include "core/base/numbers.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/sim/world/sdf_fields.h"
-#include "core/sim/world/sdf_loader.h"
 
 namespace usar::sim {
 
 namespace {
 
-constexpr const char* mend = "Mend the file; resources/robots/README.md tells what a robot file says";
+constexpr const char* fix = "Fix the file; resources/robots/README.md describes robot files";
 constexpr std::string_view prefix = "usar:";
 
 std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
@@ -77,25 +76,206 @@ public:
         , source_(source)
         , joints_(jointsOf(source)) {}
 
-    Result<RobotModel> read();
+    Result<RobotModel> read() {
+        for (const auto step :
+             {&RobotReading::readFacts, &RobotReading::readBase, &RobotReading::hangLinks, &RobotReading::readSensors})
+            if (auto done = (this->*step)(); !done)
+                return tl::unexpected(done.error());
+        if (auto done = check(); !done)
+            return tl::unexpected(done.error());
+        return std::move(model_);
+    }
 
 private:
-    Result<void> readFacts();
-    Result<void> readBase();
-    Result<void> hangLinks();
-    Result<void> hangLink(const sdf::Joint& joint, int parent);
-    Result<BodyDescription> bodyOf(const sdf::Link& link) const;
-    Result<BodyPart> partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const;
-    Result<void> readSensors();
-    Result<void> readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name);
-    Result<void> readDrive(const sdf::Element& facts);
-    Result<void> readPackages(const sdf::Element& facts);
-    Result<void> check() const;
+    Result<void> readFacts() {
+        model_.class_name = source_.Name();
+        const sdf::ElementPtr facts = source_.Element()->FindElement("usar:robot");
+        if (!facts)
+            return refuse("the model has no usar:robot");
+        model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind"));
+        if (model_.kind == protocol::VehicleKind::Unknown)
+            return refuse("usar:kind is GroundVehicle, AerialVehicle, NauticVehicle, LeggedRobot or StaticPlatform");
+        model_.steering = textOf(*facts, "usar:steering");
+        const auto dimensions_m = vectorIn(*facts, "usar:dimensions");
+        if (model_.steering.empty() || !dimensions_m)
+            return refuse("usar:robot needs a usar:steering, and usar:dimensions of length, width and height");
+        model_.dimensions_m = *dimensions_m;
+        model_.center_of_gravity_m = vectorIn(*facts, "usar:center_of_gravity").value_or(Vec3::Zero());
+        model_.battery_life = Seconds{numberIn(*facts, "usar:battery", model_.battery_life.count())};
+        if (auto done = readDrive(*facts); !done)
+            return done;
+        return readPackages(*facts);
+    }
 
-    tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), mend); }
+    Result<void> readBase() {
+        for (uint64_t i = 0; i < source_.LinkCount(); ++i) {
+            const sdf::Link& link = *source_.LinkByIndex(i);
+            const bool hangs = std::ranges::any_of(
+                joints_, [&](const sdf::Joint* joint) { return joint->ChildLinkName() == link.Name(); });
+            if (hangs)
+                continue;
+            if (base_)
+                return refuse("neither \"" + base_->Name() + "\" nor \"" + link.Name() + "\" hangs on a joint");
+            base_ = &link;
+        }
+        if (!base_)
+            return refuse("every link hangs on another: there is no base");
+        if (base_->RawPose() != ignition::math::Pose3d::Zero)
+            return refuse("the base \"" + base_->Name() + "\" must stand at the model's origin");
+        auto body = bodyOf(*base_);
+        if (!body)
+            return tl::unexpected(body.error());
+        model_.body.base = std::move(*body);
+        model_.center_of_mass_in_base_m = toVec3(base_->Inertial().Pose().Pos());
+        return {};
+    }
+
+    /// Adds parents before their children, whatever the order in the file.
+    Result<void> hangLinks() {
+        std::vector<std::pair<std::string, int>> open{{base_->Name(), -1}};
+        for (std::size_t next = 0; next < open.size(); ++next) {
+            const auto [parent_name, parent] = open[next];
+            for (const sdf::Joint* joint : joints_) {
+                if (joint->ParentLinkName() != parent_name)
+                    continue;
+                if (auto done = hangLink(*joint, parent); !done)
+                    return done;
+                open.emplace_back(joint->ChildLinkName(), static_cast<int>(model_.links.size()) - 1);
+            }
+        }
+        if (model_.links.size() != joints_.size())
+            return refuse("a joint has no way to the base \"" + base_->Name() + "\"");
+        return {};
+    }
+
+    Result<void> hangLink(const sdf::Joint& joint, int parent) {
+        const sdf::Link* const child = linkNamed(joint.ChildLinkName());
+        const sdf::Link* const holder = linkNamed(joint.ParentLinkName());
+        const sdf::JointAxis* const axis = joint.Axis();
+        const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
+        if (!child || !holder || !axis || (!turns && joint.Type() != sdf::JointType::PRISMATIC))
+            return refuse("the joint \"" + joint.Name() +
+                          "\" must be revolute, continuous or prismatic, between two links");
+        auto body = bodyOf(*child);
+        if (!body)
+            return tl::unexpected(body.error());
+        const Vec3 center_m = toVec3(child->Inertial().Pose().Pos());
+        LinkDescription link;
+        link.body = std::move(*body);
+        link.parent = parent;
+        link.link_in_parent = inverse(bodyInModel(*holder)) * bodyInModel(*child);
+        link.pivot_in_link_m = toVec3(joint.RawPose().Pos()) - center_m;
+        link.axis_in_link = toPose(joint.RawPose()).rotation() * toVec3(axis->Xyz());
+        link.kind = turns ? JointKind::Revolute : JointKind::Prismatic;
+        const bool limited = joint.Type() != sdf::JointType::CONTINUOUS && std::abs(axis->Lower()) < 1e9;
+        link.lower = limited ? axis->Lower() : 1.0;
+        link.upper = limited ? axis->Upper() : -1.0;
+        link.damping = axis->Damping();
+        model_.body.links.push_back(std::move(link));
+        model_.links.push_back({child->Name(), joint.Name(), center_m, axis->Effort(), axis->MaxVelocity()});
+        return {};
+    }
+
+    Result<BodyDescription> bodyOf(const sdf::Link& link) const {
+        const ignition::math::MassMatrix3d& mass = link.Inertial().MassMatrix();
+        if (!(mass.Mass() > 0.0) || mass.OffDiagonalMoments().Length() > 1e-9 ||
+            link.Inertial().Pose().Rot() != ignition::math::Quaterniond::Identity)
+            return refuse("the link \"" + link.Name() +
+                          "\" needs a mass above zero and moments about its own axes only");
+        BodyDescription body;
+        body.mass_kg = mass.Mass();
+        body.inertia_kg_m2 = toVec3(mass.DiagonalMoments());
+        for (uint64_t i = 0; i < link.CollisionCount(); ++i) {
+            auto part = partOf(*link.CollisionByIndex(i), toVec3(link.Inertial().Pose().Pos()));
+            if (!part)
+                return tl::unexpected(part.error());
+            body.parts.push_back(std::move(*part));
+        }
+        const sdf::Element& ours = *link.Element();
+        body.friction = numberIn(ours, "usar:friction", body.friction);
+        body.restitution = numberIn(ours, "usar:restitution", body.restitution);
+        body.rolling_friction_m = numberIn(ours, "usar:rolling_friction", body.rolling_friction_m);
+        return body;
+    }
+
+    Result<BodyPart> partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
+        Pose part_in_body = toPose(collision.RawPose());
+        part_in_body.position_m -= center_of_mass_m;
+        const auto shape = shapeIn(*collision.Geom());
+        if (!shape)
+            return refuse("the collision \"" + collision.Name() + "\" is neither box, cylinder, capsule nor sphere");
+        return BodyPart{shape->shape, part_in_body};
+    }
+
+    Result<void> readSensors() {
+        for (int index = -1; index < static_cast<int>(model_.links.size()); ++index) {
+            const std::string name = index < 0 ? base_->Name() : model_.links[static_cast<std::size_t>(index)].name;
+            const sdf::Link& link = *linkNamed(name);
+            for (uint64_t i = 0; i < link.SensorCount(); ++i)
+                if (auto done = readSensor(*link.SensorByIndex(i), index, name); !done)
+                    return done;
+        }
+        return {};
+    }
+
+    Result<void> readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
+        SensorModel model;
+        model.type = attributeOf(*sensor.Element(), "usar:type").value_or("");
+        model.name = sensor.Name();
+        model.link = link;
+        model.sensor_in_link = toPose(sensor.RawPose());
+        if (model.type.empty())
+            return refuse("the sensor \"" + model.name + "\" has no usar:type");
+        readSettings(*sensor.Element(), model.numbers, &model.words);
+        const auto mount = model.words.find("mount");
+        model.mount = mount != model.words.end() ? mount->second : link < 0 ? "HARD" : link_name;
+        model_.sensors.push_back(std::move(model));
+        return {};
+    }
+
+    Result<void> readDrive(const sdf::Element& facts) {
+        const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
+        if (!drive)
+            return refuse("usar:robot has no usar:drive");
+        model_.drive.kind = attributeOf(*drive, "kind").value_or("");
+        model_.drive.joints = textsOf(*drive, "usar:joint");
+        readSettings(*drive, model_.drive.numbers, nullptr);
+        return {};
+    }
+
+    Result<void> readPackages(const sdf::Element& facts) {
+        for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
+            if (child->GetName() != "usar:package")
+                continue;
+            PackageModel package{attributeOf(*child, "name").value_or(""), textsOf(*child, "usar:joint")};
+            if (package.name.empty() || package.joints.empty())
+                return refuse("a usar:package needs a name and at least one usar:joint");
+            model_.packages.push_back(std::move(package));
+        }
+        return {};
+    }
+
+    Result<void> check() const {
+        std::set<std::string> names;
+        for (const SensorModel& sensor : model_.sensors)
+            if (!names.insert(sensor.type + " " + sensor.name).second)
+                return refuse("there are two sensors \"" + sensor.name + "\" of type " + sensor.type);
+        std::vector<std::string> wanted = model_.drive.joints;
+        for (const PackageModel& package : model_.packages)
+            wanted.insert(wanted.end(), package.joints.begin(), package.joints.end());
+        for (const std::string& joint : wanted)
+            if (!model_.linkOnJoint(joint))
+                return refuse("there is no joint \"" + joint + "\"");
+        return {};
+    }
+
+    tl::unexpected<Error> refuse(const std::string& what) const { return failure(what, file_.string(), fix); }
     const sdf::Link* linkNamed(const std::string& name) const { return source_.LinkByName(name); }
+
     /// Pose in the model's frame of the link's center of mass, with the link's axes.
-    static Pose bodyInModel(const sdf::Link& link);
+    static Pose bodyInModel(const sdf::Link& link) {
+        return toPose(link.RawPose()) * Pose{.position_m = toVec3(link.Inertial().Pose().Pos())};
+    }
 
     std::filesystem::path file_;
     const sdf::Model& source_;
@@ -104,216 +284,12 @@ private:
     RobotModel model_;
 };
 
-Pose RobotReading::bodyInModel(const sdf::Link& link) {
-    return toPose(link.RawPose()) * Pose{.position_m = toVec3(link.Inertial().Pose().Pos())};
-}
-
-Result<BodyPart> RobotReading::partOf(const sdf::Collision& collision, const Vec3& center_of_mass_m) const {
-    Pose part_in_body = toPose(collision.RawPose());
-    part_in_body.position_m -= center_of_mass_m;
-    const sdf::Geometry& shape = *collision.Geom();
-    switch (shape.Type()) {
-    case sdf::GeometryType::BOX:
-        return BodyPart{BoxShape{toVec3(shape.BoxShape()->Size())}, part_in_body};
-    case sdf::GeometryType::CYLINDER:
-        return BodyPart{CylinderShape{shape.CylinderShape()->Radius(), shape.CylinderShape()->Length()}, part_in_body};
-    case sdf::GeometryType::CAPSULE:
-        return BodyPart{CapsuleShape{shape.CapsuleShape()->Radius(), shape.CapsuleShape()->Length()}, part_in_body};
-    case sdf::GeometryType::SPHERE:
-        return BodyPart{SphereShape{shape.SphereShape()->Radius()}, part_in_body};
-    default:
-        return refuse("the collision \"" + collision.Name() + "\" is neither box, cylinder, capsule nor sphere");
-    }
-}
-
-Result<BodyDescription> RobotReading::bodyOf(const sdf::Link& link) const {
-    const ignition::math::MassMatrix3d& mass = link.Inertial().MassMatrix();
-    if (!(mass.Mass() > 0.0) || mass.OffDiagonalMoments().Length() > 1e-9 ||
-        link.Inertial().Pose().Rot() != ignition::math::Quaterniond::Identity)
-        return refuse("the link \"" + link.Name() + "\" needs a mass above zero and moments about its own axes only");
-    BodyDescription body;
-    body.mass_kg = mass.Mass();
-    body.inertia_kg_m2 = toVec3(mass.DiagonalMoments());
-    for (uint64_t i = 0; i < link.CollisionCount(); ++i) {
-        auto part = partOf(*link.CollisionByIndex(i), toVec3(link.Inertial().Pose().Pos()));
-        if (!part)
-            return tl::unexpected(part.error());
-        body.parts.push_back(std::move(*part));
-    }
-    const sdf::Element& ours = *link.Element();
-    body.friction = numberIn(ours, "usar:friction", body.friction);
-    body.restitution = numberIn(ours, "usar:restitution", body.restitution);
-    body.rolling_friction_m = numberIn(ours, "usar:rolling_friction", body.rolling_friction_m);
-    return body;
-}
-
-Result<void> RobotReading::readFacts() {
-    model_.class_name = source_.Name();
-    const sdf::ElementPtr facts = source_.Element()->FindElement("usar:robot");
-    if (!facts)
-        return refuse("the model has no usar:robot");
-    model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind"));
-    if (model_.kind == protocol::VehicleKind::Unknown)
-        return refuse("usar:kind is GroundVehicle, AerialVehicle, NauticVehicle, LeggedRobot or StaticPlatform");
-    model_.steering = textOf(*facts, "usar:steering");
-    const auto dimensions_m = vectorIn(*facts, "usar:dimensions");
-    if (model_.steering.empty() || !dimensions_m)
-        return refuse("usar:robot needs a usar:steering, and usar:dimensions of length, width and height");
-    model_.dimensions_m = *dimensions_m;
-    model_.center_of_gravity_m = vectorIn(*facts, "usar:center_of_gravity").value_or(Vec3::Zero());
-    model_.battery_life = Seconds{numberIn(*facts, "usar:battery", model_.battery_life.count())};
-    if (auto done = readDrive(*facts); !done)
-        return done;
-    return readPackages(*facts);
-}
-
-Result<void> RobotReading::readDrive(const sdf::Element& facts) {
-    const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
-    if (!drive)
-        return refuse("usar:robot has no usar:drive");
-    model_.drive.kind = attributeOf(*drive, "kind").value_or("");
-    model_.drive.joints = textsOf(*drive, "usar:joint");
-    readSettings(*drive, model_.drive.numbers, nullptr);
-    return {};
-}
-
-Result<void> RobotReading::readPackages(const sdf::Element& facts) {
-    for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
-        if (child->GetName() != "usar:package")
-            continue;
-        PackageModel package{attributeOf(*child, "name").value_or(""), textsOf(*child, "usar:joint")};
-        if (package.name.empty() || package.joints.empty())
-            return refuse("a usar:package needs a name and at least one usar:joint");
-        model_.packages.push_back(std::move(package));
-    }
-    return {};
-}
-
-Result<void> RobotReading::readBase() {
-    for (uint64_t i = 0; i < source_.LinkCount(); ++i) {
-        const sdf::Link& link = *source_.LinkByIndex(i);
-        const bool hangs = std::ranges::any_of(
-            joints_, [&](const sdf::Joint* joint) { return joint->ChildLinkName() == link.Name(); });
-        if (hangs)
-            continue;
-        if (base_)
-            return refuse("neither \"" + base_->Name() + "\" nor \"" + link.Name() + "\" hangs on a joint");
-        base_ = &link;
-    }
-    if (!base_)
-        return refuse("every link hangs on another: there is no base");
-    if (base_->RawPose() != ignition::math::Pose3d::Zero)
-        return refuse("the base \"" + base_->Name() + "\" must stand at the model's origin");
-    auto body = bodyOf(*base_);
-    if (!body)
-        return tl::unexpected(body.error());
-    model_.body.base = std::move(*body);
-    model_.center_of_mass_in_base_m = toVec3(base_->Inertial().Pose().Pos());
-    return {};
-}
-
-/// Adds parents before their children, whatever the order in the file.
-Result<void> RobotReading::hangLinks() {
-    std::vector<std::pair<std::string, int>> open{{base_->Name(), -1}};
-    for (std::size_t next = 0; next < open.size(); ++next) {
-        const auto [parent_name, parent] = open[next];
-        for (const sdf::Joint* joint : joints_) {
-            if (joint->ParentLinkName() != parent_name)
-                continue;
-            if (auto done = hangLink(*joint, parent); !done)
-                return done;
-            open.emplace_back(joint->ChildLinkName(), static_cast<int>(model_.links.size()) - 1);
-        }
-    }
-    if (model_.links.size() != joints_.size())
-        return refuse("a joint has no way to the base \"" + base_->Name() + "\"");
-    return {};
-}
-
-Result<void> RobotReading::hangLink(const sdf::Joint& joint, int parent) {
-    const sdf::Link* const child = linkNamed(joint.ChildLinkName());
-    const sdf::Link* const holder = linkNamed(joint.ParentLinkName());
-    const sdf::JointAxis* const axis = joint.Axis();
-    const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
-    if (!child || !holder || !axis || (!turns && joint.Type() != sdf::JointType::PRISMATIC))
-        return refuse("the joint \"" + joint.Name() +
-                      "\" must be revolute, continuous or prismatic, between two links");
-    auto body = bodyOf(*child);
-    if (!body)
-        return tl::unexpected(body.error());
-    const Vec3 center_m = toVec3(child->Inertial().Pose().Pos());
-    LinkDescription link;
-    link.body = std::move(*body);
-    link.parent = parent;
-    link.link_in_parent = inverse(bodyInModel(*holder)) * bodyInModel(*child);
-    link.pivot_in_link_m = toVec3(joint.RawPose().Pos()) - center_m;
-    link.axis_in_link = toPose(joint.RawPose()).rotation() * toVec3(axis->Xyz());
-    link.kind = turns ? JointKind::Revolute : JointKind::Prismatic;
-    const bool limited = joint.Type() != sdf::JointType::CONTINUOUS && std::abs(axis->Lower()) < 1e9;
-    link.lower = limited ? axis->Lower() : 1.0;
-    link.upper = limited ? axis->Upper() : -1.0;
-    link.damping = axis->Damping();
-    model_.body.links.push_back(std::move(link));
-    model_.links.push_back({child->Name(), joint.Name(), center_m, axis->Effort(), axis->MaxVelocity()});
-    return {};
-}
-
-Result<void> RobotReading::readSensors() {
-    for (int index = -1; index < static_cast<int>(model_.links.size()); ++index) {
-        const std::string name = index < 0 ? base_->Name() : model_.links[static_cast<std::size_t>(index)].name;
-        const sdf::Link& link = *linkNamed(name);
-        for (uint64_t i = 0; i < link.SensorCount(); ++i)
-            if (auto done = readSensor(*link.SensorByIndex(i), index, name); !done)
-                return done;
-    }
-    return {};
-}
-
-Result<void> RobotReading::readSensor(const sdf::Sensor& sensor, int link, const std::string& link_name) {
-    SensorModel model;
-    model.type = attributeOf(*sensor.Element(), "usar:type").value_or("");
-    model.name = sensor.Name();
-    model.link = link;
-    model.sensor_in_link = toPose(sensor.RawPose());
-    if (model.type.empty())
-        return refuse("the sensor \"" + model.name + "\" has no usar:type");
-    readSettings(*sensor.Element(), model.numbers, &model.words);
-    const auto mount = model.words.find("mount");
-    model.mount = mount != model.words.end() ? mount->second : link < 0 ? "HARD" : link_name;
-    model_.sensors.push_back(std::move(model));
-    return {};
-}
-
-Result<void> RobotReading::check() const {
-    std::set<std::string> names;
-    for (const SensorModel& sensor : model_.sensors)
-        if (!names.insert(sensor.type + " " + sensor.name).second)
-            return refuse("there are two sensors \"" + sensor.name + "\" of type " + sensor.type);
-    std::vector<std::string> wanted = model_.drive.joints;
-    for (const PackageModel& package : model_.packages)
-        wanted.insert(wanted.end(), package.joints.begin(), package.joints.end());
-    for (const std::string& joint : wanted)
-        if (!model_.linkOnJoint(joint))
-            return refuse("there is no joint \"" + joint + "\"");
-    return {};
-}
-
-Result<RobotModel> RobotReading::read() {
-    for (const auto step :
-         {&RobotReading::readFacts, &RobotReading::readBase, &RobotReading::hangLinks, &RobotReading::readSensors})
-        if (auto done = (this->*step)(); !done)
-            return tl::unexpected(done.error());
-    if (auto done = check(); !done)
-        return tl::unexpected(done.error());
-    return std::move(model_);
-}
-
-Result<RobotModel> readAnew(const std::filesystem::path& file) {
+Result<RobotModel> readFile(const std::filesystem::path& file) {
     const auto root = loadSdf(file);
     if (!root)
         return tl::unexpected(root.error());
     if (!root->Model())
-        return failure("there is no model in it", file.string(), mend);
+        return failure("there is no model in it", file.string(), fix);
     return RobotReading(file, *root->Model()).read();
 }
 
@@ -336,12 +312,12 @@ Result<RobotModel> readRobot(const std::filesystem::path& file) {
     const auto written = std::filesystem::last_write_time(path, trouble);
     const std::uintmax_t bytes = trouble ? 0 : std::filesystem::file_size(path, trouble);
     if (trouble)
-        return readAnew(file); // Its error says what is wrong.
+        return readFile(file); // Its error says what is wrong.
     const std::scoped_lock lock(one_at_a_time);
     const auto found = known.find(path);
     if (found != known.end() && found->second.written == written && found->second.bytes == bytes)
         return found->second.robot;
-    auto robot = readAnew(file);
+    auto robot = readFile(file);
     if (robot)
         known.insert_or_assign(path, ReadRobot{written, bytes, *robot});
     return robot;
@@ -362,7 +338,7 @@ RobotsRead readRobots(const std::filesystem::path& folder) {
             read.refused.push_back(robot.error());
         else if (findRobot(read.robots, robot->class_name))
             read.refused.push_back(
-                {"there is a " + robot->class_name + " already", file.string(), "Name it otherwise"});
+                {"there is a " + robot->class_name + " already", file.string(), "Give it another class name"});
         else
             read.robots.push_back(std::move(*robot));
     }

@@ -48,10 +48,10 @@ Seconds udkInterval(std::string_view type) {
     return sameWord(type, "GPS") ? Seconds{0.5} : Seconds{0.2};
 }
 
-std::uint64_t everyOf(const SensorModel& sensor, const SuiteBirth& birth) {
+std::uint64_t everyOf(const SensorModel& sensor, const RobotOptions& options) {
     double every = numberOr(sensor.numbers, "every", 1.0);
-    if (birth.profile == protocol::Dialect::Udk)
-        every *= std::round(udkInterval(sensor.type) / birth.scan_interval);
+    if (options.profile == protocol::Dialect::Udk)
+        every *= std::round(udkInterval(sensor.type) / options.scan_interval);
     return static_cast<std::uint64_t>(std::max(1.0, every));
 }
 
@@ -61,19 +61,19 @@ bool isMeant(const SensorModel& sensor, const std::string& type, const std::stri
 
 } // namespace
 
-Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const SuiteBirth& birth) {
+Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const RobotOptions& options) {
     SensorSuite suite;
-    suite.profile_ = birth.profile;
-    suite.seed_ = birth.seed;
+    suite.profile_ = options.profile;
+    suite.seed_ = options.seed;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
-        Random random = seeded(birth.seed, birth.robot_number * streams_per_robot + i);
+        Random random = seeded(options.seed, options.number * streams_per_robot + i);
         auto sensor =
-            makeSensor(robot.sensors[i], {robot, birth.base_in_map, birth.scan_interval, birth.noise, random});
+            makeSensor(robot.sensors[i], {robot, options.base_in_map, options.scan_interval, options.noise, random});
         if (!sensor)
             return tl::unexpected(sensor.error());
         suite.sensors_.push_back({.sensor = std::move(*sensor),
-                                  .every = everyOf(robot.sensors[i], birth),
-                                  .chance_stream = chance_streams + birth.robot_number * streams_per_robot + i});
+                                  .every = everyOf(robot.sensors[i], options),
+                                  .chance_stream = chance_streams + options.number * streams_per_robot + i});
     }
     std::ranges::stable_sort(suite.sensors_, {},
                              [](const Place& place) { return orderOf(place.sensor->model().type); });

@@ -14,12 +14,13 @@
 
 namespace usar::sim {
 
-/// Initial conditions of a robot's sensors.
-struct SuiteBirth {
+/// Initial conditions of a robot and its sensors.
+struct RobotOptions {
     Pose base_in_map;
     std::uint64_t seed = 1;
-    std::uint64_t robot_number = 0;
-    Seconds scan_interval{0.2};
+    std::uint64_t number = 0;              ///< number of the spawn: each robot has random streams of its own
+    std::optional<Seconds> battery_life{}; ///< replaces the model's
+    Seconds scan_interval{0.2};            ///< the message tick
     bool noise = true;
     protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
@@ -30,7 +31,7 @@ struct SuiteBirth {
 class SensorSuite {
 public:
     /// Fails for a sensor that cannot be built. `robot` must outlive the suite.
-    static Result<SensorSuite> make(const RobotModel& robot, const SuiteBirth& birth);
+    static Result<SensorSuite> make(const RobotModel& robot, const RobotOptions& options);
 
     /// Measures one tick. The `first` one brings only sensors that need no history.
     void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);

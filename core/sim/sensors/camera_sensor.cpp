@@ -1,17 +1,9 @@
 #include "core/sim/sensors/camera_sensor.h"
-#include "core/protocol/usual_values.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace usar::sim {
-
-CameraSensor::CameraSensor(const SensorModel& model, const SensorBirth&)
-    : Sensor(model)
-    , default_rad_(number("fov", protocol::usual_camera_fov_rad))
-    , smallest_rad_(number("min_fov", 0.349))
-    , largest_rad_(number("max_fov", 2.094))
-    , fov_rad_(default_rad_) {}
 
 std::vector<protocol::Setting> CameraSensor::settings() const {
     return {setting("CameraDefFov", default_rad_), setting("CameraMinFov", smallest_rad_),

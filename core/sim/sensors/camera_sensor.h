@@ -1,6 +1,7 @@
 // A camera as the bot port knows it: a field of view that SET can change. Pictures come from the image server.
 #pragma once
 
+#include "core/protocol/usual_values.h"
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/sensors/sensor.h"
 
@@ -9,7 +10,7 @@ namespace usar::sim {
 /// Settings: fov, min_fov, max_fov (rad), width, height (pixels). Sends nothing at the tick (UT2004).
 class CameraSensor : public Sensor {
 public:
-    CameraSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView&, std::vector<protocol::InfoMessage>&) override {}
     std::vector<protocol::Setting> settings() const override;
     /// Zooms. 0 restores the default and yet reports Failed, as does an angle outside the limits, which is clamped
@@ -28,10 +29,10 @@ private:
     /// A picture size in pixels, clamped to 16..1280.
     int pixels(std::string_view key, double otherwise) const;
 
-    double default_rad_;
-    double smallest_rad_;
-    double largest_rad_;
-    double fov_rad_;
+    double default_rad_ = number("fov", protocol::usual_camera_fov_rad);
+    double smallest_rad_ = number("min_fov", 0.349);
+    double largest_rad_ = number("max_fov", 2.094);
+    double fov_rad_ = default_rad_;
 };
 
 } // namespace usar::sim

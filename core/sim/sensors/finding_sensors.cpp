@@ -1,7 +1,6 @@
 #include "core/sim/sensors/finding_sensors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -40,12 +39,11 @@ Vec3 shaken(Random& random, const Vec3& point_m, double sigma_m) {
 void RfidSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     scene_ = &view.scene;
     const Eigen::Isometry3d map_in_sensor = sensor_in_map(view).inverse();
-    const double range_m = number("max_range", 2.0);
     protocol::RfidReading reading{.time = view.now, .name = model().name};
     std::vector<int> ids;
     for (const RfidTag& tag : view.scene.tags) {
         const Vec3 tag_in_sensor_m = map_in_sensor * tag.position_in_map_m;
-        if (tag_in_sensor_m.norm() > range_m)
+        if (tag_in_sensor_m.norm() > range_m_)
             continue;
         ids.push_back(tag.id);
         reading.tags.push_back({tag.id, tag_in_sensor_m, {}});
@@ -54,10 +52,6 @@ void RfidSensor::measure(const SensorView& view, std::vector<protocol::InfoMessa
     spoken_ = true;
     if (news && !reading.tags.empty())
         out.emplace_back(std::move(reading));
-}
-
-std::vector<protocol::Setting> RfidSensor::settings() const {
-    return {setting("MaxRange", number("max_range", 2.0))};
 }
 
 RfidTag* RfidSensor::heard(const std::string& id) const {
@@ -87,15 +81,6 @@ std::optional<protocol::Response> RfidSensor::set(const protocol::Command& comma
     return answer(tag != nullptr);
 }
 
-VictimSensor::VictimSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , range_m_(number("max_range", 6.0))
-    , horizontal_rad_(number("horizontal_fov", radians(60.0)))
-    , vertical_rad_(number("vertical_fov", radians(45.0)))
-    , sigma_m_(birth.noise ? number("sigma", 0.02) : 0.0)
-    , false_alarm_(birth.noise ? number("false_alarm", 0.01) : 0.0)
-    , random_(birth.random) {}
-
 void VictimSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Eigen::Isometry3d sensor_in_map = this->sensor_in_map(view);
     const Eigen::Isometry3d map_in_sensor = sensor_in_map.inverse();
@@ -113,18 +98,6 @@ void VictimSensor::measure(const SensorView& view, std::vector<protocol::InfoMes
         reading.status = "NoVictims";
     out.emplace_back(std::move(reading));
 }
-
-std::vector<protocol::Setting> VictimSensor::settings() const {
-    return {setting("MaxRange", range_m_), setting("HorizontalFOV", horizontal_rad_),
-            setting("VerticalFOV", vertical_rad_)};
-}
-
-HumanMotionSensor::HumanMotionSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , range_m_(number("max_range", 6.0))
-    , fov_rad_(number("fov", radians(60.0)))
-    , sigma_(birth.noise ? number("sigma", 0.05) : 0.0)
-    , random_(birth.random) {}
 
 void HumanMotionSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Eigen::Isometry3d sensor_in_map = this->sensor_in_map(view);
@@ -144,16 +117,6 @@ void HumanMotionSensor::measure(const SensorView& view, std::vector<protocol::In
     out.emplace_back(protocol::HumanMotionReading{view.now, model().name, std::clamp(sure, 0.0, 1.0)});
 }
 
-std::vector<protocol::Setting> HumanMotionSensor::settings() const {
-    return {setting("MaxRange", range_m_), setting("Fov", fov_rad_)};
-}
-
-SoundSensor::SoundSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , threshold_db_(number("threshold", 20.0))
-    , sigma_db_(birth.noise ? number("sigma", 0.5) : 0.0)
-    , random_(birth.random) {}
-
 void SoundSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Vec3 ear_m = sensor_in_map(view).translation();
     double loudest_db = -1e9;
@@ -167,10 +130,6 @@ void SoundSensor::measure(const SensorView& view, std::vector<protocol::InfoMess
         out.emplace_back(protocol::SoundReading{view.now, model().name, loudest_db, view.tick});
 }
 
-std::vector<protocol::Setting> SoundSensor::settings() const {
-    return {setting("Threshold", threshold_db_)};
-}
-
 void GasSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const auto word = model().words.find("gas");
     const std::string gas = word == model().words.end() ? "CO2" : word->second;
@@ -181,13 +140,6 @@ void GasSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
             density += source.density / std::max(1.0, (source.position_in_map_m - nose_m).squaredNorm());
     out.emplace_back(protocol::GasReading{view.now, model().name, gas, density});
 }
-
-BallSensor::BallSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , fov_rad_(number("fov", radians(56.9)))
-    , range_m_(number("max_range", 10.0))
-    , sigma_(birth.noise ? number("sigma", 0.01) : 0.0)
-    , random_(birth.random) {}
 
 void BallSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Eigen::Isometry3d sensor_in_map = this->sensor_in_map(view);
@@ -202,18 +154,10 @@ void BallSensor::measure(const SensorView& view, std::vector<protocol::InfoMessa
             isOpen(view, sensor_in_map.translation(), object.body_in_map.position_m, object.radius_m + 0.01))
             nearest_m = ball_m;
     }
-    protocol::BallReading reading{view.now, model().name, {}, nearest_m.has_value()};
-    if (nearest_m) {
-        const Vec3 seen_m = shaken(random_, *nearest_m, sigma_ * nearest_m->norm());
-        reading.position = Vec3(seen_m.x(), -seen_m.y(), -seen_m.z());
-    } else {
-        reading.position = Vec3::Zero();
-    }
-    out.emplace_back(reading);
-}
-
-std::vector<protocol::Setting> BallSensor::settings() const {
-    return {setting("MaxRange", range_m_), setting("Fov", fov_rad_)};
+    Vec3 seen_m = Vec3::Zero();
+    if (nearest_m)
+        seen_m = Vec3(1.0, -1.0, -1.0).cwiseProduct(shaken(random_, *nearest_m, sigma_ * nearest_m->norm()));
+    out.emplace_back(protocol::BallReading{view.now, model().name, seen_m, nearest_m.has_value()});
 }
 
 } // namespace usar::sim

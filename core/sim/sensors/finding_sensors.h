@@ -12,13 +12,14 @@ public:
     using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override { return {setting("MaxRange", range_m_)}; }
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
     /// The tag with this id if it is on the last list; otherwise nullptr.
     RfidTag* heard(const std::string& id) const;
 
+    double range_m_ = number("max_range", 2.0);
     Scene* scene_ = nullptr; ///< the scene at the last tick; null before it
     std::vector<int> ids_;
     bool spoken_ = false;
@@ -29,46 +30,48 @@ private:
 /// it reports a part that does not exist.
 class VictimSensor : public Sensor {
 public:
-    VictimSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override {
+        return {setting("MaxRange", range_m_), setting("HorizontalFOV", horizontal_rad_),
+                setting("VerticalFOV", vertical_rad_)};
+    }
 
 private:
-    double range_m_;
-    double horizontal_rad_;
-    double vertical_rad_;
-    double sigma_m_;
-    double false_alarm_;
-    Random random_;
+    double range_m_ = number("max_range", 6.0);
+    double horizontal_rad_ = number("horizontal_fov", radians(60.0));
+    double vertical_rad_ = number("vertical_fov", radians(45.0));
+    double sigma_m_ = error("sigma", 0.02);
+    double false_alarm_ = error("false_alarm", 0.01);
 };
 
 /// A pyroelectric sensor. The closer a person is within `max_range` (6 m) and `fov` (60 degrees), the higher the
 /// reported probability, 0 to 1. Persons whose status is Unconscious or Dead do not move and are not found.
 class HumanMotionSensor : public Sensor {
 public:
-    HumanMotionSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override {
+        return {setting("MaxRange", range_m_), setting("Fov", fov_rad_)};
+    }
 
 private:
-    double range_m_;
-    double fov_rad_;
-    double sigma_;
-    Random random_;
+    double range_m_ = number("max_range", 6.0);
+    double fov_rad_ = number("fov", radians(60.0));
+    double sigma_ = error("sigma", 0.05);
 };
 
 /// Reports the loudest source, 6 dB less for each doubling of the distance from 1 m on; nothing below `threshold` (20
 /// dB).
 class SoundSensor : public Sensor {
 public:
-    SoundSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override { return {setting("Threshold", threshold_db_)}; }
 
 private:
-    double threshold_db_;
-    double sigma_db_;
-    Random random_;
+    double threshold_db_ = number("threshold", 20.0);
+    double sigma_db_ = error("sigma", 0.5);
 };
 
 /// Reports the sum of all sources of its gas (word `gas`, default CO2), each falling with the square of the distance
@@ -85,15 +88,16 @@ public:
 /// down), with noise of `sigma` (0.01) times the distance.
 class BallSensor : public Sensor {
 public:
-    BallSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override {
+        return {setting("MaxRange", range_m_), setting("Fov", fov_rad_)};
+    }
 
 private:
-    double fov_rad_;
-    double range_m_;
-    double sigma_;
-    Random random_;
+    double fov_rad_ = number("fov", radians(56.9));
+    double range_m_ = number("max_range", 10.0);
+    double sigma_ = error("sigma", 0.01);
 };
 
 } // namespace usar::sim

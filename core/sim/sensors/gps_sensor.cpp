@@ -15,26 +15,17 @@ constexpr double worst_sigma_m = 0.83; ///< with four satellites
 constexpr double best_sigma_m = 0.25;  ///< with all satellites
 constexpr double satellite_m = 300.0;  ///< a satellite is hidden by anything within this distance
 
-/// Unit vectors that the golden angle spreads over the sky above 10 degrees.
-std::vector<Vec3> makeSatellites() {
-    std::vector<Vec3> satellites;
+} // namespace
+
+/// Spreads the satellites over the sky above 10 degrees by the golden angle.
+GpsSensor::GpsSensor(const SensorModel& model, const SensorBirth& birth) : Sensor(model, birth) {
     for (int i = 0; i < satellites_in_sky; ++i) {
         const double elevation_rad = radians(10.0 + 75.0 * i / satellites_in_sky);
         const double azimuth_rad = i * pi * (3.0 - std::sqrt(5.0));
-        satellites.emplace_back(std::cos(elevation_rad) * std::cos(azimuth_rad),
-                                std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad));
+        satellites_.emplace_back(std::cos(elevation_rad) * std::cos(azimuth_rad),
+                                 std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad));
     }
-    return satellites;
 }
-
-} // namespace
-
-GpsSensor::GpsSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , noise_(birth.noise)
-    , random_(birth.random)
-    , scan_interval_(birth.scan_interval)
-    , satellites_(makeSatellites()) {}
 
 void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Vec3 at_m = sensor_in_map(view).translation();
@@ -43,7 +34,7 @@ void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
     protocol::GpsReading reading{.name = model().name, .fix = seen >= satellites_for_fix, .satellites = seen};
     if (reading.fix) {
         const double share = static_cast<double>(seen - satellites_for_fix) / (satellites_in_sky - satellites_for_fix);
-        const double sigma_m = noise_ ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
+        const double sigma_m = makesErrors() ? worst_sigma_m + share * (best_sigma_m - worst_sigma_m) : 0.0;
         const auto error_m = [&] { return sigma_m > 0.0 ? gaussian(random_, sigma_m) : 0.0; };
         // The map's x points north and its y west; the wire's y points east (protocol.md 3).
         reading.latitude_rad =
@@ -52,10 +43,6 @@ void GpsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessag
             radians(view.world.gps_reference.longitude_deg - (at_m.y() + error_m()) / meters_per_degree_east);
     }
     out.emplace_back(std::move(reading));
-}
-
-std::vector<protocol::Setting> GpsSensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count())};
 }
 
 } // namespace usar::sim

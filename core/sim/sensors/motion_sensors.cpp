@@ -1,22 +1,18 @@
 #include "core/sim/sensors/motion_sensors.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "core/base/text.h"
 
 namespace usar::sim {
 
 namespace {
 
-InsParameters insOf(const SensorModel& model, const SensorBirth& birth) {
-    InsParameters p;
-    p.name = model.name;
-    p.sigma = birth.noise ? numberOr(model.numbers, "sigma", p.sigma) : 0.0;
-    p.precision = numberOr(model.numbers, "precision", p.precision);
-    p.drifting = birth.noise && numberOr(model.numbers, "drifting", 1.0) != 0.0;
-    return p;
+constexpr int scans_at_rest = 2;
+constexpr double still_rad = 1e-3;
+
+Vec3 anglesBetween(const Pose& from, const Pose& to) {
+    return {normalizedAngle(to.roll_rad - from.roll_rad), normalizedAngle(to.pitch_rad - from.pitch_rad),
+            normalizedAngle(to.yaw_rad - from.yaw_rad)};
 }
 
 /// True for a RESET. The caller has already checked that its type and name fit.
@@ -27,42 +23,70 @@ bool isReset(const protocol::Command& command) {
 } // namespace
 
 InsSensor::InsSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , ins_(insOf(model, birth), birth.base_in_map, birth.random)
-    , scan_interval_(birth.scan_interval) {}
-
-void InsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
-    out.emplace_back(ins_.measure(view.body.base_in_map()));
+    : Sensor(model, birth)
+    , estimate_(birth.base_in_map) {
+    if (error("drifting", 1.0) == 0.0)
+        return;
+    const double precision = number("precision", 1000.0);
+    const double position_limit = 0.5 / precision;
+    const double rotation_limit = position_limit / precision;
+    for (double& bias : position_bias_)
+        bias = uniform(random_, -position_limit, position_limit);
+    for (double& bias : rotation_bias_)
+        bias = uniform(random_, -rotation_limit, rotation_limit);
 }
 
-std::vector<protocol::Setting> InsSensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count())};
+const Pose& InsSensor::estimate(const Pose& base_in_map) {
+    if (started_) {
+        integrate(base_in_map);
+    } else if (last_) {
+        const bool still = anglesBetween(*last_, base_in_map).cwiseAbs().maxCoeff() < still_rad;
+        still_scans_ = still ? still_scans_ + 1 : 0;
+        started_ = still_scans_ >= scans_at_rest;
+    }
+    last_ = base_in_map;
+    return estimate_;
+}
+
+void InsSensor::integrate(const Pose& base_in_map) {
+    const Vec3 turned_rad = anglesBetween(*last_, base_in_map);
+    const Vec3 moved_m = base_in_map.position_m - last_->position_m;
+    double* const angles_rad[3] = {&estimate_.roll_rad, &estimate_.pitch_rad, &estimate_.yaw_rad};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double error = rotation_bias_[axis] + gaussian(random_, sigma_);
+        *angles_rad[axis] = normalizedAngle(*angles_rad[axis] + turned_rad[axis] * (1.0 + error));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double error = position_bias_[axis] + gaussian(random_, sigma_);
+        estimate_.position_m[axis] += moved_m[axis] + moved_m.norm() * error;
+    }
+}
+
+bool InsSensor::setEstimate(const Pose& base_in_map, bool at_rest) {
+    if (!at_rest)
+        return false;
+    estimate_ = base_in_map;
+    position_bias_ = rotation_bias_ = Vec3::Zero();
+    return true;
+}
+
+void InsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
+    out.emplace_back(protocol::InsReading{{}, model().name, estimate(view.body.base_in_map())});
 }
 
 std::optional<protocol::Response> InsSensor::set(const protocol::Command& command, bool at_rest) {
     const auto* const wanted = std::get_if<protocol::SetInsPose>(&command);
-    return wanted ? std::optional(answer(ins_.set(wanted->base_in_map, at_rest))) : std::nullopt;
+    return wanted ? std::optional(answer(setEstimate(wanted->base_in_map, at_rest))) : std::nullopt;
 }
-
-GroundTruthSensor::GroundTruthSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , scan_interval_(birth.scan_interval) {}
 
 void GroundTruthSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     out.emplace_back(protocol::GroundTruthReading{view.now, model().name, view.body.base_in_map()});
 }
 
-std::vector<protocol::Setting> GroundTruthSensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count())};
-}
-
-OdometrySensor::OdometrySensor(const SensorModel& model, const SensorBirth& birth, int left, int right)
-    : Sensor(model)
-    , left_(left)
-    , right_(right)
-    , radius_m_(number("wheel_radius", 0.1))
-    , separation_m_(number("wheel_separation", 0.33))
-    , scan_interval_(birth.scan_interval) {}
+OdometrySensor::OdometrySensor(const SensorModel& model, const SensorBirth& birth)
+    : Sensor(model, birth)
+    , left_(linkNamedBy("left", model, birth.robot).value())
+    , right_(linkNamedBy("right", model, birth.robot).value()) {}
 
 void OdometrySensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const double left_rad = view.body.joint(left_).position;
@@ -78,8 +102,9 @@ void OdometrySensor::measure(const SensorView& view, std::vector<protocol::InfoM
 }
 
 std::vector<protocol::Setting> OdometrySensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count()),
-            setting("EncoderResolution", number("resolution", radians(1.0)))};
+    std::vector<protocol::Setting> settings = Sensor::settings();
+    settings.push_back(setting("EncoderResolution", number("resolution", radians(1.0))));
+    return settings;
 }
 
 std::optional<protocol::Response> OdometrySensor::set(const protocol::Command& command, bool) {
@@ -89,24 +114,16 @@ std::optional<protocol::Response> OdometrySensor::set(const protocol::Command& c
     return answer(true);
 }
 
-EncoderSensor::EncoderSensor(const SensorModel& model, const SensorBirth& birth, int link)
-    : Sensor(model)
-    , joint_(link)
-    , resolution_rad_(number("resolution", radians(1.0)))
-    , sign_(number("sign", 1.0) < 0.0 ? -1.0 : 1.0)
-    , sigma_(birth.noise ? number("sigma", 0.0025) : 0.0)
-    , random_(birth.random) {}
+EncoderSensor::EncoderSensor(const SensorModel& model, const SensorBirth& birth)
+    : Sensor(model, birth)
+    , link_(linkNamedBy("joint", model, birth.robot).value()) {}
 
 void EncoderSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
-    const double position_rad = view.body.joint(joint_).position;
+    const double position_rad = view.body.joint(link_).position;
     const double step_rad = position_rad - std::exchange(last_rad_, position_rad);
     counted_rad_ += step_rad * (sigma_ > 0.0 ? 1.0 + gaussian(random_, sigma_) : 1.0);
     lineIn<protocol::EncoderReadings>(out).encoders.push_back(
         {model().name, static_cast<long long>(std::trunc(sign_ * counted_rad_ / resolution_rad_))});
-}
-
-std::vector<protocol::Setting> EncoderSensor::settings() const {
-    return {setting("Resolution", resolution_rad_)};
 }
 
 std::optional<protocol::Response> EncoderSensor::set(const protocol::Command& command, bool) {
@@ -116,32 +133,20 @@ std::optional<protocol::Response> EncoderSensor::set(const protocol::Command& co
     return answer(true);
 }
 
-TachometerSensor::TachometerSensor(const SensorModel& model, const SensorBirth& birth)
-    : Sensor(model)
-    , scan_interval_(birth.scan_interval) {
+TachometerSensor::TachometerSensor(const SensorModel& model, const SensorBirth& birth) : Sensor(model, birth) {
     for (const std::string& joint : birth.robot.drive.joints)
-        joints_.push_back(birth.robot.linkOnJoint(joint).value_or(0));
+        links_.push_back(birth.robot.linkOnJoint(joint).value_or(0));
 }
 
 void TachometerSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     protocol::TachometerReading reading{view.now, model().name, {}, {}};
-    for (const int joint : joints_) {
-        reading.speeds_rad_s.push_back(view.body.joint(joint).velocity);
-        reading.angles_rad.push_back(view.body.joint(joint).position);
+    for (const int link : links_) {
+        const JointState joint = view.body.joint(link);
+        reading.speeds_rad_s.push_back(joint.velocity);
+        reading.angles_rad.push_back(joint.position);
     }
     out.emplace_back(std::move(reading));
 }
-
-std::vector<protocol::Setting> TachometerSensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count())};
-}
-
-AccelerationSensor::AccelerationSensor(const SensorModel& model, const SensorBirth& birth, bool proper)
-    : Sensor(model)
-    , proper_(proper)
-    , sigma_m_s2_(birth.noise ? number("sigma", 0.02) : 0.0)
-    , random_(birth.random)
-    , scan_interval_(birth.scan_interval) {}
 
 void AccelerationSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Vec3 velocity_m_s = view.body.velocity_in_map_m_s();
@@ -159,16 +164,8 @@ void AccelerationSensor::measure(const SensorView& view, std::vector<protocol::I
         out.emplace_back(protocol::AccelerationReading{view.now, model().name, felt_m_s2});
 }
 
-std::vector<protocol::Setting> AccelerationSensor::settings() const {
-    return {setting("ScanInterval", scan_interval_.count())};
-}
-
 void TouchSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     lineIn<protocol::TouchReadings>(out).touches.push_back({model().name, view.body.touched(model().link)});
-}
-
-std::vector<protocol::Setting> TouchSensor::settings() const {
-    return {setting("Diameter", number("diameter", 0.01))};
 }
 
 } // namespace usar::sim

@@ -1,75 +1,80 @@
 // Sensors of a robot's own motion: INS, GroundTruth, Odometry, Encoder, Tachometer, Accel, AcceleroMeter, Touch, GPS.
 #pragma once
 
-#include "core/sim/sensors/ins.h"
 #include "core/sim/sensors/sensor.h"
 
 namespace usar::sim {
 
-/// Settings: sigma, precision, drifting (0 or 1); see Ins.
+/// The inertial navigation sensor: a pose estimate that drifts with the distance traveled (model: robots-and-worlds.md
+/// 4.4). It adds the true increments of each scan: angles times 1 + N(bias, sigma), positions plus the step's length
+/// times N(bias, sigma), independently for x, y and z. It reports the spawn pose until two scans in a row have seen no
+/// rotation. Settings: sigma (0.05), the relative standard deviation of each increment; precision (1000), which bounds
+/// the biases: position +-0.5 / precision, rotation +-0.5 / precision^2; drifting (1; 0: both biases are 0).
 class InsSensor : public Sensor {
 public:
     InsSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
+    /// The estimate after one more scan, given the true pose.
+    const Pose& estimate(const Pose& base_in_map);
+    /// Sets the estimate and zeroes the biases. Returns false, and does nothing, unless the robot is at rest.
+    bool setEstimate(const Pose& base_in_map, bool at_rest);
 
 private:
-    Ins ins_;
-    Seconds scan_interval_;
+    void integrate(const Pose& base_in_map);
+
+    double sigma_ = error("sigma", 0.05);
+    Pose estimate_;
+    std::optional<Pose> last_; ///< the true pose at the last scan; nullopt before it
+    Vec3 position_bias_ = Vec3::Zero();
+    Vec3 rotation_bias_ = Vec3::Zero();
+    int still_scans_ = 0;
+    bool started_ = false; ///< two scans without rotation have been seen
 };
 
 /// Reports the true pose of the base.
 class GroundTruthSensor : public Sensor {
 public:
-    GroundTruthSensor(const SensorModel& model, const SensorBirth& birth);
+    using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
-    std::vector<protocol::Setting> settings() const override;
-
-private:
-    Seconds scan_interval_;
 };
 
 /// Dead reckoning from two wheels. Their slip is the only error (robots-and-worlds.md 4.6). Settings: wheel_radius,
 /// wheel_separation (m); the words left and right name the joints of the wheels. RESET sets the pose to 0.
 class OdometrySensor : public Sensor {
 public:
-    /// `left` and `right` are the links of the wheels.
-    OdometrySensor(const SensorModel& model, const SensorBirth& birth, int left, int right);
+    OdometrySensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     std::vector<protocol::Setting> settings() const override;
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
-    int left_;
+    int left_; ///< the links of the wheels
     int right_;
-    double radius_m_;
-    double separation_m_;
-    Seconds scan_interval_;
+    double radius_m_ = number("wheel_radius", 0.1);
+    double separation_m_ = number("wheel_separation", 0.33);
     double last_left_rad_ = 0.0;
     double last_right_rad_ = 0.0;
     Pose base_in_start_; ///< estimate since the spawn or the last RESET
 };
 
 /// A running count of a joint's angle in steps of `resolution` (rad), with each increment off by a share of `sigma`.
-/// With a `sign` of -1 it counts down when the wheel rolls forward, as the P2DX's encoders do (protocol.md 4.5).
-/// RESET sets it to 0.
+/// With a `sign` of -1 it counts down when the wheel rolls forward, as the P2DX's encoders do (protocol.md 4.5). The
+/// word joint names the joint. RESET sets the count to 0.
 class EncoderSensor : public Sensor {
 public:
-    /// `link` is the one on the joint that it counts.
-    EncoderSensor(const SensorModel& model, const SensorBirth& birth, int link);
+    EncoderSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override { return {setting("Resolution", resolution_rad_)}; }
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
-    int joint_;
-    double resolution_rad_;
-    double sign_;
-    double sigma_;
-    Random random_;
+    int link_; ///< the link on the joint that it counts
+    double resolution_rad_ = number("resolution", radians(1.0));
+    double sign_ = number("sign", 1.0) < 0.0 ? -1.0 : 1.0;
+    double sigma_ = error("sigma", 0.0025);
     double last_rad_ = 0.0;
     double counted_rad_ = 0.0;
 };
@@ -79,11 +84,9 @@ class TachometerSensor : public Sensor {
 public:
     TachometerSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
 
 private:
-    std::vector<int> joints_;
-    Seconds scan_interval_;
+    std::vector<int> links_; ///< on the joints
 };
 
 /// Accel reports the acceleration without gravity, AcceleroMeter with it: the mean over a tick, in the sensor's frame.
@@ -91,15 +94,14 @@ private:
 class AccelerationSensor : public Sensor {
 public:
     /// `proper` includes gravity.
-    AccelerationSensor(const SensorModel& model, const SensorBirth& birth, bool proper);
+    AccelerationSensor(const SensorModel& model, const SensorBirth& birth, bool proper)
+        : Sensor(model, birth)
+        , proper_(proper) {}
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
 
 private:
     bool proper_;
-    double sigma_m_s2_;
-    Random random_;
-    Seconds scan_interval_;
+    double sigma_m_s2_ = error("sigma", 0.02);
     std::optional<Vec3> last_velocity_m_s_; ///< at the last measurement; nullopt before it
 };
 
@@ -108,7 +110,7 @@ class TouchSensor : public Sensor {
 public:
     using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
-    std::vector<protocol::Setting> settings() const override;
+    std::vector<protocol::Setting> settings() const override { return {setting("Diameter", number("diameter", 0.01))}; }
 };
 
 /// Model (robots-and-worlds.md 4.8): twelve satellites above the horizon, each received if the sky toward it is open.
@@ -118,12 +120,8 @@ public:
     GpsSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
-    std::vector<protocol::Setting> settings() const override;
 
 private:
-    bool noise_;
-    Random random_;
-    Seconds scan_interval_;
     std::vector<Vec3> satellites_; ///< unit vectors toward them, map frame
 };
 

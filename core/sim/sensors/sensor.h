@@ -39,7 +39,12 @@ struct SensorBirth {
 /// Base of all sensors. Owned by its robot's SensorSuite.
 class Sensor {
 public:
-    explicit Sensor(SensorModel model) : model_(std::move(model)) {}
+    /// Keeps no reference to its arguments.
+    Sensor(const SensorModel& model, const SensorBirth& birth)
+        : random_(birth.random)
+        , model_(model)
+        , noise_(birth.noise)
+        , scan_interval_(birth.scan_interval) {}
     virtual ~Sensor() = default;
 
     const SensorModel& model() const { return model_; }
@@ -48,8 +53,10 @@ public:
     virtual void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) = 0;
     /// False for sensors that already report at the first tick after INIT (protocol.md 2.4).
     virtual bool needsHistory() const { return true; }
-    /// Its settings as CONF reports them.
-    virtual std::vector<protocol::Setting> settings() const = 0;
+    /// Its settings as CONF reports them: unless a sensor has others, its scan interval in s.
+    virtual std::vector<protocol::Setting> settings() const {
+        return {setting("ScanInterval", scan_interval_.count())};
+    }
     /// Answers a SET that names its type and name, or its type only; nullopt if it does not know the opcode.
     virtual std::optional<protocol::Response> set(const protocol::Command& /*command*/, bool /*at_rest*/) {
         return std::nullopt;
@@ -60,13 +67,21 @@ protected:
     static protocol::Setting setting(std::string key, double number) { return {std::move(key), "", number}; }
     /// A setting of the model, or `otherwise` if it is not given.
     double number(std::string_view key, double otherwise) const { return numberOr(model_.numbers, key, otherwise); }
+    /// Like `number`, for the strength of an error; 0 if the sensor makes none.
+    double error(std::string_view key, double otherwise) const { return noise_ ? number(key, otherwise) : 0.0; }
+    /// False if sensors are told to measure exactly.
+    bool makesErrors() const { return noise_; }
     /// Current pose of the sensor.
     Eigen::Isometry3d sensor_in_map(const SensorView& view) const {
         return view.body.link_in_map(model_.link) * model_.sensor_in_link.isometry();
     }
 
+    Random random_; ///< for all its errors
+
 private:
     SensorModel model_;
+    bool noise_;
+    Seconds scan_interval_;
 };
 
 /// The last line of `out` if it is of type `Readings`; otherwise a new one.
@@ -77,7 +92,11 @@ Readings& lineIn(std::vector<protocol::InfoMessage>& out) {
     return std::get<Readings>(out.back());
 }
 
-/// Makes the sensor of the model's type. Fails if the simulator has no such type, or if the settings make no sense.
+/// The link on the joint that this word of a sensor's model names; nullopt if there is no such word or joint.
+std::optional<int> linkNamedBy(std::string_view word, const SensorModel& model, const RobotModel& robot);
+
+/// Makes the sensor of the model's type. Fails if the simulator has no such type, or if the sensor needs a joint that
+/// the robot does not have.
 Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const SensorBirth& birth);
 
 /// The position of a type in the order of a tick (protocol.md 9.1). Types that are not named there come between

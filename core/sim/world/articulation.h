@@ -31,9 +31,12 @@ struct SphereShape {
     bool operator==(const SphereShape&) const = default;
 };
 
+/// A convex solid.
+using Shape = std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape>;
+
 /// One convex part of a body.
 struct BodyPart {
-    std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape> shape;
+    Shape shape;
     Pose part_in_body;
     bool operator==(const BodyPart&) const = default;
 };

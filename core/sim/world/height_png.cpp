@@ -109,7 +109,7 @@ Result<void> writeHeightPng(const HeightImage& image, const std::filesystem::pat
     const bool closed = std::fclose(job.file.release()) == 0;
     if (!encoded || !closed)
         return failure("the height map cannot be written: " +
-                           (encoded ? std::string("the disk took only a part") : job.trouble),
+                           (encoded ? std::string("only a part fits on the disk") : job.trouble),
                        file.string(), "Is the disk full?");
     return {};
 }

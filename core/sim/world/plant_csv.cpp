@@ -67,7 +67,7 @@ Result<std::vector<Plant>> readPlantCsv(const std::filesystem::path& file) {
             continue;
         const auto plant = readRow(line);
         if (!plant)
-            return failure(plant.error(), where, "Mend the line or generate the world again");
+            return failure(plant.error(), where, "Fix the line or generate the world again");
         plants.push_back(*plant);
     }
     return plants;

@@ -4,12 +4,67 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <sstream>
+#include <system_error>
+
+#include <sdf/Box.hh>
+#include <sdf/Capsule.hh>
+#include <sdf/Console.hh>
+#include <sdf/Cylinder.hh>
+#include <sdf/Sphere.hh>
 
 #include "core/base/numbers.h"
 
 namespace usar::sim {
 
 namespace {
+
+std::string placeIn(const std::filesystem::path& file, const std::optional<int>& line) {
+    return line ? file.string() + ":" + std::to_string(*line) : file.string();
+}
+
+/// While it exists, libsdformat's console writes into `heard()` and not into the log file in the home folder.
+class Listener {
+public:
+    Listener()
+        : console_(sdf::Console::Instance())
+        , messages_(console_->GetMsgStream().GetStream())
+        , log_(console_->GetLogStream().GetStream()) {
+        console_->GetMsgStream().SetStream(&text_);
+        console_->GetLogStream().SetStream(nullptr);
+    }
+    ~Listener() {
+        console_->GetMsgStream().SetStream(messages_);
+        console_->GetLogStream().SetStream(log_);
+    }
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+
+    std::string heard() const { return text_.str(); }
+
+private:
+    sdf::ConsolePtr console_;
+    std::ostream* messages_;
+    std::ostream* log_;
+    std::ostringstream text_;
+};
+
+/// Broken XML has no error of its own: the reason and the line appear only on the console.
+tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem::path& file) {
+    constexpr std::string_view reason_mark = "XML_ERROR_";
+    constexpr std::string_view line_mark = "Line number=";
+    const std::size_t reason = heard.find(reason_mark);
+    if (reason == std::string::npos)
+        return failure("this is not SDFormat", file.string(), fix_sdf);
+    const std::string word = heard.substr(reason + reason_mark.size());
+    const std::size_t line = heard.find(line_mark);
+    const auto number =
+        line == std::string::npos
+            ? std::nullopt
+            : std::optional(static_cast<int>(readNumberPrefix(heard.substr(line + line_mark.size())).value));
+    return failure("the XML is broken (" + word.substr(0, word.find(' ')) + ")", placeIn(file, number), fix_sdf);
+}
 
 /// Line of the start tag number `number` (from 0) with this name, not counting comments.
 std::optional<int> lineOfTag(const std::filesystem::path& file, const std::string& name, int number) {
@@ -45,10 +100,24 @@ std::optional<int> lineOf(const sdf::Element& element, const std::filesystem::pa
 
 } // namespace
 
+Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
+    // The library has one console for the whole process, and a canceled world may still be being read by its thread.
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
+    const Listener listener;
+    std::error_code trouble;
+    sdf::Root root;
+    const sdf::Errors errors = root.Load(std::filesystem::absolute(file, trouble).string());
+    if (errors.empty())
+        return root;
+    const sdf::Error& first = errors.front();
+    if (first.Code() == sdf::ErrorCode::FILE_READ)
+        return unreadable(listener.heard(), file);
+    return failure(first.Message(), placeIn(file, first.LineNumber()), fix_sdf);
+}
+
 tl::unexpected<Error> refusal(const std::string& what, const std::filesystem::path& file, const sdf::Element& element) {
-    const auto line = lineOf(element, file);
-    return failure(what, line ? file.string() + ":" + std::to_string(*line) : file.string(),
-                   "Mend the file or generate the world again");
+    return failure(what, placeIn(file, lineOf(element, file)), fix_sdf);
 }
 
 Pose toPose(const ignition::math::Pose3d& pose) {
@@ -58,6 +127,26 @@ Pose toPose(const ignition::math::Pose3d& pose) {
 
 Vec3 toVec3(const ignition::math::Vector3d& vector) {
     return {vector.X(), vector.Y(), vector.Z()};
+}
+
+std::optional<SizedShape> shapeIn(const sdf::Geometry& geometry) {
+    const auto rod = [](const auto& shape, auto solid) {
+        solid.radius_m = shape.Radius();
+        solid.height_m = shape.Length();
+        return SizedShape{solid, std::min(solid.radius_m, solid.height_m)};
+    };
+    switch (geometry.Type()) {
+    case sdf::GeometryType::BOX:
+        return SizedShape{BoxShape{toVec3(geometry.BoxShape()->Size())}, geometry.BoxShape()->Size().Min()};
+    case sdf::GeometryType::SPHERE:
+        return SizedShape{SphereShape{geometry.SphereShape()->Radius()}, geometry.SphereShape()->Radius()};
+    case sdf::GeometryType::CYLINDER:
+        return rod(*geometry.CylinderShape(), CylinderShape{});
+    case sdf::GeometryType::CAPSULE:
+        return rod(*geometry.CapsuleShape(), CapsuleShape{});
+    default:
+        return std::nullopt;
+    }
 }
 
 std::optional<std::string> attributeOf(const sdf::Element& element, const std::string& name) {

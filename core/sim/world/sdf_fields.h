@@ -1,5 +1,6 @@
-// Reads numbers, poses and attributes from SDF elements, and finds the line of an element in its file. For the readers
-// of worlds and robots.
+// Loads SDFormat files with our kind of error (file, line and reason in one value, nothing on the terminal), and reads
+// numbers, poses, shapes and attributes from their elements. Only the readers of worlds and robots include this header,
+// so that libsdformat's headers stay out of everyone else's way.
 #pragma once
 
 #include <array>
@@ -11,11 +12,20 @@
 
 #include <ignition/math/Pose3.hh>
 #include <sdf/Element.hh>
+#include <sdf/Geometry.hh>
+#include <sdf/Root.hh>
 
-#include "core/base/geometry.h"
 #include "core/base/result.h"
+#include "core/sim/world/articulation.h"
 
 namespace usar::sim {
+
+/// What the user can do about a file that cannot be read.
+inline constexpr const char* fix_sdf = "Fix the file or generate the world again";
+
+/// Fails for missing files, broken XML and anything that SDFormat does not allow. Callable from several threads, which
+/// take turns, because libsdformat has one console per process.
+Result<sdf::Root> loadSdf(const std::filesystem::path& file);
 
 /// The error `what` at the element's line. libsdformat knows the lines of SDFormat's own elements; the line of one of
 /// ours is found in the file by the element's position among its siblings.
@@ -24,6 +34,14 @@ tl::unexpected<Error> refusal(const std::string& what, const std::filesystem::pa
 // Both libraries mean meters, radians and the same order of rotations.
 Pose toPose(const ignition::math::Pose3d& pose);
 Vec3 toVec3(const ignition::math::Vector3d& vector);
+
+/// A solid, and the smallest of its sizes.
+struct SizedShape {
+    Shape shape;
+    double smallest_m = 0.0;
+};
+/// The geometry as a solid; nullopt unless it is a box, sphere, cylinder or capsule.
+std::optional<SizedShape> shapeIn(const sdf::Geometry& geometry);
 
 /// Attribute of one of our elements; nullopt if it is missing or empty.
 std::optional<std::string> attributeOf(const sdf::Element& element, const std::string& name);

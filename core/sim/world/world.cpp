@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/text.h"
+
 namespace usar::sim {
 
 namespace {
@@ -28,12 +30,18 @@ Rectangle extentOf(const World& world) {
     return extent;
 }
 
+const Pose* findStart(const World& world, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(world.start_poses, [&](const NamedPose& start) { return sameWord(start.name, name); });
+    return found == world.start_poses.end() ? nullptr : &found->pose_in_map;
+}
+
 std::string_view nameOf(VictimPartKind kind) {
     return part_names.at(static_cast<std::size_t>(kind));
 }
 
 std::optional<VictimPartKind> victimPartKind(std::string_view name) {
-    const auto found = std::find(part_names.begin(), part_names.end(), name);
+    const auto found = std::ranges::find(part_names, name);
     if (found == part_names.end())
         return std::nullopt;
     return static_cast<VictimPartKind>(found - part_names.begin());

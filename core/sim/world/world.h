@@ -129,6 +129,9 @@ struct World {
 /// Bounds of the terrain, or of all boxes if there is no terrain; empty if there is neither.
 Rectangle extentOf(const World& world);
 
+/// The start pose with this name, in any case; nullptr if there is none.
+const Pose* findStart(const World& world, std::string_view name);
+
 /// The kind's word on the wire, such as "Head".
 std::string_view nameOf(VictimPartKind kind);
 /// The kind with exactly this word; nullopt if there is none.

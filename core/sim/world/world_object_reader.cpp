@@ -60,32 +60,12 @@ Result<Pose, std::string> readInertial(const sdf::Link& link, BodyDescription& b
 
 /// The shape with sizes above zero, or what is wrong with it.
 Result<BodyPart, std::string> readPart(const sdf::Collision& collision) {
-    const sdf::Geometry& geometry = *collision.Geom();
-    BodyPart part{{}, toPose(collision.RawPose())};
-    double smallest_m = 0.0;
-    switch (geometry.Type()) {
-    case sdf::GeometryType::BOX:
-        part.shape = BoxShape{toVec3(geometry.BoxShape()->Size())};
-        smallest_m = geometry.BoxShape()->Size().Min();
-        break;
-    case sdf::GeometryType::SPHERE:
-        part.shape = SphereShape{geometry.SphereShape()->Radius()};
-        smallest_m = geometry.SphereShape()->Radius();
-        break;
-    case sdf::GeometryType::CYLINDER:
-        part.shape = CylinderShape{geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length()};
-        smallest_m = std::min(geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length());
-        break;
-    case sdf::GeometryType::CAPSULE:
-        part.shape = CapsuleShape{geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length()};
-        smallest_m = std::min(geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length());
-        break;
-    default:
+    const auto shape = shapeIn(*collision.Geom());
+    if (!shape)
         return tl::unexpected(std::string("has a shape that is neither a box, a sphere, a cylinder nor a capsule"));
-    }
-    if (!(smallest_m > 0.0))
+    if (!(shape->smallest_m > 0.0))
         return tl::unexpected(std::string("has a shape without size"));
-    return part;
+    return BodyPart{shape->shape, toPose(collision.RawPose())};
 }
 
 } // namespace
@@ -102,7 +82,7 @@ Result<WorldObject> readObject(const sdf::Model& model, const std::filesystem::p
     if (!center_in_link)
         return refuse(center_in_link.error(), link.Element());
     if (link.CollisionCount() == 0)
-        return refuse("has no collision, so it would fall for ever", link.Element());
+        return refuse("has no collision, so it would fall forever", link.Element());
     const SurfaceFigures surface = surfaceOf(*link.CollisionByIndex(0));
     for (std::uint64_t c = 0; c < link.CollisionCount(); ++c) {
         const sdf::Collision& collision = *link.CollisionByIndex(c);

@@ -50,7 +50,7 @@ Result<void> writeWorld(const World& world, const std::filesystem::path& folder)
     if (world.terrain.empty() && world.boxes.empty())
         return failure("this world has nothing to stand on, so it cannot be written", folder.string());
     if (!isFinite(world.terrain))
-        return failure("this terrain has a height that is no number", folder.string());
+        return failure("this terrain has a height that is not a number", folder.string());
     std::error_code trouble;
     std::filesystem::create_directories(folder, trouble);
     if (trouble)

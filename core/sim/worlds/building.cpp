@@ -28,11 +28,8 @@ Terrain terrainOf(const PostGrid& grid, const std::function<double(const Vec2&)>
 
 double lowestGround_m(const Terrain& terrain, const Vec2& at_m, double radius_m) {
     double lowest_m = terrain.height_m(at_m);
-    for (int i = 0; i < 8; ++i) {
-        const double angle_rad = pi * i / 4.0;
-        lowest_m =
-            std::min(lowest_m, terrain.height_m(at_m + radius_m * Vec2{std::cos(angle_rad), std::sin(angle_rad)}));
-    }
+    for (const Vec2& side_m : ringAround(at_m, radius_m))
+        lowest_m = std::min(lowest_m, terrain.height_m(side_m));
     return std::floor(lowest_m * 1000.0) / 1000.0;
 }
 
@@ -46,6 +43,24 @@ Plant makeTree(Random& random, const Terrain& terrain, const Vec2& at_m) {
         tree.crown_height_m = between(random, 3.0, 6.0);
     tree.base_in_map_m = {at_m.x(), at_m.y(), lowestGround_m(terrain, at_m, tree.trunk_radius_m)};
     return tree;
+}
+
+void scatter(World& world, Spacing& trunks, int wanted, int most_tries,
+             const std::function<std::optional<Plant>()>& tryOne) {
+    for (int planted = 0, tries = 0; planted < wanted && tries < most_tries; ++tries)
+        if (const auto plant = tryOne()) {
+            world.plants.push_back(*plant);
+            trunks.add(plant->base_in_map_m.head<2>());
+            ++planted;
+        }
+}
+
+std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m) {
+    std::array<Vec2, 8> points_m;
+    for (int i = 0; i < 8; ++i)
+        points_m[static_cast<std::size_t>(i)] =
+            center_m + radius_m * Vec2{std::cos(pi * i / 4.0), std::sin(pi * i / 4.0)};
+    return points_m;
 }
 
 Box block(const Vec3& low_m, const Vec3& high_m) {

@@ -1,11 +1,14 @@
 // Parts that generated worlds are built from: numbers that files keep exactly, grounds, trees, blocks.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "core/base/random.h"
 #include "core/sim/world/world.h"
+#include "core/sim/worlds/spacing.h"
 
 namespace usar::sim {
 
@@ -32,6 +35,14 @@ double lowestGround_m(const Terrain& terrain, const Vec2& at_m, double radius_m)
 /// A tree of random size, rooted so deep that no slope leaves a gap under the trunk's lower side. Trees are tall enough
 /// for an AirRobot to find crowns when it scans 6 m above ground.
 Plant makeTree(Random& random, const Terrain& terrain, const Vec2& at_m);
+
+/// Adds `wanted` plants one by one where `tryOne` finds a place, and their positions to `trunks`. Gives up after
+/// `most_tries` calls of `tryOne`, which is far above the number needed.
+void scatter(World& world, Spacing& trunks, int wanted, int most_tries,
+             const std::function<std::optional<Plant>()>& tryOne);
+
+/// Eight points on a circle, evenly spaced from the x axis on.
+std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m);
 
 /// The upright box between its lowest and its highest corner.
 Box block(const Vec3& low_m, const Vec3& high_m);

@@ -36,17 +36,17 @@ Result<ElevationTable> readElevationCsv(const std::filesystem::path& file) {
         const std::string where = file.string() + ":" + std::to_string(table.rows + 1);
         const std::size_t before = table.heights_m.size();
         if (!appendRow(line, table.heights_m))
-            return failure("there is something that is no height", where, "Give numbers with commas between them");
+            return failure("one of the values is not a height", where, "Give numbers with commas between them");
         const std::size_t columns = table.heights_m.size() - before;
         if (table.rows > 0 && columns != table.columns)
             return failure("the line has " + std::to_string(columns) + " heights, the first one " +
                                std::to_string(table.columns),
-                           where, "Give every line equally many");
+                           where, "Give every line the same number of heights");
         table.columns = columns;
         ++table.rows;
     }
     if (table.rows < 4 || table.columns < 4)
-        return failure("there are less than 4 x 4 heights", file.string(), "Check that the file is whole");
+        return failure("there are fewer than 4 x 4 heights", file.string(), "Check that the file is complete");
     return table;
 }
 

@@ -76,11 +76,11 @@ World makeSpqrSoccer(std::uint64_t) {
     buildGoal(world, -1.0);
     buildBeacons(world);
     world.objects = {ball()};
-    for (const StartPlace& start :
-         {StartPlace{"PlayerStart", {-1.5, 0.0}, 0.0}, StartPlace{"Opponent", {1.5, 0.0}, pi},
-          StartPlace{"LeftWing", {-0.5, 1.2}, 0.0}, StartPlace{"RightWing", {-0.5, -1.2}, 0.0},
-          StartPlace{"BesideTheField", {0.0, -3.5}, pi / 2.0}})
-        world.start_poses.push_back(startOver(start, 0.0));
+    addStarts(world, {{"PlayerStart", {-1.5, 0.0}, 0.0},
+                      {"Opponent", {1.5, 0.0}, pi},
+                      {"LeftWing", {-0.5, 1.2}, 0.0},
+                      {"RightWing", {-0.5, -1.2}, 0.0},
+                      {"BesideTheField", {0.0, -3.5}, pi / 2.0}});
     return world;
 }
 

@@ -1,5 +1,6 @@
 #include "core/sim/worlds/start_places.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/sim/worlds/building.h"
@@ -10,6 +11,16 @@ NamedPose startOver(const StartPlace& place, double ground_z_m) {
     return {place.name,
             {.position_m = {place.at_m.x(), place.at_m.y(), wholeMillimetres(ground_z_m + spawn_height_m)},
              .yaw_rad = wholeMillimetres(place.yaw_rad)}};
+}
+
+void addStarts(World& world, const std::vector<StartPlace>& places) {
+    for (const StartPlace& place : places)
+        world.start_poses.push_back(startOver(place, world.terrain.height_m(place.at_m)));
+}
+
+bool isFarFrom(const std::vector<StartPlace>& places, const Vec2& point_m, double distance_m) {
+    return std::ranges::all_of(places,
+                               [&](const StartPlace& place) { return (point_m - place.at_m).norm() > distance_m; });
 }
 
 Vec2 bestOnGrid(double half_m, double step_m, const std::function<std::optional<double>(const Vec2&)>& score) {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/sim/world/world.h"
@@ -23,6 +23,10 @@ inline constexpr double spawn_height_m = 0.35;
 
 /// The start pose above ground of this height, rounded to numbers that files keep exactly.
 NamedPose startOver(const StartPlace& place, double ground_z_m);
+/// Adds start poses above the world's terrain.
+void addStarts(World& world, const std::vector<StartPlace>& places);
+/// True if the point is farther than `distance_m` from every one of the places.
+bool isFarFrom(const std::vector<StartPlace>& places, const Vec2& point_m, double distance_m);
 
 /// The point with the highest `score` on a square grid of posts `step_m` apart within +-`half_m`. A point without a
 /// score is not a candidate; if there is none, the result is the origin.

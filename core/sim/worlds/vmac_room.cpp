@@ -96,10 +96,11 @@ World makeVmacRoom(std::uint64_t seed) {
     buildPillars(world);
     buildShelves(world, random);
     placeSigns(world);
-    for (const StartPlace& start : {StartPlace{"PlayerStart", {0.0, 0.0}, 0.0}, StartPlace{"West", {-16.0, 0.0}, 0.0},
-                                    StartPlace{"East", {16.0, 0.0}, pi}, StartPlace{"NorthAisle", {-6.0, 6.0}, 0.0},
-                                    StartPlace{"BetweenShelves", {0.0, -9.0}, pi / 2.0}})
-        world.start_poses.push_back(startOver(start, 0.0));
+    addStarts(world, {{"PlayerStart", {0.0, 0.0}, 0.0},
+                      {"West", {-16.0, 0.0}, 0.0},
+                      {"East", {16.0, 0.0}, pi},
+                      {"NorthAisle", {-6.0, 6.0}, 0.0},
+                      {"BetweenShelves", {0.0, -9.0}, pi / 2.0}});
     return world;
 }
 

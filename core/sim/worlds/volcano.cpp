@@ -46,9 +46,42 @@ public:
     const Vec2& half_m() const { return half_m_; }
 
 private:
-    double spline_m(const Vec2& at_m) const;
-    StartPlace levelNear(const char* name, const Vec2& hint_m, double reach_m) const;
-    void chooseStarts();
+    double spline_m(const Vec2& at_m) const {
+        const Vec2 post = ((at_m + half_m_) / volcano_post_m).cwiseMax(0.0);
+        const auto cellOf = [](double coordinate, std::size_t count) {
+            return std::min(static_cast<std::size_t>(coordinate), count - 2);
+        };
+        const std::size_t row = cellOf(post.x(), source_.rows);
+        const std::size_t column = cellOf(post.y(), source_.columns);
+        const auto along_rows = splineWeights(post.x() - static_cast<double>(row));
+        const auto along_columns = splineWeights(post.y() - static_cast<double>(column));
+        // Beyond the border, the posts on it are repeated.
+        const auto neighbor = [](std::size_t cell, std::size_t i, std::size_t count) {
+            return std::min(cell + i - std::min<std::size_t>(cell + i, 1), count - 1);
+        };
+        double height_m = 0.0;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j)
+                height_m += along_rows[i] * along_columns[j] *
+                            source_.at(neighbor(row, i, source_.rows), neighbor(column, j, source_.columns));
+        return height_m;
+    }
+
+    StartPlace levelNear(const char* name, const Vec2& hint_m, double reach_m) const {
+        const Vec2 best_m = bestOnGrid(reach_m, 2.5, [&](const Vec2& offset_m) -> std::optional<double> {
+            double unevenness_m = 0.0;
+            for (const Vec2& side_m : ringAround(hint_m + offset_m, 2.0))
+                unevenness_m = std::max(unevenness_m, std::abs(spline_m(side_m) - spline_m(hint_m + offset_m)));
+            return -unevenness_m - 1e-4 * offset_m.norm();
+        });
+        const Vec2 at_m = hint_m + best_m;
+        return {name, at_m, yawToward(at_m, Vec2::Zero())};
+    }
+
+    void chooseStarts() {
+        starts_ = {levelNear("PlayerStart", {185.0, -90.0}, 20.0), levelNear("Summit", {-240.0, 0.0}, 40.0),
+                   levelNear("CraterFloor", {-135.0, 30.0}, 30.0), levelNear("NorthFoot", {330.0, 215.0}, 20.0)};
+    }
 
     const ElevationTable& source_;
     FractalNoise roughness_;
@@ -56,63 +89,18 @@ private:
     std::vector<StartPlace> starts_;
 };
 
-double VolcanoGround::spline_m(const Vec2& at_m) const {
-    const Vec2 post = ((at_m + half_m_) / volcano_post_m).cwiseMax(0.0);
-    const auto cellOf = [](double coordinate, std::size_t count) {
-        return std::min(static_cast<std::size_t>(coordinate), count - 2);
-    };
-    const std::size_t row = cellOf(post.x(), source_.rows);
-    const std::size_t column = cellOf(post.y(), source_.columns);
-    const auto along_rows = splineWeights(post.x() - static_cast<double>(row));
-    const auto along_columns = splineWeights(post.y() - static_cast<double>(column));
-    // Beyond the border, the posts on it are repeated.
-    const auto neighbor = [](std::size_t cell, std::size_t i, std::size_t count) {
-        return std::min(cell + i - std::min<std::size_t>(cell + i, 1), count - 1);
-    };
-    double height_m = 0.0;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            height_m += along_rows[i] * along_columns[j] *
-                        source_.at(neighbor(row, i, source_.rows), neighbor(column, j, source_.columns));
-    return height_m;
-}
-
-StartPlace VolcanoGround::levelNear(const char* name, const Vec2& hint_m, double reach_m) const {
-    const Vec2 best_m = bestOnGrid(reach_m, 2.5, [&](const Vec2& offset_m) -> std::optional<double> {
-        double unevenness_m = 0.0;
-        for (int i = 0; i < 8; ++i) {
-            const Vec2 side_m(2.0 * std::cos(pi * i / 4.0), 2.0 * std::sin(pi * i / 4.0));
-            const double rise_m = spline_m(hint_m + offset_m + side_m) - spline_m(hint_m + offset_m);
-            unevenness_m = std::max(unevenness_m, std::abs(rise_m));
-        }
-        return -unevenness_m - 1e-4 * offset_m.norm();
-    });
-    const Vec2 at_m = hint_m + best_m;
-    return {name, at_m, yawToward(at_m, Vec2::Zero())};
-}
-
-void VolcanoGround::chooseStarts() {
-    starts_ = {levelNear("PlayerStart", {185.0, -90.0}, 20.0), levelNear("Summit", {-240.0, 0.0}, 40.0),
-               levelNear("CraterFloor", {-135.0, 30.0}, 30.0), levelNear("NorthFoot", {330.0, 215.0}, 20.0)};
-}
-
 void plantTrees(World& world, const VolcanoGround& ground, std::uint64_t seed) {
     Random random = seeded(seed, 4);
     const FractalNoise woods{.seed = random(), .octaves = 2, .wavelength_m = 120.0, .amplitude_m = 1.0};
     Spacing trunks(ground.half_m().maxCoeff());
-    for (int planted = 0, tries = 0; planted < trees && tries < 1000 * trees; ++tries) {
-        const Vec2 reach_m = ground.half_m() - Vec2::Constant(5.0);
+    const Vec2 reach_m = ground.half_m() - Vec2::Constant(5.0);
+    scatter(world, trunks, trees, 1000 * trees, [&]() -> std::optional<Plant> {
         const Vec2 at_m(between(random, -reach_m.x(), reach_m.x()), between(random, -reach_m.y(), reach_m.y()));
         const bool grows = uniform(random, 0.0, 1.0) < smoothStep(0.0, 0.6, woods.at(at_m));
-        const bool keeps_starts =
-            std::all_of(ground.starts().begin(), ground.starts().end(),
-                        [&](const StartPlace& start) { return (at_m - start.at_m).norm() > open_radius_m + 3.0; });
-        if (!grows || !keeps_starts || !trunks.isClear(at_m, 3.0))
-            continue;
-        world.plants.push_back(makeTree(random, world.terrain, at_m));
-        trunks.add(at_m);
-        ++planted;
-    }
+        if (!grows || !isFarFrom(ground.starts(), at_m, open_radius_m + 3.0) || !trunks.isClear(at_m, 3.0))
+            return std::nullopt;
+        return makeTree(random, world.terrain, at_m);
+    });
 }
 
 } // namespace
@@ -127,8 +115,7 @@ World makeVolcano(const ElevationTable& source, std::uint64_t seed) {
                                .steps_per_m = 512.0},
                               [&](const Vec2& at_m) { return ground.height_m(at_m); });
     world.gps_reference = maunga_whau;
-    for (const StartPlace& start : ground.starts())
-        world.start_poses.push_back(startOver(start, world.terrain.height_m(start.at_m)));
+    addStarts(world, ground.starts());
     plantTrees(world, ground, seed);
     return world;
 }
