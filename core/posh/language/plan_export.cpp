@@ -64,7 +64,7 @@ private:
         if constexpr (requires { form.time_limit; })
             timeLimit(form.time_limit);
         if constexpr (requires { form.levels; })
-            for (auto& level : form.levels)
+            for (Level& level : form.levels)
                 members(level);
         details(form);
     }
@@ -98,7 +98,7 @@ private:
     }
     void details(Adopt& adopt) {
         if (isYaposh() && adopt.goal.empty()) // A goal that is never satisfied, as yaPOSH writes it
-            adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail", {}}, {}}, {}, {}});
+            adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail"}}});
     }
     void details(Collection& collection) {
         if (isYaposh())
@@ -108,19 +108,16 @@ private:
         collection.keyword = real ? "SRDC" : "SDC";
     }
 
-    template <class Member>
-    void members(std::vector<Member>& level) {
+    void members(Level& level) {
         if (isYaposh() && level.size() > 1)
             lose(level[1].name.at, "equals in a level: they are ordered as they stand");
         for (Member& member : level) {
             name(member.name);
             senses(member.trigger);
             comment(member.comment);
-            if constexpr (requires { member.frequency; }) {
-                if (member.frequency && member.frequency->unit == Unit::Ticks) {
-                    lose(member.frequency->at, "frequency in ticks, which is left out");
-                    member.frequency.reset();
-                }
+            if (member.frequency && member.frequency->unit == Unit::Ticks) {
+                lose(member.frequency->at, "frequency in ticks, which is left out");
+                member.frequency.reset();
             }
         }
     }
@@ -194,44 +191,31 @@ private:
                 kept.push_back(std::move(step));
         }
         if (kept.empty())
-            kept.emplace_back(Call{{"doNothing", {}}, {}});
+            kept.emplace_back(Call{{"doNothing"}});
         pattern.steps = std::move(kept);
     }
     /// Converts an adopt to a competence, which also continues until the goal holds, but loses its place when it is
     /// interrupted.
     Competence asCompetence(Adopt adopt) {
         lose(adopt.name.at, "adopt; it becomes a competence, which loses its place when it is interrupted");
-        Element element{{adopt.name.text, {}}, {}, std::move(adopt.adopted), {}, {}, {}, {}};
-        return {std::move(adopt.name),    {},      {}, std::move(adopt.goal), {{std::move(element)}}, {},
-                std::move(adopt.remarks), adopt.at};
+        Member element{.name = {adopt.name.text}, .action = std::move(adopt.adopted)};
+        return {.name = std::move(adopt.name),
+                .goal = std::move(adopt.goal),
+                .levels = {{std::move(element)}},
+                .remarks = std::move(adopt.remarks),
+                .at = adopt.at};
     }
 
-    static void useSemicolon(std::string& remark) {
-        if (remark.starts_with('#'))
-            remark.front() = ';';
-    }
-    static void useSemicolons(Remarks& remarks) {
-        for (std::string& line : remarks.above)
-            useSemicolon(line);
-        useSemicolon(remarks.beside);
-    }
     void useSemicolons() {
-        useSemicolons(plan_.remarks);
-        for (std::string& line : plan_.closing_remarks)
-            useSemicolon(line);
-        if (plan_.documentation)
-            useSemicolons(plan_.documentation->remarks);
-        for (Form& form : plan_.forms) {
-            useSemicolons(remarksOf(form));
-            std::visit(
-                [](auto& any) {
-                    if constexpr (requires { any.levels; })
-                        for (auto& level : any.levels)
-                            for (auto& member : level)
-                                useSemicolons(member.remarks);
-                },
-                form);
-        }
+        const auto mark = [](std::string& remark) {
+            if (remark.starts_with('#'))
+                remark.front() = ';';
+        };
+        forEachRemarks(plan_, [&mark](Remarks& remarks) {
+            std::ranges::for_each(remarks.above, mark);
+            mark(remarks.beside);
+        });
+        std::ranges::for_each(plan_.closing_remarks, mark);
     }
 
     const Plan source_;

@@ -81,12 +81,12 @@ bool TokenCursor::fail(Code code, std::string message) {
 }
 
 bool TokenCursor::failAt(Code code, const Spot& at, std::string message) {
-    findings_.push_back({code, at, std::move(message), std::nullopt});
+    findings_.push_back({code, at, std::move(message)});
     return false;
 }
 
 void TokenCursor::warn(Code code, const Spot& at, std::string message) {
-    findings_.push_back({code, at, std::move(message), std::nullopt});
+    findings_.push_back({code, at, std::move(message)});
 }
 
 } // namespace usar::posh

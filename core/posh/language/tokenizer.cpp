@@ -174,7 +174,7 @@ void Tokenizer::warn(Code code, const Spot& at, std::string message) {
         return;
     if (list_.warnings.size() == most_warnings)
         message = "there are more such characters and names, which are not listed; mend the ones above first";
-    list_.warnings.push_back({code, at, std::move(message), std::nullopt});
+    list_.warnings.push_back({code, at, std::move(message)});
 }
 
 void Tokenizer::passCharacter() {

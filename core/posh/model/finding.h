@@ -72,9 +72,9 @@ bool isUnreadable(Code code);
 /// One error or warning about a plan.
 struct Finding {
     Code code = Code::UnexpectedToken;
-    Spot at;
-    std::string message;        ///< one sentence, "<problem>; <what to write>"
-    std::optional<Spot> opener; ///< place of the parenthesis that was never closed; only for Code::EndOfFile
+    Spot at{};
+    std::string message{};        ///< one sentence, "<problem>; <what to write>"
+    std::optional<Spot> opener{}; ///< place of the parenthesis that was never closed; only for Code::EndOfFile
     bool operator==(const Finding&) const = default;
 };
 
