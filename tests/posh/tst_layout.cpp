@@ -190,9 +190,7 @@ void tst_Layout::anEditChangesOnlyItsPlace_data() {
         "\t  ((go ; why\n\t\tdrive\n\t)) ) )", " ) )");
     row(
         "an element is added at the end",
-        [](Plan& plan) {
-            competence(plan).levels.push_back({Element{{"rest", {}}, {}, {{"sleep", {}}, {}}, {}, {}, {}, {}}});
-        },
+        [](Plan& plan) { competence(plan).levels.push_back({Member{.name = {"rest"}, .action = {{"sleep"}}}}); },
         "\n\t)) ) )", "\n\t))\n      ((rest sleep)) ) )");
     row(
         "elements change places", [](Plan& plan) { std::swap(competence(plan).levels[0], competence(plan).levels[1]); },
@@ -201,7 +199,7 @@ void tst_Layout::anEditChangesOnlyItsPlace_data() {
     row(
         "a drive is added to a level",
         [](Plan& plan) {
-            collection(plan).levels[1].push_back(Drive{{"c", {}}, {}, {{"sit", {}}, {}}, {}, {}, {}, {}});
+            collection(plan).levels[1].push_back(Member{.name = {"c"}, .action = {{"sit"}}});
             collection(plan).comment.reset();
         },
         " ((b hop\n(hz 2)))) \"all\")", "\n      ( (b hop (hz 2))\n        (c sit))))");

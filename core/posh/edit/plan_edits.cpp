@@ -82,19 +82,13 @@ Result<PlanPart> swapIn(Plan& plan, const PlanPart& a, const PlanPart& b) {
         return b;
     }
     if (a.kind == PartKind::Sense) {
-        std::swap(const_cast<SenseTest&>(*senseOf(plan, a)), const_cast<SenseTest&>(*senseOf(plan, b)));
+        std::swap(senseIn(plan, a), senseIn(plan, b));
         return b;
     }
-    const auto swapMembers = [&]<class Kind>(Kind& from, Kind& to) {
-        std::swap(from.levels[a.level][a.member], to.levels[b.level][b.member]);
+    if (plan.forms[a.form].index() == plan.forms[b.form].index()) {
+        std::swap(memberIn(plan, a), memberIn(plan, b));
         return b;
-    };
-    if (auto* const from = std::get_if<Competence>(&plan.forms[a.form]))
-        if (auto* const to = std::get_if<Competence>(&plan.forms[b.form]))
-            return swapMembers(*from, *to);
-    if (auto* const from = std::get_if<Collection>(&plan.forms[a.form]))
-        if (auto* const to = std::get_if<Collection>(&plan.forms[b.form]))
-            return swapMembers(*from, *to);
+    }
     return failure("a drive and an element cannot change places", describe(plan, a), "move one of them");
 }
 

@@ -10,10 +10,6 @@ namespace usar::posh {
 
 namespace {
 
-Call doNothing() {
-    return callNamed("doNothing");
-}
-
 /// Removes the argument that begins at this byte of the text. Returns false if there is none.
 bool eraseArgument(Plan& plan, std::size_t offset) {
     bool erased = false;
@@ -43,7 +39,7 @@ Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::str
         std::vector<Formal>* const formals = formalsIn(plan.forms[form]);
         if (!formals)
             return noSuchPart();
-        formals->push_back({{name, {}}, value});
+        formals->push_back({{name}, value});
         return formPart(form);
     });
 }
@@ -57,21 +53,6 @@ Call mainCallOf(const Plan& plan) {
             return callNamed(nameOf(plan.forms[i]).text);
     }
     return doNothing();
-}
-
-bool alwaysReady(const Form& form, const PlanPart& part) {
-    return std::visit(
-        [&part](const auto& any) {
-            if constexpr (requires { any.levels; }) {
-                const auto& member = any.levels[part.level][part.member];
-                if constexpr (requires { member.retries; })
-                    return member.trigger.empty() && !retryLimit(member);
-                else
-                    return member.trigger.empty();
-            }
-            return false;
-        },
-        form);
 }
 
 } // namespace
@@ -162,9 +143,7 @@ void FixFinder::fixUnknownName() {
     add("Do nothing here", replaceCall(text_, *part, doNothing()));
     if (!name.empty()) // Only calls use the name, and they are meant to call the new pattern
         add("Make a pattern " + name, changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
-                plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part->form),
-                                  Pattern{{name, {}}, {}, std::nullopt, {doNothing()}, std::nullopt, Remarks(), {}});
-                return formPart(part->form);
+                return insertForm(plan, part->form, Pattern{.name = {name}, .steps = {doNothing()}});
             }));
 }
 
@@ -195,7 +174,7 @@ void FixFinder::fixVariable() {
     for (const Formal& formal : formalsOf(reading_.plan.forms[owner->form]))
         known.push_back('$' + formal.variable.name);
     writeNearest(known, 4, 2);
-    add("Declare $" + name, declare(text_, owner->form, name, {std::int64_t{0}, "0", {}}));
+    add("Declare $" + name, declare(text_, owner->form, name, {std::int64_t{0}, "0"}));
     replace("Write 0", finding_.at.offset, std::size_t{finding_.at.offset} + finding_.at.length, "0");
 }
 
@@ -215,7 +194,7 @@ void FixFinder::fixUndeclared() {
                                          : argument.name;
             const auto* const literal = std::get_if<Literal>(&argument.value);
             add("Declare $" + name,
-                declare(text_, reference.target, name, literal ? *literal : Literal{std::int64_t{0}, "0", {}}));
+                declare(text_, reference.target, name, literal ? *literal : Literal{std::int64_t{0}, "0"}));
         }
 }
 
@@ -223,15 +202,16 @@ void FixFinder::fixUnreached() {
     const auto part = partAt(reading_.plan, finding_.at.offset);
     if (!part || part->kind != PartKind::Member)
         return;
-    const Form& form = reading_.plan.forms[part->form];
     for (const NamedPart& other : partsOf(reading_.plan)) {
         const PlanPart& candidate = other.part;
-        if (candidate.kind != PartKind::Member || candidate.form != part->form || !alwaysReady(form, candidate))
+        const bool is_beside = candidate.kind == PartKind::Member && candidate.form == part->form;
+        const Member* const member = is_beside ? memberOf(reading_.plan, candidate) : nullptr;
+        if (!member || !member->trigger.empty() || retryLimit(*member))
             continue;
         add("Move " + inQuotes(other.name->text) + " to the end",
             moveMember(text_, candidate, {part->form, std::size_t(-1)}));
         add("Give " + inQuotes(other.name->text) + " a trigger that never holds",
-            setSenses(text_, candidate, {{callNamed("fail"), std::nullopt, std::nullopt}}));
+            setSenses(text_, candidate, {never()}));
         break;
     }
     add("Take " + inQuotes(nameOf(reading_.plan, *part)->text) + " away", removePart(text_, *part));
@@ -247,8 +227,7 @@ void FixFinder::fixFindingNothing() {
     const std::size_t last = competence->levels.size() - 1;
     add("Take the trigger of the last element away",
         setSenses(text_, memberPart(part->form, last, competence->levels[last].size() - 1), {}));
-    add("Add a goal that is never reached",
-        setSenses(text_, formPart(part->form), {{callNamed("fail"), std::nullopt, std::nullopt}}));
+    add("Add a goal that is never reached", setSenses(text_, formPart(part->form), {never()}));
 }
 
 /// Renames a form or member whose name is misleading or also a name of the robot.
