@@ -303,11 +303,11 @@ void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
     row(
         "a name beside its like", [] { return renamePart(source, part("look"), "go"); }, "has this name");
     row(
-        "a name with a blank", [] { return renamePart(source, part("wave"), "a b"); }, "no name");
+        "a name with a blank", [] { return renamePart(source, part("wave"), "a b"); }, "not a name");
     row(
         "a word of the language", [] { return renamePart(source, part("wave"), "Trigger"); }, "word of the language");
     row(
-        "no name", [] { return renamePart(source, part("wave"), ""); }, "no name");
+        "no name", [] { return renamePart(source, part("wave"), ""); }, "not a name");
     row(
         "a circle of references", [] { return replaceCall(source, part("turn"), call("pick")); }, "E302");
     row(
@@ -315,13 +315,13 @@ void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
     row(
         "a sense and an act", [] { return swapParts(source, part("lost"), part("turn")); }, "different kinds");
     row(
-        "a drive and an element", [] { return swapParts(source, part("look"), part("idle")); }, "change places");
+        "a drive and an element", [] { return swapParts(source, part("look"), part("idle")); }, "cannot be swapped");
     row(
         "a form that is called", [] { return removePart(source, part("wave")); }, "called in line 14, 16");
     row(
-        "the first goes no farther up", [] { return shiftPart(source, part("grab"), -1); }, "first already");
+        "the first goes no farther up", [] { return shiftPart(source, part("grab"), -1); }, "already the first");
     row(
-        "the last goes no farther down", [] { return shiftPart(source, part("idle"), 1); }, "last already");
+        "the last goes no farther down", [] { return shiftPart(source, part("idle"), 1); }, "already the last");
     row(
         "a drive with a frequency into a competence",
         [] {
@@ -357,7 +357,7 @@ void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
         "parts of two forms", [] { return wrapParts(source, part("look"), part("down"), FormKind::Ap); },
         "no such part");
     row(
-        "more than can stand there", [] { return inlineCall(source, part("pick)")); }, "more than can stand here");
+        "more than can stand there", [] { return inlineCall(source, part("pick)")); }, "more than fits here");
 }
 
 void tst_PlanEdits::whatCannotBeIsRefusedWithAReason() {

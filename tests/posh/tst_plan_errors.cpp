@@ -166,7 +166,7 @@ void tst_PlanErrors::messagesNameTheMend_data() {
     row("a parameter without default", "((AP p vars($x) (a)))", "; write $x=value");
     row("a misspelt parameter", "((AP p vars($speed=1) (a($sped))))", "; write $speed or declare it");
     row("a misspelt documentation", "((documentaton \"a\" \"b\" \"c\"))", "; write documentation");
-    row("a name that is taken", "((AP p (a)) (AP p (a)))", "stands at 1:6 already; give this one another name");
+    row("a name that is taken", "((AP p (a)) (AP p (a)))", "is already used at 1:6; give this one another name");
     row("a cycle", "((AP p (q)) (AP q (r)) (AP r (p)))", "\"p\" contains itself through \"q\", \"r\"; ");
 }
 

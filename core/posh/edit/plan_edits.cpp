@@ -48,7 +48,7 @@ Result<void> checkRename(const Plan& plan, const PlanPart& part, std::string_vie
     if (part.kind == PartKind::Member)
         return freeMemberName(plan.forms[part.form], std::string(name)) == name
                    ? Result<void>()
-                   : failure("another one beside it has this name", inQuotes(name), "choose another name");
+                   : failure("another one next to it has this name", inQuotes(name), "choose another name");
     const bool is_collection =
         part.kind == PartKind::Whole && std::holds_alternative<Collection>(plan.forms[part.form]);
     if (is_collection || is_sense)
@@ -89,7 +89,7 @@ Result<PlanPart> swapIn(Plan& plan, const PlanPart& a, const PlanPart& b) {
         std::swap(memberIn(plan, a), memberIn(plan, b));
         return b;
     }
-    return failure("a drive and an element cannot change places", describe(plan, a), "move one of them");
+    return failure("a drive and an element cannot be swapped", describe(plan, a), "move one of them");
 }
 
 } // namespace
@@ -98,7 +98,7 @@ Result<PlanReading> readForEdit(std::string_view text) {
     PlanReading reading = readPlan(text);
     for (const Finding& finding : reading.findings)
         if (isUnreadable(finding.code))
-            return failure("the text cannot be read here", placeOf(finding), "mend it first: " + finding.message);
+            return failure("the text cannot be read here", placeOf(finding), "fix it first: " + finding.message);
     return reading;
 }
 
@@ -111,7 +111,7 @@ Result<PlanEdit> checkedEdit(const PlanReading& before, std::string text, const 
             continue;
         const auto bad = std::find_if(after.begin(), after.end(),
                                       [code = code](const Finding& finding) { return finding.code == code; });
-        return failure("this would bring an error (" + toText(code) + ")", "", bad->message);
+        return failure("this would cause an error (" + toText(code) + ")", "", bad->message);
     }
     return PlanEdit{std::move(text), part};
 }

@@ -64,11 +64,11 @@ void FixFinder::fixSimply() {
     if (finding_.code == Code::ReferenceCycle)
         add("Do nothing here", replaceCall(text_, *part_, doNothing()));
     else if (finding_.code == Code::NeverUsed)
-        add("Take it away", removePart(text_, *part_));
+        add("Remove it", removePart(text_, *part_));
     else if (finding_.code == Code::NoElements)
         add("Add an element that does nothing", addMember(text_, {part_->form}, doNothing(), {}, "idle"));
     else
-        add("Take the number out", setLimit(text_, *part_, ""));
+        add("Remove the number", setLimit(text_, *part_, ""));
 }
 
 void FixFinder::fixDuplicate() {
@@ -79,7 +79,7 @@ void FixFinder::fixDuplicate() {
     const std::string name =
         is_form ? freeFormName(reading_.plan, old) : freeMemberName(reading_.plan.forms[part_->form], old);
     add("Name it " + name, renamePart(text_, *part_, name));
-    add("Take it away", removePart(text_, *part_));
+    add("Remove it", removePart(text_, *part_));
 }
 
 /// Fixes a name that the robot does not have: by a similar one that exists, or by a new pattern with that name.
@@ -103,7 +103,7 @@ void FixFinder::fixUnknownName() {
                 renamePart(text_, *part_, nearest));
     }
     if (is_sense)
-        return add("Take this sense away", removePart(text_, *part_));
+        return add("Remove this sense", removePart(text_, *part_));
     add("Do nothing here", replaceCall(text_, *part_, doNothing()));
     if (!name.empty()) // Only calls use the name, and they are meant to call the new pattern
         add("Make a pattern " + name, changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
@@ -116,12 +116,12 @@ void FixFinder::fixWrongUse() {
     if (!call)
         return;
     if (!call->arguments.empty())
-        add("Take the arguments out", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
+        add("Remove the arguments", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
                 callIn(plan, *part_).arguments.clear();
                 return *part_;
             }));
     if (call->arguments.size() > 1)
-        add("Take the last argument out", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
+        add("Remove the last argument", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
                 callIn(plan, *part_).arguments.pop_back();
                 return *part_;
             }));
@@ -141,7 +141,7 @@ void FixFinder::fixVariable() {
 }
 
 void FixFinder::fixUndeclared() {
-    add("Take the argument out", changePlan(text_, [this](Plan& plan) -> Result<PlanPart> {
+    add("Remove the argument", changePlan(text_, [this](Plan& plan) -> Result<PlanPart> {
             if (!eraseArgument(plan, finding_.at.offset))
                 return noSuchPart();
             return PlanPart();
@@ -175,7 +175,7 @@ void FixFinder::fixUnreached() {
             setSenses(text_, candidate, {never()}));
         break;
     }
-    add("Take " + inQuotes(nameOf(reading_.plan, *part_)->text) + " away", removePart(text_, *part_));
+    add("Remove " + inQuotes(nameOf(reading_.plan, *part_)->text), removePart(text_, *part_));
 }
 
 void FixFinder::fixFindingNothing() {
@@ -186,7 +186,7 @@ void FixFinder::fixFindingNothing() {
     add("Add a last element that does nothing",
         addMember(text_, {part_->form, std::size_t(-1)}, doNothing(), {}, name));
     const std::size_t last = competence->levels.size() - 1;
-    add("Take the trigger of the last element away",
+    add("Remove the trigger of the last element",
         setSenses(text_, memberPart(part_->form, last, competence->levels[last].size() - 1), {}));
     add("Add a goal that is never reached", setSenses(text_, formPart(part_->form), {never()}));
 }

@@ -82,7 +82,7 @@ Result<PlanPart> removeForm(Plan& plan, const PlanPart& part) {
     std::erase(callers, part);
     if (!callers.empty())
         return failure("it is called in " + placesOf(plan, callers), describe(plan, part),
-                       "take the calls away first, or put something else in their place");
+                       "remove the calls first, or replace them with something else");
     eraseAt(plan.forms, part.form);
     return formPart(part.form == 0 ? 0 : part.form - 1);
 }
@@ -179,7 +179,7 @@ Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words
     else if (auto* const pattern = std::get_if<Pattern>(&form))
         pattern->time_limit = *std::move(interval);
     else
-        return failure("it can have no limit", describe(plan, owner));
+        return failure("it cannot have a limit", describe(plan, owner));
     return owner;
 }
 
@@ -219,7 +219,7 @@ Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
     const bool is_step = isStep(plan, part);
     const bool fits = content && (is_step || (content->size() == 1 && std::holds_alternative<Call>(content->front())));
     if (!fits)
-        return failure("it does more than can stand here", describe(plan, formPart(*target)),
+        return failure("it does more than fits here", describe(plan, formPart(*target)),
                        "only a pattern in a pattern, or a form that does one thing, can be put in place of its call");
     const bool is_last_call = usagesOf(plan, part).size() == 2;
     PlanPart result = part;
@@ -245,7 +245,7 @@ Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const Se
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         Senses* const senses = sensesIn(plan, owner);
         if (!senses)
-            return failure("it asks no senses", describe(plan, owner),
+            return failure("it cannot have senses", describe(plan, owner),
                            "choose a drive, an element or a form with a goal");
         senses->push_back(test);
         PlanPart part = owner;
@@ -264,7 +264,7 @@ Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string
         if (is_collection && collectionOf(plan))
             return failure("a plan has one drive collection only", inQuotes(name), "add a drive to it");
         if (!is_collection && freeFormName(plan, name) != name)
-            return failure("the plan uses this name already", inQuotes(name), "choose another name");
+            return failure("the plan already uses this name", inQuotes(name), "choose another name");
         return insertForm(plan, placeForNewForm(plan), madeForm(kind, name, {}, content));
     });
 }
@@ -317,7 +317,7 @@ Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::s
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         std::optional<Literal>* const comment = commentIn(plan, owner);
         if (!comment)
-            return failure("it can have no comment", describe(plan, owner), "write ; and the comment in the text");
+            return failure("it cannot have a comment", describe(plan, owner), "write ; and the comment in the text");
         *comment = words.empty() ? std::nullopt : std::optional(Literal{std::string(words), quoted(words), {}});
         return owner;
     });

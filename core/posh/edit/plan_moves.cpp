@@ -17,11 +17,11 @@ Result<PlanPart> put(Plan& plan, const MemberPlace& to, Member member) {
         return failure("only a collection and a competence have such parts", nameOf(form).text, "choose another place");
     const bool is_drive = std::holds_alternative<Collection>(form);
     if (is_drive && member.retries)
-        return failure("it has a number of retries, which drives have not", inQuotes(member.name.text),
-                       "take that away first");
+        return failure("it has a number of retries, which a drive cannot have", inQuotes(member.name.text),
+                       "remove that first");
     if (!is_drive && member.frequency)
-        return failure("it has a frequency, which elements have not", inQuotes(member.name.text),
-                       "take that away first");
+        return failure("it has a frequency, which an element cannot have", inQuotes(member.name.text),
+                       "remove that first");
     const std::size_t level = std::min(to.level, levels->size());
     if (!to.beside || level == levels->size()) {
         insertAt(*levels, level, Level{std::move(member)});
@@ -76,7 +76,7 @@ LevelSizes sizesAround(const Plan& plan, const PlanPart& part) {
 }
 
 tl::unexpected<Error> atTheEnd(const Plan& plan, const PlanPart& part, int by) {
-    return failure(by < 0 ? "it is the first already" : "it is the last already", describe(plan, part));
+    return failure(by < 0 ? "it is already the first" : "it is already the last", describe(plan, part));
 }
 
 /// Swaps a sense with its neighbor in the goal or trigger; fails at the first or last one.

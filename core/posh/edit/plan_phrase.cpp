@@ -32,7 +32,7 @@ Result<Member> readElementAround(std::string_view words, std::string_view before
         return tl::unexpected(plan.error());
     Member element = (*levelsIn(plan->forms[0]))[0][0];
     if (element.name.text != "e" || !element.remarks.beside.empty() || !element.remarks.above.empty())
-        return failure("a comment cannot stand here", inQuotes(words), "write it in the text");
+        return failure("a comment cannot be here", inQuotes(words), "write it in the text");
     return element;
 }
 
@@ -42,7 +42,7 @@ Result<void> checkName(std::string_view name, bool dots_allowed) {
         list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
     const bool has_dot = name.find('.') != std::string_view::npos;
     if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
-        return failure("this is no name", inQuotes(name),
+        return failure("this is not a name", inQuotes(name),
                        "begin with a letter and write letters, digits, - and _ only");
     if (keywordOf(name) != Keyword::None)
         return failure("this is a word of the language", inQuotes(name), "choose another name");
@@ -99,7 +99,7 @@ Result<std::optional<Literal>> readRetriesPhrase(std::string_view words) {
     if (!element)
         return tl::unexpected(element.error());
     if (!element->retries || element->comment || element->action.name.text != "x" || !element->action.arguments.empty())
-        return failure("this is no whole number", inQuotes(words), "write how often it may start, as 3");
+        return failure("this is not a whole number", inQuotes(words), "write how often it may start, such as 3");
     return std::move(element->retries);
 }
 
@@ -117,7 +117,7 @@ Result<std::optional<Interval>> readIntervalPhrase(std::string_view words, bool 
     const Form& form = plan->forms[0];
     const auto found = rates_allowed ? (*levelsIn(form))[0][0].frequency : std::get<Competence>(form).time_limit;
     if (!found || !nameOf(form).text.starts_with(rates_allowed ? 'd' : 'c'))
-        return failure("this is no time", inQuotes(words),
+        return failure("this is not a time", inQuotes(words),
                        rates_allowed ? "write seconds 2 or hz 5" : "write seconds 2");
     return found;
 }

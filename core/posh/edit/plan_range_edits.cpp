@@ -76,7 +76,7 @@ Result<PlanPart> wrapLevels(Plan& plan, std::size_t form, const Stretch& stretch
         for (const Member& member : levels[i]) {
             if (member.frequency)
                 return failure("an element has no frequency", "the drive " + member.name.text,
-                               "take the frequency away first");
+                               "remove the frequency first");
             handOn(member.action, plan.forms[form], *reference, made.formals);
             for (const SenseTest& test : member.trigger)
                 handOn(test.call, plan.forms[form], *reference, made.formals);

@@ -132,7 +132,7 @@ void FixFinder::takeOut(std::size_t first_token, std::size_t last_token) {
     const std::size_t begin = beginOf(first_token);
     const std::size_t end = endOf(last_token);
     const bool blanks_around = begin > 0 && text_[begin - 1] == ' ' && (end == text_.size() || text_[end] != '\n');
-    replace("Take out " + inQuotes(text_.substr(begin, end - begin)), blanks_around ? begin - 1 : begin, end, "");
+    replace("Remove " + inQuotes(text_.substr(begin, end - begin)), blanks_around ? begin - 1 : begin, end, "");
 }
 
 void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most) {
@@ -182,13 +182,13 @@ void FixFinder::fixCharacters() {
         return replace("Write an ordinary blank", at, at + std::max<std::size_t>(finding_.at.length, length), " ");
     case Code::UnknownEscape:
         replace("Write a backslash", at, at + 1, "\\\\");
-        return replace("Take out the backslash", at, at + 1, "");
+        return replace("Remove the backslash", at, at + 1, "");
     case Code::MalformedSymbol:
         if (text_.substr(at, length) != "'")
             replace("Write _ in place of " + character, at, at + length, "_");
-        return replace("Take out " + character, at, at + length, "");
+        return replace("Remove " + character, at, at + length, "");
     default:
-        replace("Take out " + character, at, at + length, "");
+        replace("Remove " + character, at, at + length, "");
         if (finding_.code == Code::IllegalCharacter)
             replace("Write - in place of " + character, at, at + length, "-");
         if (endOf(here_) > at)
@@ -290,7 +290,7 @@ void FixFinder::fixTextAfterPlan() {
     if (token(here_).kind == TokenKind::Close && here_ + 1 == last)
         takeOut(here_, here_);
     if (here_ > 0) { // One of the closing parentheses before it may be superfluous
-        replace("Take out the ) before it", beginOf(here_ - 1), endOf(here_ - 1), "");
+        replace("Remove the ) before it", beginOf(here_ - 1), endOf(here_ - 1), "");
         add("Close the plan at the end",
             {{beginOf(here_ - 1), endOf(here_ - 1), ""}, {endOf(last - 1), endOf(last - 1), "\n)"}});
     }
@@ -364,7 +364,7 @@ void FixFinder::fixBareName() {
     for (const std::string& value : {"'" + name, '"' + name + '"', '$' + name})
         write(value);
     if (token(here_ - 1).kind == TokenKind::Open && token(here_ + 1).kind == TokenKind::Close)
-        replace("Take out the argument", beginOf(here_ - 1), endOf(here_ + 1), "");
+        replace("Remove the argument", beginOf(here_ - 1), endOf(here_ + 1), "");
 }
 
 /// Moves or removes an argument, together with the comma before it: `, $name=value` or `, value`.
@@ -377,7 +377,7 @@ void FixFinder::fixArgumentPlace() {
     if (!is_named)
         add("Move it to the front",
             {{endOf(open), endOf(open), std::string(word(here_)) + ", "}, {beginOf(here_ - 1), endOf(last), ""}});
-    replace("Take out the argument", beginOf(here_ - 1), endOf(last), "");
+    replace("Remove the argument", beginOf(here_ - 1), endOf(last), "");
 }
 
 void FixFinder::fixParameter() {
@@ -389,7 +389,7 @@ void FixFinder::fixParameter() {
         return;
     }
     if (token(here_ - 1).kind == TokenKind::Comma)
-        replace("Take out the second one", beginOf(here_ - 1), endOf(here_ + 2), "");
+        replace("Remove the second one", beginOf(here_ - 1), endOf(here_ + 2), "");
     replace("Name it " + std::string(word(here_)) + "2", beginOf(here_), endOf(here_), std::string(word(here_)) + "2");
 }
 

@@ -86,7 +86,7 @@ bool readRetries(TokenCursor& cursor, std::optional<Literal>& retries) {
         return false;
     if (retries->value == Value(std::int64_t{0}))
         cursor.warn(Code::ZeroRetries, retries->at,
-                    "zero retries mean no limit here, and never to other readers; leave the number out");
+                    "zero retries mean no limit here, but other readers take them as never; leave the number out");
     return true;
 }
 

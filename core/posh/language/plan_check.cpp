@@ -16,8 +16,8 @@ void checkNames(const Plan& plan, const FormIndex& index, Findings& findings) {
             continue;
         const Spot& at = nameOf(plan.forms[*first]).at;
         findings.push_back({Code::DuplicateName, name.at,
-                            "the name " + inQuotes(name.text) + " stands at " + std::to_string(at.line) + ':' +
-                                std::to_string(at.column) + " already; give this one another name"});
+                            "the name " + inQuotes(name.text) + " is already used at " + std::to_string(at.line) + ':' +
+                                std::to_string(at.column) + "; give this one another name"});
     }
 }
 
@@ -39,7 +39,7 @@ std::string freeVariableMessage(const std::string& name, const std::string& near
     const std::string what = inQuotes("$" + name);
     if (in_collection)
         return what + " has no value here: a collection has no parameters; write a value";
-    return what + " is no parameter of this form; " + (nearest.empty() ? "" : "write $" + nearest + " or ") +
+    return what + " is not a parameter of this form; " + (nearest.empty() ? "" : "write $" + nearest + " or ") +
            "declare it with vars($name=value)";
 }
 

@@ -110,7 +110,7 @@ private:
 
     void members(Level& level) {
         if (isYaposh() && level.size() > 1)
-            lose(level[1].name.at, "equals in a level: they are ordered as they stand");
+            lose(level[1].name.at, "members of equal priority: they keep the order in which they are written");
         for (Member& member : level) {
             name(member.name);
             senses(member.trigger);

@@ -86,7 +86,7 @@ void PlanReader::next() {
 void PlanReader::afterPlan() {
     saw_text_after_ = true;
     cursor_.fail(Code::TextAfterPlan, "the plan has ended before " + inQuotes(cursor_.word()) +
-                                          "; take it away, or a ) that stands too early");
+                                          "; remove it, or remove a ) that closes the plan too early");
 }
 
 void PlanReader::skipJunk() {
@@ -140,7 +140,7 @@ bool PlanReader::keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&,
 bool PlanReader::readDocumentationFirst(const Spot& begin) {
     if (saw_form_)
         return cursor_.fail(Code::LateDocumentation,
-                            "the documentation stands behind another form; write it first in the plan");
+                            "the documentation comes after another form; put it first in the plan");
     cursor_.advance();
     Documentation documentation;
     if (!readDocumentation(cursor_, begin, documentation))
@@ -166,10 +166,10 @@ bool PlanReader::readTheCollection(const Spot& begin, CollectionKind kind) {
 
 bool PlanReader::unknownForm() {
     if (!cursor_.at(TokenKind::Name))
-        return cursor_.unexpected("the kind of a form", "C, AP, AD or DC behind the (");
+        return cursor_.unexpected("the kind of a form", "C, AP, AD or DC after the (");
     const std::string word = lowerCase(cursor_.word());
     const std::string mend = editDistance(word, "documentation") <= 4 ? "documentation" : "C, AP, AD or DC";
-    return cursor_.fail(Code::UnknownForm, inQuotes(cursor_.word()) + " is no kind of form; write " + mend);
+    return cursor_.fail(Code::UnknownForm, inQuotes(cursor_.word()) + " is not a kind of form; write " + mend);
 }
 
 bool PlanReader::beginsFormAt(std::size_t index) const {
@@ -208,7 +208,7 @@ PlanReading readPlan(std::string_view text) {
         return {{},
                 {{Code::NotAPlan,
                   {1, 1, 0, 0},
-                  "the text is longer than 64 MiB, which no plan is; give another file",
+                  "the text is longer than 64 MiB, the limit for a plan; give another file",
                   {}}}};
     TokenList tokens = tokenize(text);
     PlanReader reader(text, tokens);

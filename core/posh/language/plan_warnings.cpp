@@ -104,7 +104,7 @@ void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Finding
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Name& name = nameOf(plan.forms[i]);
         if (!used[i] && !std::holds_alternative<Collection>(plan.forms[i]) && index.find(name.text) == i)
-            add(findings, Code::NeverUsed, name.at, inQuotes(name.text) + " is never used; call it, or take it away");
+            add(findings, Code::NeverUsed, name.at, inQuotes(name.text) + " is never used; call it, or remove it");
     }
 }
 

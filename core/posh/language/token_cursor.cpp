@@ -20,9 +20,9 @@ std::string lexicalMessage(Code code, std::string_view text, const Spot& at) {
     case Code::MalformedSymbol:
         return "a quote begins a symbol; write it as 'red or 'colors.RED";
     case Code::DollarWithoutName:
-        return "a dollar begins a variable; write its name right behind it, as $speed";
+        return "a dollar sign begins a variable; write its name right after it, as in $speed";
     default:
-        return "this is no name; write letters, digits, _ and -, with dots only between words";
+        return "this is not a name; write letters, digits, _ and -, with dots only between words";
     }
 }
 

@@ -173,7 +173,7 @@ void Tokenizer::warn(Code code, const Spot& at, std::string message) {
     if (list_.warnings.size() > most_warnings)
         return;
     if (list_.warnings.size() == most_warnings)
-        message = "there are more such characters and names, which are not listed; mend the ones above first";
+        message = "there are more such characters and names, which are not listed; fix the ones above first";
     list_.warnings.push_back({code, at, std::move(message)});
 }
 
@@ -193,7 +193,7 @@ void Tokenizer::passCharacter() {
     if (!character.valid) {
         Spot at = spotFrom(at_);
         at.length = 1;
-        warn(Code::BadByte, at, "this byte is no UTF-8 and reads as U+FFFD; save the file as UTF-8");
+        warn(Code::BadByte, at, "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
     }
     at_ += character.length;
     extra_bytes_ += character.length - 1;

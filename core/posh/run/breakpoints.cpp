@@ -51,7 +51,7 @@ Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::str
     const PlanReading reading = readPlan("((DC condition (drives ((it (trigger (\n" + text + "\n)) doNothing)))))");
     const Collection* const collection = collectionOf(reading.plan);
     if (hasErrors(reading.findings) || !collection || collection->levels.size() != 1)
-        return failure("it is no list of senses", "the condition " + text,
+        return failure("it is not a list of senses", "the condition " + text,
                        "Write for example (distance 0.3 <) (bumped)");
     return compile(reading.plan);
 }

@@ -32,7 +32,7 @@ public:
         } catch (const std::exception& thrown) {
             tracer_.noteText(TraceEvent::Error, place, thrown.what());
         } catch (...) {
-            tracer_.noteText(TraceEvent::Error, place, "it threw something that is no std::exception");
+            tracer_.noteText(TraceEvent::Error, place, "it threw something that is not a std::exception");
         }
         if (clock_ && now() - begin_ns > slow_ns_)
             tracer_.warn(WarningCode::SlowPrimitive, place, "slow: it took longer than its limit");

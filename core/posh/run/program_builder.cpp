@@ -210,8 +210,7 @@ Index Builder::addPlace(const Place& place, const Name& name) {
     if (number == fresh)
         names.push_back(name.text);
     if (program_->places.size() >= most_places)
-        fail("the plan comes to more than " + std::to_string(most_places) + " places when " + name.text +
-                 " is expanded",
+        fail("the plan has more than " + std::to_string(most_places) + " places when " + name.text + " is expanded",
              name.at, "Let forms refer to each other less often");
     program_->places.push_back(place);
     program_->places.back().name = number;
@@ -338,7 +337,7 @@ void Builder::expand(const Waiting& waiting) {
     scopes_.push_back(scopeOf(waiting));
     if (scopes_.back().depth > forms_.size())
         return fail(waiting.call->name.text + " leads back to itself", waiting.call->name.at,
-                    "Break the circle of references");
+                    "Break the cycle of references");
     const Target target{false, form};
     if (waiting.slot == Slot::Drive)
         program_->drives[waiting.slot_index].target = target;

@@ -38,7 +38,7 @@ bool isSound(const TraceRecord& record) {
 
 Result<TraceFile> TraceFile::open(std::string_view bytes) {
     if (!bytes.starts_with(magic))
-        return failure("it does not begin as a plan trace of this version", "the trace",
+        return failure("it does not begin like a plan trace of this version", "the trace",
                        "Open a file that this program recorded");
     TraceFile file;
     file.indexed_ = magic.size();
