@@ -74,6 +74,12 @@ std::vector<bool> risingRow(const std::vector<std::size_t>& numbers) {
     return belongs;
 }
 
+std::string memberText(const Form& form, const MemberView& member) {
+    const bool is_drive = std::holds_alternative<Collection>(form);
+    return is_drive ? "drive " + inQuotes(member.name->text)
+                    : "element " + inQuotes(member.name->text) + " of " + inQuotes(nameOf(form).text);
+}
+
 class Comparer {
 public:
     Comparer(const Plan& before, const Plan& after) : old_(before), new_(after), renamed_(before) {}
@@ -219,12 +225,137 @@ private:
              whose + ": " + what + " was " + shown(before) + ", is " + shown(after));
     }
 
+    /// Compares the steps of two patterns. Of the steps that both have, those in the same relative order stayed and the
+    /// others moved.
     void compareSteps(const std::vector<Step>& before, const std::vector<Step>& after, std::size_t old_form,
-                      std::size_t new_form);
-    void compareMembers(std::size_t before, std::size_t after);
-    void compareMember(const MemberView& was, const MemberView& is, const std::string& whose);
-    void compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form);
-    void tellMembers();
+                      std::size_t new_form) {
+        std::map<std::string, std::vector<std::size_t>> places;
+        for (std::size_t i = before.size(); i-- > 0;)
+            places[textOf(appendStep, before[i])].push_back(i);
+        std::vector<std::size_t> from;
+        std::vector<std::size_t> to;
+        const std::string whose = formText(new_.forms[new_form]);
+        const auto part = [](const Step& step, std::size_t form, std::size_t index) {
+            return PlanPart{std::holds_alternative<Call>(step) ? PartKind::Action : PartKind::Sense, form, 0, 0, index};
+        };
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            auto& same = places[textOf(appendStep, after[i])];
+            if (same.empty()) {
+                tell(ChangeKind::Added, std::nullopt, part(after[i], new_form, i),
+                     whose + ": step " + textOf(appendStep, after[i]) + " added");
+                continue;
+            }
+            from.push_back(same.back());
+            to.push_back(i);
+            same.pop_back();
+        }
+        const std::vector<bool> stayed = risingRow(from);
+        for (std::size_t i = 0; i < from.size() && from.size() < most_steps_compared; ++i)
+            if (!stayed[i])
+                tell(ChangeKind::Moved, part(before[from[i]], old_form, from[i]), part(after[to[i]], new_form, to[i]),
+                     whose + ": step " + textOf(appendStep, after[to[i]]) + " moved from place " +
+                         std::to_string(from[i] + 1) + " to place " + std::to_string(to[i] + 1));
+        for (const auto& [words, left] : places)
+            for (const std::size_t i : left)
+                tell(ChangeKind::Removed, part(before[i], old_form, i), std::nullopt,
+                     whose + ": step " + words + " removed");
+    }
+
+    void compareMembers(std::size_t before, std::size_t after) {
+        const Form& form = new_.forms[after];
+        std::map<std::string, std::vector<MemberView>> by_name;
+        std::vector<MemberView> old_members = membersOf(renamed_.forms[before], before);
+        for (auto member = old_members.rbegin(); member != old_members.rend(); ++member)
+            by_name[member->name->text].push_back(*member);
+        std::vector<std::pair<MemberView, MemberView>> pairs;
+        std::vector<MemberView> left;
+        for (const MemberView& member : membersOf(form, after)) {
+            auto& same = by_name[member.name->text];
+            if (same.empty()) {
+                left.push_back(member);
+                continue;
+            }
+            pairs.emplace_back(same.back(), member);
+            same.pop_back();
+        }
+        for (const MemberView& member : left) {
+            const auto same = std::find_if(by_name.begin(), by_name.end(), [&member](const auto& entry) {
+                return !entry.second.empty() && entry.second.back().content() == member.content();
+            });
+            if (same == by_name.end()) {
+                come_.push_back(member);
+                continue;
+            }
+            const MemberView was = same->second.back();
+            same->second.pop_back();
+            tell(ChangeKind::Renamed, was.part, member.part,
+                 memberText(renamed_.forms[before], was) + " renamed to " + inQuotes(member.name->text));
+            pairs.emplace_back(was, member);
+        }
+        for (const auto& [name, members] : by_name)
+            gone_.insert(gone_.end(), members.begin(), members.end());
+        std::ranges::sort(pairs, {}, [](const auto& pair) { return pair.second.place; });
+        for (const auto& [was, is] : pairs)
+            compareMember(was, is, memberText(form, is));
+        compareOrder(pairs, form);
+    }
+
+    void compareMember(const MemberView& was, const MemberView& is, const std::string& whose) {
+        const bool is_drive = std::holds_alternative<Collection>(new_.forms[is.part.form]);
+        compareWords(whose, "trigger", was.trigger, is.trigger, was.part, is.part);
+        compareWords(whose, "act", was.action, is.action, was.part, is.part);
+        compareWords(whose, is_drive ? "frequency" : "starts", was.limit, is.limit, was.part, is.part);
+        compareWords(whose, "comment", was.comment, is.comment, was.part, is.part);
+    }
+
+    void compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form) {
+        std::vector<std::size_t> places;
+        for (const auto& [was, is] : pairs)
+            places.push_back(was.place);
+        const std::vector<bool> stayed = risingRow(places);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const auto& [was, is] = pairs[i];
+            const std::string whose = memberText(form, is);
+            if (!stayed[i])
+                tell(ChangeKind::Moved, was.part, is.part,
+                     whose + " moved from place " + std::to_string(was.place) + " to place " +
+                         std::to_string(is.place));
+        }
+        for (std::size_t i = 1; i < pairs.size();
+             ++i) { // Has each member joined or left the level of the one before it?
+            const bool were_equal = pairs[i - 1].first.part.level == pairs[i].first.part.level;
+            const bool are_equal = pairs[i - 1].second.part.level == pairs[i].second.part.level;
+            if (were_equal != are_equal)
+                tell(ChangeKind::Moved, pairs[i].first.part, pairs[i].second.part,
+                     memberText(form, pairs[i].second) + (are_equal ? " is an equal of " : " is no equal of ") +
+                         inQuotes(pairs[i - 1].second.name->text) + " now");
+        }
+    }
+
+    /// Reports members that were added or removed. A member that left one form and appears in another with the same
+    /// name and action has moved.
+    void tellMembers() {
+        for (const MemberView& member : come_) {
+            const auto from = std::ranges::find_if(gone_, [&member](const MemberView& other) {
+                return other.name->text == member.name->text && other.action == member.action;
+            });
+            const Form& form = new_.forms[member.part.form];
+            const std::string whose = memberText(form, member);
+            if (from == gone_.end()) {
+                tell(ChangeKind::Added, std::nullopt, member.part, whose + " added");
+                continue;
+            }
+            tell(ChangeKind::Moved, from->part, member.part,
+                 (std::holds_alternative<Collection>(form) ? "drive " : "element ") + inQuotes(member.name->text) +
+                     " moved from " + inQuotes(nameOf(old_.forms[from->part.form]).text) + " to " +
+                     inQuotes(nameOf(form).text));
+            compareMember(*from, member, whose);
+            gone_.erase(from);
+        }
+        for (const MemberView& member : gone_)
+            tell(ChangeKind::Removed, member.part, std::nullopt,
+                 memberText(old_.forms[member.part.form], member) + " removed");
+    }
 
     const Plan& old_;
     const Plan& new_;
@@ -235,142 +366,6 @@ private:
     std::vector<MemberView> come_; ///< members that are new in their form
     std::vector<PlanChange> changes_;
 };
-
-std::string memberText(const Form& form, const MemberView& member) {
-    const bool is_drive = std::holds_alternative<Collection>(form);
-    return is_drive ? "drive " + inQuotes(member.name->text)
-                    : "element " + inQuotes(member.name->text) + " of " + inQuotes(nameOf(form).text);
-}
-
-/// Compares the steps of two patterns. Of the steps that both have, those in the same relative order stayed and the
-/// others moved.
-void Comparer::compareSteps(const std::vector<Step>& before, const std::vector<Step>& after, std::size_t old_form,
-                            std::size_t new_form) {
-    std::map<std::string, std::vector<std::size_t>> places;
-    for (std::size_t i = before.size(); i-- > 0;)
-        places[textOf(appendStep, before[i])].push_back(i);
-    std::vector<std::size_t> from;
-    std::vector<std::size_t> to;
-    const std::string whose = formText(new_.forms[new_form]);
-    const auto part = [](const Step& step, std::size_t form, std::size_t index) {
-        return PlanPart{std::holds_alternative<Call>(step) ? PartKind::Action : PartKind::Sense, form, 0, 0, index};
-    };
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        auto& same = places[textOf(appendStep, after[i])];
-        if (same.empty()) {
-            tell(ChangeKind::Added, std::nullopt, part(after[i], new_form, i),
-                 whose + ": step " + textOf(appendStep, after[i]) + " added");
-            continue;
-        }
-        from.push_back(same.back());
-        to.push_back(i);
-        same.pop_back();
-    }
-    const std::vector<bool> stayed = risingRow(from);
-    for (std::size_t i = 0; i < from.size() && from.size() < most_steps_compared; ++i)
-        if (!stayed[i])
-            tell(ChangeKind::Moved, part(before[from[i]], old_form, from[i]), part(after[to[i]], new_form, to[i]),
-                 whose + ": step " + textOf(appendStep, after[to[i]]) + " moved from place " +
-                     std::to_string(from[i] + 1) + " to place " + std::to_string(to[i] + 1));
-    for (const auto& [words, left] : places)
-        for (const std::size_t i : left)
-            tell(ChangeKind::Removed, part(before[i], old_form, i), std::nullopt,
-                 whose + ": step " + words + " removed");
-}
-
-void Comparer::compareMember(const MemberView& was, const MemberView& is, const std::string& whose) {
-    const bool is_drive = std::holds_alternative<Collection>(new_.forms[is.part.form]);
-    compareWords(whose, "trigger", was.trigger, is.trigger, was.part, is.part);
-    compareWords(whose, "act", was.action, is.action, was.part, is.part);
-    compareWords(whose, is_drive ? "frequency" : "starts", was.limit, is.limit, was.part, is.part);
-    compareWords(whose, "comment", was.comment, is.comment, was.part, is.part);
-}
-
-void Comparer::compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form) {
-    std::vector<std::size_t> places;
-    for (const auto& [was, is] : pairs)
-        places.push_back(was.place);
-    const std::vector<bool> stayed = risingRow(places);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto& [was, is] = pairs[i];
-        const std::string whose = memberText(form, is);
-        if (!stayed[i])
-            tell(ChangeKind::Moved, was.part, is.part,
-                 whose + " moved from place " + std::to_string(was.place) + " to place " + std::to_string(is.place));
-    }
-    for (std::size_t i = 1; i < pairs.size(); ++i) { // Has each member joined or left the level of the one before it?
-        const bool were_equal = pairs[i - 1].first.part.level == pairs[i].first.part.level;
-        const bool are_equal = pairs[i - 1].second.part.level == pairs[i].second.part.level;
-        if (were_equal != are_equal)
-            tell(ChangeKind::Moved, pairs[i].first.part, pairs[i].second.part,
-                 memberText(form, pairs[i].second) + (are_equal ? " is an equal of " : " is no equal of ") +
-                     inQuotes(pairs[i - 1].second.name->text) + " now");
-    }
-}
-
-void Comparer::compareMembers(std::size_t before, std::size_t after) {
-    const Form& form = new_.forms[after];
-    std::map<std::string, std::vector<MemberView>> by_name;
-    std::vector<MemberView> old_members = membersOf(renamed_.forms[before], before);
-    for (auto member = old_members.rbegin(); member != old_members.rend(); ++member)
-        by_name[member->name->text].push_back(*member);
-    std::vector<std::pair<MemberView, MemberView>> pairs;
-    std::vector<MemberView> left;
-    for (const MemberView& member : membersOf(form, after)) {
-        auto& same = by_name[member.name->text];
-        if (same.empty()) {
-            left.push_back(member);
-            continue;
-        }
-        pairs.emplace_back(same.back(), member);
-        same.pop_back();
-    }
-    for (const MemberView& member : left) {
-        const auto same = std::find_if(by_name.begin(), by_name.end(), [&member](const auto& entry) {
-            return !entry.second.empty() && entry.second.back().content() == member.content();
-        });
-        if (same == by_name.end()) {
-            come_.push_back(member);
-            continue;
-        }
-        const MemberView was = same->second.back();
-        same->second.pop_back();
-        tell(ChangeKind::Renamed, was.part, member.part,
-             memberText(renamed_.forms[before], was) + " renamed to " + inQuotes(member.name->text));
-        pairs.emplace_back(was, member);
-    }
-    for (const auto& [name, members] : by_name)
-        gone_.insert(gone_.end(), members.begin(), members.end());
-    std::ranges::sort(pairs, {}, [](const auto& pair) { return pair.second.place; });
-    for (const auto& [was, is] : pairs)
-        compareMember(was, is, memberText(form, is));
-    compareOrder(pairs, form);
-}
-
-/// Reports members that were added or removed. A member that left one form and appears in another with the same name
-/// and action has moved.
-void Comparer::tellMembers() {
-    for (const MemberView& member : come_) {
-        const auto from = std::ranges::find_if(gone_, [&member](const MemberView& other) {
-            return other.name->text == member.name->text && other.action == member.action;
-        });
-        const Form& form = new_.forms[member.part.form];
-        const std::string whose = memberText(form, member);
-        if (from == gone_.end()) {
-            tell(ChangeKind::Added, std::nullopt, member.part, whose + " added");
-            continue;
-        }
-        tell(ChangeKind::Moved, from->part, member.part,
-             (std::holds_alternative<Collection>(form) ? "drive " : "element ") + inQuotes(member.name->text) +
-                 " moved from " + inQuotes(nameOf(old_.forms[from->part.form]).text) + " to " +
-                 inQuotes(nameOf(form).text));
-        compareMember(*from, member, whose);
-        gone_.erase(from);
-    }
-    for (const MemberView& member : gone_)
-        tell(ChangeKind::Removed, member.part, std::nullopt,
-             memberText(old_.forms[member.part.form], member) + " removed");
-}
 
 } // namespace
 

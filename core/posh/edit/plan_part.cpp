@@ -1,6 +1,5 @@
 #include "core/posh/edit/plan_part.h"
 
-#include <algorithm>
 #include <array>
 #include <unordered_set>
 

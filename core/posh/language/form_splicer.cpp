@@ -1,7 +1,6 @@
 #include "core/posh/language/form_splicer.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 

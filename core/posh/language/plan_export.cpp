@@ -1,11 +1,12 @@
 #include "core/posh/language/plan_export.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/posh/language/form_index.h"
 #include "core/posh/language/plan_writer.h"
-#include "core/posh/model/dialect_names.h"
 #include "core/posh/model/finding.h"
 #include "core/posh/model/literal.h"
 #include "core/posh/model/plan_walk.h"
@@ -13,6 +14,67 @@
 namespace usar::posh {
 
 namespace {
+
+// Names, values and texts as the dialects allow them. Each function returns valid input unchanged.
+
+/// Replaces everything except letters, digits and underscores by hyphens.
+std::string asSymbol(std::string_view text) {
+    std::string word(text);
+    std::replace_if(
+        word.begin(), word.end(), [](char c) { return !isLetter(c) && !isDigit(c) && c != '_'; }, '-');
+    return word.empty() || !(isLetter(word.front()) || word.front() == '_') ? '_' + word : word;
+}
+
+/// Returns a name without a digit at the start.
+std::string yaposhName(std::string_view name) {
+    std::string words(name);
+    return !words.empty() && isDigit(words.front()) ? '_' + words : words;
+}
+
+/// Returns a name without dots and without a digit at the start.
+std::string classicName(std::string_view name) {
+    std::string words = yaposhName(name);
+    std::replace(words.begin(), words.end(), '.', '_');
+    return words;
+}
+
+/// Returns the value with the hyphens in constants (symbols with dots) replaced by underscores.
+Value yaposhValue(const Value& value) {
+    const auto* const symbol = std::get_if<Symbol>(&value);
+    if (!symbol || symbol->text.find('.') == std::string::npos)
+        return value;
+    std::string text = symbol->text;
+    std::replace(text.begin(), text.end(), '-', '_');
+    return Symbol{std::move(text)};
+}
+
+/// Returns the value as nil, a number or a symbol without dots: a boolean becomes 1 or 0, a text becomes a symbol, and
+/// a constant becomes its last part.
+Value classicValue(const Value& value) {
+    if (const auto* const truth = std::get_if<bool>(&value))
+        return std::int64_t{*truth ? 1 : 0};
+    if (const auto* const text = std::get_if<std::string>(&value))
+        return Symbol{asSymbol(*text)};
+    if (const auto* const symbol = std::get_if<Symbol>(&value))
+        return Symbol{yaposhName(symbol->text.substr(symbol->text.rfind('.') + 1))};
+    return value;
+}
+
+/// Returns the text on one line, with double quotes, backslashes, ; and # replaced by similar characters.
+std::string classicText(std::string_view text) {
+    std::string plain(text);
+    for (char& c : plain) {
+        if (c == '"')
+            c = '\'';
+        else if (c == ';' || c == '#')
+            c = ',';
+        else if (c == '\\')
+            c = '/';
+        else if (static_cast<unsigned char>(c) < ' ')
+            c = ' ';
+    }
+    return plain;
+}
 
 class Exporter {
 public:
@@ -229,8 +291,7 @@ private:
 
 PlanExport exportPlan(const Plan& plan, Dialect dialect) {
     PlanExport result = Exporter(plan, dialect).run();
-    std::stable_sort(result.losses.begin(), result.losses.end(),
-                     [](const Loss& a, const Loss& b) { return a.at.offset < b.at.offset; });
+    std::ranges::stable_sort(result.losses, {}, [](const Loss& loss) { return loss.at.offset; });
     return result;
 }
 
