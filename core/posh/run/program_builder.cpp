@@ -82,7 +82,6 @@ private:
     void addCollection(const Collection& collection);
     void addDrive(const Member& drive, Index level);
     void expand(const Waiting& waiting);
-    void fill(Index form, const Waiting& waiting);
     void addItems(Index form, const Competence& competence);
     void addItems(Index form, const Pattern& pattern);
     void addItems(Index form, const Adopt& adopt);
@@ -352,10 +351,6 @@ void Builder::expand(const Waiting& waiting) {
     drive.depth = std::max(drive.depth, scopes_.back().depth);
     drive_ = waiting.drive;
     scope_ = form;
-    fill(form, waiting);
-}
-
-void Builder::fill(Index form, const Waiting& waiting) {
     constexpr std::array kinds{PlaceKind::Competence, PlaceKind::Pattern, PlaceKind::Adopt};
     const PlaceKind kind = kinds[waiting.form->index()];
     const Place place{.kind = kind,
