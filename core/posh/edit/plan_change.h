@@ -27,10 +27,8 @@ Result<PlanEdit> changePlan(std::string_view text, Change&& change) {
     if (!before)
         return tl::unexpected(before.error());
     Plan plan = before->plan;
-    const Result<PlanPart> part = change(plan);
-    if (!part)
-        return tl::unexpected(part.error());
-    return checkedEdit(*before, writeKeepingLayout(text, plan), *part);
+    return change(plan).and_then(
+        [&](const PlanPart& part) { return checkedEdit(*before, writeKeepingLayout(text, plan), part); });
 }
 
 /// The error for an edit of a part that does not exist.

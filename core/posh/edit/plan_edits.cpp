@@ -43,7 +43,7 @@ Result<void> checkRename(const Plan& plan, const PlanPart& part, std::string_vie
     const bool is_sense = part.kind == PartKind::Sense;
     const bool is_primitive =
         is_sense || (part.kind == PartKind::Action && !FormIndex(plan).find(nameOf(plan, part)->text));
-    if (const auto good = is_primitive ? checkPrimitiveName(name) : checkNewName(name); !good)
+    if (const auto good = checkName(name, is_primitive); !good)
         return good;
     if (part.kind == PartKind::Member)
         return freeMemberName(plan.forms[part.form], std::string(name)) == name

@@ -258,7 +258,7 @@ Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const Se
 
 Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string& name, const Call& content) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        if (const auto good = checkNewName(name); !good)
+        if (const auto good = checkName(name); !good)
             return tl::unexpected(good.error());
         const bool is_collection = kind == FormKind::Dc;
         if (is_collection && collectionOf(plan))

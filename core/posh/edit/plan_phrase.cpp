@@ -36,19 +36,6 @@ Result<Member> readElementAround(std::string_view words, std::string_view before
     return element;
 }
 
-Result<void> checkName(std::string_view name, bool dots_allowed) {
-    const TokenList list = tokenize(name.substr(0, 200));
-    const bool is_one =
-        list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
-    const bool has_dot = name.find('.') != std::string_view::npos;
-    if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
-        return failure("this is not a name", inQuotes(name),
-                       "begin with a letter and write letters, digits, - and _ only");
-    if (keywordOf(name) != Keyword::None)
-        return failure("this is a word of the language", inQuotes(name), "choose another name");
-    return {};
-}
-
 } // namespace
 
 Result<SenseTest> readSensePhrase(std::string_view words) {
@@ -161,12 +148,17 @@ std::string limitPhrase(const Plan& plan, const PlanPart& owner) {
     return has_parentheses ? text.substr(2, text.size() - 3) : text;
 }
 
-Result<void> checkNewName(std::string_view name) {
-    return checkName(name, false);
-}
-
-Result<void> checkPrimitiveName(std::string_view name) {
-    return checkName(name, true);
+Result<void> checkName(std::string_view name, bool dots_allowed) {
+    const TokenList list = tokenize(name.substr(0, 200));
+    const bool is_one =
+        list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
+    const bool has_dot = name.find('.') != std::string_view::npos;
+    if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
+        return failure("this is not a name", inQuotes(name),
+                       "begin with a letter and write letters, digits, - and _ only");
+    if (keywordOf(name) != Keyword::None)
+        return failure("this is a word of the language", inQuotes(name), "choose another name");
+    return {};
 }
 
 } // namespace usar::posh

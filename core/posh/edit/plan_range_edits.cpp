@@ -21,7 +21,7 @@ void handOn(const Call& call, const Form& form, Call& reference, std::vector<For
 
 Result<Call> referenceTo(const Plan& plan, std::string& name, const std::string& fallback) {
     name = freeFormName(plan, name.empty() ? fallback : name);
-    if (const auto good = checkNewName(name); !good)
+    if (const auto good = checkName(name); !good)
         return tl::unexpected(good.error());
     return callNamed(name);
 }

@@ -1,4 +1,4 @@
-#include "core/posh/language/call_reader.h"
+#include "core/posh/language/form_reader.h"
 
 #include <string>
 

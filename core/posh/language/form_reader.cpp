@@ -4,7 +4,6 @@
 
 #include "core/base/spelling.h"
 #include "core/base/text.h"
-#include "core/posh/language/call_reader.h"
 
 namespace usar::posh {
 

@@ -59,9 +59,7 @@ Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::str
 Result<void> Breakpoints::checkCondition(const std::string& text) {
     if (text.empty())
         return {};
-    if (const auto condition = readCondition(text); !condition)
-        return tl::unexpected(condition.error());
-    return {};
+    return readCondition(text).map([](const auto&) {});
 }
 
 Index Breakpoints::find(const Breakpoint& breakpoint) const {
