@@ -185,25 +185,23 @@ private:
             made.push_back({{name, {}}, value()});
         return made;
     }
-    template <class Member, class Make>
-    std::vector<std::vector<Member>> levels(Make make) {
-        std::vector<std::vector<Member>> made(upTo(options_.most_levels - 1) + 1);
+    template <class Make>
+    Levels levels(Make make) {
+        Levels made(upTo(options_.most_levels - 1) + 1);
         std::size_t n = 0;
-        for (auto& level : made)
+        for (Level& level : made)
             for (std::size_t members = upTo(options_.most_members - 1) + 1; members > 0; --members)
                 level.push_back(make(n++));
         return made;
     }
-    Element element(std::size_t n, std::size_t after, const Announced& self) {
-        Element made{{memberName(n), {}}, senses(&self), call(after, &self), std::nullopt, comment(), remarks(), {}};
+    Member element(std::size_t n, std::size_t after, const Announced& self) {
+        Member made{{memberName(n)}, senses(&self), call(after, &self), {}, {}, comment(), remarks()};
         if (options_.with_limits && chance(0.3))
             made.retries = wholeNumber(3);
         return made;
     }
-    Drive drive(std::size_t n) {
-        Drive made{
-            {memberName(n), {}}, senses(nullptr), call(0, nullptr), interval(true, 0.3), comment(), remarks(), {}};
-        return made;
+    Member drive(std::size_t n) {
+        return {{memberName(n)}, senses(nullptr), call(0, nullptr), interval(true, 0.3), {}, comment(), remarks()};
     }
     Pattern pattern(const Announced& self, std::size_t after) {
         Pattern made{{self.name, {}}, formals(self), interval(false, 0.3), {}, comment(), remarks(), {}};
@@ -225,7 +223,7 @@ private:
                           formals(self),
                           interval(false, 0.3),
                           senses(&self),
-                          levels<Element>([&](std::size_t n) { return element(n, i + 1, self); }),
+                          levels([&](std::size_t n) { return element(n, i + 1, self); }),
                           comment(),
                           remarks(),
                           {}};
@@ -237,7 +235,7 @@ private:
         made.name = {"life", {}};
         if (chance(0.5))
             made.goal = senses(nullptr);
-        made.levels = levels<Drive>([&](std::size_t n) { return drive(n); });
+        made.levels = levels([&](std::size_t n) { return drive(n); });
         made.comment = comment();
         made.remarks = remarks();
         return made;

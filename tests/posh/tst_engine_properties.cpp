@@ -127,16 +127,11 @@ private:
 };
 
 void renameMembers(Plan& plan) {
-    for (Form& form : plan.forms) {
-        if (auto* const competence = std::get_if<Competence>(&form))
-            for (ElementLevel& level : competence->levels)
-                for (Element& element : level)
-                    element.name.text += "-renamed";
-        if (auto* const collection = std::get_if<Collection>(&form))
-            for (DriveLevel& level : collection->levels)
-                for (Drive& drive : level)
-                    drive.name.text += "-renamed";
-    }
+    for (Form& form : plan.forms)
+        if (Levels* const levels = levelsIn(form))
+            for (Level& level : *levels)
+                for (Member& member : level)
+                    member.name.text += "-renamed";
 }
 
 void addUnusedForm(Plan& plan) {
@@ -146,11 +141,11 @@ void addUnusedForm(Plan& plan) {
 void insertIdleDrives(Plan& plan) {
     for (Form& form : plan.forms)
         if (auto* const collection = std::get_if<Collection>(&form)) {
-            Drive idle;
+            Member idle;
             idle.name.text = "idle";
             idle.trigger.push_back({{{"never", {}}, {}}, {}, {}});
             idle.action.name.text = "a0";
-            collection->levels.insert(collection->levels.begin(), DriveLevel{idle, idle});
+            collection->levels.insert(collection->levels.begin(), Level{idle, idle});
         }
 }
 
@@ -168,10 +163,12 @@ public:
     }
 
 private:
-    void wrapIn(Competence& competence) {
-        for (ElementLevel& level : competence.levels)
-            for (Element& element : level)
-                wrapCall(element.action);
+    void wrapIn(Competence& competence) { wrapIn(competence.levels); }
+    void wrapIn(Collection& collection) { wrapIn(collection.levels); }
+    void wrapIn(Levels& levels) {
+        for (Level& level : levels)
+            for (Member& member : level)
+                wrapCall(member.action);
     }
     void wrapIn(Pattern& pattern) {
         for (Step& step : pattern.steps)
@@ -179,11 +176,6 @@ private:
                 wrapCall(*call);
     }
     void wrapIn(Adopt& adopt) { wrapCall(adopt.adopted); }
-    void wrapIn(Collection& collection) {
-        for (DriveLevel& level : collection.levels)
-            for (Drive& drive : level)
-                wrapCall(drive.action);
-    }
     void wrapCall(Call& call) {
         if (forms_.contains(call.name.text))
             return;

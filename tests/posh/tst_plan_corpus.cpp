@@ -71,8 +71,8 @@ private slots:
     void soundPlansReadWithTheirCounts();
     void theFirstErrorIsTheExpectedOne_data() { addRows(true); }
     void theFirstErrorIsTheExpectedOne();
-    void everyErrorSaysTheMend_data() { addRows(true); }
-    void everyErrorSaysTheMend();
+    void everyErrorSaysTheFix_data() { addRows(true); }
+    void everyErrorSaysTheFix();
 };
 
 void tst_PlanCorpus::soundPlansReadWithTheirCounts() {
@@ -95,7 +95,7 @@ void tst_PlanCorpus::theFirstErrorIsTheExpectedOne() {
     QVERIFY2(error->at.line == file.error->line && error->at.column == file.error->column, toText(*error).c_str());
 }
 
-void tst_PlanCorpus::everyErrorSaysTheMend() {
+void tst_PlanCorpus::everyErrorSaysTheFix() {
     QFETCH(corpus::PlanFile, file);
     for (const Finding& finding : readPlan(file.text).findings)
         QVERIFY2(finding.message.find("; ") != std::string::npos, toText(finding).c_str());

@@ -7,6 +7,7 @@
 #include "core/posh/edit/plan_edits.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/language/plan_writer.h"
+#include "core/posh/model/plan_walk.h"
 #include "random_plan.h"
 #include "tests/suite/suite.h"
 
@@ -46,20 +47,8 @@ QString linesOf(const std::vector<PlanChange>& changes) {
 
 /// Without comments of lines, and with the forms in the order of their names.
 Plan bare(Plan plan) {
-    plan.remarks = {};
+    forEachRemarks(plan, [](Remarks& remarks) { remarks = {}; });
     plan.closing_remarks.clear();
-    if (plan.documentation)
-        plan.documentation->remarks = {};
-    for (Form& form : plan.forms)
-        std::visit(
-            [](auto& any) {
-                any.remarks = {};
-                if constexpr (requires { any.levels; })
-                    for (auto& level : any.levels)
-                        for (auto& member : level)
-                            member.remarks = {};
-            },
-            form);
     std::stable_sort(plan.forms.begin(), plan.forms.end(),
                      [](const Form& a, const Form& b) { return nameOf(a).text < nameOf(b).text; });
     return plan;

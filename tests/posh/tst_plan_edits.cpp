@@ -5,15 +5,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/base/random.h"
 #include "core/posh/edit/plan_edits.h"
 #include "core/posh/edit/plan_phrase.h"
 #include "core/posh/edit/plan_templates.h"
 #include "core/posh/language/plan_reader.h"
-#include "core/posh/language/plan_writer.h"
-#include "core/posh/language/token.h"
 #include "core/posh/run/program.h"
-#include "random_plan.h"
 #include "tests/suite/suite.h"
 
 namespace tst_plan_edits {
@@ -74,120 +70,12 @@ std::string with(std::string text, std::initializer_list<std::pair<std::string, 
     return text;
 }
 
-std::size_t lettersOfComments(const std::string& text) {
-    std::size_t letters = 0;
-    for (const Comment& comment : tokenize(text).comments)
-        for (const char c : text.substr(comment.offset, comment.length))
-            letters += c == ' ' || c == '\r' ? 0 : 1;
-    return letters;
+/// Adds a row: what is edited, how, and the changes of the source that this makes.
+void row(const char* name, Edit edit, std::initializer_list<std::pair<std::string, std::string>> changes) {
+    QTest::newRow(name) << std::move(edit) << QString::fromStdString(with(source, changes));
 }
 
-bool isReadable(const std::string& text) {
-    const Findings findings = readPlan(text).findings;
-    return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return isUnreadable(f.code); });
-}
-
-/// Any edit of any part, with what may well not fit.
-class RandomEdit {
-public:
-    RandomEdit(const std::string& text, Random& random) : text_(text), plan_(readPlan(text).plan), random_(random) {
-        parts_ = partsOf(plan_);
-    }
-
-    Result<PlanEdit> run() {
-        if (parts_.empty())
-            return addForm(text_, FormKind::Ap, "first", call("a"));
-        const PlanPart one = any();
-        const PlanPart other = any();
-        const int by = random_() % 2 == 0 ? 1 : -1;
-        switch (random_() % 17) {
-        case 0:
-            return renamePart(text_, one, word());
-        case 1:
-            return swapParts(text_, one, other);
-        case 2:
-            return moveMember(text_, one, place(other));
-        case 3:
-            return moveStep(text_, one, other.form, random_() % 4);
-        case 4:
-            return shiftPart(text_, one, by);
-        case 5:
-            return joinLevel(text_, one, by);
-        case 6:
-            return addMember(text_, place(one), call("act(1)"), senses("(s 3 <)"));
-        case 7:
-            return addStep(text_, one.form, random_() % 4, call("act"));
-        case 8:
-            return addSense(text_, one, readSensePhrase("s 0.5 >").value());
-        case 9:
-            return addForm(text_, static_cast<FormKind>(random_() % 4), word(), call("act"));
-        case 10:
-            return duplicatePart(text_, one);
-        case 11:
-            return removePart(text_, one);
-        case 12:
-            return replaceCall(text_, one, nameOf(plan_, other) ? Call{*nameOf(plan_, other), {}} : call("act"));
-        case 13:
-            return setSenses(text_, one, senses(random_() % 2 == 0 ? "nil" : "(a) (b \"x\" !=)"));
-        case 14:
-            return setLimit(text_, one, random_() % 3 == 0 ? "" : random_() % 2 == 0 ? "3" : "seconds 2");
-        case 15:
-            return setComment(text_, one, "why \"not\"");
-        default:
-            if (random_() % 3 == 0)
-                return wrapParts(text_, one, other, static_cast<FormKind>(random_() % 3));
-            return random_() % 2 == 0 ? wrapCall(text_, one, static_cast<FormKind>(random_() % 3))
-                                      : inlineCall(text_, one);
-        }
-    }
-
-private:
-    PlanPart any() { return parts_[random_() % parts_.size()].part; }
-    MemberPlace place(const PlanPart& near) {
-        MemberPlace to{near.form, random_() % 4};
-        if (random_() % 2 == 0)
-            to.beside = random_() % 3;
-        return to;
-    }
-    std::string word() {
-        const char* const words[] = {"fresh", "c0", "p1", "s1", "a2", "nil", "3x", "two words", "goal", "n1", "a.b"};
-        return words[random_() % std::size(words)];
-    }
-
-    const std::string& text_;
-    Plan plan_;
-    Random& random_;
-    std::vector<NamedPart> parts_;
-};
-
-} // namespace
-
-class tst_PlanEdits : public QObject {
-    Q_OBJECT
-private slots:
-    void anEditDoesWhatItSays_data();
-    void anEditDoesWhatItSays();
-    void whatCannotBeIsRefusedWithAReason_data();
-    void whatCannotBeIsRefusedWithAReason();
-    void partsAreFoundByTheirPlace();
-    void usagesAreAllCallsOfAForm();
-    void swappingTwiceIsNothing();
-    void aTextWithErrorsIsNotTouched();
-    void anErrorOfThePlanKeepsTheLayout();
-    void phrasesAreOnePartOnly_data();
-    void phrasesAreOnePartOnly();
-    void templatesAreSoundAndRunAtOnce();
-    void noEditMakesATextThatCannotBeRead();
-    void renamingThereAndBackGivesTheSameBytes();
-};
-
-void tst_PlanEdits::anEditDoesWhatItSays_data() {
-    QTest::addColumn<Edit>("edit");
-    QTest::addColumn<QString>("expected");
-    const auto row = [](const char* name, Edit edit,
-                        std::initializer_list<std::pair<std::string, std::string>> changes) {
-        QTest::newRow(name) << std::move(edit) << QString::fromStdString(with(source, changes));
-    };
+void namesAndSwaps() {
     row("a pattern with its calls is renamed", [] { return renamePart(source, part("wave"), "greet"); },
         {{"AP wave", "AP greet"}, {"wave (sec", "greet (sec"}, {"  wave))", "  greet))"}});
     row("a call renames its form", [] { return renamePart(source, part("pick)"), "take"); },
@@ -206,6 +94,9 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
     row("two elements change places", [] { return swapParts(source, part("look"), part("go  ")); },
         {{"      ((look  (trigger ((lost)))        turn))\n      ((go    drive(2.5)))))",
           "      ((go    drive(2.5)))\n      ((look  (trigger ((lost)))        turn))))"}});
+}
+
+void moves() {
     row("an element goes up with its comments", [] { return shiftPart(source, part("look"), -1); },
         {{"      ; when near\n      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n"
           "      ((look  (trigger ((lost)))        turn))\n",
@@ -220,6 +111,9 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
     row("a drive joins the level above", [] { return joinLevel(source, part("idle"), -1); },
         {{"      ( (work (trigger ((near)))   pick)\n        (play (trigger ((calm)))   wave))\n      ((idle  rest))",
           "      ( (work (trigger ((near))) pick)\n        (play (trigger ((calm))) wave)\n        (idle rest))"}});
+}
+
+void additions() {
     row("a drive is added with a trigger",
         [] {
             return addMember(source, {3, 0}, call("flee(1)"), senses("(fire)"));
@@ -236,6 +130,9 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
         {{"((lost))", "((lost) (x 3 <))"}});
     row("a pattern is added before the drives", [] { return addForm(source, FormKind::Ap, "hop", call("jump")); },
         {{"  (DC me", "  (AP hop (jump))\n  (DC me"}});
+}
+
+void removalsAndValues() {
     row("an element is taken away with its comments", [] { return removePart(source, part("grab")); },
         {{"      ; when near\n      ((grab  (trigger ((near) (calm))) close 3)) ; quick\n", ""}});
     row("what is done becomes nothing", [] { return removePart(source, part("turn")); }, {{"turn", "doNothing"}});
@@ -256,6 +153,9 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
         {{"wave   (", "wave (minutes 1)   ("}});
     row("a comment is written", [] { return setComment(source, part("look"), "a \"b\""); },
         {{"turn)", "turn \"a \\\"b\\\"\")"}});
+}
+
+void wraps() {
     row("an act is wrapped in a competence", [] { return wrapCall(source, part("turn"), FormKind::C); },
         {{"  ;; picks it up\n", "  (C choose-turn\n    (elements\n      ((turn turn))))\n  ;; picks it up\n"},
          {"        turn))", "        choose-turn))"}});
@@ -275,6 +175,35 @@ void tst_PlanEdits::anEditDoesWhatItSays_data() {
         {{"((idle  rest))", "((idle  rest))\n      ((idle-2 rest))"}});
 }
 
+} // namespace
+
+class tst_PlanEdits : public QObject {
+    Q_OBJECT
+private slots:
+    void anEditDoesWhatItSays_data();
+    void anEditDoesWhatItSays();
+    void whatCannotBeIsRefusedWithAReason_data();
+    void whatCannotBeIsRefusedWithAReason();
+    void partsAreFoundByTheirPlace();
+    void usagesAreAllCallsOfAForm();
+    void swappingTwiceIsNothing();
+    void aTextWithErrorsIsNotTouched();
+    void anErrorOfThePlanKeepsTheLayout();
+    void phrasesAreOnePartOnly_data();
+    void phrasesAreOnePartOnly();
+    void templatesAreSoundAndRunAtOnce();
+};
+
+void tst_PlanEdits::anEditDoesWhatItSays_data() {
+    QTest::addColumn<Edit>("edit");
+    QTest::addColumn<QString>("expected");
+    namesAndSwaps();
+    moves();
+    additions();
+    removalsAndValues();
+    wraps();
+}
+
 void tst_PlanEdits::anEditDoesWhatItSays() {
     QFETCH(Edit, edit);
     QFETCH(QString, expected);
@@ -291,73 +220,39 @@ void tst_PlanEdits::anEditDoesWhatItSays() {
 void tst_PlanEdits::whatCannotBeIsRefusedWithAReason_data() {
     QTest::addColumn<Edit>("edit");
     QTest::addColumn<QString>("reason");
-    const auto row = [](const char* name, Edit edit, const char* reason) {
+    const auto row = [](const char* name, const char* reason, Edit edit) {
         QTest::newRow(name) << std::move(edit) << QString::fromUtf8(reason);
     };
-    row(
-        "a name that is taken", [] { return renamePart(source, part("wave"), "pick"); }, "taken by the competence");
-    row(
-        "a name that an act has", [] { return renamePart(source, part("wave"), "turn"); }, "taken by the act");
-    row(
-        "an act that would become a call", [] { return renamePart(source, part("turn"), "wave"); }, "has this name");
-    row(
-        "a name beside its like", [] { return renamePart(source, part("look"), "go"); }, "has this name");
-    row(
-        "a name with a blank", [] { return renamePart(source, part("wave"), "a b"); }, "no name");
-    row(
-        "a word of the language", [] { return renamePart(source, part("wave"), "Trigger"); }, "word of the language");
-    row(
-        "no name", [] { return renamePart(source, part("wave"), ""); }, "no name");
-    row(
-        "a circle of references", [] { return replaceCall(source, part("turn"), call("pick")); }, "E302");
-    row(
-        "a parameter that is not declared", [] { return replaceCall(source, part("turn"), call("x($y)")); }, "E306");
-    row(
-        "a sense and an act", [] { return swapParts(source, part("lost"), part("turn")); }, "different kinds");
-    row(
-        "a drive and an element", [] { return swapParts(source, part("look"), part("idle")); }, "change places");
-    row(
-        "a form that is called", [] { return removePart(source, part("wave")); }, "called in line 14, 16");
-    row(
-        "the first goes no farther up", [] { return shiftPart(source, part("grab"), -1); }, "first already");
-    row(
-        "the last goes no farther down", [] { return shiftPart(source, part("idle"), 1); }, "last already");
-    row(
-        "a drive with a frequency into a competence",
-        [] {
-            return moveMember(source, part("safe"), {0, 0});
-        },
-        "frequency");
-    row(
-        "an element with retries among the drives",
-        [] {
-            return moveMember(source, part("grab"), {3, 0});
-        },
-        "retries");
-    row(
-        "a limit that is none", [] { return setLimit(source, part("look"), "often"); }, "often");
-    row(
-        "a second collection", [] { return addForm(source, FormKind::Dc, "two", call("x")); }, "one drive coll");
-    row(
-        "a part that is not there",
-        [] {
-            return removePart(source, {PartKind::Whole, 77});
-        },
-        "no such part");
-    row(
-        "steps in a competence", [] { return wrapParts(source, part("up   down"), part("down"), FormKind::C); },
-        "in an action pattern");
-    row(
-        "elements in a pattern", [] { return wrapParts(source, part("look"), part("go "), FormKind::Ap); },
-        "in a competence");
-    row(
-        "a drive with a frequency in a competence",
-        [] { return wrapParts(source, part("safe"), part("idle"), FormKind::C); }, "frequency");
-    row(
-        "parts of two forms", [] { return wrapParts(source, part("look"), part("down"), FormKind::Ap); },
-        "no such part");
-    row(
-        "more than can stand there", [] { return inlineCall(source, part("pick)")); }, "more than can stand here");
+    row("a name that is taken", "taken by the competence", [] { return renamePart(source, part("wave"), "pick"); });
+    row("a name that an act has", "taken by the act", [] { return renamePart(source, part("wave"), "turn"); });
+    row("an act that would become a call", "has this name", [] { return renamePart(source, part("turn"), "wave"); });
+    row("a name beside its like", "has this name", [] { return renamePart(source, part("look"), "go"); });
+    row("a name with a blank", "not a name", [] { return renamePart(source, part("wave"), "a b"); });
+    row("a word of the language", "word of the language", [] { return renamePart(source, part("wave"), "Trigger"); });
+    row("no name", "not a name", [] { return renamePart(source, part("wave"), ""); });
+    row("a circle of references", "E302", [] { return replaceCall(source, part("turn"), call("pick")); });
+    row("a parameter that is not declared", "E306", [] { return replaceCall(source, part("turn"), call("x($y)")); });
+    row("a sense and an act", "different kinds", [] { return swapParts(source, part("lost"), part("turn")); });
+    row("a drive and an element", "cannot be swapped", [] { return swapParts(source, part("look"), part("idle")); });
+    row("a form that is called", "called in line 14, 16", [] { return removePart(source, part("wave")); });
+    row("the first goes no farther up", "already the first", [] { return shiftPart(source, part("grab"), -1); });
+    row("the last goes no farther down", "already the last", [] { return shiftPart(source, part("idle"), 1); });
+    row("a drive with a frequency into a competence", "frequency", [] {
+        return moveMember(source, part("safe"), {0, 0});
+    });
+    row("an element with retries among the drives", "retries", [] { return moveMember(source, part("grab"), {3, 0}); });
+    row("a limit that is none", "often", [] { return setLimit(source, part("look"), "often"); });
+    row("a second collection", "one drive coll", [] { return addForm(source, FormKind::Dc, "two", call("x")); });
+    row("a part that is not there", "no such part", [] { return removePart(source, {PartKind::Whole, 77}); });
+    row("steps in a competence", "in an action pattern",
+        [] { return wrapParts(source, part("up   down"), part("down"), FormKind::C); });
+    row("elements in a pattern", "in a competence",
+        [] { return wrapParts(source, part("look"), part("go "), FormKind::Ap); });
+    row("a drive with a frequency in a competence", "frequency",
+        [] { return wrapParts(source, part("safe"), part("idle"), FormKind::C); });
+    row("parts of two forms", "no such part",
+        [] { return wrapParts(source, part("look"), part("down"), FormKind::Ap); });
+    row("more than can stand there", "more than fits here", [] { return inlineCall(source, part("pick)")); });
 }
 
 void tst_PlanEdits::whatCannotBeIsRefusedWithAReason() {
@@ -449,45 +344,6 @@ void tst_PlanEdits::templatesAreSoundAndRunAtOnce() {
                 const bool is_form = usagesOf(reading.plan, named.part).front().kind == PartKind::Whole;
                 QVERIFY2(is_form || name == "doNothing" || name == "fail" || name == "succeed", name.c_str());
             }
-    }
-}
-
-void tst_PlanEdits::noEditMakesATextThatCannotBeRead() {
-    doubles::RandomPlanOptions options;
-    options.with_decoration = true;
-    int done = 0;
-    int refused = 0;
-    for (std::uint64_t seed = 0; seed < 800; ++seed) {
-        Random random = seeded(seed, 5);
-        std::string text = writePlan(doubles::randomPlan(random, options));
-        for (int i = 0; i < 6; ++i) {
-            const auto edited = RandomEdit(text, random).run();
-            ++(edited ? done : refused);
-            if (!edited)
-                continue;
-            if (!isReadable(edited->text) || edited->text.empty())
-                QFAIL((std::to_string(seed) + ":\n" + text + "\nbecame\n" + edited->text).c_str());
-            text = edited->text;
-        }
-    }
-    QVERIFY2(done > 1000 && refused > 300, qPrintable(QStringLiteral("%1 done, %2 refused").arg(done).arg(refused)));
-}
-
-void tst_PlanEdits::renamingThereAndBackGivesTheSameBytes() {
-    doubles::RandomPlanOptions options;
-    options.with_decoration = true;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
-        Random random = seeded(seed, 6);
-        const std::string text = writePlan(doubles::randomPlan(random, options));
-        const Plan plan = readPlan(text).plan;
-        for (const NamedPart& named : partsOf(plan)) {
-            const auto there = renamePart(text, named.part, "quite-fresh");
-            QVERIFY2(there.has_value(), there ? "" : there.error().text().c_str());
-            QCOMPARE(lettersOfComments(there->text), lettersOfComments(text));
-            const auto back = renamePart(there->text, named.part, named.name->text);
-            if (back) // odd names may not be given anew
-                QCOMPARE(QString::fromStdString(back->text), QString::fromStdString(text));
-        }
     }
 }
 

@@ -31,7 +31,7 @@ std::string complaintOn(std::string_view text) {
             finding.at.length > text.size() - finding.at.offset)
             return "a place outside of the text: " + toText(finding);
         if (finding.message.find("; ") == std::string::npos)
-            return "no mend: " + toText(finding);
+            return "no fix: " + toText(finding);
     }
     if (hasErrors(reading.findings))
         return {};
@@ -55,8 +55,8 @@ private slots:
     void severalErrorsAreFoundInOnePass();
     void warningsSayWhere_data();
     void warningsSayWhere();
-    void messagesNameTheMend_data();
-    void messagesNameTheMend();
+    void messagesNameTheFix_data();
+    void messagesNameTheFix();
     void aMissingParenthesisIsToldWithItsOpener();
     void everyPrefixOfEveryPlanIsRead();
     void damagedPlansAreRead();
@@ -152,11 +152,11 @@ void tst_PlanErrors::warningsSayWhere() {
     QCOMPARE(codesOf(readPlan(text.toStdString()).findings), codes);
 }
 
-void tst_PlanErrors::messagesNameTheMend_data() {
+void tst_PlanErrors::messagesNameTheFix_data() {
     QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<QString>("mend");
-    const auto row = [](const char* name, const char* text, const char* mend) {
-        QTest::newRow(name) << QByteArray(text) << QString(mend);
+    QTest::addColumn<QString>("fix");
+    const auto row = [](const char* name, const char* text, const char* fix) {
+        QTest::newRow(name) << QByteArray(text) << QString(fix);
     };
     row("a misspelt trigger", "((DC d (drives ((a (triger ((s))) act)))))", "; write trigger");
     row("a misspelt unit", "((DC d (drives ((a act (second 2))))))", "; write seconds");
@@ -166,18 +166,18 @@ void tst_PlanErrors::messagesNameTheMend_data() {
     row("a parameter without default", "((AP p vars($x) (a)))", "; write $x=value");
     row("a misspelt parameter", "((AP p vars($speed=1) (a($sped))))", "; write $speed or declare it");
     row("a misspelt documentation", "((documentaton \"a\" \"b\" \"c\"))", "; write documentation");
-    row("a name that is taken", "((AP p (a)) (AP p (a)))", "stands at 1:6 already; give this one another name");
+    row("a name that is taken", "((AP p (a)) (AP p (a)))", "is already used at 1:6; give this one another name");
     row("a cycle", "((AP p (q)) (AP q (r)) (AP r (p)))", "\"p\" contains itself through \"q\", \"r\"; ");
 }
 
-void tst_PlanErrors::messagesNameTheMend() {
+void tst_PlanErrors::messagesNameTheFix() {
     QFETCH(QByteArray, text);
-    QFETCH(QString, mend);
+    QFETCH(QString, fix);
     Findings findings = readPlan(text.toStdString()).findings;
     std::erase_if(findings, [](const Finding& finding) { return severityOf(finding.code) != Severity::Error; });
     QVERIFY(!findings.empty());
     const QString message = QString::fromStdString(findings.front().message);
-    QVERIFY2(message.contains(mend), qPrintable(message));
+    QVERIFY2(message.contains(fix), qPrintable(message));
 }
 
 void tst_PlanErrors::aMissingParenthesisIsToldWithItsOpener() {

@@ -79,7 +79,7 @@ void tst_PlanExport::eachLossIsTold_data() {
         "2:7 time limits, and this one is left out, 2:26 goal of a competence, which is left out");
     row("equals", yaposh, "(C k (elements ((e (trigger ((s red))) a) (f b))))",
         "(C k\n    (elements\n      ( (e (trigger ((s 'red))) a)\n        (f b))))",
-        "2:44 equals in a level: they are ordered as they stand");
+        "2:44 members of equal priority: they keep the order in which they are written");
     row("a constant with a hyphen", yaposh, "(AD d ((goal ((s a.b-c))) (act)))", "(AD d ((goal ((s 'a.b_c))) (act)))",
         "2:18 value \"a.b-c\"; it becomes \"'a.b_c\"");
     row("senses as steps", yaposh, "(AP p ((s) a(1, $x=2)))", "(AP p (a(1, $x=2)))",

@@ -71,36 +71,20 @@ std::string titlesOf(const std::vector<QuickFix>& fixes) {
     return titles;
 }
 
-} // namespace
+/// Adds a row: the code of a finding in a text, the start of the fix's title, and the text after it (empty if any).
+void row(const char* name, const char* code, const std::string& text, const char* title, const std::string& expected) {
+    QTest::newRow(name) << QString::fromStdString(text) << QString::fromUtf8(code) << QString::fromUtf8(title)
+                        << QString::fromStdString(expected);
+}
 
-class tst_QuickFixes : public QObject {
-    Q_OBJECT
-private slots:
-    void aMendIsOfferedAndHelps_data();
-    void aMendIsOfferedAndHelps();
-    void everyOfferedMendHelps();
-    void mendsOfDamagedTextsAreInOrderAndHelp();
-    void differenceIsShortAndWhole_data();
-    void differenceIsShortAndWhole();
-};
-
-void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
-    QTest::addColumn<QString>("text");
-    QTest::addColumn<QString>("code");
-    QTest::addColumn<QString>("title");
-    QTest::addColumn<QString>("expected");
-    const auto row = [](const char* name, const char* code, const std::string& text, const char* title,
-                        const std::string& expected) {
-        QTest::newRow(name) << QString::fromStdString(text) << QString::fromUtf8(code) << QString::fromUtf8(title)
-                            << QString::fromStdString(expected);
-    };
-    row("illegal character", "E101", doing("St@op"), "Take out \"@\"", doing("Stop"));
+void textsThatDoNotParse() {
+    row("illegal character", "E101", doing("St@op"), "Remove \"@\"", doing("Stop"));
     row("open string", "E102", "((DC d (drives ((e Stop \"why))))\n)", "Close the string before the parentheses",
         "((DC d (drives ((e Stop \"why\"))))\n)");
     row("unknown escape", "E103", doing("Stop \"a\\q\""), "Write a backslash", doing("Stop \"a\\\\q\""));
     row("malformed number", "E104", calling("c", "(C c (minutes 1.2.3) (elements ((e Stop))))"), "Write 1.2",
         calling("c", "(C c (minutes 1.2) (elements ((e Stop))))"));
-    row("quote without symbol", "E105", doing("(trigger ((Near ' ==))) Stop"), "Take out \"'\"", "");
+    row("quote without symbol", "E105", doing("(trigger ((Near ' ==))) Stop"), "Remove \"'\"", "");
     row("malformed name", "E107", doing("Stop."), "Write Stop", doing("Stop"));
     row("no parenthesis first", "E201", "DC d (drives ((e Stop)))", "Put parentheses", "");
     row("misspelt trigger", "E202", doing("(triger ((Near))) Stop"), "Write trigger", doing("(trigger ((Near))) Stop"));
@@ -110,18 +94,21 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
     row("not closed at the end", "E203", "((DC d (drives ((e Stop)", "Close 4 parentheses at the end", doing("Stop"));
     row("a form not closed", "E202", "(\n (AP a (Stop)\n (DC d (drives ((e a))))\n)", "Close a parenthesis before",
         "(\n (AP a (Stop))\n (DC d (drives ((e a))))\n)");
-    row("one too many at the end", "E204", "((DC d (drives ((e Stop))))))", "Take out \")\"", doing("Stop"));
-    row("closed too early", "E204", "((AP a (Stop)))\n (DC d (drives ((e a)))))", "Take out the ) before it",
+    row("one too many at the end", "E204", "((DC d (drives ((e Stop))))))", "Remove \")\"", doing("Stop"));
+    row("closed too early", "E204", "((AP a (Stop)))\n (DC d (drives ((e a)))))", "Remove the ) before it",
         "((AP a (Stop))\n (DC d (drives ((e a)))))");
     row("unknown form", "E205", calling("a", "(XP a (Stop))"), "Write AP", calling("a", "(AP a (Stop))"));
     row("late documentation", "E206", "((DC d (drives ((e Stop)))) (documentation \"a\" \"b\" \"c\"))",
         "Move it to the front", "(\n  (documentation \"a\" \"b\" \"c\")(DC d (drives ((e Stop)))) )");
     row("two strings of documentation", "E207", calling("Stop", "(documentation \"a\" \"b\")"), "Write empty texts",
         calling("Stop", "(documentation \"a\" \"b\" \"\")"));
-    row("four strings", "E207", calling("Stop", "(documentation \"a\" \"b\" \"c\" \"d\")"), "Take out",
+    row("four strings", "E207", calling("Stop", "(documentation \"a\" \"b\" \"c\" \"d\")"), "Remove",
         calling("Stop", "(documentation \"a\" \"b\" \"c\")"));
-    row("second collection", "E208", "((DC d (drives ((e Stop)))) (DC f (drives ((e Stop)))))", "Take out",
+    row("second collection", "E208", "((DC d (drives ((e Stop)))) (DC f (drives ((e Stop)))))", "Remove",
         doing("Stop"));
+}
+
+void partsThatAreWrong() {
     row("unknown unit", "E209", doing("Stop (sec 2)"), "Write seconds", doing("Stop (seconds 2)"));
     row("no number", "E210", calling("c", "(C c (minutes) (elements ((e Stop))))"), "Write 1",
         calling("c", "(C c (minutes 1) (elements ((e Stop))))"));
@@ -132,9 +119,9 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
     row("bare name as a value", "E213", doing("Stop(fast)"), "Write 'fast", doing("Stop('fast)"));
     row("positional after named", "E214", calling("a", "(AP a (Stop($x=1, 2)))"), "Move it to the front",
         calling("a", "(AP a (Stop(2, $x=1)))"));
-    row("argument twice", "E215", calling("a", "(AP a (Stop($x=1, $x=2)))"), "Take out the argument",
+    row("argument twice", "E215", calling("a", "(AP a (Stop($x=1, $x=2)))"), "Remove the argument",
         calling("a", "(AP a (Stop($x=1)))"));
-    row("parameter twice", "E216", calling("a", "(AP a vars($x=1, $x=2) (Stop))"), "Take out the second",
+    row("parameter twice", "E216", calling("a", "(AP a vars($x=1, $x=2) (Stop))"), "Remove the second",
         calling("a", "(AP a vars($x=1) (Stop))"));
     row("parameter without default", "E217", calling("a", "(AP a vars($x) (Stop))"), "Give it the value 0",
         calling("a", "(AP a vars($x=0) (Stop))"));
@@ -142,6 +129,9 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
     row("no drives", "E218", "((DC d (drives)))", "Add a drive", "((DC d (drives ((idle doNothing)))))");
     row("half a start", "E219", calling("c", "(C c (elements ((e Stop 2.7))))"), "Write 3",
         calling("c", "(C c (elements ((e Stop 3))))"));
+}
+
+void plansThatCannotRun() {
     row("name twice", "E301", calling("a", "(AP a (Stop)) (AP a (Beep))"), "Name it a-2",
         calling("a", "(AP a (Stop)) (AP a-2 (Beep))"));
     row("circle", "E302", calling("a", "(AP a (a))"), "Do nothing here", calling("a", "(AP a (doNothing))"));
@@ -157,29 +147,56 @@ void tst_QuickFixes::aMendIsOfferedAndHelps_data() {
         calling("a", "(AP a vars($speed=1) (x($speed)))"));
     row("parameter to declare", "E306", calling("a", "(AP a (x($y)))"), "Declare $y",
         calling("a", "(AP a vars($y=0) (x($y)))"));
-    row("arguments that it does not take", "E307", doing("Stop(3)"), "Take the arguments out", doing("Stop"));
+    row("arguments that it does not take", "E307", doing("Stop(3)"), "Remove the arguments", doing("Stop"));
     row("a sense done", "E307", doing("Near"), "Write Beep", "");
+}
+
+void likelyMistakes() {
     row("fragment", "W401", "((AP a (Stop)))", "Add a drive collection", "");
     row("drive twice", "W402", "((DC d (drives ((e (trigger ((Near))) Stop)) ((e Stop)))))", "Name it e-2",
         "((DC d (drives ((e (trigger ((Near))) Stop)) ((e-2 Stop)))))");
-    row("never used", "W404", calling("Stop", "(AP a (Stop))"), "Take it away", "");
+    row("never used", "W404", calling("Stop", "(AP a (Stop))"), "Remove it", "");
     row("odd blank", "W405", "((DC d (drives ((e\xc2\xa0Stop)))))", "Write an ordinary blank", doing("Stop"));
     row("name with a digit first", "W406", calling("3a", "(AP 3a (Stop))"), "Name it n3a",
         calling("n3a", "(AP n3a (Stop))"));
     row("word of the language", "W407", calling("goal", "(AP goal (Stop))"), "Name it my-goal",
         calling("my-goal", "(AP my-goal (Stop))"));
     row("no elements", "W408", calling("c", "(C c (elements))"), "Add an element", "");
-    row("zero starts", "W409", calling("c", "(C c (elements ((e Stop 0))))"), "Take the number out",
+    row("zero starts", "W409", calling("c", "(C c (elements ((e Stop 0))))"), "Remove the number",
         calling("c", "(C c (elements ((e Stop))))"));
     row("never reached", "W410", "((DC d (drives ((e Stop)) ((f (trigger ((Near))) Beep)))))", "Move \"e\" to the end",
         "");
     row("may find nothing", "W411", calling("c", "(C c (elements ((e (trigger ((Near))) Stop))))"),
         "Add a last element", "");
-    row("argument too many", "W412", "((AP a (Stop)) (DC d (drives ((e a(3))))))", "Take the argument out",
+    row("argument too many", "W412", "((AP a (Stop)) (DC d (drives ((e a(3))))))", "Remove the argument",
         calling("a", "(AP a (Stop))"));
 }
 
-void tst_QuickFixes::aMendIsOfferedAndHelps() {
+} // namespace
+
+class tst_QuickFixes : public QObject {
+    Q_OBJECT
+private slots:
+    void aFixIsOfferedAndHelps_data();
+    void aFixIsOfferedAndHelps();
+    void everyOfferedFixHelps();
+    void mendsOfDamagedTextsAreInOrderAndHelp();
+    void differenceIsShortAndWhole_data();
+    void differenceIsShortAndWhole();
+};
+
+void tst_QuickFixes::aFixIsOfferedAndHelps_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("title");
+    QTest::addColumn<QString>("expected");
+    textsThatDoNotParse();
+    partsThatAreWrong();
+    plansThatCannotRun();
+    likelyMistakes();
+}
+
+void tst_QuickFixes::aFixIsOfferedAndHelps() {
     QFETCH(QString, text);
     QFETCH(QString, code);
     QFETCH(QString, title);
@@ -195,14 +212,14 @@ void tst_QuickFixes::aMendIsOfferedAndHelps() {
         return QString::fromStdString(candidate.title).contains(title);
     });
     QVERIFY2(fix != fixes.end(), titlesOf(fixes).c_str());
-    const std::string mended = withFix(source, *fix);
-    QVERIFY2(!findingOf(check(mended), code.toStdString()), mended.c_str());
+    const std::string fixed = withFix(source, *fix);
+    QVERIFY2(!findingOf(check(fixed), code.toStdString()), fixed.c_str());
     if (!expected.isEmpty())
-        QCOMPARE(QString::fromStdString(mended), expected);
+        QCOMPARE(QString::fromStdString(fixed), expected);
 }
 
-void tst_QuickFixes::everyOfferedMendHelps() {
-    int mended = 0;
+void tst_QuickFixes::everyOfferedFixHelps() {
+    int fixed = 0;
     int files = 0;
     for (const corpus::PlanFile& file : corpus::planFiles()) {
         const Findings findings = readPlan(file.text).findings;
@@ -210,12 +227,12 @@ void tst_QuickFixes::everyOfferedMendHelps() {
             continue;
         ++files;
         const std::vector<QuickFix> fixes = quickFixes(file.text, findings.front());
-        mended += fixes.empty() ? 0 : 1;
+        fixed += fixes.empty() ? 0 : 1;
         for (const QuickFix& fix : fixes)
             QVERIFY2(readPlan(withFix(file.text, fix)).findings != findings, (file.name + ": " + fix.title).c_str());
     }
-    qInfo("%d of %d files with findings have a mend for the first of them", mended, files);
-    QVERIFY(mended * 10 >= files * 8);
+    qInfo("%d of %d files with findings have a fix for the first of them", fixed, files);
+    QVERIFY(fixed * 10 >= files * 8);
 }
 
 /// Whatever a hand does to a text.
@@ -226,7 +243,7 @@ void tst_QuickFixes::mendsOfDamagedTextsAreInOrderAndHelp() {
                               " (AP p (Stop Beep(2) (Near)))\n"
                               " (DC d (goal nil) (drives ((g (trigger ((Battery 0.5 >))) c (hz 2))) ((h p)))))\n";
     const std::string pieces = "()\"'$;, .<=x1-\\\xc3\xa4\n";
-    int mended = 0;
+    int fixed = 0;
     for (std::uint64_t seed = 0; seed < 800; ++seed) {
         Random random = seeded(seed, 9);
         std::string text = sound;
@@ -246,10 +263,10 @@ void tst_QuickFixes::mendsOfDamagedTextsAreInOrderAndHelp() {
                     end = edit.end;
                 }
                 QVERIFY(withFix(text, fix) != text);
-                ++mended;
+                ++fixed;
             }
     }
-    QVERIFY2(mended > 1000, qPrintable(QString::number(mended)));
+    QVERIFY2(fixed > 1000, qPrintable(QString::number(fixed)));
 }
 
 void tst_QuickFixes::differenceIsShortAndWhole_data() {

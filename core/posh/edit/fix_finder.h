@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,7 @@ private:
     void closeBeforeNextForm();
     void fixTextAfterPlan();
     // Defined in plan_fixes.cpp.
-    void fixPlan();
+    void fixSimply();
     void fixDuplicate();
     void fixUnknownName();
     void fixWrongUse();
@@ -48,13 +49,17 @@ private:
     void fixUnreached();
     void fixFindingNothing();
     void fixName();
-    void addCollection();
+    void fixMissingCollection();
 
     // Each of these adds one proposal or more. Places are byte offsets in the text.
     void replace(std::string title, std::size_t begin, std::size_t end, std::string words);
-    void insert(std::string title, std::size_t at, std::string words) {
-        replace(std::move(title), at, at, std::move(words));
+    void insert(std::string title, std::size_t at, std::string_view words) {
+        replace(std::move(title), at, at, std::string(words));
     }
+    /// Replaces the token at the finding.
+    void write(const std::string& words);
+    /// Replaces the bytes of the finding.
+    void replaceFound(const std::string& words);
     void add(std::string title, std::vector<Splice> edits);
     /// Adds nothing if the edit failed or changes nothing.
     void add(std::string title, const Result<PlanEdit>& edit);
@@ -79,7 +84,8 @@ private:
     const Vocabulary& vocabulary_;
     TokenList tokens_;
     PlanReading reading_;
-    std::size_t here_ = 0; ///< index of the token at the finding
+    std::size_t here_ = 0;         ///< index of the token at the finding
+    std::optional<PlanPart> part_; ///< the part at the finding; nullopt outside of all forms
     std::vector<QuickFix> fixes_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_steps_compared = 2000;
 
-/// The common view of drives and elements, with their parts as text.
+/// A drive or an element with its parts as text.
 struct MemberView {
     PlanPart part;
     const Name* name = nullptr;
@@ -24,85 +24,33 @@ struct MemberView {
     std::string limit; ///< frequency or retries
     std::string comment;
     std::size_t place = 0; ///< position in order of priority, counting from 1
-    std::size_t level = 0; ///< counting from 1
 
     std::string content() const { return trigger + '\n' + action + '\n' + limit; }
 };
 
-std::string textOf(const Senses& senses) {
+/// Returns what a function of plan_text.h appends, without the blank before it.
+template <class Part>
+std::string textOf(void (*append)(std::string&, const Part&), const Part& part) {
     std::string text;
-    appendSenses(text, senses);
-    return text;
+    append(text, part);
+    return text.starts_with(' ') ? text.substr(1) : text;
 }
 
-std::string textOf(const Call& call) {
-    std::string text;
-    appendCall(text, call);
-    return text;
-}
-
-std::string textOf(const std::optional<Interval>& interval) {
-    std::string text;
-    appendInterval(text, interval);
-    return text.empty() ? text : text.substr(1);
-}
-
-std::string textOf(const std::optional<Literal>& literal) {
-    std::string text;
-    if (literal)
-        appendLiteral(text, *literal);
-    return text;
-}
-
-std::string textOf(const Step& step) {
-    const auto* const call = std::get_if<Call>(&step);
-    if (call)
-        return textOf(*call);
-    std::string text;
-    appendTest(text, std::get<SenseTest>(step));
-    return text;
-}
-
-std::string textOf(const std::vector<Formal>& formals) {
-    std::string text;
-    appendFormals(text, formals);
-    return text.empty() ? text : text.substr(1);
-}
-
-std::string formWord(const Form& form) {
-    constexpr std::array words{"competence ", "pattern ", "adopt ", "collection "};
-    return words[form.index()];
-}
-
-MemberView viewOf(const Drive& drive) {
-    return {
-        {}, &drive.name, textOf(drive.trigger), textOf(drive.action), textOf(drive.frequency), textOf(drive.comment)};
-}
-
-MemberView viewOf(const Element& element) {
-    return {{},
-            &element.name,
-            textOf(element.trigger),
-            textOf(element.action),
-            textOf(element.retries),
-            textOf(element.comment)};
+std::string sensesText(const Senses& senses) {
+    return senses.empty() ? "" : textOf(appendSenses, senses);
 }
 
 std::vector<MemberView> membersOf(const Form& form, std::size_t number) {
     std::vector<MemberView> found;
-    std::visit(
-        [&](const auto& any) {
-            if constexpr (requires { any.levels; })
-                for (std::size_t level = 0; level < any.levels.size(); ++level)
-                    for (std::size_t i = 0; i < any.levels[level].size(); ++i) {
-                        MemberView view = viewOf(any.levels[level][i]);
-                        view.part = memberPart(number, level, i);
-                        view.place = found.size() + 1;
-                        view.level = level + 1;
-                        found.push_back(std::move(view));
-                    }
-        },
-        form);
+    const Levels* const levels = levelsIn(form);
+    for (std::size_t level = 0; levels && level < levels->size(); ++level)
+        for (std::size_t i = 0; i < (*levels)[level].size(); ++i) {
+            const Member& member = (*levels)[level][i];
+            found.push_back({memberPart(number, level, i), &member.name, sensesText(member.trigger),
+                             textOf(appendCall, member.action),
+                             textOf(appendInterval, member.frequency) + textOf(appendComment, member.retries),
+                             textOf(appendComment, member.comment), found.size() + 1});
+        }
     return found;
 }
 
@@ -126,6 +74,12 @@ std::vector<bool> risingRow(const std::vector<std::size_t>& numbers) {
     return belongs;
 }
 
+std::string memberText(const Form& form, const MemberView& member) {
+    const bool is_drive = std::holds_alternative<Collection>(form);
+    return is_drive ? "drive " + inQuotes(member.name->text)
+                    : "element " + inQuotes(member.name->text) + " of " + inQuotes(nameOf(form).text);
+}
+
 class Comparer {
 public:
     Comparer(const Plan& before, const Plan& after) : old_(before), new_(after), renamed_(before) {}
@@ -147,13 +101,7 @@ public:
     }
 
 private:
-    struct Loose {
-        MemberView view;
-        std::string form;
-        bool is_drive = false;
-    };
-
-    static std::string formText(const Form& form) { return formWord(form) + inQuotes(nameOf(form).text); }
+    static std::string formText(const Form& form) { return kindWord(form) + inQuotes(nameOf(form).text); }
 
     void tell(ChangeKind kind, std::optional<PlanPart> before, std::optional<PlanPart> after, std::string line) {
         PlanChange change{kind, before, after, {}, {}, std::move(line)};
@@ -200,7 +148,7 @@ private:
             std::string words;
             for (const MemberView& member : members)
                 words += member.name->text + '\n' + member.content() + '\n';
-            forEachCall(form, [&](const Call& call, bool) { words += textOf(call) + '\n'; });
+            forEachCall(form, [&](const Call& call, bool) { words += textOf(appendCall, call) + '\n'; });
             return words;
         };
         return bareWords(a) == bareWords(b);
@@ -248,16 +196,15 @@ private:
             [&]<class Kind>(const Kind& now) {
                 const Kind& then = std::get<Kind>(was);
                 if constexpr (requires { now.goal; })
-                    compare("goal", then.goal.empty() ? "" : textOf(then.goal),
-                            now.goal.empty() ? "" : textOf(now.goal));
+                    compare("goal", sensesText(then.goal), sensesText(now.goal));
                 if constexpr (requires { now.formals; })
-                    compare("parameters", textOf(then.formals), textOf(now.formals));
+                    compare("parameters", textOf(appendFormals, then.formals), textOf(appendFormals, now.formals));
                 if constexpr (requires { now.time_limit; })
-                    compare("time", textOf(then.time_limit), textOf(now.time_limit));
+                    compare("time", textOf(appendInterval, then.time_limit), textOf(appendInterval, now.time_limit));
                 if constexpr (requires { now.comment; })
-                    compare("comment", textOf(then.comment), textOf(now.comment));
+                    compare("comment", textOf(appendComment, then.comment), textOf(appendComment, now.comment));
                 if constexpr (requires { now.adopted; })
-                    compare("act", textOf(then.adopted), textOf(now.adopted));
+                    compare("act", textOf(appendCall, then.adopted), textOf(appendCall, now.adopted));
                 if constexpr (requires { now.keyword; })
                     compare("kind", then.kind == now.kind ? "" : keywordText(then),
                             then.kind == now.kind ? "" : keywordText(now));
@@ -278,159 +225,147 @@ private:
              whose + ": " + what + " was " + shown(before) + ", is " + shown(after));
     }
 
+    /// Compares the steps of two patterns. Of the steps that both have, those in the same relative order stayed and the
+    /// others moved.
     void compareSteps(const std::vector<Step>& before, const std::vector<Step>& after, std::size_t old_form,
-                      std::size_t new_form);
-    void compareMembers(std::size_t before, std::size_t after);
-    void compareMember(const MemberView& was, const MemberView& is, const std::string& whose);
-    void compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form);
-    void tellMembers();
+                      std::size_t new_form) {
+        std::map<std::string, std::vector<std::size_t>> places;
+        for (std::size_t i = before.size(); i-- > 0;)
+            places[textOf(appendStep, before[i])].push_back(i);
+        std::vector<std::size_t> from;
+        std::vector<std::size_t> to;
+        const std::string whose = formText(new_.forms[new_form]);
+        const auto part = [](const Step& step, std::size_t form, std::size_t index) {
+            return PlanPart{std::holds_alternative<Call>(step) ? PartKind::Action : PartKind::Sense, form, 0, 0, index};
+        };
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            auto& same = places[textOf(appendStep, after[i])];
+            if (same.empty()) {
+                tell(ChangeKind::Added, std::nullopt, part(after[i], new_form, i),
+                     whose + ": step " + textOf(appendStep, after[i]) + " added");
+                continue;
+            }
+            from.push_back(same.back());
+            to.push_back(i);
+            same.pop_back();
+        }
+        const std::vector<bool> stayed = risingRow(from);
+        for (std::size_t i = 0; i < from.size() && from.size() < most_steps_compared; ++i)
+            if (!stayed[i])
+                tell(ChangeKind::Moved, part(before[from[i]], old_form, from[i]), part(after[to[i]], new_form, to[i]),
+                     whose + ": step " + textOf(appendStep, after[to[i]]) + " moved from place " +
+                         std::to_string(from[i] + 1) + " to place " + std::to_string(to[i] + 1));
+        for (const auto& [words, left] : places)
+            for (const std::size_t i : left)
+                tell(ChangeKind::Removed, part(before[i], old_form, i), std::nullopt,
+                     whose + ": step " + words + " removed");
+    }
+
+    void compareMembers(std::size_t before, std::size_t after) {
+        const Form& form = new_.forms[after];
+        std::map<std::string, std::vector<MemberView>> by_name;
+        std::vector<MemberView> old_members = membersOf(renamed_.forms[before], before);
+        for (auto member = old_members.rbegin(); member != old_members.rend(); ++member)
+            by_name[member->name->text].push_back(*member);
+        std::vector<std::pair<MemberView, MemberView>> pairs;
+        std::vector<MemberView> left;
+        for (const MemberView& member : membersOf(form, after)) {
+            auto& same = by_name[member.name->text];
+            if (same.empty()) {
+                left.push_back(member);
+                continue;
+            }
+            pairs.emplace_back(same.back(), member);
+            same.pop_back();
+        }
+        for (const MemberView& member : left) {
+            const auto same = std::find_if(by_name.begin(), by_name.end(), [&member](const auto& entry) {
+                return !entry.second.empty() && entry.second.back().content() == member.content();
+            });
+            if (same == by_name.end()) {
+                come_.push_back(member);
+                continue;
+            }
+            const MemberView was = same->second.back();
+            same->second.pop_back();
+            tell(ChangeKind::Renamed, was.part, member.part,
+                 memberText(renamed_.forms[before], was) + " renamed to " + inQuotes(member.name->text));
+            pairs.emplace_back(was, member);
+        }
+        for (const auto& [name, members] : by_name)
+            gone_.insert(gone_.end(), members.begin(), members.end());
+        std::ranges::sort(pairs, {}, [](const auto& pair) { return pair.second.place; });
+        for (const auto& [was, is] : pairs)
+            compareMember(was, is, memberText(form, is));
+        compareOrder(pairs, form);
+    }
+
+    void compareMember(const MemberView& was, const MemberView& is, const std::string& whose) {
+        const bool is_drive = std::holds_alternative<Collection>(new_.forms[is.part.form]);
+        compareWords(whose, "trigger", was.trigger, is.trigger, was.part, is.part);
+        compareWords(whose, "act", was.action, is.action, was.part, is.part);
+        compareWords(whose, is_drive ? "frequency" : "starts", was.limit, is.limit, was.part, is.part);
+        compareWords(whose, "comment", was.comment, is.comment, was.part, is.part);
+    }
+
+    void compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form) {
+        std::vector<std::size_t> places;
+        for (const auto& [was, is] : pairs)
+            places.push_back(was.place);
+        const std::vector<bool> stayed = risingRow(places);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const auto& [was, is] = pairs[i];
+            const std::string whose = memberText(form, is);
+            if (!stayed[i])
+                tell(ChangeKind::Moved, was.part, is.part,
+                     whose + " moved from place " + std::to_string(was.place) + " to place " +
+                         std::to_string(is.place));
+        }
+        for (std::size_t i = 1; i < pairs.size();
+             ++i) { // Has each member joined or left the level of the one before it?
+            const bool were_equal = pairs[i - 1].first.part.level == pairs[i].first.part.level;
+            const bool are_equal = pairs[i - 1].second.part.level == pairs[i].second.part.level;
+            if (were_equal != are_equal)
+                tell(ChangeKind::Moved, pairs[i].first.part, pairs[i].second.part,
+                     memberText(form, pairs[i].second) + (are_equal ? " is an equal of " : " is no equal of ") +
+                         inQuotes(pairs[i - 1].second.name->text) + " now");
+        }
+    }
+
+    /// Reports members that were added or removed. A member that left one form and appears in another with the same
+    /// name and action has moved.
+    void tellMembers() {
+        for (const MemberView& member : come_) {
+            const auto from = std::ranges::find_if(gone_, [&member](const MemberView& other) {
+                return other.name->text == member.name->text && other.action == member.action;
+            });
+            const Form& form = new_.forms[member.part.form];
+            const std::string whose = memberText(form, member);
+            if (from == gone_.end()) {
+                tell(ChangeKind::Added, std::nullopt, member.part, whose + " added");
+                continue;
+            }
+            tell(ChangeKind::Moved, from->part, member.part,
+                 (std::holds_alternative<Collection>(form) ? "drive " : "element ") + inQuotes(member.name->text) +
+                     " moved from " + inQuotes(nameOf(old_.forms[from->part.form]).text) + " to " +
+                     inQuotes(nameOf(form).text));
+            compareMember(*from, member, whose);
+            gone_.erase(from);
+        }
+        for (const MemberView& member : gone_)
+            tell(ChangeKind::Removed, member.part, std::nullopt,
+                 memberText(old_.forms[member.part.form], member) + " removed");
+    }
 
     const Plan& old_;
     const Plan& new_;
     Plan renamed_; ///< the old plan, in which calls of renamed forms have the new names
     std::vector<std::optional<std::size_t>> new_of_old_;
     std::vector<std::optional<std::size_t>> old_of_new_;
-    std::vector<Loose> gone_; ///< members that are no longer in their form
-    std::vector<Loose> come_; ///< members that are new in their form
+    std::vector<MemberView> gone_; ///< members that are no longer in their form
+    std::vector<MemberView> come_; ///< members that are new in their form
     std::vector<PlanChange> changes_;
 };
-
-std::string memberText(const Form& form, const MemberView& member) {
-    const bool is_drive = std::holds_alternative<Collection>(form);
-    return is_drive ? "drive " + inQuotes(member.name->text)
-                    : "element " + inQuotes(member.name->text) + " of " + inQuotes(nameOf(form).text);
-}
-
-/// Compares the steps of two patterns. Of the steps that both have, those in the same relative order stayed and the
-/// others moved.
-void Comparer::compareSteps(const std::vector<Step>& before, const std::vector<Step>& after, std::size_t old_form,
-                            std::size_t new_form) {
-    std::map<std::string, std::vector<std::size_t>> places;
-    for (std::size_t i = before.size(); i-- > 0;)
-        places[textOf(before[i])].push_back(i);
-    std::vector<std::size_t> from;
-    std::vector<std::size_t> to;
-    const std::string whose = formText(new_.forms[new_form]);
-    const auto part = [](const Step& step, std::size_t form, std::size_t index) {
-        return PlanPart{std::holds_alternative<Call>(step) ? PartKind::Action : PartKind::Sense, form, 0, 0, index};
-    };
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        auto& same = places[textOf(after[i])];
-        if (same.empty()) {
-            tell(ChangeKind::Added, std::nullopt, part(after[i], new_form, i),
-                 whose + ": step " + textOf(after[i]) + " added");
-            continue;
-        }
-        from.push_back(same.back());
-        to.push_back(i);
-        same.pop_back();
-    }
-    const std::vector<bool> stayed = risingRow(from);
-    for (std::size_t i = 0; i < from.size() && from.size() < most_steps_compared; ++i)
-        if (!stayed[i])
-            tell(ChangeKind::Moved, part(before[from[i]], old_form, from[i]), part(after[to[i]], new_form, to[i]),
-                 whose + ": step " + textOf(after[to[i]]) + " moved from place " + std::to_string(from[i] + 1) +
-                     " to place " + std::to_string(to[i] + 1));
-    for (const auto& [words, left] : places)
-        for (const std::size_t i : left)
-            tell(ChangeKind::Removed, part(before[i], old_form, i), std::nullopt,
-                 whose + ": step " + words + " removed");
-}
-
-void Comparer::compareMember(const MemberView& was, const MemberView& is, const std::string& whose) {
-    const bool is_drive = std::holds_alternative<Collection>(new_.forms[is.part.form]);
-    const auto none = [](const std::string& senses) { return senses == "nil" ? std::string() : senses; };
-    compareWords(whose, "trigger", none(was.trigger), none(is.trigger), was.part, is.part);
-    compareWords(whose, "act", was.action, is.action, was.part, is.part);
-    compareWords(whose, is_drive ? "frequency" : "starts", was.limit, is.limit, was.part, is.part);
-    compareWords(whose, "comment", was.comment, is.comment, was.part, is.part);
-}
-
-void Comparer::compareOrder(const std::vector<std::pair<MemberView, MemberView>>& pairs, const Form& form) {
-    std::vector<std::size_t> places;
-    for (const auto& [was, is] : pairs)
-        places.push_back(was.place);
-    const std::vector<bool> stayed = risingRow(places);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto& [was, is] = pairs[i];
-        const std::string whose = memberText(form, is);
-        if (!stayed[i])
-            tell(ChangeKind::Moved, was.part, is.part,
-                 whose + " moved from place " + std::to_string(was.place) + " to place " + std::to_string(is.place));
-    }
-    for (std::size_t i = 1; i < pairs.size(); ++i) { // Has each member joined or left the level of the one before it?
-        const bool were_equal = pairs[i - 1].first.level == pairs[i].first.level;
-        const bool are_equal = pairs[i - 1].second.level == pairs[i].second.level;
-        if (were_equal != are_equal)
-            tell(ChangeKind::Moved, pairs[i].first.part, pairs[i].second.part,
-                 memberText(form, pairs[i].second) + (are_equal ? " is an equal of " : " is no equal of ") +
-                     inQuotes(pairs[i - 1].second.name->text) + " now");
-    }
-}
-
-void Comparer::compareMembers(std::size_t before, std::size_t after) {
-    const Form& form = new_.forms[after];
-    std::map<std::string, std::vector<MemberView>> by_name;
-    std::vector<MemberView> old_members = membersOf(renamed_.forms[before], before);
-    for (auto member = old_members.rbegin(); member != old_members.rend(); ++member)
-        by_name[member->name->text].push_back(*member);
-    std::vector<std::pair<MemberView, MemberView>> pairs;
-    std::vector<MemberView> left;
-    for (const MemberView& member : membersOf(form, after)) {
-        auto& same = by_name[member.name->text];
-        if (same.empty()) {
-            left.push_back(member);
-            continue;
-        }
-        pairs.emplace_back(same.back(), member);
-        same.pop_back();
-    }
-    const bool is_drive = std::holds_alternative<Collection>(form);
-    for (const MemberView& member : left) {
-        const auto same = std::find_if(by_name.begin(), by_name.end(), [&member](const auto& entry) {
-            return !entry.second.empty() && entry.second.back().content() == member.content();
-        });
-        if (same == by_name.end()) {
-            come_.push_back({member, nameOf(form).text, is_drive});
-            continue;
-        }
-        const MemberView was = same->second.back();
-        same->second.pop_back();
-        tell(ChangeKind::Renamed, was.part, member.part,
-             memberText(renamed_.forms[before], was) + " renamed to " + inQuotes(member.name->text));
-        pairs.emplace_back(was, member);
-    }
-    for (const auto& [name, members] : by_name)
-        for (const MemberView& member : members)
-            gone_.push_back({member, nameOf(old_.forms[before]).text, is_drive});
-    std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.second.place < b.second.place; });
-    for (const auto& [was, is] : pairs)
-        compareMember(was, is, memberText(form, is));
-    compareOrder(pairs, form);
-}
-
-/// Reports members that were added or removed. A member that left one form and appears in another with the same name
-/// and action has moved.
-void Comparer::tellMembers() {
-    for (const Loose& member : come_) {
-        const auto from = std::find_if(gone_.begin(), gone_.end(), [&member](const Loose& other) {
-            return other.view.name->text == member.view.name->text && other.view.action == member.view.action;
-        });
-        const std::string whose = memberText(new_.forms[member.view.part.form], member.view);
-        if (from == gone_.end()) {
-            tell(ChangeKind::Added, std::nullopt, member.view.part, whose + " added");
-            continue;
-        }
-        tell(ChangeKind::Moved, from->view.part, member.view.part,
-             (member.is_drive ? "drive " : "element ") + inQuotes(member.view.name->text) + " moved from " +
-                 inQuotes(from->form) + " to " + inQuotes(member.form));
-        compareMember(from->view, member.view, whose);
-        gone_.erase(from);
-    }
-    for (const Loose& member : gone_)
-        tell(ChangeKind::Removed, member.view.part, std::nullopt,
-             memberText(old_.forms[member.view.part.form], member.view) + " removed");
-}
 
 } // namespace
 

@@ -43,12 +43,12 @@ Result<void> checkRename(const Plan& plan, const PlanPart& part, std::string_vie
     const bool is_sense = part.kind == PartKind::Sense;
     const bool is_primitive =
         is_sense || (part.kind == PartKind::Action && !FormIndex(plan).find(nameOf(plan, part)->text));
-    if (const auto good = is_primitive ? checkPrimitiveName(name) : checkNewName(name); !good)
+    if (const auto good = checkName(name, is_primitive); !good)
         return good;
     if (part.kind == PartKind::Member)
         return freeMemberName(plan.forms[part.form], std::string(name)) == name
                    ? Result<void>()
-                   : failure("another one beside it has this name", inQuotes(name), "choose another name");
+                   : failure("another one next to it has this name", inQuotes(name), "choose another name");
     const bool is_collection =
         part.kind == PartKind::Whole && std::holds_alternative<Collection>(plan.forms[part.form]);
     if (is_collection || is_sense)
@@ -82,20 +82,14 @@ Result<PlanPart> swapIn(Plan& plan, const PlanPart& a, const PlanPart& b) {
         return b;
     }
     if (a.kind == PartKind::Sense) {
-        std::swap(const_cast<SenseTest&>(*senseOf(plan, a)), const_cast<SenseTest&>(*senseOf(plan, b)));
+        std::swap(senseIn(plan, a), senseIn(plan, b));
         return b;
     }
-    const auto swapMembers = [&]<class Kind>(Kind& from, Kind& to) {
-        std::swap(from.levels[a.level][a.member], to.levels[b.level][b.member]);
+    if (plan.forms[a.form].index() == plan.forms[b.form].index()) {
+        std::swap(memberIn(plan, a), memberIn(plan, b));
         return b;
-    };
-    if (auto* const from = std::get_if<Competence>(&plan.forms[a.form]))
-        if (auto* const to = std::get_if<Competence>(&plan.forms[b.form]))
-            return swapMembers(*from, *to);
-    if (auto* const from = std::get_if<Collection>(&plan.forms[a.form]))
-        if (auto* const to = std::get_if<Collection>(&plan.forms[b.form]))
-            return swapMembers(*from, *to);
-    return failure("a drive and an element cannot change places", describe(plan, a), "move one of them");
+    }
+    return failure("a drive and an element cannot be swapped", describe(plan, a), "move one of them");
 }
 
 } // namespace
@@ -104,7 +98,7 @@ Result<PlanReading> readForEdit(std::string_view text) {
     PlanReading reading = readPlan(text);
     for (const Finding& finding : reading.findings)
         if (isUnreadable(finding.code))
-            return failure("the text cannot be read here", placeOf(finding), "mend it first: " + finding.message);
+            return failure("the text cannot be read here", placeOf(finding), "fix it first: " + finding.message);
     return reading;
 }
 
@@ -117,7 +111,7 @@ Result<PlanEdit> checkedEdit(const PlanReading& before, std::string text, const 
             continue;
         const auto bad = std::find_if(after.begin(), after.end(),
                                       [code = code](const Finding& finding) { return finding.code == code; });
-        return failure("this would bring an error (" + toText(code) + ")", "", bad->message);
+        return failure("this would cause an error (" + toText(code) + ")", "", bad->message);
     }
     return PlanEdit{std::move(text), part};
 }

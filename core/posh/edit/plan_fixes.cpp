@@ -10,10 +10,6 @@ namespace usar::posh {
 
 namespace {
 
-Call doNothing() {
-    return callNamed("doNothing");
-}
-
 /// Removes the argument that begins at this byte of the text. Returns false if there is none.
 bool eraseArgument(Plan& plan, std::size_t offset) {
     bool erased = false;
@@ -43,7 +39,7 @@ Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::str
         std::vector<Formal>* const formals = formalsIn(plan.forms[form]);
         if (!formals)
             return noSuchPart();
-        formals->push_back({{name, {}}, value});
+        formals->push_back({{name}, value});
         return formPart(form);
     });
 }
@@ -59,148 +55,93 @@ Call mainCallOf(const Plan& plan) {
     return doNothing();
 }
 
-bool alwaysReady(const Form& form, const PlanPart& part) {
-    return std::visit(
-        [&part](const auto& any) {
-            if constexpr (requires { any.levels; }) {
-                const auto& member = any.levels[part.level][part.member];
-                if constexpr (requires { member.retries; })
-                    return member.trigger.empty() && !retryLimit(member);
-                else
-                    return member.trigger.empty();
-            }
-            return false;
-        },
-        form);
-}
-
 } // namespace
 
-void FixFinder::fixPlan() {
-    using enum Code;
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    switch (finding_.code) {
-    case DuplicateName:
-    case DuplicateDrive:
-    case DuplicateElement:
-        return fixDuplicate();
-    case ReferenceCycle:
-        if (part)
-            add("Do nothing here", replaceCall(text_, *part, doNothing()));
+/// Fixes what has one obvious remedy.
+void FixFinder::fixSimply() {
+    if (!part_)
         return;
-    case UnknownPrimitive:
-        return fixUnknownName();
-    case WrongUse:
-        return fixWrongUse();
-    case FreeVariable:
-        return fixVariable();
-    case UndeclaredArgument:
-        return fixUndeclared();
-    case NeverReached:
-        return fixUnreached();
-    case MayFindNothing:
-        return fixFindingNothing();
-    case PrimitiveNamedAsForm:
-    case NameStartsWithDigit:
-    case KeywordAsName:
-        return fixName();
-    case NoCollection:
-    case Fragment:
-        return addCollection();
-    case NeverUsed:
-        if (part)
-            add("Take it away", removePart(text_, *part));
-        return;
-    case NoElements:
-        if (part)
-            add("Add an element that does nothing", addMember(text_, {part->form}, doNothing(), {}, "idle"));
-        return;
-    case ZeroRetries:
-        if (part)
-            add("Take the number out", setLimit(text_, *part, ""));
-        return;
-    default:
-        fixCharacters();
-    }
+    if (finding_.code == Code::ReferenceCycle)
+        add("Do nothing here", replaceCall(text_, *part_, doNothing()));
+    else if (finding_.code == Code::NeverUsed)
+        add("Remove it", removePart(text_, *part_));
+    else if (finding_.code == Code::NoElements)
+        add("Add an element that does nothing", addMember(text_, {part_->form}, doNothing(), {}, "idle"));
+    else
+        add("Remove the number", setLimit(text_, *part_, ""));
 }
 
 void FixFinder::fixDuplicate() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    if (!part)
+    if (!part_)
         return;
-    const std::string old = nameOf(reading_.plan, *part)->text;
-    const bool is_form = part->kind == PartKind::Whole;
+    const std::string old = nameOf(reading_.plan, *part_)->text;
+    const bool is_form = part_->kind == PartKind::Whole;
     const std::string name =
-        is_form ? freeFormName(reading_.plan, old) : freeMemberName(reading_.plan.forms[part->form], old);
-    add("Name it " + name, renamePart(text_, *part, name));
-    add("Take it away", removePart(text_, *part));
+        is_form ? freeFormName(reading_.plan, old) : freeMemberName(reading_.plan.forms[part_->form], old);
+    add("Name it " + name, renamePart(text_, *part_, name));
+    add("Remove it", removePart(text_, *part_));
 }
 
 /// Fixes a name that the robot does not have: by a similar one that exists, or by a new pattern with that name.
 void FixFinder::fixUnknownName() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    if (!part || !callOf(reading_.plan, *part))
+    if (!part_ || !callOf(reading_.plan, *part_))
         return;
-    const bool is_sense = part->kind == PartKind::Sense;
+    const bool is_sense = part_->kind == PartKind::Sense;
     std::vector<std::string> known = is_sense ? vocabulary_.senses : vocabulary_.acts;
     if (!is_sense)
         for (const Form& form : reading_.plan.forms)
             if (!std::holds_alternative<Collection>(form))
                 known.push_back(nameOf(form).text);
-    const std::string name(nameOf(reading_.plan, *part)->text);
+    const std::string name(nameOf(reading_.plan, *part_)->text);
     const std::size_t before = fixes_.size();
     writeNearest(known, std::max<std::size_t>(3, name.size() / 2), 3);
-    const std::size_t uses = usagesOf(reading_.plan, *part).size();
+    const std::size_t uses = usagesOf(reading_.plan, *part_).size();
     if (uses > 1 && fixes_.size() > before) {
         const std::string nearest = fixes_[before].edits.front().text;
         if (!FormIndex(reading_.plan).find(nearest))
             add("Write " + nearest + " everywhere (" + std::to_string(uses) + " places)",
-                renamePart(text_, *part, nearest));
+                renamePart(text_, *part_, nearest));
     }
     if (is_sense)
-        return add("Take this sense away", removePart(text_, *part));
-    add("Do nothing here", replaceCall(text_, *part, doNothing()));
+        return add("Remove this sense", removePart(text_, *part_));
+    add("Do nothing here", replaceCall(text_, *part_, doNothing()));
     if (!name.empty()) // Only calls use the name, and they are meant to call the new pattern
         add("Make a pattern " + name, changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
-                plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part->form),
-                                  Pattern{{name, {}}, {}, std::nullopt, {doNothing()}, std::nullopt, Remarks(), {}});
-                return formPart(part->form);
+                return insertForm(plan, part_->form, Pattern{.name = {name}, .steps = {doNothing()}});
             }));
 }
 
 void FixFinder::fixWrongUse() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    const Call* const call = part ? callOf(reading_.plan, *part) : nullptr;
+    const Call* const call = part_ ? callOf(reading_.plan, *part_) : nullptr;
     if (!call)
         return;
     if (!call->arguments.empty())
-        add("Take the arguments out", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
-                callIn(plan, *part).arguments.clear();
-                return *part;
+        add("Remove the arguments", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
+                callIn(plan, *part_).arguments.clear();
+                return *part_;
             }));
     if (call->arguments.size() > 1)
-        add("Take the last argument out", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
-                callIn(plan, *part).arguments.pop_back();
-                return *part;
+        add("Remove the last argument", changePlan(text_, [&](Plan& plan) -> Result<PlanPart> {
+                callIn(plan, *part_).arguments.pop_back();
+                return *part_;
             }));
     fixUnknownName();
 }
 
 void FixFinder::fixVariable() {
-    const auto owner = partAt(reading_.plan, finding_.at.offset);
     const std::string name(found().substr(std::min<std::size_t>(1, found().size())));
-    if (!owner || name.empty())
+    if (!part_ || name.empty())
         return;
     std::vector<std::string> known;
-    for (const Formal& formal : formalsOf(reading_.plan.forms[owner->form]))
+    for (const Formal& formal : formalsOf(reading_.plan.forms[part_->form]))
         known.push_back('$' + formal.variable.name);
     writeNearest(known, 4, 2);
-    add("Declare $" + name, declare(text_, owner->form, name, {std::int64_t{0}, "0", {}}));
-    replace("Write 0", finding_.at.offset, std::size_t{finding_.at.offset} + finding_.at.length, "0");
+    add("Declare $" + name, declare(text_, part_->form, name, {std::int64_t{0}, "0"}));
+    replaceFound("0");
 }
 
 void FixFinder::fixUndeclared() {
-    add("Take the argument out", changePlan(text_, [this](Plan& plan) -> Result<PlanPart> {
+    add("Remove the argument", changePlan(text_, [this](Plan& plan) -> Result<PlanPart> {
             if (!eraseArgument(plan, finding_.at.offset))
                 return noSuchPart();
             return PlanPart();
@@ -215,58 +156,56 @@ void FixFinder::fixUndeclared() {
                                          : argument.name;
             const auto* const literal = std::get_if<Literal>(&argument.value);
             add("Declare $" + name,
-                declare(text_, reference.target, name, literal ? *literal : Literal{std::int64_t{0}, "0", {}}));
+                declare(text_, reference.target, name, literal ? *literal : Literal{std::int64_t{0}, "0"}));
         }
 }
 
 void FixFinder::fixUnreached() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    if (!part || part->kind != PartKind::Member)
+    if (!part_ || part_->kind != PartKind::Member)
         return;
-    const Form& form = reading_.plan.forms[part->form];
     for (const NamedPart& other : partsOf(reading_.plan)) {
         const PlanPart& candidate = other.part;
-        if (candidate.kind != PartKind::Member || candidate.form != part->form || !alwaysReady(form, candidate))
+        const bool is_beside = candidate.kind == PartKind::Member && candidate.form == part_->form;
+        const Member* const member = is_beside ? memberOf(reading_.plan, candidate) : nullptr;
+        if (!member || !member->trigger.empty() || retryLimit(*member))
             continue;
         add("Move " + inQuotes(other.name->text) + " to the end",
-            moveMember(text_, candidate, {part->form, std::size_t(-1)}));
+            moveMember(text_, candidate, {part_->form, std::size_t(-1)}));
         add("Give " + inQuotes(other.name->text) + " a trigger that never holds",
-            setSenses(text_, candidate, {{callNamed("fail"), std::nullopt, std::nullopt}}));
+            setSenses(text_, candidate, {never()}));
         break;
     }
-    add("Take " + inQuotes(nameOf(reading_.plan, *part)->text) + " away", removePart(text_, *part));
+    add("Remove " + inQuotes(nameOf(reading_.plan, *part_)->text), removePart(text_, *part_));
 }
 
 void FixFinder::fixFindingNothing() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
-    const auto* const competence = part ? std::get_if<Competence>(&reading_.plan.forms[part->form]) : nullptr;
+    const auto* const competence = part_ ? std::get_if<Competence>(&reading_.plan.forms[part_->form]) : nullptr;
     if (!competence || competence->levels.empty())
         return;
     const std::string name = freeMemberName(*competence, "otherwise");
-    add("Add a last element that does nothing", addMember(text_, {part->form, std::size_t(-1)}, doNothing(), {}, name));
+    add("Add a last element that does nothing",
+        addMember(text_, {part_->form, std::size_t(-1)}, doNothing(), {}, name));
     const std::size_t last = competence->levels.size() - 1;
-    add("Take the trigger of the last element away",
-        setSenses(text_, memberPart(part->form, last, competence->levels[last].size() - 1), {}));
-    add("Add a goal that is never reached",
-        setSenses(text_, formPart(part->form), {{callNamed("fail"), std::nullopt, std::nullopt}}));
+    add("Remove the trigger of the last element",
+        setSenses(text_, memberPart(part_->form, last, competence->levels[last].size() - 1), {}));
+    add("Add a goal that is never reached", setSenses(text_, formPart(part_->form), {never()}));
 }
 
 /// Renames a form or member whose name is misleading or also a name of the robot.
 void FixFinder::fixName() {
-    const auto part = partAt(reading_.plan, finding_.at.offset);
     const std::string old(found());
-    if (!part || !nameOf(reading_.plan, *part) || old.empty())
+    if (!part_ || !nameOf(reading_.plan, *part_) || old.empty())
         return;
     const bool has_digit = finding_.code == Code::NameStartsWithDigit;
     const std::string wanted = has_digit                              ? "n" + old
                                : finding_.code == Code::KeywordAsName ? "my-" + old
                                                                       : old + "-plan";
-    const std::string name = part->kind == PartKind::Member ? freeMemberName(reading_.plan.forms[part->form], wanted)
-                                                            : freeFormName(reading_.plan, wanted);
-    add("Name it " + name, renamePart(text_, *part, name));
+    const std::string name = part_->kind == PartKind::Member ? freeMemberName(reading_.plan.forms[part_->form], wanted)
+                                                             : freeFormName(reading_.plan, wanted);
+    add("Name it " + name, renamePart(text_, *part_, name));
 }
 
-void FixFinder::addCollection() {
+void FixFinder::fixMissingCollection() {
     const std::string name = freeFormName(reading_.plan, "life");
     add("Add a drive collection", addForm(text_, FormKind::Dc, name, mainCallOf(reading_.plan)));
 }

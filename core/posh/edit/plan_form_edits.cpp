@@ -11,70 +11,52 @@ namespace usar::posh {
 
 namespace {
 
-Call nothingToDo() {
-    return callNamed("doNothing");
-}
-
-SenseTest never() {
-    return {callNamed("fail"), std::nullopt, std::nullopt};
-}
-
-/// Returns the trigger of a member or the goal of a form; nullptr if the part cannot have one.
+/// Returns the trigger of a member or the goal of a form; nullptr if the part does not exist or cannot have one.
 Senses* sensesIn(Plan& plan, const PlanPart& owner) {
-    Senses* found = nullptr;
-    std::visit(
-        [&](auto& form) {
-            if constexpr (requires { form.levels; })
-                if (owner.kind == PartKind::Member)
-                    found = &form.levels[owner.level][owner.member].trigger;
+    if (!nameOf(plan, owner))
+        return nullptr;
+    if (owner.kind != PartKind::Whole)
+        return owner.kind == PartKind::Member ? &memberIn(plan, owner).trigger : nullptr;
+    return std::visit(
+        [](auto& form) -> Senses* {
             if constexpr (requires { form.goal; })
-                if (owner.kind == PartKind::Whole)
-                    found = &form.goal;
+                return &form.goal;
+            else
+                return nullptr;
         },
         plan.forms[owner.form]);
-    return found;
 }
 
+/// Returns the comment string of a member or a form; nullptr if the part does not exist or cannot have one.
 std::optional<Literal>* commentIn(Plan& plan, const PlanPart& owner) {
-    std::optional<Literal>* found = nullptr;
-    std::visit(
-        [&](auto& form) {
-            if constexpr (requires { form.levels; })
-                if (owner.kind == PartKind::Member)
-                    found = &form.levels[owner.level][owner.member].comment;
+    if (!nameOf(plan, owner))
+        return nullptr;
+    if (owner.kind != PartKind::Whole)
+        return owner.kind == PartKind::Member ? &memberIn(plan, owner).comment : nullptr;
+    return std::visit(
+        [](auto& form) -> std::optional<Literal>* {
             if constexpr (requires { form.comment; })
-                if (owner.kind == PartKind::Whole)
-                    found = &form.comment;
+                return &form.comment;
+            else
+                return nullptr;
         },
         plan.forms[owner.form]);
-    return found;
 }
 
 Form madeForm(FormKind kind, const std::string& name, std::vector<Formal> formals, const Call& content) {
-    const Name title{name, {}};
     switch (kind) {
     case FormKind::C: {
-        const std::string element = content.name.text.substr(content.name.text.rfind('.') + 1);
-        return Competence{title,
-                          std::move(formals),
-                          std::nullopt,
-                          {},
-                          {{Element{{element, {}}, {}, content, std::nullopt, std::nullopt, Remarks(), {}}}},
-                          std::nullopt,
-                          Remarks(),
-                          {}};
+        Member element{.name = {withoutModule(content.name.text)}, .action = content};
+        return Competence{.name = {name}, .formals = std::move(formals), .levels = {{std::move(element)}}};
     }
     case FormKind::Ap:
-        return Pattern{title, std::move(formals), std::nullopt, {content}, std::nullopt, Remarks(), {}};
+        return Pattern{.name = {name}, .formals = std::move(formals), .steps = {content}};
     case FormKind::Ad:
-        return Adopt{title, std::move(formals), {never()}, content, Remarks(), {}};
+        return Adopt{.name = {name}, .formals = std::move(formals), .goal = {never()}, .adopted = content};
     case FormKind::Dc:
         break;
     }
-    Collection made;
-    made.name = title;
-    made.levels = {{Drive{{"work", {}}, {}, content, std::nullopt, std::nullopt, Remarks(), {}}}};
-    return made;
+    return Collection{.name = {name}, .levels = {{Member{.name = {"work"}, .action = content}}}};
 }
 
 /// Returns the index before the collection, so that the new form precedes its caller, or the end if there is none.
@@ -100,34 +82,28 @@ Result<PlanPart> removeForm(Plan& plan, const PlanPart& part) {
     std::erase(callers, part);
     if (!callers.empty())
         return failure("it is called in " + placesOf(plan, callers), describe(plan, part),
-                       "take the calls away first, or put something else in their place");
-    plan.forms.erase(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form));
+                       "remove the calls first, or replace them with something else");
+    eraseAt(plan.forms, part.form);
     return formPart(part.form == 0 ? 0 : part.form - 1);
 }
 
 Result<PlanPart> removeMember(Plan& plan, const PlanPart& part) {
-    return std::visit(
-        [&](auto& form) -> Result<PlanPart> {
-            if constexpr (requires { form.levels; }) {
-                auto& level = form.levels[part.level];
-                if (form.levels.size() == 1 && level.size() == 1 && std::is_same_v<decltype(form), Collection&>)
-                    return failure("it is the last drive of the plan", describe(plan, part), "add another one first");
-                level.erase(level.begin() + static_cast<std::ptrdiff_t>(part.member));
-                if (level.empty())
-                    form.levels.erase(form.levels.begin() + static_cast<std::ptrdiff_t>(part.level));
-                return formPart(part.form);
-            } else {
-                return noSuchPart();
-            }
-        },
-        plan.forms[part.form]);
+    Form& form = plan.forms[part.form];
+    Levels& levels = *levelsIn(form);
+    Level& level = levels[part.level];
+    if (levels.size() == 1 && level.size() == 1 && std::holds_alternative<Collection>(form))
+        return failure("it is the last drive of the plan", describe(plan, part), "add another one first");
+    eraseAt(level, part.member);
+    if (level.empty())
+        eraseAt(levels, part.level);
+    return formPart(part.form);
 }
 
 Result<PlanPart> removeStep(Plan& plan, const PlanPart& part) {
     auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
     if (steps.size() == 1)
         return failure("it is the last step of its pattern", describe(plan, part), "add another one first");
-    steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(part.index));
+    eraseAt(steps, part.index);
     return formPart(part.form);
 }
 
@@ -141,11 +117,10 @@ Result<PlanPart> removeFrom(Plan& plan, const PlanPart& part) {
     if (part.kind == PartKind::Member)
         return removeMember(plan, part);
     if (part.kind == PartKind::Action) {
-        callIn(plan, part) = nothingToDo();
+        callIn(plan, part) = doNothing();
         return part;
     }
-    Senses& senses = *sensesIn(plan, ownerOf(part));
-    senses.erase(senses.begin() + static_cast<std::ptrdiff_t>(part.index));
+    eraseAt(*sensesIn(plan, ownerOf(part)), part.index);
     return ownerOf(part);
 }
 
@@ -165,7 +140,7 @@ Result<PlanPart> duplicateIn(Plan& plan, const PlanPart& part) {
     Form& form = plan.forms[part.form];
     if (isStep(plan, part)) {
         auto& steps = std::get<Pattern>(form).steps;
-        steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), Step(steps[part.index]));
+        insertAt(steps, part.index, steps[part.index]);
         PlanPart copy = part;
         ++copy.index;
         return copy;
@@ -175,44 +150,36 @@ Result<PlanPart> duplicateIn(Plan& plan, const PlanPart& part) {
             return failure("a plan has one drive collection only", describe(plan, part), "duplicate a drive");
         const std::string name = freeFormName(plan, nameOf(form).text);
         Form copy = std::visit([&name](const auto& any) -> Form { return copyNamed(any, name); }, form);
-        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form + 1), std::move(copy));
-        return formPart(part.form + 1);
+        return insertForm(plan, part.form + 1, std::move(copy));
     }
     if (part.kind != PartKind::Member)
         return failure("only forms, drives, elements and steps can be duplicated", describe(plan, part));
     const std::string name = freeMemberName(form, nameOf(plan, part)->text);
-    std::visit(
-        [&](auto& any) {
-            if constexpr (requires { any.levels; }) {
-                const auto copy = copyNamed(any.levels[part.level][part.member], name);
-                any.levels.insert(any.levels.begin() + static_cast<std::ptrdiff_t>(part.level + 1), {copy});
-            }
-        },
-        form);
+    insertAt(*levelsIn(form), part.level + 1, Level{copyNamed(memberIn(plan, part), name)});
     return memberPart(part.form, part.level + 1, 0);
 }
 
 Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words) {
     Form& form = plan.forms[owner.form];
     const bool is_member = owner.kind == PartKind::Member;
-    if (auto* const competence = std::get_if<Competence>(&form); competence && is_member) {
+    if (is_member && std::holds_alternative<Competence>(form)) {
         auto retries = readRetriesPhrase(words);
         if (!retries)
             return tl::unexpected(retries.error());
-        competence->levels[owner.level][owner.member].retries = *std::move(retries);
+        memberIn(plan, owner).retries = *std::move(retries);
         return owner;
     }
     auto interval = readIntervalPhrase(words, is_member);
     if (!interval)
         return tl::unexpected(interval.error());
-    if (auto* const collection = std::get_if<Collection>(&form); collection && is_member)
-        collection->levels[owner.level][owner.member].frequency = *std::move(interval);
+    if (is_member)
+        memberIn(plan, owner).frequency = *std::move(interval);
     else if (auto* const competence = std::get_if<Competence>(&form))
         competence->time_limit = *std::move(interval);
     else if (auto* const pattern = std::get_if<Pattern>(&form))
         pattern->time_limit = *std::move(interval);
     else
-        return failure("it can have no limit", describe(plan, owner));
+        return failure("it cannot have a limit", describe(plan, owner));
     return owner;
 }
 
@@ -226,7 +193,7 @@ std::optional<std::vector<Step>> contentOf(const Form& form) {
     if (!competence || competence->time_limit || !competence->goal.empty() || competence->levels.size() != 1 ||
         competence->levels[0].size() != 1)
         return std::nullopt;
-    const Element& only = competence->levels[0][0];
+    const Member& only = competence->levels[0][0];
     return only.trigger.empty() && !only.retries ? std::optional(std::vector<Step>{only.action}) : std::nullopt;
 }
 
@@ -252,13 +219,13 @@ Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
     const bool is_step = isStep(plan, part);
     const bool fits = content && (is_step || (content->size() == 1 && std::holds_alternative<Call>(content->front())));
     if (!fits)
-        return failure("it does more than can stand here", describe(plan, formPart(*target)),
+        return failure("it does more than fits here", describe(plan, formPart(*target)),
                        "only a pattern in a pattern, or a form that does one thing, can be put in place of its call");
     const bool is_last_call = usagesOf(plan, part).size() == 2;
     PlanPart result = part;
     if (is_step) {
         auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
-        steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(part.index));
+        eraseAt(steps, part.index);
         steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), content->begin(), content->end());
         if (std::holds_alternative<SenseTest>(content->front()))
             result.kind = PartKind::Sense;
@@ -267,7 +234,7 @@ Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
     }
     if (!is_last_call || hasRemarks(plan.forms[*target]))
         return result;
-    plan.forms.erase(plan.forms.begin() + static_cast<std::ptrdiff_t>(*target));
+    eraseAt(plan.forms, *target);
     result.form -= *target < part.form ? 1 : 0;
     return result;
 }
@@ -276,9 +243,9 @@ Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
 
 Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const SenseTest& test) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        Senses* const senses = nameOf(plan, owner) ? sensesIn(plan, owner) : nullptr;
+        Senses* const senses = sensesIn(plan, owner);
         if (!senses)
-            return failure("it asks no senses", describe(plan, owner),
+            return failure("it cannot have senses", describe(plan, owner),
                            "choose a drive, an element or a form with a goal");
         senses->push_back(test);
         PlanPart part = owner;
@@ -291,16 +258,14 @@ Result<PlanEdit> addSense(std::string_view text, const PlanPart& owner, const Se
 
 Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string& name, const Call& content) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        if (const auto good = checkNewName(name); !good)
+        if (const auto good = checkName(name); !good)
             return tl::unexpected(good.error());
         const bool is_collection = kind == FormKind::Dc;
         if (is_collection && collectionOf(plan))
             return failure("a plan has one drive collection only", inQuotes(name), "add a drive to it");
         if (!is_collection && freeFormName(plan, name) != name)
-            return failure("the plan uses this name already", inQuotes(name), "choose another name");
-        const std::size_t place = placeForNewForm(plan);
-        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(place), madeForm(kind, name, {}, content));
-        return formPart(place);
+            return failure("the plan already uses this name", inQuotes(name), "choose another name");
+        return insertForm(plan, placeForNewForm(plan), madeForm(kind, name, {}, content));
     });
 }
 
@@ -325,14 +290,14 @@ Result<PlanEdit> replaceSense(std::string_view text, const PlanPart& part, const
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         if (!senseOf(plan, part))
             return noSuchPart();
-        const_cast<SenseTest&>(*senseOf(plan, part)) = test;
+        senseIn(plan, part) = test;
         return part;
     });
 }
 
 Result<PlanEdit> setSenses(std::string_view text, const PlanPart& owner, const Senses& senses) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        Senses* const old = nameOf(plan, owner) ? sensesIn(plan, owner) : nullptr;
+        Senses* const old = sensesIn(plan, owner);
         if (!old)
             return noSuchPart();
         *old = senses;
@@ -350,9 +315,9 @@ Result<PlanEdit> setLimit(std::string_view text, const PlanPart& owner, std::str
 
 Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::string_view words) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        std::optional<Literal>* const comment = nameOf(plan, owner) ? commentIn(plan, owner) : nullptr;
+        std::optional<Literal>* const comment = commentIn(plan, owner);
         if (!comment)
-            return failure("it can have no comment", describe(plan, owner), "write ; and the comment in the text");
+            return failure("it cannot have a comment", describe(plan, owner), "write ; and the comment in the text");
         *comment = words.empty() ? std::nullopt : std::optional(Literal{std::string(words), quoted(words), {}});
         return owner;
     });
@@ -366,17 +331,14 @@ Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind 
             return noSuchPart();
         Call& call = callIn(plan, place);
         constexpr const char* beginnings[] = {"choose-", "do-", "keep-"};
-        const std::string own = call.name.text.substr(call.name.text.rfind('.') + 1);
-        name = freeFormName(plan, name.empty() ? beginnings[static_cast<int>(kind)] + own : name);
-        if (const auto good = checkNewName(name); !good)
-            return tl::unexpected(good.error());
-        Call reference = callNamed(name);
+        auto reference = referenceTo(plan, name, beginnings[static_cast<int>(kind)] + withoutModule(call.name.text));
+        if (!reference)
+            return tl::unexpected(reference.error());
         std::vector<Formal> formals;
-        handOn(call, plan.forms[part.form], reference, formals);
+        handOn(call, plan.forms[part.form], *reference, formals);
         Form made = madeForm(kind, name, std::move(formals), call);
-        call = std::move(reference);
-        plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(part.form), std::move(made));
-        return formPart(part.form);
+        call = *std::move(reference);
+        return insertForm(plan, part.form, std::move(made));
     });
 }
 

@@ -1,6 +1,5 @@
 // Edits that move parts of a plan, and those that add a member or a step at a given place.
 #include <algorithm>
-#include <variant>
 
 #include "core/posh/edit/plan_change.h"
 
@@ -8,99 +7,51 @@ namespace usar::posh {
 
 namespace {
 
-using Member = std::variant<Drive, Element>;
-
-Result<Drive> asDrive(Member member) {
-    if (auto* const drive = std::get_if<Drive>(&member))
-        return std::move(*drive);
-    Element& element = std::get<Element>(member);
-    if (element.retries)
-        return failure("it has a number of retries, which drives have not", inQuotes(element.name.text),
-                       "take that away first");
-    return Drive{std::move(element.name),
-                 std::move(element.trigger),
-                 std::move(element.action),
-                 std::nullopt,
-                 std::move(element.comment),
-                 std::move(element.remarks),
-                 {}};
-}
-
-Result<Element> asElement(Member member) {
-    if (auto* const element = std::get_if<Element>(&member))
-        return std::move(*element);
-    Drive& drive = std::get<Drive>(member);
-    if (drive.frequency)
-        return failure("it has a frequency, which elements have not", inQuotes(drive.name.text),
-                       "take that away first");
-    return Element{std::move(drive.name),
-                   std::move(drive.trigger),
-                   std::move(drive.action),
-                   std::nullopt,
-                   std::move(drive.comment),
-                   std::move(drive.remarks),
-                   {}};
-}
-
-template <class Kind>
-Result<PlanPart> putIn(std::vector<std::vector<Kind>>& levels, const MemberPlace& to, Result<Kind> member) {
-    if (!member)
-        return tl::unexpected(member.error());
-    const std::size_t level = std::min(to.level, levels.size());
-    if (!to.beside || level == levels.size()) {
-        levels.insert(levels.begin() + static_cast<std::ptrdiff_t>(level), {*std::move(member)});
-        return memberPart(to.form, level, 0);
-    }
-    auto& equals = levels[level];
-    const std::size_t place = std::min(*to.beside, equals.size());
-    equals.insert(equals.begin() + static_cast<std::ptrdiff_t>(place), *std::move(member));
-    return memberPart(to.form, level, place);
-}
-
+/// Puts a member into a form. A drive becomes an element of a competence, an element a drive of a collection.
 Result<PlanPart> put(Plan& plan, const MemberPlace& to, Member member) {
     if (to.form >= plan.forms.size())
         return noSuchPart();
     Form& form = plan.forms[to.form];
-    if (auto* const collection = std::get_if<Collection>(&form))
-        return putIn(collection->levels, to, asDrive(std::move(member)));
-    if (auto* const competence = std::get_if<Competence>(&form))
-        return putIn(competence->levels, to, asElement(std::move(member)));
-    return failure("only a collection and a competence have such parts", nameOf(form).text, "choose another place");
+    Levels* const levels = levelsIn(form);
+    if (!levels)
+        return failure("only a collection and a competence have such parts", nameOf(form).text, "choose another place");
+    const bool is_drive = std::holds_alternative<Collection>(form);
+    if (is_drive && member.retries)
+        return failure("it has a number of retries, which a drive cannot have", inQuotes(member.name.text),
+                       "remove that first");
+    if (!is_drive && member.frequency)
+        return failure("it has a frequency, which an element cannot have", inQuotes(member.name.text),
+                       "remove that first");
+    const std::size_t level = std::min(to.level, levels->size());
+    if (!to.beside || level == levels->size()) {
+        insertAt(*levels, level, Level{std::move(member)});
+        return memberPart(to.form, level, 0);
+    }
+    Level& equals = (*levels)[level];
+    const std::size_t place = std::min(*to.beside, equals.size());
+    insertAt(equals, place, std::move(member));
+    return memberPart(to.form, level, place);
 }
 
-/// Removes a member from its levels and corrects the indices of the place where it will be inserted.
-template <class Levels>
-Member takeFrom(Levels& levels, const PlanPart& part, MemberPlace& to) {
-    auto& level = levels[part.level];
-    Member taken = std::move(level[part.member]);
-    level.erase(level.begin() + static_cast<std::ptrdiff_t>(part.member));
+/// Removes a member from its form and corrects the indices of the place where it will be inserted.
+Result<Member> take(Plan& plan, const PlanPart& part, MemberPlace& to) {
+    Form& form = plan.forms[part.form];
+    Levels& levels = *levelsIn(form);
+    Level& level = levels[part.level];
     const bool same_form = to.form == part.form;
+    const bool is_last = levels.size() == 1 && level.size() == 1;
+    if (is_last && !same_form && std::holds_alternative<Collection>(form))
+        return failure("it is the last drive of the plan", level[part.member].name.text, "add another one first");
+    Member taken = std::move(level[part.member]);
+    eraseAt(level, part.member);
     if (same_form && to.beside && to.level == part.level && *to.beside > part.member)
         --*to.beside;
     if (level.empty()) {
-        levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(part.level));
+        eraseAt(levels, part.level);
         if (same_form && to.level > part.level)
             --to.level;
     }
     return taken;
-}
-
-template <class Levels>
-std::size_t memberCount(const Levels& levels) {
-    std::size_t count = 0;
-    for (const auto& level : levels)
-        count += level.size();
-    return count;
-}
-
-Result<Member> take(Plan& plan, const PlanPart& part, MemberPlace& to) {
-    Form& form = plan.forms[part.form];
-    if (auto* const competence = std::get_if<Competence>(&form))
-        return takeFrom(competence->levels, part, to);
-    auto& levels = std::get<Collection>(form).levels;
-    if (memberCount(levels) == 1 && to.form != part.form)
-        return failure("it is the last drive of the plan", nameOf(plan, part)->text, "add another one first");
-    return takeFrom(levels, part, to);
 }
 
 /// Returns whether moving the member to this place would change nothing.
@@ -120,19 +71,12 @@ struct LevelSizes {
 
 /// Returns the sizes of a member's level and of the one before it.
 LevelSizes sizesAround(const Plan& plan, const PlanPart& part) {
-    LevelSizes sizes;
-    std::visit(
-        [&](const auto& form) {
-            if constexpr (requires { form.levels; })
-                sizes = {form.levels.size(), form.levels[part.level].size(),
-                         part.level > 0 ? form.levels[part.level - 1].size() : 0};
-        },
-        plan.forms[part.form]);
-    return sizes;
+    const Levels& levels = *levelsIn(plan.forms[part.form]);
+    return {levels.size(), levels[part.level].size(), part.level > 0 ? levels[part.level - 1].size() : 0};
 }
 
 tl::unexpected<Error> atTheEnd(const Plan& plan, const PlanPart& part, int by) {
-    return failure(by < 0 ? "it is the first already" : "it is the last already", describe(plan, part));
+    return failure(by < 0 ? "it is already the first" : "it is already the last", describe(plan, part));
 }
 
 /// Swaps a sense with its neighbor in the goal or trigger; fails at the first or last one.
@@ -143,7 +87,7 @@ Result<PlanPart> shiftSense(Plan& plan, const PlanPart& part, int by) {
     other.index = by < 0 ? part.index - 1 : part.index + 1;
     if (!senseOf(plan, other))
         return atTheEnd(plan, part, by);
-    std::swap(const_cast<SenseTest&>(*senseOf(plan, part)), const_cast<SenseTest&>(*senseOf(plan, other)));
+    std::swap(senseIn(plan, part), senseIn(plan, other));
     return other;
 }
 
@@ -181,10 +125,10 @@ Result<PlanEdit> moveStep(std::string_view text, const PlanPart& part, std::size
         if (steps.size() == 1 && form != part.form)
             return failure("it is the last step of its pattern", describe(plan, part), "add another one first");
         Step step = std::move(steps[part.index]);
-        steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(part.index));
+        eraseAt(steps, part.index);
         std::size_t place = form == part.form && index > part.index ? index - 1 : index;
         place = std::min(place, to->steps.size());
-        to->steps.insert(to->steps.begin() + static_cast<std::ptrdiff_t>(place), std::move(step));
+        insertAt(to->steps, place, std::move(step));
         return PlanPart{part.kind, form, 0, 0, place};
     });
 }
@@ -234,10 +178,8 @@ Result<PlanEdit> addMember(std::string_view text, const MemberPlace& to, const C
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         if (to.form >= plan.forms.size())
             return noSuchPart();
-        const std::string own = action.name.text.substr(action.name.text.rfind('.') + 1);
-        name = freeMemberName(plan.forms[to.form], name.empty() ? own : name);
-        return put(plan, to,
-                   Element{{std::move(name), {}}, trigger, action, std::nullopt, std::nullopt, Remarks(), {}});
+        name = freeMemberName(plan.forms[to.form], name.empty() ? withoutModule(action.name.text) : name);
+        return put(plan, to, Member{.name = {std::move(name)}, .trigger = trigger, .action = action});
     });
 }
 
@@ -247,7 +189,7 @@ Result<PlanEdit> addStep(std::string_view text, std::size_t form, std::size_t in
         if (!pattern)
             return noSuchPart();
         const std::size_t place = std::min(index, pattern->steps.size());
-        pattern->steps.insert(pattern->steps.begin() + static_cast<std::ptrdiff_t>(place), step);
+        insertAt(pattern->steps, place, step);
         const bool is_sense = std::holds_alternative<SenseTest>(step);
         return PlanPart{is_sense ? PartKind::Sense : PartKind::Action, form, 0, 0, place};
     });

@@ -1,6 +1,6 @@
 #include "core/posh/edit/plan_part.h"
 
-#include <algorithm>
+#include <array>
 #include <unordered_set>
 
 #include "core/posh/language/form_index.h"
@@ -31,7 +31,7 @@ private:
         if constexpr (requires { form.goal; })
             senses(form.goal, {PartKind::Sense, form_});
         if constexpr (requires { form.levels; })
-            levels(form.levels);
+            members(form.levels);
         if constexpr (requires { form.adopted; })
             found_.push_back({{PartKind::Action, form_}, &form.adopted.name});
         if constexpr (requires { form.steps; })
@@ -42,11 +42,10 @@ private:
             }
     }
 
-    template <class Levels>
-    void levels(const Levels& levels) {
+    void members(const Levels& levels) {
         for (std::size_t level = 0; level < levels.size(); ++level)
             for (std::size_t i = 0; i < levels[level].size(); ++i) {
-                const auto& member = levels[level][i];
+                const Member& member = levels[level][i];
                 found_.push_back({memberPart(form_, level, i), &member.name, &member.at});
                 senses(member.trigger, {PartKind::Sense, form_, level, i, 0, true});
                 found_.push_back({actionPart(form_, level, i), &member.action.name});
@@ -61,22 +60,6 @@ private:
     std::vector<NamedPart>& found_;
     std::size_t form_ = 0;
 };
-
-/// Calls `use` with the member of a part; returns false if the plan has no such member.
-template <class Use>
-bool withMember(const Plan& plan, const PlanPart& part, Use&& use) {
-    if (part.form >= plan.forms.size())
-        return false;
-    return std::visit(
-        [&](const auto& form) {
-            if constexpr (requires { form.levels; }) {
-                if (part.level < form.levels.size() && part.member < form.levels[part.level].size())
-                    return use(form.levels[part.level][part.member]), true;
-            }
-            return false;
-        },
-        plan.forms[part.form]);
-}
 
 const SenseTest* at(const Senses& senses, std::size_t index) {
     return index < senses.size() ? &senses[index] : nullptr;
@@ -112,46 +95,43 @@ std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset) {
     return around;
 }
 
+const Member* memberOf(const Plan& plan, const PlanPart& part) {
+    const bool is_member = part.kind == PartKind::Member || part.in_member;
+    const Levels* const levels = is_member && part.form < plan.forms.size() ? levelsIn(plan.forms[part.form]) : nullptr;
+    const bool exists = levels && part.level < levels->size() && part.member < (*levels)[part.level].size();
+    return exists ? &(*levels)[part.level][part.member] : nullptr;
+}
+
 const SenseTest* senseOf(const Plan& plan, const PlanPart& part) {
     if (part.kind != PartKind::Sense || part.form >= plan.forms.size())
         return nullptr;
-    const SenseTest* found = nullptr;
     if (part.in_member) {
-        withMember(plan, part, [&](const auto& member) { found = at(member.trigger, part.index); });
-        return found;
+        const Member* const member = memberOf(plan, part);
+        return member ? at(member->trigger, part.index) : nullptr;
     }
-    std::visit(
-        [&](const auto& form) {
+    return std::visit(
+        [&](const auto& form) -> const SenseTest* {
             if constexpr (requires { form.goal; })
-                found = at(form.goal, part.index);
-            if constexpr (requires { form.steps; })
-                found = part.index < form.steps.size() ? std::get_if<SenseTest>(&form.steps[part.index]) : nullptr;
+                return at(form.goal, part.index);
+            else
+                return part.index < form.steps.size() ? std::get_if<SenseTest>(&form.steps[part.index]) : nullptr;
         },
         plan.forms[part.form]);
-    return found;
 }
 
 const Call* callOf(const Plan& plan, const PlanPart& part) {
-    if (part.kind == PartKind::Sense) {
-        const SenseTest* const test = senseOf(plan, part);
-        return test ? &test->call : nullptr;
-    }
+    if (const SenseTest* const test = senseOf(plan, part))
+        return &test->call;
     if (part.kind != PartKind::Action || part.form >= plan.forms.size())
         return nullptr;
-    const Call* found = nullptr;
     if (part.in_member) {
-        withMember(plan, part, [&found](const auto& member) { found = &member.action; });
-        return found;
+        const Member* const member = memberOf(plan, part);
+        return member ? &member->action : nullptr;
     }
-    std::visit(
-        [&](const auto& form) {
-            if constexpr (requires { form.adopted; })
-                found = &form.adopted;
-            if constexpr (requires { form.steps; })
-                found = part.index < form.steps.size() ? std::get_if<Call>(&form.steps[part.index]) : nullptr;
-        },
-        plan.forms[part.form]);
-    return found;
+    if (const auto* const adopt = std::get_if<Adopt>(&plan.forms[part.form]))
+        return &adopt->adopted;
+    const auto* const pattern = std::get_if<Pattern>(&plan.forms[part.form]);
+    return pattern && part.index < pattern->steps.size() ? std::get_if<Call>(&pattern->steps[part.index]) : nullptr;
 }
 
 const Name* nameOf(const Plan& plan, const PlanPart& part) {
@@ -160,9 +140,8 @@ const Name* nameOf(const Plan& plan, const PlanPart& part) {
     if (part.kind == PartKind::Whole)
         return &nameOf(plan.forms[part.form]);
     if (part.kind == PartKind::Member) {
-        const Name* found = nullptr;
-        withMember(plan, part, [&found](const auto& member) { found = &member.name; });
-        return found;
+        const Member* const member = memberOf(plan, part);
+        return member ? &member->name : nullptr;
     }
     const Call* const call = callOf(plan, part);
     return call ? &call->name : nullptr;
@@ -204,24 +183,24 @@ std::string freeFormName(const Plan& plan, const std::string& wanted) {
 
 std::string freeMemberName(const Form& form, const std::string& wanted) {
     std::unordered_set<std::string_view> taken;
-    std::visit(
-        [&taken](const auto& any) {
-            if constexpr (requires { any.levels; })
-                for (const auto& level : any.levels)
-                    for (const auto& member : level)
-                        taken.insert(member.name.text);
-        },
-        form);
+    if (const Levels* const levels = levelsIn(form))
+        for (const Level& level : *levels)
+            for (const Member& member : level)
+                taken.insert(member.name.text);
     return freeName(wanted, taken);
+}
+
+std::string kindWord(const Form& form) {
+    constexpr std::array words{"competence ", "pattern ", "adopt ", "collection "};
+    return words[form.index()];
 }
 
 std::string describe(const Plan& plan, const PlanPart& part) {
     const Name* const name = nameOf(plan, part);
     if (!name)
-        return "a part that the plan has not";
+        return "a part that the plan does not have";
     const Form& form = plan.forms[part.form];
-    constexpr const char* forms[] = {"competence ", "pattern ", "adopt ", "collection "};
-    const std::string what = part.kind == PartKind::Whole               ? forms[form.index()]
+    const std::string what = part.kind == PartKind::Whole               ? kindWord(form)
                              : part.kind == PartKind::Sense             ? "sense "
                              : part.kind == PartKind::Action            ? "act "
                              : std::holds_alternative<Collection>(form) ? "drive "

@@ -56,6 +56,8 @@ std::vector<NamedPart> partsOf(const Plan& plan);
 /// outside of all forms.
 std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset);
 
+/// Returns the member that a Member, or an Action or a Sense in a member, is or belongs to; nullptr for other parts.
+const Member* memberOf(const Plan& plan, const PlanPart& part);
 /// The name of a part; nullptr if the plan has no such part.
 const Name* nameOf(const Plan& plan, const PlanPart& part);
 /// The call of an Action or a Sense; nullptr for other parts.
@@ -75,6 +77,8 @@ std::string freeFormName(const Plan& plan, const std::string& wanted);
 /// Returns `wanted`, with a number appended if a drive or element of the form already has that name.
 std::string freeMemberName(const Form& form, const std::string& wanted);
 
+/// Returns the word for the kind of a form, with a blank after it: "competence ", "collection ".
+std::string kindWord(const Form& form);
 /// Describes a part for messages: `the drive "safety"`, `the sense "Bumped"`.
 std::string describe(const Plan& plan, const PlanPart& part);
 

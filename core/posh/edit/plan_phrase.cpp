@@ -19,40 +19,21 @@ Result<Plan> readAround(std::string_view words, std::string_view before, std::st
     for (const Finding& finding : reading.findings)
         if (severityOf(finding.code) == Severity::Error && finding.code != Code::FreeVariable)
             return failure(finding.message, inQuotes(words));
-    const bool is_one =
-        reading.plan.forms.size() == 1 && std::visit(
-                                              [](const auto& form) {
-                                                  if constexpr (requires { form.levels; })
-                                                      return form.levels.size() == 1 && form.levels[0].size() == 1;
-                                                  return false;
-                                              },
-                                              reading.plan.forms[0]);
+    const Levels* const levels = reading.plan.forms.size() == 1 ? levelsIn(reading.plan.forms[0]) : nullptr;
+    const bool is_one = levels && levels->size() == 1 && levels->front().size() == 1;
     if (!is_one || !reading.plan.remarks.above.empty())
         return failure("this is more than one part", inQuotes(words), "write one only");
     return std::move(reading.plan);
 }
 
-Result<Element> readElementAround(std::string_view words, std::string_view before, std::string_view after) {
+Result<Member> readElementAround(std::string_view words, std::string_view before, std::string_view after) {
     auto plan = readAround(words, "((C c (elements ((e " + std::string(before), std::string(after) + ")))))");
     if (!plan)
         return tl::unexpected(plan.error());
-    Element element = std::get<Competence>(plan->forms[0]).levels[0][0];
+    Member element = (*levelsIn(plan->forms[0]))[0][0];
     if (element.name.text != "e" || !element.remarks.beside.empty() || !element.remarks.above.empty())
-        return failure("a comment cannot stand here", inQuotes(words), "write it in the text");
+        return failure("a comment cannot be here", inQuotes(words), "write it in the text");
     return element;
-}
-
-Result<void> checkName(std::string_view name, bool dots_allowed) {
-    const TokenList list = tokenize(name.substr(0, 200));
-    const bool is_one =
-        list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
-    const bool has_dot = name.find('.') != std::string_view::npos;
-    if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
-        return failure("this is no name", inQuotes(name),
-                       "begin with a letter and write letters, digits, - and _ only");
-    if (keywordOf(name) != Keyword::None)
-        return failure("this is a word of the language", inQuotes(name), "choose another name");
-    return {};
 }
 
 } // namespace
@@ -105,7 +86,7 @@ Result<std::optional<Literal>> readRetriesPhrase(std::string_view words) {
     if (!element)
         return tl::unexpected(element.error());
     if (!element->retries || element->comment || element->action.name.text != "x" || !element->action.arguments.empty())
-        return failure("this is no whole number", inQuotes(words), "write how often it may start, as 3");
+        return failure("this is not a whole number", inQuotes(words), "write how often it may start, such as 3");
     return std::move(element->retries);
 }
 
@@ -120,13 +101,10 @@ Result<std::optional<Interval>> readIntervalPhrase(std::string_view words, bool 
                               : readAround(words, "((C c " + open, close + "(elements ((e x)))))");
     if (!plan)
         return tl::unexpected(plan.error());
-    std::optional<Interval> found;
-    if (rates_allowed)
-        found = std::get<Collection>(plan->forms[0]).levels[0][0].frequency;
-    else
-        found = std::get<Competence>(plan->forms[0]).time_limit;
-    if (!found || !nameOf(plan->forms[0]).text.starts_with(rates_allowed ? 'd' : 'c'))
-        return failure("this is no time", inQuotes(words),
+    const Form& form = plan->forms[0];
+    const auto found = rates_allowed ? (*levelsIn(form))[0][0].frequency : std::get<Competence>(form).time_limit;
+    if (!found || !nameOf(form).text.starts_with(rates_allowed ? 'd' : 'c'))
+        return failure("this is not a time", inQuotes(words),
                        rates_allowed ? "write seconds 2 or hz 5" : "write seconds 2");
     return found;
 }
@@ -153,31 +131,34 @@ std::string limitPhrase(const Plan& plan, const PlanPart& owner) {
     std::string text;
     if (!nameOf(plan, owner))
         return text;
-    std::visit(
-        [&](const auto& form) {
-            if (owner.kind == PartKind::Member) {
-                if constexpr (requires { form.levels; }) {
-                    const auto& member = form.levels[owner.level][owner.member];
-                    if constexpr (requires { member.frequency; })
-                        appendInterval(text, member.frequency);
-                    else if (member.retries)
-                        appendLiteral(text, *member.retries);
-                }
-            } else if constexpr (requires { form.time_limit; }) {
-                appendInterval(text, form.time_limit);
-            }
-        },
-        plan.forms[owner.form]);
+    if (owner.kind == PartKind::Member) {
+        const Member& member = *memberOf(plan, owner);
+        appendInterval(text, member.frequency);
+        if (member.retries)
+            appendLiteral(text, *member.retries);
+    } else {
+        std::visit(
+            [&text](const auto& form) {
+                if constexpr (requires { form.time_limit; })
+                    appendInterval(text, form.time_limit);
+            },
+            plan.forms[owner.form]);
+    }
     const bool has_parentheses = text.starts_with(" (");
     return has_parentheses ? text.substr(2, text.size() - 3) : text;
 }
 
-Result<void> checkNewName(std::string_view name) {
-    return checkName(name, false);
-}
-
-Result<void> checkPrimitiveName(std::string_view name) {
-    return checkName(name, true);
+Result<void> checkName(std::string_view name, bool dots_allowed) {
+    const TokenList list = tokenize(name.substr(0, 200));
+    const bool is_one =
+        list.tokens.size() == 2 && list.tokens[0].kind == TokenKind::Name && list.tokens[0].at.length == name.size();
+    const bool has_dot = name.find('.') != std::string_view::npos;
+    if (!is_one || !list.warnings.empty() || (has_dot && !dots_allowed))
+        return failure("this is not a name", inQuotes(name),
+                       "begin with a letter and write letters, digits, - and _ only");
+    if (keywordOf(name) != Keyword::None)
+        return failure("this is a word of the language", inQuotes(name), "choose another name");
+    return {};
 }
 
 } // namespace usar::posh

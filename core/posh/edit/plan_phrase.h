@@ -30,9 +30,8 @@ std::string sensesPhrase(const Plan& plan, const PlanPart& owner);
 /// Formats the retries, frequency or time limit of a part as the functions above read them; empty if it has none.
 std::string limitPhrase(const Plan& plan, const PlanPart& owner);
 
-/// Fails if a form, a drive or an element cannot have this name.
-Result<void> checkNewName(std::string_view name);
-/// Fails if a sense or an act cannot have this name; unlike other names it may have dots.
-Result<void> checkPrimitiveName(std::string_view name);
+/// Fails if a form, a drive or an element cannot have this name. With `dots_allowed`, the name may be that of a sense
+/// or an act, which can have dots.
+Result<void> checkName(std::string_view name, bool dots_allowed = false);
 
 } // namespace usar::posh

@@ -14,9 +14,16 @@ void handOn(const Call& call, const Form& form, Call& reference, std::vector<For
             continue;
         const auto& formals = formalsOf(form);
         const auto declared = std::find_if(formals.begin(), formals.end(), sameName);
-        needed.push_back({{variable->name, {}}, declared == formals.end() ? Literal() : declared->value});
-        reference.arguments.push_back({variable->name, Variable{variable->name, {}}, {}});
+        needed.push_back({{variable->name}, declared == formals.end() ? Literal() : declared->value});
+        reference.arguments.push_back({variable->name, Variable{variable->name}});
     }
+}
+
+Result<Call> referenceTo(const Plan& plan, std::string& name, const std::string& fallback) {
+    name = freeFormName(plan, name.empty() ? fallback : name);
+    if (const auto good = checkName(name); !good)
+        return tl::unexpected(good.error());
+    return callNamed(name);
 }
 
 namespace {
@@ -42,17 +49,6 @@ const Call& callOf(const Step& step) {
     return test ? test->call : std::get<Call>(step);
 }
 
-std::string withoutModule(const std::string& name) {
-    return name.substr(name.rfind('.') + 1);
-}
-
-Result<Call> referenceTo(const Plan& plan, std::string& name, const std::string& fallback) {
-    name = freeFormName(plan, name.empty() ? fallback : name);
-    if (const auto good = checkNewName(name); !good)
-        return tl::unexpected(good.error());
-    return callNamed(name);
-}
-
 Result<PlanPart> wrapSteps(Plan& plan, std::size_t form, const Stretch& stretch, FormKind kind, std::string name) {
     if (kind != FormKind::Ap)
         return failure("several steps are done one after the other", "", "wrap them in an action pattern");
@@ -61,64 +57,33 @@ Result<PlanPart> wrapSteps(Plan& plan, std::size_t form, const Stretch& stretch,
     if (!reference)
         return tl::unexpected(reference.error());
     Pattern made;
-    made.name = {name, {}};
+    made.name = {name};
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
         handOn(callOf(pattern.steps[i]), plan.forms[form], *reference, made.formals);
     made.steps = replaceStretch(pattern.steps, stretch, Step(*std::move(reference)));
-    plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(form), Form(std::move(made)));
-    return formPart(form);
+    return insertForm(plan, form, std::move(made));
 }
 
-Element elementOf(Element element) {
-    return element;
-}
-Element elementOf(Drive drive) {
-    return {std::move(drive.name),
-            std::move(drive.trigger),
-            std::move(drive.action),
-            std::nullopt,
-            std::move(drive.comment),
-            std::move(drive.remarks),
-            {}};
-}
-
-bool hasFrequency(const Element&) {
-    return false;
-}
-bool hasFrequency(const Drive& drive) {
-    return drive.frequency.has_value();
-}
-
-template <class Owner>
 Result<PlanPart> wrapLevels(Plan& plan, std::size_t form, const Stretch& stretch, FormKind kind, std::string name) {
     if (kind != FormKind::C)
         return failure("several of them are a choice", "", "wrap them in a competence");
-    auto& owner = std::get<Owner>(plan.forms[form]);
-    using Level = typename decltype(owner.levels)::value_type;
-    auto reference = referenceTo(plan, name, "choose-" + owner.levels[stretch.begin].front().name.text);
+    Levels& levels = *levelsIn(plan.forms[form]);
+    auto reference = referenceTo(plan, name, "choose-" + levels[stretch.begin].front().name.text);
     if (!reference)
         return tl::unexpected(reference.error());
-    Competence made;
-    made.name = {name, {}};
+    Competence made{.name = {name}};
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
-        for (const auto& member : owner.levels[i]) {
-            if (hasFrequency(member))
+        for (const Member& member : levels[i]) {
+            if (member.frequency)
                 return failure("an element has no frequency", "the drive " + member.name.text,
-                               "take the frequency away first");
+                               "remove the frequency first");
             handOn(member.action, plan.forms[form], *reference, made.formals);
             for (const SenseTest& test : member.trigger)
                 handOn(test.call, plan.forms[form], *reference, made.formals);
         }
-    typename Level::value_type instead;
-    instead.name = {freeMemberName(plan.forms[form], name), {}};
-    instead.action = *std::move(reference);
-    for (Level& level : replaceStretch(owner.levels, stretch, Level{std::move(instead)})) {
-        ElementLevel& elements = made.levels.emplace_back();
-        for (auto& member : level)
-            elements.push_back(elementOf(std::move(member)));
-    }
-    plan.forms.insert(plan.forms.begin() + static_cast<std::ptrdiff_t>(form), Form(std::move(made)));
-    return formPart(form);
+    Member instead{.name = {freeMemberName(plan.forms[form], name)}, .action = *std::move(reference)};
+    made.levels = replaceStretch(levels, stretch, Level{std::move(instead)});
+    return insertForm(plan, form, std::move(made));
 }
 
 } // namespace
@@ -135,10 +100,7 @@ Result<PlanEdit> wrapParts(std::string_view text, const PlanPart& first, const P
         if (first.kind != PartKind::Member || last.kind != PartKind::Member)
             return noSuchPart();
         const auto [begin, end] = std::minmax(first.level, last.level);
-        const Stretch stretch{begin, end + 1};
-        return std::holds_alternative<Collection>(plan.forms[first.form])
-                   ? wrapLevels<Collection>(plan, first.form, stretch, kind, std::move(name))
-                   : wrapLevels<Competence>(plan, first.form, stretch, kind, std::move(name));
+        return wrapLevels(plan, first.form, {begin, end + 1}, kind, std::move(name));
     });
 }
 

@@ -48,15 +48,12 @@ std::string withFix(std::string_view text, const QuickFix& fix) {
 std::vector<Splice> difference(std::string_view before, std::string_view after) {
     if (before == after)
         return {};
-    const std::size_t shorter = std::min(before.size(), after.size());
-    std::size_t front = 0;
-    while (front < shorter && before[front] == after[front])
-        ++front;
+    auto front = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
     while (front > 0 && (isInsideCharacter(before, front) || isInsideCharacter(after, front)))
         --front;
-    std::size_t back = 0;
-    while (back < shorter - front && before[before.size() - 1 - back] == after[after.size() - 1 - back])
-        ++back;
+    const auto tails = std::mismatch(before.rbegin(), before.rend() - static_cast<std::ptrdiff_t>(front),
+                                     after.rbegin(), after.rend() - static_cast<std::ptrdiff_t>(front));
+    auto back = static_cast<std::size_t>(tails.first - before.rbegin());
     while (back > 0 &&
            (isInsideCharacter(before, before.size() - back) || isInsideCharacter(after, after.size() - back)))
         --back;

@@ -1,6 +1,5 @@
 // Quick fixes for errors in characters and grammar.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/spelling.h"
@@ -47,74 +46,64 @@ FixFinder::FixFinder(std::string_view text, const Finding& finding, const Vocabu
     , vocabulary_(vocabulary)
     , tokens_(tokenize(text))
     , reading_(readPlan(text)) {
-    const auto found =
-        std::upper_bound(tokens_.tokens.begin(), tokens_.tokens.end(), finding.at.offset,
-                         [](std::uint32_t offset, const Token& candidate) { return offset < candidate.at.offset; });
-    here_ = found == tokens_.tokens.begin() ? 0 : static_cast<std::size_t>(found - tokens_.tokens.begin()) - 1;
+    const auto after = std::ranges::upper_bound(tokens_.tokens, finding.at.offset, {},
+                                                [](const Token& token) { return token.at.offset; });
+    here_ = after == tokens_.tokens.begin() ? 0 : static_cast<std::size_t>(after - tokens_.tokens.begin()) - 1;
+    part_ = partAt(reading_.plan, finding.at.offset);
 }
 
 std::vector<QuickFix> FixFinder::run() {
-    using enum Code;
-    switch (finding_.code) {
-    case IllegalCharacter:
-    case UnknownEscape:
-    case MalformedSymbol:
-    case DollarWithoutName:
-    case BadByte:
-    case OddSpace:
-        fixCharacters();
-        break;
-    case StringNeverClosed:
-        fixOpenString();
-        break;
-    case MalformedNumber:
-    case MalformedName:
-        fixWord();
-        break;
-    case UnexpectedToken:
-    case UnknownForm:
-        fixUnexpected();
-        break;
-    case NotAPlan:
-    case EndOfFile:
-        fixParentheses();
-        break;
-    case TextAfterPlan:
-        fixTextAfterPlan();
-        break;
-    case LateDocumentation:
-    case DocumentationStrings:
-    case SecondCollection:
-        fixDocumentation();
-        break;
-    case UnknownUnit:
-        fixUnit();
-        break;
-    case NumberMissing:
-    case NumberOutOfRange:
-    case FractionalRetries:
-        fixNumber();
-        break;
-    case MisplacedPredicate:
-        fixPredicate();
-        break;
-    case BareNameAsValue:
-        fixBareName();
-        break;
-    case PositionalAfterNamed:
-    case ArgumentTwice:
-        fixArgumentPlace();
-        break;
-    case ParameterTwice:
-    case ParameterWithoutDefault:
-        fixParameter();
-        break;
-    case EmptyList:
-        fixEmptyList();
-        break;
-    default:
-        fixPlan();
-    }
+    static constexpr std::pair<Code, void (FixFinder::*)()> finders[] = {
+        {Code::IllegalCharacter, &FixFinder::fixCharacters},
+        {Code::StringNeverClosed, &FixFinder::fixOpenString},
+        {Code::UnknownEscape, &FixFinder::fixCharacters},
+        {Code::MalformedNumber, &FixFinder::fixWord},
+        {Code::MalformedSymbol, &FixFinder::fixCharacters},
+        {Code::DollarWithoutName, &FixFinder::fixCharacters},
+        {Code::MalformedName, &FixFinder::fixWord},
+        {Code::NotAPlan, &FixFinder::fixParentheses},
+        {Code::UnexpectedToken, &FixFinder::fixUnexpected},
+        {Code::EndOfFile, &FixFinder::fixParentheses},
+        {Code::TextAfterPlan, &FixFinder::fixTextAfterPlan},
+        {Code::UnknownForm, &FixFinder::fixUnexpected},
+        {Code::LateDocumentation, &FixFinder::fixDocumentation},
+        {Code::DocumentationStrings, &FixFinder::fixDocumentation},
+        {Code::SecondCollection, &FixFinder::fixDocumentation},
+        {Code::UnknownUnit, &FixFinder::fixUnit},
+        {Code::NumberMissing, &FixFinder::fixNumber},
+        {Code::NumberOutOfRange, &FixFinder::fixNumber},
+        {Code::MisplacedPredicate, &FixFinder::fixPredicate},
+        {Code::BareNameAsValue, &FixFinder::fixBareName},
+        {Code::PositionalAfterNamed, &FixFinder::fixArgumentPlace},
+        {Code::ArgumentTwice, &FixFinder::fixArgumentPlace},
+        {Code::ParameterTwice, &FixFinder::fixParameter},
+        {Code::ParameterWithoutDefault, &FixFinder::fixParameter},
+        {Code::EmptyList, &FixFinder::fixEmptyList},
+        {Code::FractionalRetries, &FixFinder::fixNumber},
+        {Code::DuplicateName, &FixFinder::fixDuplicate},
+        {Code::ReferenceCycle, &FixFinder::fixSimply},
+        {Code::NoCollection, &FixFinder::fixMissingCollection},
+        {Code::UnknownPrimitive, &FixFinder::fixUnknownName},
+        {Code::PrimitiveNamedAsForm, &FixFinder::fixName},
+        {Code::FreeVariable, &FixFinder::fixVariable},
+        {Code::WrongUse, &FixFinder::fixWrongUse},
+        {Code::BadByte, &FixFinder::fixCharacters},
+        {Code::Fragment, &FixFinder::fixMissingCollection},
+        {Code::DuplicateDrive, &FixFinder::fixDuplicate},
+        {Code::DuplicateElement, &FixFinder::fixDuplicate},
+        {Code::NeverUsed, &FixFinder::fixSimply},
+        {Code::OddSpace, &FixFinder::fixCharacters},
+        {Code::NameStartsWithDigit, &FixFinder::fixName},
+        {Code::KeywordAsName, &FixFinder::fixName},
+        {Code::NoElements, &FixFinder::fixSimply},
+        {Code::ZeroRetries, &FixFinder::fixSimply},
+        {Code::NeverReached, &FixFinder::fixUnreached},
+        {Code::MayFindNothing, &FixFinder::fixFindingNothing},
+        {Code::UndeclaredArgument, &FixFinder::fixUndeclared},
+    };
+    const auto finder = std::ranges::find(finders, finding_.code, [](const auto& row) { return row.first; });
+    if (finder != std::end(finders))
+        (this->*finder->second)();
     return std::move(fixes_);
 }
 
@@ -131,11 +120,19 @@ void FixFinder::replace(std::string title, std::size_t begin, std::size_t end, s
     add(std::move(title), std::vector<Splice>{{begin, end, std::move(words)}});
 }
 
+void FixFinder::replaceFound(const std::string& words) {
+    replace("Write " + words, finding_.at.offset, std::size_t{finding_.at.offset} + finding_.at.length, words);
+}
+
+void FixFinder::write(const std::string& words) {
+    replace("Write " + words, beginOf(here_), endOf(here_), words);
+}
+
 void FixFinder::takeOut(std::size_t first_token, std::size_t last_token) {
     const std::size_t begin = beginOf(first_token);
     const std::size_t end = endOf(last_token);
     const bool blanks_around = begin > 0 && text_[begin - 1] == ' ' && (end == text_.size() || text_[end] != '\n');
-    replace("Take out " + inQuotes(text_.substr(begin, end - begin)), blanks_around ? begin - 1 : begin, end, "");
+    replace("Remove " + inQuotes(text_.substr(begin, end - begin)), blanks_around ? begin - 1 : begin, end, "");
 }
 
 void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t longest_distance, std::size_t most) {
@@ -152,8 +149,7 @@ void FixFinder::writeNearest(const std::vector<std::string>& known, std::size_t 
     std::sort(near.begin(), near.end());
     near.resize(std::min(near.size(), most));
     for (const auto& [distance, candidate] : near)
-        replace("Write " + candidate, finding_.at.offset, std::size_t{finding_.at.offset} + finding_.at.length,
-                candidate);
+        replaceFound(candidate);
 }
 
 std::size_t FixFinder::closing(std::size_t open) const {
@@ -186,13 +182,13 @@ void FixFinder::fixCharacters() {
         return replace("Write an ordinary blank", at, at + std::max<std::size_t>(finding_.at.length, length), " ");
     case Code::UnknownEscape:
         replace("Write a backslash", at, at + 1, "\\\\");
-        return replace("Take out the backslash", at, at + 1, "");
+        return replace("Remove the backslash", at, at + 1, "");
     case Code::MalformedSymbol:
         if (text_.substr(at, length) != "'")
             replace("Write _ in place of " + character, at, at + length, "_");
-        return replace("Take out " + character, at, at + length, "");
+        return replace("Remove " + character, at, at + length, "");
     default:
-        replace("Take out " + character, at, at + length, "");
+        replace("Remove " + character, at, at + length, "");
         if (finding_.code == Code::IllegalCharacter)
             replace("Write - in place of " + character, at, at + length, "-");
         if (endOf(here_) > at)
@@ -223,21 +219,20 @@ void FixFinder::fixWord() {
         const WordKind kind = classifyWord(whole.substr(0, length));
         if (kind.error || (kind.kind != TokenKind::Integer && kind.kind != TokenKind::Float))
             continue;
-        replace("Write " + std::string(whole.substr(0, length)), beginOf(here_), endOf(here_),
-                std::string(whole.substr(0, length)));
+        write(std::string(whole.substr(0, length)));
         break;
     }
     if (const std::string name = cleaned(whole); !name.empty() && name != whole)
-        replace("Write " + name, beginOf(here_), endOf(here_), name);
+        write(name);
     if (finding_.code == Code::MalformedNumber)
-        replace("Write 1", beginOf(here_), endOf(here_), "1");
+        write("1");
 }
 
 void FixFinder::fixUnexpected() {
     writeNearest({"trigger", "goal", "drives", "elements", "vars", "documentation"}, 2, 2);
     if (finding_.code == Code::UnknownForm)
         for (const char* const keyword : {"C", "AP", "AD", "DC"})
-            replace(std::string("Write ") + keyword, beginOf(here_), endOf(here_), keyword);
+            write(keyword);
     closeBeforeNextForm();
     if (here_ > 0) { // Perhaps a list was meant where there is a single item
         const std::size_t open = opening(here_);
@@ -295,10 +290,7 @@ void FixFinder::fixTextAfterPlan() {
     if (token(here_).kind == TokenKind::Close && here_ + 1 == last)
         takeOut(here_, here_);
     if (here_ > 0) { // One of the closing parentheses before it may be superfluous
-        std::size_t first = here_ - 1;
-        while (first > 0 && token(first - 1).kind == TokenKind::Close)
-            --first;
-        replace("Take out the ) before it", beginOf(here_ - 1), endOf(here_ - 1), "");
+        replace("Remove the ) before it", beginOf(here_ - 1), endOf(here_ - 1), "");
         add("Close the plan at the end",
             {{beginOf(here_ - 1), endOf(here_ - 1), ""}, {endOf(last - 1), endOf(last - 1), "\n)"}});
     }
@@ -322,9 +314,7 @@ void FixFinder::fixDocumentation() {
             superfluous = i;
     if (strings < 3)
         insert("Write empty texts for the rest", endOf(here_ - 1),
-               strings == 2   ? " \"\""
-               : strings == 1 ? " \"\" \"\""
-                              : " \"\" \"\" \"\"");
+               std::string_view(R"( "" "" "")").substr(3 * strings));
     else if (superfluous > 0)
         takeOut(superfluous, close - 1);
 }
@@ -339,23 +329,22 @@ void FixFinder::fixUnit() {
     }
     std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [distance, unit] : near)
-        replace("Write " + unit, beginOf(here_), endOf(here_), unit);
+        write(unit);
 }
 
 void FixFinder::fixNumber() {
     const std::string_view number = word(here_);
     if (finding_.code == Code::NumberMissing) {
         if (token(here_).kind != TokenKind::Close)
-            replace("Write 1", beginOf(here_), endOf(here_), "1");
+            write("1");
         return insert("Write 1", endOf(here_ - 1), " 1");
     }
     if (finding_.code == Code::FractionalRetries)
         if (const auto value = floatOf(number); value && std::abs(*value) < 1e9)
-            replace("Write " + std::to_string(std::llround(*value)), beginOf(here_), endOf(here_),
-                    std::to_string(std::llround(*value)));
+            write(std::to_string(std::llround(*value)));
     if (number.starts_with('-'))
-        replace("Write " + std::string(number.substr(1)), beginOf(here_), endOf(here_), std::string(number.substr(1)));
-    replace("Write 1", beginOf(here_), endOf(here_), "1");
+        write(std::string(number.substr(1)));
+    write("1");
 }
 
 void FixFinder::fixPredicate() {
@@ -366,16 +355,16 @@ void FixFinder::fixPredicate() {
     }
     if (token(here_).kind != TokenKind::Predicate)
         for (const char* const predicate : {"==", "<", ">"})
-            replace(std::string("Write ") + predicate, beginOf(here_), endOf(here_), predicate);
+            write(predicate);
     takeOut(here_, here_);
 }
 
 void FixFinder::fixBareName() {
     const std::string name(word(here_));
     for (const std::string& value : {"'" + name, '"' + name + '"', '$' + name})
-        replace("Write " + value, beginOf(here_), endOf(here_), value);
+        write(value);
     if (token(here_ - 1).kind == TokenKind::Open && token(here_ + 1).kind == TokenKind::Close)
-        replace("Take out the argument", beginOf(here_ - 1), endOf(here_ + 1), "");
+        replace("Remove the argument", beginOf(here_ - 1), endOf(here_ + 1), "");
 }
 
 /// Moves or removes an argument, together with the comma before it: `, $name=value` or `, value`.
@@ -388,7 +377,7 @@ void FixFinder::fixArgumentPlace() {
     if (!is_named)
         add("Move it to the front",
             {{endOf(open), endOf(open), std::string(word(here_)) + ", "}, {beginOf(here_ - 1), endOf(last), ""}});
-    replace("Take out the argument", beginOf(here_ - 1), endOf(last), "");
+    replace("Remove the argument", beginOf(here_ - 1), endOf(last), "");
 }
 
 void FixFinder::fixParameter() {
@@ -400,7 +389,7 @@ void FixFinder::fixParameter() {
         return;
     }
     if (token(here_ - 1).kind == TokenKind::Comma)
-        replace("Take out the second one", beginOf(here_ - 1), endOf(here_ + 2), "");
+        replace("Remove the second one", beginOf(here_ - 1), endOf(here_ + 2), "");
     replace("Name it " + std::string(word(here_)) + "2", beginOf(here_), endOf(here_), std::string(word(here_)) + "2");
 }
 

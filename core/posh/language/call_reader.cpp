@@ -1,4 +1,4 @@
-#include "core/posh/language/call_reader.h"
+#include "core/posh/language/form_reader.h"
 
 #include <string>
 
@@ -67,8 +67,8 @@ bool setValue(const TokenCursor& cursor, Value& value) {
 /// Takes the current token as a value; a bare word becomes a symbol.
 bool takeValue(TokenCursor& cursor, Literal& literal) {
     if (!setValue(cursor, literal.value))
-        return cursor.fail(Code::MalformedNumber, "the number " + inQuotes(cursor.word()) +
-                                                      " is beyond what 64 bits hold; write a smaller one");
+        return cursor.fail(Code::MalformedNumber,
+                           "the number " + inQuotes(cursor.word()) + " does not fit into 64 bits; write a smaller one");
     literal.spelling = cursor.word();
     literal.at = cursor.peek().at;
     cursor.advance();
@@ -77,7 +77,7 @@ bool takeValue(TokenCursor& cursor, Literal& literal) {
 
 bool bareName(TokenCursor& cursor) {
     const std::string word(cursor.word());
-    return cursor.fail(Code::BareNameAsValue, "a bare name is no value here; write '" + word + " for a symbol, \"" +
+    return cursor.fail(Code::BareNameAsValue, "a bare name is not a value here; write '" + word + " for a symbol, \"" +
                                                   word + "\" for a text or $" + word + " for a parameter");
 }
 
@@ -105,7 +105,7 @@ bool readArgument(TokenCursor& cursor, bool after_named, NameSet& seen, Argument
         cursor.advance();
     } else if (after_named && (cursor.at(TokenKind::Variable) || atValue(cursor))) {
         return cursor.fail(Code::PositionalAfterNamed,
-                           "an argument without a name stands behind one with a name; write it before them");
+                           "an argument without a name follows one with a name; write it before the named ones");
     }
     if (!readArgumentValue(cursor, argument.value))
         return false;
@@ -122,8 +122,8 @@ std::string unitMend(std::string_view word, bool rates_allowed) {
 
 bool checkAmount(TokenCursor& cursor, Unit unit) {
     if (!cursor.atNumber())
-        return cursor.fail(Code::NumberMissing, "a number is missing behind the unit " + inQuotes(toText(unit)) +
-                                                    "; write one, as (" + std::string(toText(unit)) + " 2)");
+        return cursor.fail(Code::NumberMissing, "a number is missing after the unit " + inQuotes(toText(unit)) +
+                                                    "; write one, such as (" + std::string(toText(unit)) + " 2)");
     const double amount = floatOf(cursor.word()).value_or(1.0); // takeValue reports a number that is too large
     const bool is_rate = unit == Unit::Hz || unit == Unit::PerMinute;
     if (amount < 0.0 || (is_rate && amount == 0.0))
@@ -282,7 +282,7 @@ bool readInterval(TokenCursor& cursor, bool rates_allowed, std::optional<Interva
     const auto unit = unitOf(cursor.keyword());
     if (!unit || (!rates_allowed && !isTimeUnit(*unit)))
         return cursor.fail(Code::UnknownUnit, inQuotes(cursor.word()) +
-                                                  (unit ? " is a rate and no time limit; " : " is no unit; ") +
+                                                  (unit ? " is a rate and not a time limit; " : " is not a unit; ") +
                                                   unitMend(cursor.word(), rates_allowed));
     interval.emplace().unit = *unit;
     interval->at = cursor.peek().at;

@@ -4,7 +4,6 @@
 
 #include "core/base/spelling.h"
 #include "core/base/text.h"
-#include "core/posh/language/call_reader.h"
 
 namespace usar::posh {
 
@@ -53,7 +52,7 @@ bool readTrigger(TokenCursor& cursor, Senses& trigger) {
 
 /// Reads what follows the name of a drive's action. A parenthesis there begins either arguments or the frequency; a
 /// frequency may follow the arguments.
-bool readDriveTail(TokenCursor& cursor, Drive& drive) {
+bool readDriveTail(TokenCursor& cursor, Member& drive) {
     const auto opensFrequency = [&cursor] { return opensUnit(cursor) && cursor.atNumber(2); };
     if (cursor.at(TokenKind::Open) && !opensFrequency()) {
         const bool bare = cursor.at(TokenKind::Name, 1) && !isLiteral(cursor.keyword(1));
@@ -68,7 +67,7 @@ bool readDriveTail(TokenCursor& cursor, Drive& drive) {
     return true;
 }
 
-bool readDrive(TokenCursor& cursor, Drive& drive) {
+bool readDrive(TokenCursor& cursor, Member& drive) {
     const Spot begin = cursor.peek().at;
     return cursor.take(TokenKind::Open, "the ( of a drive", "((name action)): drives stand in levels") &&
            readName(cursor, "of a drive", drive.name) && readTrigger(cursor, drive.trigger) &&
@@ -86,11 +85,11 @@ bool readRetries(TokenCursor& cursor, std::optional<Literal>& retries) {
         return false;
     if (retries->value == Value(std::int64_t{0}))
         cursor.warn(Code::ZeroRetries, retries->at,
-                    "zero retries mean no limit here, and never to other readers; leave the number out");
+                    "zero retries mean no limit here, but other readers take them as never; leave the number out");
     return true;
 }
 
-bool readElement(TokenCursor& cursor, Element& element) {
+bool readElement(TokenCursor& cursor, Member& element) {
     const Spot begin = cursor.peek().at;
     return cursor.take(TokenKind::Open, "the ( of an element", "((name action)): elements stand in levels") &&
            readName(cursor, "of an element", element.name) && readTrigger(cursor, element.trigger) &&
@@ -99,14 +98,12 @@ bool readElement(TokenCursor& cursor, Element& element) {
 }
 
 /// Reads levels up to and including the parenthesis that closes their list.
-template <class Member>
-bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, std::string_view expected,
-                bool (*read)(TokenCursor&, Member&)) {
+bool readLevels(TokenCursor& cursor, Levels& levels, std::string_view expected, bool (*read)(TokenCursor&, Member&)) {
     levels.reserve(8);
     while (!cursor.at(TokenKind::Close)) {
         if (!cursor.take(TokenKind::Open, expected, "((name action))"))
             return false;
-        std::vector<Member>& level = levels.emplace_back();
+        Level& level = levels.emplace_back();
         do {
             if (!read(cursor, level.emplace_back()))
                 return false;
@@ -117,7 +114,7 @@ bool readLevels(TokenCursor& cursor, std::vector<std::vector<Member>>& levels, s
     return true;
 }
 
-bool readElements(TokenCursor& cursor, std::vector<ElementLevel>& levels) {
+bool readElements(TokenCursor& cursor, Levels& levels) {
     if (!cursor.take(TokenKind::Open, "the elements", "(elements ((name action)))"))
         return false;
     const Spot keyword = cursor.peek().at;
@@ -128,7 +125,7 @@ bool readElements(TokenCursor& cursor, std::vector<ElementLevel>& levels) {
     return readLevels(cursor, levels, "a level of elements", &readElement);
 }
 
-bool readDrives(TokenCursor& cursor, std::vector<DriveLevel>& levels) {
+bool readDrives(TokenCursor& cursor, Levels& levels) {
     if (!cursor.take(TokenKind::Open, "the drives", "(drives ((name action)))") ||
         !cursor.takeKeyword(Keyword::Drives, "the word drives", "(drives ((name action)))"))
         return false;

@@ -1,10 +1,10 @@
 #include "core/posh/language/form_splicer.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/posh/language/plan_text.h"
 #include "core/posh/language/plan_writer.h"
 #include "core/posh/language/token_splice.h"
@@ -17,18 +17,12 @@ std::size_t endOf(const Spot& at) {
     return std::size_t{at.offset} + at.length;
 }
 
-std::string headerText(const Competence& competence) {
-    std::string text = "(C " + competence.name.text;
-    appendFormals(text, competence.formals);
-    appendInterval(text, competence.time_limit);
-    appendGoal(text, competence.goal);
-    return text + " (elements";
+const char* listStart(const Competence&) {
+    return " (elements ((";
 }
 
-std::string headerText(const Collection& collection) {
-    std::string text = '(' + keywordText(collection) + ' ' + collection.name.text;
-    appendGoal(text, collection.goal);
-    return text + " (drives";
+const char* listStart(const Collection&) {
+    return " (drives ((";
 }
 
 class FormSplicer {
@@ -66,8 +60,8 @@ private:
         if (old.levels.empty() || wanted.levels.empty())
             return std::nullopt;
         const Spot& first = old.levels.front().front().at;
-        if (headerText(old) != headerText(wanted) &&
-            !splice(old.at.offset, std::size_t{first.offset} + 1, headerText(wanted) + " (("))
+        if (const std::string head = headText(wanted);
+            head != headText(old) && !splice(old.at.offset, std::size_t{first.offset} + 1, head + listStart(wanted)))
             return std::nullopt;
         makeChunks(old.levels);
         std::string out = spliced(text_, chunk_.begin, chunks_.front().begin, splices_);
@@ -84,15 +78,13 @@ private:
 
     /// Finds the chunks of the old levels. A level extends from the parenthesis before its first member to the one
     /// after its last.
-    template <class Levels>
     void makeChunks(const Levels& levels) {
         const auto& all = tokens_->tokens;
         const auto indexAt = [&all](std::size_t offset) {
-            return std::lower_bound(all.begin(), all.end(), offset,
-                                    [](const Token& token, std::size_t at) { return token.at.offset < at; });
+            return std::ranges::lower_bound(all, offset, {}, [](const Token& token) { return token.at.offset; });
         };
         std::size_t begin = 0;
-        for (const auto& level : levels) {
+        for (const Level& level : levels) {
             const auto opener = indexAt(level.front().at.offset) - 1;
             const auto closer = indexAt(endOf(level.back().at));
             if (chunks_.empty())
@@ -105,22 +97,18 @@ private:
 
     /// Returns the index of the old level that has exactly these members, in this order, or the number of levels if
     /// there is none.
-    template <class Levels>
-    std::size_t oldLevelOf(const Levels& levels, const typename Levels::value_type& wanted) const {
-        const auto sameMember = [](const auto& a, const auto& b) {
-            return b.at.line > 0 && a.at.offset == b.at.offset;
-        };
+    static std::size_t oldLevelOf(const Levels& levels, const Level& wanted) {
         if (wanted.empty())
             return levels.size();
-        const auto found =
-            std::lower_bound(levels.begin(), levels.end(), wanted.front().at.offset,
-                             [](const auto& level, std::uint32_t offset) { return level.front().at.offset < offset; });
+        const auto found = std::ranges::lower_bound(levels, wanted.front().at.offset, {},
+                                                    [](const Level& level) { return level.front().at.offset; });
         const bool is_it =
-            found != levels.end() && std::equal(found->begin(), found->end(), wanted.begin(), wanted.end(), sameMember);
+            found != levels.end() && std::ranges::equal(*found, wanted, [](const auto& a, const auto& b) {
+                return b.at.line > 0 && a.at.offset == b.at.offset;
+            });
         return static_cast<std::size_t>((is_it ? found : levels.end()) - levels.begin());
     }
 
-    template <class Levels>
     void appendLevel(std::string& out, const Levels& old, const Levels& wanted, std::size_t index) {
         const std::size_t source = oldLevelOf(old, wanted[index]);
         const bool follows = source < old.size() && last_source_ + 1 == source;
@@ -141,7 +129,6 @@ private:
 
     /// Collects the splices that change the members of a level. Returns false if a member's comments changed or are in
     /// the way.
-    template <class Level>
     bool spliceMembers(const Level& old, const Level& wanted) {
         for (std::size_t i = 0; i < old.size(); ++i) {
             if (old[i] == wanted[i])
@@ -174,6 +161,35 @@ private:
 };
 
 } // namespace
+
+std::size_t lineRest(std::string_view text, std::size_t from) {
+    std::size_t at = from;
+    while (at < text.size() && text[at] != '\n' && isSpace(text[at]))
+        ++at;
+    if (at < text.size() && (text[at] == ';' || text[at] == '#'))
+        at = std::min(text.find('\n', at), text.size());
+    return at < text.size() && text[at] == '\n' ? at + 1 : from;
+}
+
+std::string withLineEnds(std::string_view text, std::string words) {
+    if (text.find("\r\n") == std::string_view::npos)
+        return words;
+    const TokenList list = tokenize(words);
+    std::string result;
+    std::size_t done = 0;
+    const auto copyTo = [&](std::size_t end, bool converts) {
+        for (; done < end; ++done) {
+            if (words[done] == '\n' && converts)
+                result += '\r';
+            result += words[done];
+        }
+    };
+    for (const Token& token : list.tokens) {
+        copyTo(token.at.offset, true);
+        copyTo(token.at.offset + token.at.length, token.kind != TokenKind::String);
+    }
+    return result;
+}
 
 std::optional<std::string> spliceForm(std::string_view text, const TokenList& tokens, const Chunk& chunk,
                                       const Form& old, const Form& wanted) {

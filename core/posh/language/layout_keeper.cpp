@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/posh/language/form_splicer.h"
-#include "core/posh/language/layout_text.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/language/plan_text.h"
 #include "core/posh/language/plan_writer.h"
 #include "core/posh/language/token.h"
+#include "core/posh/model/plan_walk.h"
 
 namespace usar::posh {
 
@@ -76,9 +75,8 @@ private:
     /// there is none.
     std::size_t oldIndexOf(const Form& form) const {
         const Spot& at = spotOf(form);
-        const auto found = std::lower_bound(
-            old_->forms.begin(), old_->forms.end(), at.offset,
-            [](const Form& candidate, std::uint32_t offset) { return spotOf(candidate).offset < offset; });
+        const auto found =
+            std::ranges::lower_bound(old_->forms, at.offset, {}, [](const Form& form) { return spotOf(form).offset; });
         const bool is_it = at.line > 0 && found != old_->forms.end() && spotOf(*found).offset == at.offset &&
                            found->index() == form.index();
         return static_cast<std::size_t>((is_it ? found : old_->forms.end()) - old_->forms.begin());
@@ -105,24 +103,6 @@ private:
     std::vector<Chunk> chunks_;
     std::size_t prefix_end_ = 0;
 };
-
-/// Calls `visit` with the remarks of every part.
-template <class AnyPlan, class Visit>
-void forEachRemarks(AnyPlan& plan, Visit&& visit) {
-    visit(plan.remarks);
-    if (plan.documentation)
-        visit(plan.documentation->remarks);
-    for (auto& form : plan.forms)
-        std::visit(
-            [&visit](auto& any) {
-                visit(any.remarks);
-                if constexpr (requires { any.levels; })
-                    for (auto& level : any.levels)
-                        for (auto& member : level)
-                            visit(member.remarks);
-            },
-            form);
-}
 
 /// Removes all comments from the plan and returns how many characters other than blanks they have.
 std::size_t takeComments(Plan& plan) {
@@ -154,9 +134,8 @@ bool sayTheSame(Plan a, Plan b) {
 
 std::string writeKeepingLayout(std::string_view text, const Plan& plan) {
     const PlanReading old = readPlan(text);
-    const bool is_readable = std::none_of(old.findings.begin(), old.findings.end(),
-                                          [](const Finding& finding) { return isUnreadable(finding.code); });
-    if (!is_readable || old.plan.remarks != plan.remarks || old.plan.closing_remarks != plan.closing_remarks)
+    if (!isReadable(old.findings) || old.plan.remarks != plan.remarks ||
+        old.plan.closing_remarks != plan.closing_remarks)
         return writePlan(plan);
     if (old.plan == plan)
         return std::string(text);

@@ -3,9 +3,6 @@
 #include <string>
 
 #include "core/base/spelling.h"
-#include "core/posh/language/form_index.h"
-#include "core/posh/language/plan_warnings.h"
-#include "core/posh/language/reference_cycles.h"
 
 namespace usar::posh {
 
@@ -19,9 +16,8 @@ void checkNames(const Plan& plan, const FormIndex& index, Findings& findings) {
             continue;
         const Spot& at = nameOf(plan.forms[*first]).at;
         findings.push_back({Code::DuplicateName, name.at,
-                            "the name " + inQuotes(name.text) + " stands at " + std::to_string(at.line) + ':' +
-                                std::to_string(at.column) + " already; give this one another name",
-                            std::nullopt});
+                            "the name " + inQuotes(name.text) + " is already used at " + std::to_string(at.line) + ':' +
+                                std::to_string(at.column) + "; give this one another name"});
     }
 }
 
@@ -43,7 +39,7 @@ std::string freeVariableMessage(const std::string& name, const std::string& near
     const std::string what = inQuotes("$" + name);
     if (in_collection)
         return what + " has no value here: a collection has no parameters; write a value";
-    return what + " is no parameter of this form; " + (nearest.empty() ? "" : "write $" + nearest + " or ") +
+    return what + " is not a parameter of this form; " + (nearest.empty() ? "" : "write $" + nearest + " or ") +
            "declare it with vars($name=value)";
 }
 
@@ -55,8 +51,8 @@ void checkVariables(const Plan& plan, const FormIndex& index, Findings& findings
         const bool in_collection = std::holds_alternative<Collection>(plan.forms[form]);
         const bool compares = compared++ < most_compared;
         const std::string nearest = compares ? nearestFormal(variable->name, index.formals(form)) : "";
-        findings.push_back({Code::FreeVariable, variable->at,
-                            freeVariableMessage(variable->name, nearest, in_collection), std::nullopt});
+        findings.push_back(
+            {Code::FreeVariable, variable->at, freeVariableMessage(variable->name, nearest, in_collection)});
     }
 }
 

@@ -1,11 +1,12 @@
 #include "core/posh/language/plan_export.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/posh/language/form_index.h"
 #include "core/posh/language/plan_writer.h"
-#include "core/posh/model/dialect_names.h"
 #include "core/posh/model/finding.h"
 #include "core/posh/model/literal.h"
 #include "core/posh/model/plan_walk.h"
@@ -13,6 +14,67 @@
 namespace usar::posh {
 
 namespace {
+
+// Names, values and texts as the dialects allow them. Each function returns valid input unchanged.
+
+/// Replaces everything except letters, digits and underscores by hyphens.
+std::string asSymbol(std::string_view text) {
+    std::string word(text);
+    std::replace_if(
+        word.begin(), word.end(), [](char c) { return !isLetter(c) && !isDigit(c) && c != '_'; }, '-');
+    return word.empty() || !(isLetter(word.front()) || word.front() == '_') ? '_' + word : word;
+}
+
+/// Returns a name without a digit at the start.
+std::string yaposhName(std::string_view name) {
+    std::string words(name);
+    return !words.empty() && isDigit(words.front()) ? '_' + words : words;
+}
+
+/// Returns a name without dots and without a digit at the start.
+std::string classicName(std::string_view name) {
+    std::string words = yaposhName(name);
+    std::replace(words.begin(), words.end(), '.', '_');
+    return words;
+}
+
+/// Returns the value with the hyphens in constants (symbols with dots) replaced by underscores.
+Value yaposhValue(const Value& value) {
+    const auto* const symbol = std::get_if<Symbol>(&value);
+    if (!symbol || symbol->text.find('.') == std::string::npos)
+        return value;
+    std::string text = symbol->text;
+    std::replace(text.begin(), text.end(), '-', '_');
+    return Symbol{std::move(text)};
+}
+
+/// Returns the value as nil, a number or a symbol without dots: a boolean becomes 1 or 0, a text becomes a symbol, and
+/// a constant becomes its last part.
+Value classicValue(const Value& value) {
+    if (const auto* const truth = std::get_if<bool>(&value))
+        return std::int64_t{*truth ? 1 : 0};
+    if (const auto* const text = std::get_if<std::string>(&value))
+        return Symbol{asSymbol(*text)};
+    if (const auto* const symbol = std::get_if<Symbol>(&value))
+        return Symbol{yaposhName(symbol->text.substr(symbol->text.rfind('.') + 1))};
+    return value;
+}
+
+/// Returns the text on one line, with double quotes, backslashes, ; and # replaced by similar characters.
+std::string classicText(std::string_view text) {
+    std::string plain(text);
+    for (char& c : plain) {
+        if (c == '"')
+            c = '\'';
+        else if (c == ';' || c == '#')
+            c = ',';
+        else if (c == '\\')
+            c = '/';
+        else if (static_cast<unsigned char>(c) < ' ')
+            c = ' ';
+    }
+    return plain;
+}
 
 class Exporter {
 public:
@@ -64,7 +126,7 @@ private:
         if constexpr (requires { form.time_limit; })
             timeLimit(form.time_limit);
         if constexpr (requires { form.levels; })
-            for (auto& level : form.levels)
+            for (Level& level : form.levels)
                 members(level);
         details(form);
     }
@@ -98,7 +160,7 @@ private:
     }
     void details(Adopt& adopt) {
         if (isYaposh() && adopt.goal.empty()) // A goal that is never satisfied, as yaPOSH writes it
-            adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail", {}}, {}}, {}, {}});
+            adopt.goal.push_back({{{"cz.cuni.amis.pogamut.sposh.executor.Fail"}}});
     }
     void details(Collection& collection) {
         if (isYaposh())
@@ -108,19 +170,16 @@ private:
         collection.keyword = real ? "SRDC" : "SDC";
     }
 
-    template <class Member>
-    void members(std::vector<Member>& level) {
+    void members(Level& level) {
         if (isYaposh() && level.size() > 1)
-            lose(level[1].name.at, "equals in a level: they are ordered as they stand");
+            lose(level[1].name.at, "members of equal priority: they keep the order in which they are written");
         for (Member& member : level) {
             name(member.name);
             senses(member.trigger);
             comment(member.comment);
-            if constexpr (requires { member.frequency; }) {
-                if (member.frequency && member.frequency->unit == Unit::Ticks) {
-                    lose(member.frequency->at, "frequency in ticks, which is left out");
-                    member.frequency.reset();
-                }
+            if (member.frequency && member.frequency->unit == Unit::Ticks) {
+                lose(member.frequency->at, "frequency in ticks, which is left out");
+                member.frequency.reset();
             }
         }
     }
@@ -194,44 +253,31 @@ private:
                 kept.push_back(std::move(step));
         }
         if (kept.empty())
-            kept.emplace_back(Call{{"doNothing", {}}, {}});
+            kept.emplace_back(Call{{"doNothing"}});
         pattern.steps = std::move(kept);
     }
     /// Converts an adopt to a competence, which also continues until the goal holds, but loses its place when it is
     /// interrupted.
     Competence asCompetence(Adopt adopt) {
         lose(adopt.name.at, "adopt; it becomes a competence, which loses its place when it is interrupted");
-        Element element{{adopt.name.text, {}}, {}, std::move(adopt.adopted), {}, {}, {}, {}};
-        return {std::move(adopt.name),    {},      {}, std::move(adopt.goal), {{std::move(element)}}, {},
-                std::move(adopt.remarks), adopt.at};
+        Member element{.name = {adopt.name.text}, .action = std::move(adopt.adopted)};
+        return {.name = std::move(adopt.name),
+                .goal = std::move(adopt.goal),
+                .levels = {{std::move(element)}},
+                .remarks = std::move(adopt.remarks),
+                .at = adopt.at};
     }
 
-    static void useSemicolon(std::string& remark) {
-        if (remark.starts_with('#'))
-            remark.front() = ';';
-    }
-    static void useSemicolons(Remarks& remarks) {
-        for (std::string& line : remarks.above)
-            useSemicolon(line);
-        useSemicolon(remarks.beside);
-    }
     void useSemicolons() {
-        useSemicolons(plan_.remarks);
-        for (std::string& line : plan_.closing_remarks)
-            useSemicolon(line);
-        if (plan_.documentation)
-            useSemicolons(plan_.documentation->remarks);
-        for (Form& form : plan_.forms) {
-            useSemicolons(remarksOf(form));
-            std::visit(
-                [](auto& any) {
-                    if constexpr (requires { any.levels; })
-                        for (auto& level : any.levels)
-                            for (auto& member : level)
-                                useSemicolons(member.remarks);
-                },
-                form);
-        }
+        const auto mark = [](std::string& remark) {
+            if (remark.starts_with('#'))
+                remark.front() = ';';
+        };
+        forEachRemarks(plan_, [&mark](Remarks& remarks) {
+            std::ranges::for_each(remarks.above, mark);
+            mark(remarks.beside);
+        });
+        std::ranges::for_each(plan_.closing_remarks, mark);
     }
 
     const Plan source_;
@@ -245,8 +291,7 @@ private:
 
 PlanExport exportPlan(const Plan& plan, Dialect dialect) {
     PlanExport result = Exporter(plan, dialect).run();
-    std::stable_sort(result.losses.begin(), result.losses.end(),
-                     [](const Loss& a, const Loss& b) { return a.at.offset < b.at.offset; });
+    std::ranges::stable_sort(result.losses, {}, [](const Loss& loss) { return loss.at.offset; });
     return result;
 }
 

@@ -35,18 +35,144 @@ public:
     std::size_t closing() const { return closing_; }
 
 private:
-    void next();
-    void afterPlan();
-    void skipJunk();
-    void form();
-    bool readForm(const Spot& begin);
-    bool readDocumentationFirst(const Spot& begin);
-    bool readTheCollection(const Spot& begin, CollectionKind kind);
-    bool unknownForm();
+    /// Reads what comes next outside of all forms: a form, the end of the plan, or text that does not belong there.
+    void next() {
+        if (!is_open_ && !saw_text_after_)
+            afterPlan();
+        if (cursor_.at(TokenKind::Open))
+            return form();
+        if (cursor_.at(TokenKind::Close)) {
+            if (is_open_)
+                closing_ = cursor_.peek().at.offset;
+            is_open_ = false;
+            cursor_.advance();
+            return;
+        }
+        if (is_open_ && beginsForm(cursor_.keyword()) && cursor_.at(TokenKind::Name, 1)) {
+            cursor_.unexpected("a form or the end of the plan", "( before it");
+            cursor_.pretendOpen();
+            return form();
+        }
+        if (is_open_)
+            cursor_.unexpected("a form or the end of the plan", "(C …), (AP …), (AD …), (DC …) or )");
+        skipJunk();
+    }
+
+    /// Reports text after the end of the plan. Forms there are still read, because the cause is nearly always a closing
+    /// parenthesis too early.
+    void afterPlan() {
+        saw_text_after_ = true;
+        cursor_.fail(Code::TextAfterPlan, "the plan has ended before " + inQuotes(cursor_.word()) +
+                                              "; remove it, or remove a ) that closes the plan too early");
+    }
+
+    void skipJunk() {
+        while (!cursor_.at(TokenKind::Open) && !cursor_.at(TokenKind::Close) && !cursor_.at(TokenKind::End))
+            cursor_.advance();
+    }
+
+    /// Reads a form. The current token is its opening parenthesis, or its keyword if the parenthesis is missing and
+    /// that has been reported.
+    void form() {
+        const std::size_t begin_index = cursor_.index();
+        const bool is_whole = cursor_.at(TokenKind::Open);
+        const std::size_t depth = cursor_.depth() - (is_whole ? 0 : 1);
+        const Spot begin = cursor_.peek().at;
+        if (is_whole)
+            cursor_.advance();
+        const bool good = readForm(begin);
+        saw_form_ = true;
+        if (!good)
+            cursor_.resumeAt(endOfBadForm(begin_index), depth);
+    }
+
+    bool readForm(const Spot& begin) {
+        const Keyword keyword = cursor_.keyword();
+        if (const auto kind = collectionKind(keyword))
+            return readTheCollection(begin, *kind);
+        switch (keyword) {
+        case Keyword::Documentation:
+            return readDocumentationFirst(begin);
+        case Keyword::C:
+            return keep(begin, &readCompetence);
+        case Keyword::Ap:
+            return keep(begin, &readPattern);
+        case Keyword::Ad:
+            return keep(begin, &readAdopt);
+        default:
+            return unknownForm();
+        }
+    }
+
+    bool readDocumentationFirst(const Spot& begin) {
+        if (saw_form_)
+            return cursor_.fail(Code::LateDocumentation,
+                                "the documentation comes after another form; put it first in the plan");
+        cursor_.advance();
+        Documentation documentation;
+        if (!readDocumentation(cursor_, begin, documentation))
+            return false;
+        plan_.documentation = std::move(documentation);
+        return true;
+    }
+
+    bool readTheCollection(const Spot& begin, CollectionKind kind) {
+        if (saw_collection_)
+            return cursor_.fail(
+                Code::SecondCollection,
+                "a plan has one drive collection and this is the second; put its drives into the first");
+        saw_collection_ = true;
+        Collection collection;
+        collection.kind = kind;
+        collection.keyword = cursor_.word();
+        cursor_.advance();
+        if (!readCollection(cursor_, begin, collection))
+            return false;
+        plan_.forms.emplace_back(std::move(collection));
+        return true;
+    }
+
+    bool unknownForm() {
+        if (!cursor_.at(TokenKind::Name))
+            return cursor_.unexpected("the kind of a form", "C, AP, AD or DC after the (");
+        const std::string word = lowerCase(cursor_.word());
+        const std::string mend = editDistance(word, "documentation") <= 4 ? "documentation" : "C, AP, AD or DC";
+        return cursor_.fail(Code::UnknownForm, inQuotes(cursor_.word()) + " is not a kind of form; write " + mend);
+    }
+
     template <class Kind>
-    bool keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&, Kind&));
-    std::size_t endOfBadForm(std::size_t begin) const;
-    bool beginsFormAt(std::size_t index) const;
+    bool keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&, Kind&)) {
+        cursor_.advance();
+        Kind form;
+        if (!read(cursor_, begin, form))
+            return false;
+        plan_.forms.emplace_back(std::move(form));
+        return true;
+    }
+
+    /// Returns the token at which reading continues after an error: the one after the parenthesis that closes the form,
+    /// or, if a parenthesis is missing, the next line that begins a form and is indented no deeper than this one.
+    std::size_t endOfBadForm(std::size_t begin) const {
+        const auto& tokens = list_->tokens;
+        std::size_t depth = tokens[begin].kind == TokenKind::Open ? 0 : 1;
+        for (std::size_t i = begin; tokens[i].kind != TokenKind::End; ++i) {
+            if (tokens[i].kind == TokenKind::Close && --depth == 0)
+                return i + 1;
+            if (tokens[i].kind != TokenKind::Open)
+                continue;
+            if (i > begin && tokens[i].at.column <= tokens[begin].at.column && beginsFormAt(i))
+                return i;
+            ++depth;
+        }
+        return tokens.size() - 1;
+    }
+
+    bool beginsFormAt(std::size_t index) const {
+        const auto& tokens = list_->tokens;
+        const std::size_t ahead = index - cursor_.index(); // May wrap around, but then the sum in the cursor wraps back
+        return index + 2 < tokens.size() && tokens[index].first_on_line && beginsForm(cursor_.keyword(ahead + 1)) &&
+               (tokens[index + 2].kind == TokenKind::Name || tokens[index + 2].kind == TokenKind::String);
+    }
 
     const TokenList* list_;
     TokenCursor cursor_;
@@ -58,147 +184,8 @@ private:
     bool saw_text_after_ = false;
 };
 
-/// Reads what comes next outside of all forms: a form, the end of the plan, or text that does not belong there.
-void PlanReader::next() {
-    if (!is_open_ && !saw_text_after_)
-        afterPlan();
-    if (cursor_.at(TokenKind::Open))
-        return form();
-    if (cursor_.at(TokenKind::Close)) {
-        if (is_open_)
-            closing_ = cursor_.peek().at.offset;
-        is_open_ = false;
-        cursor_.advance();
-        return;
-    }
-    if (is_open_ && beginsForm(cursor_.keyword()) && cursor_.at(TokenKind::Name, 1)) {
-        cursor_.unexpected("a form or the end of the plan", "( before it");
-        cursor_.pretendOpen();
-        return form();
-    }
-    if (is_open_)
-        cursor_.unexpected("a form or the end of the plan", "(C …), (AP …), (AD …), (DC …) or )");
-    skipJunk();
-}
-
-/// Reports text after the end of the plan. Forms there are still read, because the cause is nearly always a closing
-/// parenthesis too early.
-void PlanReader::afterPlan() {
-    saw_text_after_ = true;
-    cursor_.fail(Code::TextAfterPlan, "the plan has ended before " + inQuotes(cursor_.word()) +
-                                          "; take it away, or a ) that stands too early");
-}
-
-void PlanReader::skipJunk() {
-    while (!cursor_.at(TokenKind::Open) && !cursor_.at(TokenKind::Close) && !cursor_.at(TokenKind::End))
-        cursor_.advance();
-}
-
-/// Reads a form. The current token is its opening parenthesis, or its keyword if the parenthesis is missing and that
-/// has been reported.
-void PlanReader::form() {
-    const std::size_t begin_index = cursor_.index();
-    const bool is_whole = cursor_.at(TokenKind::Open);
-    const std::size_t depth = cursor_.depth() - (is_whole ? 0 : 1);
-    const Spot begin = cursor_.peek().at;
-    if (is_whole)
-        cursor_.advance();
-    const bool good = readForm(begin);
-    saw_form_ = true;
-    if (!good)
-        cursor_.resumeAt(endOfBadForm(begin_index), depth);
-}
-
-bool PlanReader::readForm(const Spot& begin) {
-    const Keyword keyword = cursor_.keyword();
-    if (const auto kind = collectionKind(keyword))
-        return readTheCollection(begin, *kind);
-    switch (keyword) {
-    case Keyword::Documentation:
-        return readDocumentationFirst(begin);
-    case Keyword::C:
-        return keep(begin, &readCompetence);
-    case Keyword::Ap:
-        return keep(begin, &readPattern);
-    case Keyword::Ad:
-        return keep(begin, &readAdopt);
-    default:
-        return unknownForm();
-    }
-}
-
-template <class Kind>
-bool PlanReader::keep(const Spot& begin, bool (*read)(TokenCursor&, const Spot&, Kind&)) {
-    cursor_.advance();
-    Kind form;
-    if (!read(cursor_, begin, form))
-        return false;
-    plan_.forms.emplace_back(std::move(form));
-    return true;
-}
-
-bool PlanReader::readDocumentationFirst(const Spot& begin) {
-    if (saw_form_)
-        return cursor_.fail(Code::LateDocumentation,
-                            "the documentation stands behind another form; write it first in the plan");
-    cursor_.advance();
-    Documentation documentation;
-    if (!readDocumentation(cursor_, begin, documentation))
-        return false;
-    plan_.documentation = std::move(documentation);
-    return true;
-}
-
-bool PlanReader::readTheCollection(const Spot& begin, CollectionKind kind) {
-    if (saw_collection_)
-        return cursor_.fail(Code::SecondCollection,
-                            "a plan has one drive collection and this is the second; put its drives into the first");
-    saw_collection_ = true;
-    Collection collection;
-    collection.kind = kind;
-    collection.keyword = cursor_.word();
-    cursor_.advance();
-    if (!readCollection(cursor_, begin, collection))
-        return false;
-    plan_.forms.emplace_back(std::move(collection));
-    return true;
-}
-
-bool PlanReader::unknownForm() {
-    if (!cursor_.at(TokenKind::Name))
-        return cursor_.unexpected("the kind of a form", "C, AP, AD or DC behind the (");
-    const std::string word = lowerCase(cursor_.word());
-    const std::string mend = editDistance(word, "documentation") <= 4 ? "documentation" : "C, AP, AD or DC";
-    return cursor_.fail(Code::UnknownForm, inQuotes(cursor_.word()) + " is no kind of form; write " + mend);
-}
-
-bool PlanReader::beginsFormAt(std::size_t index) const {
-    const auto& tokens = list_->tokens;
-    const std::size_t ahead = index - cursor_.index(); // May wrap around, but then the sum in the cursor wraps back
-    return index + 2 < tokens.size() && tokens[index].first_on_line && beginsForm(cursor_.keyword(ahead + 1)) &&
-           (tokens[index + 2].kind == TokenKind::Name || tokens[index + 2].kind == TokenKind::String);
-}
-
-/// Returns the token at which reading continues after an error: the one after the parenthesis that closes the form, or,
-/// if a parenthesis is missing, the next line that begins a form and is indented no deeper than this one.
-std::size_t PlanReader::endOfBadForm(std::size_t begin) const {
-    const auto& tokens = list_->tokens;
-    std::size_t depth = tokens[begin].kind == TokenKind::Open ? 0 : 1;
-    for (std::size_t i = begin; tokens[i].kind != TokenKind::End; ++i) {
-        if (tokens[i].kind == TokenKind::Close && --depth == 0)
-            return i + 1;
-        if (tokens[i].kind != TokenKind::Open)
-            continue;
-        if (i > begin && tokens[i].at.column <= tokens[begin].at.column && beginsFormAt(i))
-            return i;
-        ++depth;
-    }
-    return tokens.size() - 1;
-}
-
 void sortByPlace(Findings& findings) {
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const Finding& a, const Finding& b) { return a.at.offset < b.at.offset; });
+    std::ranges::stable_sort(findings, {}, [](const Finding& finding) { return finding.at.offset; });
 }
 
 } // namespace
@@ -206,23 +193,18 @@ void sortByPlace(Findings& findings) {
 PlanReading readPlan(std::string_view text) {
     if (text.size() > longest_plan_bytes)
         return {{},
-                {{Code::NotAPlan,
-                  {1, 1, 0, 0},
-                  "the text is longer than 64 MiB, which no plan is; give another file",
-                  {}}}};
+                {{Code::NotAPlan, {1, 1}, "the text is longer than 64 MiB, the limit for a plan; give another file"}}};
     TokenList tokens = tokenize(text);
     PlanReader reader(text, tokens);
     PlanReading reading{reader.run(), std::move(tokens.warnings)};
     attachRemarks(text, tokens, reader.closing(), reading.plan);
     Findings complaints = reader.takeFindings();
     const bool is_whole = !hasErrors(complaints);
-    reading.findings.insert(reading.findings.end(), std::make_move_iterator(complaints.begin()),
-                            std::make_move_iterator(complaints.end()));
+    std::ranges::move(complaints, std::back_inserter(reading.findings));
     sortByPlace(reading.findings);
     Findings checked = checkPlan(reading.plan, is_whole);
     sortByPlace(checked);
-    reading.findings.insert(reading.findings.end(), std::make_move_iterator(checked.begin()),
-                            std::make_move_iterator(checked.end()));
+    std::ranges::move(checked, std::back_inserter(reading.findings));
     return reading;
 }
 

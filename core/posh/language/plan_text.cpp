@@ -20,21 +20,6 @@ void appendArgument(std::string& out, const Argument& argument) {
         out += '$' + std::get<Variable>(argument.value).name;
 }
 
-template <class Member>
-void appendStart(std::string& out, const Member& member, std::size_t name_width) {
-    out += '(' + member.name.text + ' ';
-    if (member.name.text.size() + 1 < name_width)
-        out.append(name_width - member.name.text.size() - 1, ' ');
-    if (!member.trigger.empty()) {
-        out += "(trigger ";
-        appendSenses(out, member.trigger);
-        out += ") ";
-    } else if (keywordOf(member.action.name.text) == Keyword::Nil) {
-        out += "nil "; // Without it, the action `nil` would be read as the absent trigger
-    }
-    appendCall(out, member.action);
-}
-
 } // namespace
 
 void appendLiteral(std::string& out, const Literal& literal) {
@@ -61,6 +46,13 @@ void appendTest(std::string& out, const SenseTest& test) {
             (out += ' ') += toText(*test.predicate);
     }
     out += ')';
+}
+
+void appendStep(std::string& out, const Step& step) {
+    if (const auto* const test = std::get_if<SenseTest>(&step))
+        appendTest(out, *test);
+    else
+        appendCall(out, std::get<Call>(step));
 }
 
 void appendSenses(std::string& out, const Senses& senses) {
@@ -108,17 +100,21 @@ void appendComment(std::string& out, const std::optional<Literal>& comment) {
     appendLiteral(out, *comment);
 }
 
-void appendMember(std::string& out, const Drive& drive, std::size_t name_width) {
-    appendStart(out, drive, name_width);
-    appendInterval(out, drive.frequency);
-    appendComment(out, drive.comment);
-    out += ')';
-}
-
-void appendMember(std::string& out, const Element& element, std::size_t name_width) {
-    appendStart(out, element, name_width);
-    appendComment(out, element.retries);
-    appendComment(out, element.comment);
+void appendMember(std::string& out, const Member& member, std::size_t name_width) {
+    out += '(' + member.name.text + ' ';
+    if (member.name.text.size() + 1 < name_width)
+        out.append(name_width - member.name.text.size() - 1, ' ');
+    if (!member.trigger.empty()) {
+        out += "(trigger ";
+        appendSenses(out, member.trigger);
+        out += ") ";
+    } else if (keywordOf(member.action.name.text) == Keyword::Nil) {
+        out += "nil "; // Without it, the action `nil` would be read as the absent trigger
+    }
+    appendCall(out, member.action);
+    appendInterval(out, member.frequency);
+    appendComment(out, member.retries);
+    appendComment(out, member.comment);
     out += ')';
 }
 
@@ -133,6 +129,20 @@ std::string keywordText(const Collection& collection) {
     constexpr std::array<std::string_view, 4> words{"DC", "RDC", "SDC", "SRDC"};
     const bool fits = collectionKind(keywordOf(collection.keyword)) == collection.kind;
     return fits ? collection.keyword : std::string(words[static_cast<std::size_t>(collection.kind)]);
+}
+
+std::string headText(const Competence& competence) {
+    std::string text = "(C " + competence.name.text;
+    appendFormals(text, competence.formals);
+    appendInterval(text, competence.time_limit);
+    appendGoal(text, competence.goal);
+    return text;
+}
+
+std::string headText(const Collection& collection) {
+    std::string text = '(' + keywordText(collection) + ' ' + collection.name.text;
+    appendGoal(text, collection.goal);
+    return text;
 }
 
 } // namespace usar::posh

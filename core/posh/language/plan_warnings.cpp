@@ -1,4 +1,4 @@
-#include "core/posh/language/plan_warnings.h"
+#include "core/posh/language/plan_check.h"
 
 #include <string>
 
@@ -9,59 +9,38 @@ namespace usar::posh {
 namespace {
 
 void add(Findings& findings, Code code, const Spot& at, std::string message) {
-    findings.push_back({code, at, std::move(message), std::nullopt});
+    findings.push_back({code, at, std::move(message)});
 }
 
-template <class Levels>
 void warnOfDuplicates(const Levels& levels, Code code, Findings& findings) {
     NameSet seen;
-    for (const auto& level : levels)
-        for (const auto& member : level)
+    for (const Level& level : levels)
+        for (const Member& member : level)
             if (!seen.insert(member.name.text))
                 add(findings, code, member.name.at,
                     "the name " + inQuotes(member.name.text) + " is used twice here; give one of the two another name");
 }
 
-bool isAlwaysTaken(const Element& element) {
-    return element.trigger.empty() && !retryLimit(element);
+bool isAlwaysTaken(const Member& member) {
+    const bool waits = member.frequency && numberOf(member.frequency->amount.value) != 0.0;
+    return member.trigger.empty() && !waits && !retryLimit(member);
 }
 
-bool isAlwaysTaken(const Drive& drive) {
-    const bool has_limit = drive.frequency && numberOf(drive.frequency->amount.value) != 0.0;
-    return drive.trigger.empty() && !has_limit;
-}
-
-void warnOfNeverReached(const Name& name, const Name& always, Findings& findings) {
-    add(findings, Code::NeverReached, name.at,
-        inQuotes(name.text) + " is never reached: " + inQuotes(always.text) +
-            " before it is always ready; give that a trigger, or move it to the end");
-}
-
-/// Warns of elements after one that is always ready. Elements are tried in their order, even within a level.
-void warnOfNeverReached(const std::vector<ElementLevel>& levels, Findings& findings) {
+/// Warns of members that one before them keeps from ever running. Elements are tried in their order, even within a
+/// level; drives in one level take turns, so only a drive in a higher level (`equals_take_turns`) counts.
+void warnOfNeverReached(const Levels& levels, bool equals_take_turns, Findings& findings) {
     const Name* always = nullptr;
-    for (const ElementLevel& level : levels)
-        for (const Element& element : level) {
-            if (always)
-                warnOfNeverReached(element.name, *always, findings);
-            else if (isAlwaysTaken(element))
-                always = &element.name;
+    for (const Level& level : levels) {
+        const Name* here = always;
+        for (const Member& member : level) {
+            if (const Name* const before = equals_take_turns ? always : here)
+                add(findings, Code::NeverReached, member.name.at,
+                    inQuotes(member.name.text) + " is never reached: " + inQuotes(before->text) +
+                        " before it is always ready; give that a trigger, or move it to the end");
+            else if (isAlwaysTaken(member))
+                here = &member.name;
         }
-}
-
-/// Warns of drives below a level with one that is always ready. Drives in one level take turns, so only a drive in a
-/// higher level can keep another from ever running.
-void warnOfNeverReached(const std::vector<DriveLevel>& levels, Findings& findings) {
-    const Name* always = nullptr;
-    for (const DriveLevel& level : levels) {
-        const Name* here = nullptr;
-        for (const Drive& drive : level) {
-            if (always)
-                warnOfNeverReached(drive.name, *always, findings);
-            else if (isAlwaysTaken(drive))
-                here = &drive.name;
-        }
-        always = always ? always : here;
+        always = here;
     }
 }
 
@@ -70,7 +49,7 @@ void warnOfNeverReached(const std::vector<DriveLevel>& levels, Findings& finding
 void warnOfFindingNothing(const Competence& competence, Findings& findings) {
     if (competence.levels.empty() || competence.levels.back().empty() || !competence.goal.empty())
         return;
-    const Element& last = competence.levels.back().back();
+    const Member& last = competence.levels.back().back();
     if (!last.trigger.empty())
         add(findings, Code::MayFindNothing, competence.name.at,
             "no element of " + inQuotes(competence.name.text) +
@@ -80,10 +59,10 @@ void warnOfFindingNothing(const Competence& competence, Findings& findings) {
 void warnOfForm(const Form& form, Findings& findings) {
     if (const auto* const collection = std::get_if<Collection>(&form)) {
         warnOfDuplicates(collection->levels, Code::DuplicateDrive, findings);
-        warnOfNeverReached(collection->levels, findings);
+        warnOfNeverReached(collection->levels, true, findings);
     } else if (const auto* const competence = std::get_if<Competence>(&form)) {
         warnOfDuplicates(competence->levels, Code::DuplicateElement, findings);
-        warnOfNeverReached(competence->levels, findings);
+        warnOfNeverReached(competence->levels, false, findings);
         warnOfFindingNothing(*competence, findings);
     }
 }
@@ -125,7 +104,7 @@ void warnOfPlan(const Plan& plan, const FormIndex& index, bool is_whole, Finding
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Name& name = nameOf(plan.forms[i]);
         if (!used[i] && !std::holds_alternative<Collection>(plan.forms[i]) && index.find(name.text) == i)
-            add(findings, Code::NeverUsed, name.at, inQuotes(name.text) + " is never used; call it, or take it away");
+            add(findings, Code::NeverUsed, name.at, inQuotes(name.text) + " is never used; call it, or remove it");
     }
 }
 

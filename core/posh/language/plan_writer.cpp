@@ -15,10 +15,9 @@ constexpr std::size_t line_length = 120;
 /// Longer names do not move the column after the names.
 constexpr std::size_t widest_name = 24;
 
-void appendBeside(std::string& out, const Remarks& remarks) {
-    if (!remarks.beside.empty())
-        out += "  " + commentText(remarks.beside);
-    out += '\n';
+/// Returns the comment that follows a part on its line, with two blanks before it; empty if there is none.
+std::string besideText(const Remarks& remarks) {
+    return remarks.beside.empty() ? "" : "  " + commentText(remarks.beside);
 }
 
 void appendAbove(std::string& out, const std::vector<std::string>& lines, std::size_t indent) {
@@ -28,11 +27,10 @@ void appendAbove(std::string& out, const std::vector<std::string>& lines, std::s
 
 /// Returns the width of the longest name plus a blank. In a level with several members, these are one column farther
 /// in.
-template <class Levels>
 std::size_t nameWidth(const Levels& levels) {
     std::size_t widest = 0;
-    for (const auto& level : levels)
-        for (const auto& member : level)
+    for (const Level& level : levels)
+        for (const Member& member : level)
             if (member.name.text.size() <= widest_name)
                 widest = std::max(widest, member.name.text.size() + (level.size() > 1 ? 2 : 1));
     return widest;
@@ -40,13 +38,12 @@ std::size_t nameWidth(const Levels& levels) {
 
 /// Appends the members of one level. `last` points to the comments of the member written last, whose line has not been
 /// ended yet; nullptr if there is none.
-template <class Member>
-void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t width, const Remarks*& last) {
+void appendLevel(std::string& out, const Level& level, std::size_t width, const Remarks*& last) {
     const bool alone = level.size() == 1;
     for (const Member& member : level) {
         const bool is_first = &member == &level.front();
         if (last)
-            appendBeside(out, *last);
+            out += besideText(*last) + '\n';
         appendAbove(out, member.remarks.above, is_first ? 6 : 8);
         out += is_first ? (alone ? "      (" : "      ( ") : "        ";
         appendMember(out, member, alone ? width : width - std::min<std::size_t>(width, 1));
@@ -56,53 +53,28 @@ void appendLevel(std::string& out, const std::vector<Member>& level, std::size_t
         out += ')';
 }
 
-/// Appends the levels, the parentheses that close their list and the form, and the comment string.
+/// Writes a form with levels: its head, the list of levels, the comment string and the parentheses that close them.
 template <class Form>
-void appendLevels(std::string& out, const Form& form) {
+std::string textWithLevels(const Form& form, const char* list) {
+    std::string out = headText(form) + besideText(form.remarks) + "\n    " + list;
     const std::size_t width = nameWidth(form.levels);
     const Remarks start; // The line with the list's keyword ends like that of a member
     const Remarks* last = form.levels.empty() ? nullptr : &start;
-    for (const auto& level : form.levels)
+    for (const Level& level : form.levels)
         appendLevel(out, level, width, last);
-    out += form.comment ? ")" : "))"; // Closes the list, and also the form unless a comment follows
-    if (form.comment) {
-        appendBeside(out, last ? *last : start);
-        out += "   ";
-        appendComment(out, form.comment);
-        out += ')';
-    } else if (last && !last->beside.empty()) {
-        out += "  " + commentText(last->beside);
-    }
-}
-
-template <class Levels>
-std::string levelText(const Levels& levels, std::size_t index) {
-    std::string out;
-    const Remarks* last = nullptr;
-    appendLevel(out, levels[index], nameWidth(levels), last);
-    if (last)
-        appendBeside(out, *last);
-    return out;
+    if (!form.comment)
+        return out + "))" + (last ? besideText(*last) : "");
+    out += ')' + besideText(last ? *last : start) + "\n   ";
+    appendComment(out, form.comment);
+    return out + ')';
 }
 
 std::string text(const Competence& competence) {
-    std::string out = "(C " + competence.name.text;
-    appendFormals(out, competence.formals);
-    appendInterval(out, competence.time_limit);
-    appendGoal(out, competence.goal);
-    appendBeside(out, competence.remarks);
-    out += "    (elements";
-    appendLevels(out, competence);
-    return out;
+    return textWithLevels(competence, "(elements");
 }
 
 std::string text(const Collection& collection) {
-    std::string out = '(' + keywordText(collection) + ' ' + collection.name.text;
-    appendGoal(out, collection.goal);
-    appendBeside(out, collection.remarks);
-    out += "    (drives";
-    appendLevels(out, collection);
-    return out;
+    return textWithLevels(collection, "(drives");
 }
 
 /// Returns the text of a pattern; the steps are wrapped if the form is too long for one line.
@@ -114,10 +86,7 @@ std::string text(const Pattern& pattern) {
     std::size_t length = 0;
     for (const Step& step : pattern.steps) {
         std::string& words = steps.emplace_back();
-        if (const auto* const test = std::get_if<SenseTest>(&step))
-            appendTest(words, *test);
-        else
-            appendCall(words, std::get<Call>(step));
+        appendStep(words, step);
         length += words.size() + 1;
     }
     const bool wraps = out.size() + length + 4 > line_length;
@@ -132,10 +101,7 @@ std::string text(const Pattern& pattern) {
     }
     out += ')';
     appendComment(out, pattern.comment);
-    out += ')';
-    if (!pattern.remarks.beside.empty())
-        out += "  " + commentText(pattern.remarks.beside);
-    return out;
+    return out + ')' + besideText(pattern.remarks);
 }
 
 std::string text(const Adopt& adopt) {
@@ -145,20 +111,16 @@ std::string text(const Adopt& adopt) {
     appendSenses(out, adopt.goal);
     out += ") (";
     appendCall(out, adopt.adopted);
-    out += ")))";
-    if (!adopt.remarks.beside.empty())
-        out += "  " + commentText(adopt.remarks.beside);
-    return out;
+    return out + ")))" + besideText(adopt.remarks);
 }
 
 } // namespace
 
-std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index) {
-    return levelText(levels, index);
-}
-
-std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index) {
-    return levelText(levels, index);
+std::string writeLevel(const Levels& levels, std::size_t index) {
+    std::string out;
+    const Remarks* last = nullptr;
+    appendLevel(out, levels[index], nameWidth(levels), last);
+    return last ? out + besideText(*last) + '\n' : out;
 }
 
 std::string writeForm(const Form& form) {
@@ -171,17 +133,13 @@ std::string writeDocumentation(const Documentation& documentation) {
         out += ' ';
         appendLiteral(out, *part);
     }
-    out += ')';
-    if (!documentation.remarks.beside.empty())
-        out += "  " + commentText(documentation.remarks.beside);
-    return out;
+    return out + ')' + besideText(documentation.remarks);
 }
 
 std::string writePlan(const Plan& plan) {
     std::string out;
     appendAbove(out, plan.remarks.above, 0);
-    out += '(';
-    appendBeside(out, plan.remarks);
+    out += '(' + besideText(plan.remarks) + '\n';
     if (plan.documentation) {
         appendAbove(out, plan.documentation->remarks.above, 2);
         out += "  " + writeDocumentation(*plan.documentation) + '\n';
@@ -191,8 +149,7 @@ std::string writePlan(const Plan& plan) {
         out += "  " + writeForm(form) + '\n';
     }
     appendAbove(out, plan.closing_remarks, 2);
-    out += ")\n";
-    return out;
+    return out + ")\n";
 }
 
 } // namespace usar::posh

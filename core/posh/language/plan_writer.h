@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/posh/model/plan.h"
 
@@ -20,9 +19,8 @@ std::string writePlan(const Plan& plan);
 std::string writeForm(const Form& form);
 std::string writeDocumentation(const Documentation& documentation);
 
-/// These write the lines of one level as writePlan does within its form, with a line end.
-std::string writeLevel(const std::vector<DriveLevel>& levels, std::size_t index);
-std::string writeLevel(const std::vector<ElementLevel>& levels, std::size_t index);
+/// Writes the lines of one level as writePlan does within its form, with a line end.
+std::string writeLevel(const Levels& levels, std::size_t index);
 
 /// Writes a `plan` that was read from `text` and then edited. Keeps every byte that was not edited: the other forms,
 /// the unchanged levels of an edited form, and the words around a change. Falls back to writePlan if `text` has errors

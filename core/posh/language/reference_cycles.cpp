@@ -1,4 +1,4 @@
-#include "core/posh/language/reference_cycles.h"
+#include "core/posh/language/plan_check.h"
 
 #include <algorithm>
 #include <string>
@@ -54,7 +54,7 @@ private:
         if (states_[reference.target] == State::New)
             enter(reference.target);
         else if (states_[reference.target] == State::OnPath)
-            findings.push_back({Code::ReferenceCycle, reference.call->name.at, message(reference), std::nullopt});
+            findings.push_back({Code::ReferenceCycle, reference.call->name.at, message(reference)});
     }
     std::string message(const Reference& closing) const {
         constexpr std::ptrdiff_t most_named = 6;

@@ -20,28 +20,20 @@ Holder wholeHolder(Part& part) {
     return {part.at.offset, part.at.offset + part.at.length, &part.remarks};
 }
 
-template <class Levels>
-void addMembers(Levels& levels, std::vector<Holder>& holders) {
-    for (auto& level : levels)
-        for (auto& member : level)
-            holders.push_back(wholeHolder(member));
-}
-
 std::vector<Holder> holdersOf(Plan& plan) {
     std::vector<Holder> holders;
     if (plan.documentation)
         holders.push_back(wholeHolder(*plan.documentation));
-    for (Form& form : plan.forms)
-        std::visit(
-            [&holders](auto& any) {
-                if constexpr (requires { any.levels; }) {
-                    holders.push_back({any.at.offset, any.at.offset, &any.remarks});
-                    addMembers(any.levels, holders);
-                } else {
-                    holders.push_back(wholeHolder(any));
-                }
-            },
-            form);
+    for (Form& form : plan.forms) {
+        holders.push_back(std::visit([](auto& any) { return wholeHolder(any); }, form));
+        Levels* const levels = levelsIn(form);
+        if (!levels)
+            continue;
+        holders.back().end = holders.back().begin;
+        for (Level& level : *levels)
+            for (Member& member : level)
+                holders.push_back(wholeHolder(member));
+    }
     return holders;
 }
 

@@ -20,9 +20,9 @@ std::string lexicalMessage(Code code, std::string_view text, const Spot& at) {
     case Code::MalformedSymbol:
         return "a quote begins a symbol; write it as 'red or 'colors.RED";
     case Code::DollarWithoutName:
-        return "a dollar begins a variable; write its name right behind it, as $speed";
+        return "a dollar sign begins a variable; write its name right after it, as in $speed";
     default:
-        return "this is no name; write letters, digits, _ and -, with dots only between words";
+        return "this is not a name; write letters, digits, _ and -, with dots only between words";
     }
 }
 
@@ -81,12 +81,12 @@ bool TokenCursor::fail(Code code, std::string message) {
 }
 
 bool TokenCursor::failAt(Code code, const Spot& at, std::string message) {
-    findings_.push_back({code, at, std::move(message), std::nullopt});
+    findings_.push_back({code, at, std::move(message)});
     return false;
 }
 
 void TokenCursor::warn(Code code, const Spot& at, std::string message) {
-    findings_.push_back({code, at, std::move(message), std::nullopt});
+    findings_.push_back({code, at, std::move(message)});
 }
 
 } // namespace usar::posh

@@ -21,7 +21,7 @@ constexpr std::array<Class, 256> classTable() {
         const char c = static_cast<char>(i);
         if (isLetter(c) || c == '_')
             table[i] = Class::NameStart;
-        else if ((c >= '0' && c <= '9') || c == '-')
+        else if (isDigit(c) || c == '-')
             table[i] = Class::NamePart;
     }
     for (const char c : {' ', '\t', '\r', '\f', '\v'})
@@ -72,8 +72,7 @@ private:
     std::size_t escapeLength(std::size_t at, std::size_t limit) const;
     void name();
     void number();
-    void word();
-    void quoted(char mark);
+    void word(TokenKind wanted = TokenKind::Name);
     std::size_t wordEnd(std::size_t from) const;
 
     /// Moves past the character at at_ and keeps the line and column counts.
@@ -173,8 +172,8 @@ void Tokenizer::warn(Code code, const Spot& at, std::string message) {
     if (list_.warnings.size() > most_warnings)
         return;
     if (list_.warnings.size() == most_warnings)
-        message = "there are more such characters and names, which are not listed; mend the ones above first";
-    list_.warnings.push_back({code, at, std::move(message), std::nullopt});
+        message = "there are more such characters and names, which are not listed; fix the ones above first";
+    list_.warnings.push_back({code, at, std::move(message)});
 }
 
 void Tokenizer::passCharacter() {
@@ -193,7 +192,7 @@ void Tokenizer::passCharacter() {
     if (!character.valid) {
         Spot at = spotFrom(at_);
         at.length = 1;
-        warn(Code::BadByte, at, "this byte is no UTF-8 and reads as U+FFFD; save the file as UTF-8");
+        warn(Code::BadByte, at, "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
     }
     at_ += character.length;
     extra_bytes_ += character.length - 1;
@@ -233,8 +232,9 @@ void Tokenizer::delimiter() {
     case '"':
         return string();
     case '$':
+        return word(TokenKind::Variable);
     case '\'':
-        return quoted(text_[at_]);
+        return word(TokenKind::Symbol);
     case ',':
         ++at_;
         add(TokenKind::Comma, begin);
@@ -315,37 +315,26 @@ void Tokenizer::number() {
     addPlain(has_point ? TokenKind::Float : TokenKind::Integer, Keyword::None, end);
 }
 
-void Tokenizer::word() {
+/// Reads any word that is not quoted, or one after the mark of a variable ($) or a symbol (').
+void Tokenizer::word(TokenKind wanted) {
     const Spot begin = spotFrom(at_);
-    const std::size_t end = wordEnd(at_);
-    const WordKind kind = classifyWord(text_.substr(at_, end - at_));
-    passTo(begin.offset + kind.bad);
-    const Spot bad = spotFrom(at_);
-    passTo(end);
-    if (kind.error)
-        return addBad(*kind.error, begin, bad);
-    const Spot whole = add(kind.kind, begin);
-    if (kind.starts_with_digit)
-        warn(Code::NameStartsWithDigit, whole,
-             "the name starts with a digit, which other readers refuse; begin it with a letter");
-}
-
-void Tokenizer::quoted(char mark) {
-    const Spot begin = spotFrom(at_);
-    const std::size_t end = wordEnd(++at_);
-    const std::string_view rest = text_.substr(at_, end - at_);
-    const Code lone = mark == '$' ? Code::DollarWithoutName : Code::MalformedSymbol;
-    if (rest.empty())
+    const bool has_mark = wanted != TokenKind::Name;
+    at_ += has_mark ? 1 : 0;
+    const std::size_t first = at_;
+    const std::size_t end = wordEnd(first);
+    const std::string_view rest = text_.substr(first, end - first);
+    const Code lone = wanted == TokenKind::Variable ? Code::DollarWithoutName : Code::MalformedSymbol;
+    if (has_mark && rest.empty())
         return addBad(lone, begin, begin);
-    const WordKind kind = mark == '$' ? classifyWord(rest) : classifySymbol(rest);
-    passTo(begin.offset + 1 + kind.bad);
+    const WordKind kind = wanted == TokenKind::Symbol ? classifySymbol(rest) : classifyWord(rest);
+    passTo(first + kind.bad);
     const Spot bad = spotFrom(at_);
     passTo(end);
     if (kind.error)
         return addBad(*kind.error, begin, bad);
-    if (mark == '$' && kind.kind != TokenKind::Name)
+    if (wanted == TokenKind::Variable && kind.kind != TokenKind::Name)
         return addBad(lone, begin, begin); // A number cannot be a name
-    const Spot whole = add(mark == '$' ? TokenKind::Variable : TokenKind::Symbol, begin);
+    const Spot whole = add(has_mark ? wanted : kind.kind, begin);
     if (kind.starts_with_digit)
         warn(Code::NameStartsWithDigit, whole,
              "the name starts with a digit, which other readers refuse; begin it with a letter");
@@ -371,7 +360,7 @@ std::size_t Tokenizer::escapeLength(std::size_t at, std::size_t limit) const {
         return 0;
     for (std::size_t digit = 0; digit < 4; ++digit) {
         const char c = lowerCase(charAt(end + digit));
-        if (!(c >= '0' && c <= '9') && !(c >= 'a' && c <= 'f'))
+        if (!isDigit(c) && !(c >= 'a' && c <= 'f'))
             return 0;
     }
     return end + 4 - at;

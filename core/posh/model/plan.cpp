@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace usar::posh {
 
@@ -16,18 +17,11 @@ bool wantsRealTime(CollectionKind kind) {
     return kind == CollectionKind::Rdc || kind == CollectionKind::Srdc;
 }
 
-std::optional<std::int64_t> retryLimit(const Element& element) {
+std::optional<std::int64_t> retryLimit(const Member& element) {
     if (!element.retries)
         return std::nullopt;
     const auto* const count = std::get_if<std::int64_t>(&element.retries->value);
     return count && *count > 0 ? std::optional(*count) : std::nullopt;
-}
-
-double numberOf(const Value& value) {
-    if (const auto* const whole = std::get_if<std::int64_t>(&value))
-        return static_cast<double>(*whole);
-    const auto* const number = std::get_if<double>(&value);
-    return number ? *number : 0.0;
 }
 
 const Name& nameOf(const Form& form) {
@@ -56,6 +50,24 @@ const std::vector<Formal>& formalsOf(const Form& form) {
                 return none;
         },
         form);
+}
+
+const Levels* levelsIn(const Form& form) {
+    if (const auto* const competence = std::get_if<Competence>(&form))
+        return &competence->levels;
+    const auto* const collection = std::get_if<Collection>(&form);
+    return collection ? &collection->levels : nullptr;
+}
+
+Levels* levelsIn(Form& form) {
+    return const_cast<Levels*>(levelsIn(std::as_const(form)));
+}
+
+double numberOf(const Value& value) {
+    if (const auto* const whole = std::get_if<std::int64_t>(&value))
+        return static_cast<double>(*whole);
+    const auto* const number = std::get_if<double>(&value);
+    return number ? *number : 0.0;
 }
 
 std::string_view toText(Unit unit) {

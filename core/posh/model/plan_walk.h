@@ -1,4 +1,4 @@
-// Visits every call of a form, in the order of the text.
+// Visits every call of a form and all comments of a plan, in the order of the text.
 #pragma once
 
 #include <variant>
@@ -39,6 +39,22 @@ void forEachCall(AnyForm& form, Visit&& visit) {
                 }
         },
         form);
+}
+
+/// Calls `visit` with the Remarks of the plan, its documentation, and each form and member. `AnyPlan` may be const; the
+/// remarks are then const, too.
+template <class AnyPlan, class Visit>
+void forEachRemarks(AnyPlan& plan, Visit&& visit) {
+    visit(plan.remarks);
+    if (plan.documentation)
+        visit(plan.documentation->remarks);
+    for (auto& form : plan.forms) {
+        visit(remarksOf(form));
+        if (auto* const levels = levelsIn(form))
+            for (auto& level : *levels)
+                for (auto& member : level)
+                    visit(member.remarks);
+    }
 }
 
 } // namespace usar::posh

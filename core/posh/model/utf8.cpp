@@ -49,17 +49,10 @@ void appendUtf8(std::string& out, char32_t value) {
     const auto byte = [&out](char32_t bits) { out += static_cast<char>(static_cast<unsigned char>(bits)); };
     if (value < 0x80)
         return byte(value);
-    if (value < 0x800) {
-        byte(0xC0U | (value >> 6U));
-    } else if (value < 0x10000) {
-        byte(0xE0U | (value >> 12U));
-        byte(0x80U | ((value >> 6U) & 0x3FU));
-    } else {
-        byte(0xF0U | (value >> 18U));
-        byte(0x80U | ((value >> 12U) & 0x3FU));
-        byte(0x80U | ((value >> 6U) & 0x3FU));
-    }
-    byte(0x80U | (value & 0x3FU));
+    const unsigned following = value < 0x800 ? 1 : value < 0x10000 ? 2 : 3;
+    byte(0xFF00U >> (following + 1) | value >> 6U * following); // As many ones at the front as there are bytes
+    for (unsigned i = following; i-- > 0;)
+        byte(0x80U | (value >> 6U * i & 0x3FU));
 }
 
 bool isOddSpace(char32_t value) {

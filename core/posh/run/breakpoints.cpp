@@ -51,7 +51,7 @@ Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::str
     const PlanReading reading = readPlan("((DC condition (drives ((it (trigger (\n" + text + "\n)) doNothing)))))");
     const Collection* const collection = collectionOf(reading.plan);
     if (hasErrors(reading.findings) || !collection || collection->levels.size() != 1)
-        return failure("it is no list of senses", "the condition " + text,
+        return failure("it is not a list of senses", "the condition " + text,
                        "Write for example (distance 0.3 <) (bumped)");
     return compile(reading.plan);
 }
@@ -59,9 +59,7 @@ Result<std::shared_ptr<const Program>> Breakpoints::readCondition(const std::str
 Result<void> Breakpoints::checkCondition(const std::string& text) {
     if (text.empty())
         return {};
-    if (const auto condition = readCondition(text); !condition)
-        return tl::unexpected(condition.error());
-    return {};
+    return readCondition(text).map([](const auto&) {});
 }
 
 Index Breakpoints::find(const Breakpoint& breakpoint) const {

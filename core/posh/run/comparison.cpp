@@ -6,14 +6,14 @@ namespace usar::posh {
 
 namespace {
 
-const double* asNumber(const Value& value, double& buffer) {
+std::optional<double> asNumber(const Value& value) {
     if (const double* const number = std::get_if<double>(&value))
-        return number;
+        return *number;
     if (const auto* const whole = std::get_if<std::int64_t>(&value))
-        return buffer = static_cast<double>(*whole), &buffer;
+        return static_cast<double>(*whole);
     if (const bool* const flag = std::get_if<bool>(&value))
-        return buffer = *flag ? 1.0 : 0.0, &buffer;
-    return nullptr;
+        return *flag ? 1.0 : 0.0;
+    return std::nullopt;
 }
 
 const std::string* asText(const Value& value) {
@@ -24,10 +24,8 @@ const std::string* asText(const Value& value) {
 }
 
 bool equal(const Value& a, const Value& b) {
-    double a_buffer = 0.0;
-    double b_buffer = 0.0;
-    const double* const a_number = asNumber(a, a_buffer);
-    const double* const b_number = asNumber(b, b_buffer);
+    const auto a_number = asNumber(a);
+    const auto b_number = asNumber(b);
     if (a_number && b_number)
         return *a_number == *b_number;
     const std::string* const a_text = asText(a);
@@ -37,29 +35,28 @@ bool equal(const Value& a, const Value& b) {
     return std::holds_alternative<std::monostate>(a) && std::holds_alternative<std::monostate>(b);
 }
 
-template <class T>
-bool ordered(const T& a, Predicate predicate, const T& b) {
-    switch (predicate) {
-    case Predicate::Less:
-        return a < b;
-    case Predicate::Greater:
-        return a > b;
-    case Predicate::LessOrEqual:
-        return a <= b;
-    default:
-        return a >= b;
-    }
-}
-
 Comparison verdict(bool holds) {
     return holds ? Comparison::Holds : Comparison::Fails;
+}
+
+template <class T>
+Comparison ordered(const T& a, Predicate predicate, const T& b) {
+    switch (predicate) {
+    case Predicate::Less:
+        return verdict(a < b);
+    case Predicate::Greater:
+        return verdict(a > b);
+    case Predicate::LessOrEqual:
+        return verdict(a <= b);
+    default:
+        return verdict(a >= b);
+    }
 }
 
 } // namespace
 
 bool truthOf(const Value& answer) {
-    double buffer = 0.0;
-    if (const double* const number = asNumber(answer, buffer))
+    if (const auto number = asNumber(answer))
         return *number != 0.0 && !std::isnan(*number);
     if (const auto* const text = std::get_if<std::string>(&answer))
         return !text->empty();
@@ -71,16 +68,14 @@ Comparison compare(const Value& answer, Predicate predicate, const Value& operan
         return verdict(equal(answer, operand));
     if (predicate == Predicate::NotEqual)
         return verdict(!equal(answer, operand));
-    double answer_buffer = 0.0;
-    double operand_buffer = 0.0;
-    const double* const a = asNumber(answer, answer_buffer);
-    const double* const b = asNumber(operand, operand_buffer);
+    const auto a = asNumber(answer);
+    const auto b = asNumber(operand);
     if (a && b)
-        return verdict(ordered(*a, predicate, *b));
+        return ordered(*a, predicate, *b);
     const auto* const a_text = std::get_if<std::string>(&answer);
     const auto* const b_text = std::get_if<std::string>(&operand);
     if (a_text && b_text)
-        return verdict(ordered(*a_text, predicate, *b_text));
+        return ordered(*a_text, predicate, *b_text);
     return Comparison::Unlike;
 }
 

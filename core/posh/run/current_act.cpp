@@ -1,7 +1,5 @@
 #include "core/posh/run/current_act.h"
 
-#include <exception>
-
 namespace usar::posh {
 
 void CurrentAct::load(const Program& program) {
@@ -12,21 +10,6 @@ void CurrentAct::load(const Program& program) {
         const bool built_in = call.name == "doNothing" || call.name == "cz.cuni.amis.pogamut.sposh.executor.DoNothing";
         does_nothing_.push_back(built_in && !host_.hasAct(call.name));
     }
-}
-
-/// Calls the host; traces an exception as an error and then returns false.
-template <class Call>
-bool CurrentAct::guarded(Index place, Call&& call) {
-    const Profiler::Span span(profiler_, place);
-    try {
-        call(CallSite{program_->acts[act_].call, place});
-        return true;
-    } catch (const std::exception& thrown) {
-        tracer_.noteText(TraceEvent::Error, place, thrown.what());
-    } catch (...) {
-        tracer_.noteText(TraceEvent::Error, place, "it threw something that is no std::exception");
-    }
-    return false;
 }
 
 ActResult CurrentAct::run(Index act) {
@@ -42,7 +25,7 @@ ActResult CurrentAct::begin(Index act) {
     act_ = act;
     const ProgramAct& here = program_->acts[act];
     tracer_.note(TraceEvent::ActInit, here.place);
-    if (!does_nothing_[here.call] && !guarded(here.place, [this](CallSite site) { host_.init(site); }))
+    if (!does_nothing_[here.call] && !profiler_.call(here.place, [&] { host_.init({here.call, here.place}); }))
         return ActResult::Failed;
     return runOnce();
 }
@@ -51,7 +34,7 @@ ActResult CurrentAct::runOnce() {
     const ProgramAct& here = program_->acts[act_];
     ActResult result = ActResult::RunningOnce;
     const std::int64_t begin_ns = profiler_.now();
-    if (!does_nothing_[here.call] && !guarded(here.place, [&](CallSite site) { result = host_.run(site); }))
+    if (!does_nothing_[here.call] && !profiler_.call(here.place, [&] { result = host_.run({here.call, here.place}); }))
         result = ActResult::Failed;
     tracer_.note(TraceEvent::ActRun, here.place, static_cast<std::uint64_t>(profiler_.now() - begin_ns),
                  static_cast<std::uint8_t>(result));
@@ -64,7 +47,7 @@ void CurrentAct::end(DoneReason reason) {
     const ProgramAct& here = program_->acts[act_];
     tracer_.note(TraceEvent::ActDone, here.place, 0, static_cast<std::uint8_t>(reason));
     if (!does_nothing_[here.call])
-        guarded(here.place, [&](CallSite site) { host_.done(site, reason); });
+        profiler_.call(here.place, [&] { host_.done({here.call, here.place}, reason); });
     act_ = nowhere;
 }
 

@@ -37,8 +37,6 @@ public:
 private:
     ActResult begin(Index act);
     ActResult runOnce();
-    template <class Call>
-    bool guarded(Index place, Call&& call);
 
     Host& host_;
     const Tracer& tracer_;

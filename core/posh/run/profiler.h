@@ -1,5 +1,7 @@
-// Measures how long calls of the host take and warns of slow ones.
+// Makes the calls of the host: catches their exceptions, measures how long they take and warns of slow ones.
 #pragma once
+
+#include <exception>
 
 #include "core/posh/run/tracer.h"
 
@@ -18,24 +20,24 @@ public:
     /// The time in nanoseconds since an arbitrary moment; 0 without a clock.
     std::int64_t now() const { return clock_ ? clock_->nanoseconds() : 0; }
 
-    /// Measures one call of the host, from construction to destruction. `place` is the place of the call in the plan.
-    class Span {
-    public:
-        Span(Profiler& profiler, Index place) : profiler_(profiler), place_(place), begin_ns_(profiler.now()) {}
-        ~Span() {
-            if (profiler_.clock_ && elapsed() > profiler_.slow_ns_)
-                profiler_.tracer_.warn(WarningCode::SlowPrimitive, place_, "slow: it took longer than its limit");
+    /// Makes one call of the host for a place of the plan. Traces an exception as an error and a slow call as a
+    /// warning; returns false after an exception.
+    template <class Call>
+    bool call(Index place, Call&& call) const {
+        const std::int64_t begin_ns = now();
+        bool good = false;
+        try {
+            call();
+            good = true;
+        } catch (const std::exception& thrown) {
+            tracer_.noteText(TraceEvent::Error, place, thrown.what());
+        } catch (...) {
+            tracer_.noteText(TraceEvent::Error, place, "it threw something that is not a std::exception");
         }
-        Span(const Span&) = delete;
-        Span& operator=(const Span&) = delete;
-        /// Nanoseconds since construction; 0 without a clock.
-        std::int64_t elapsed() const { return profiler_.now() - begin_ns_; }
-
-    private:
-        Profiler& profiler_;
-        Index place_;
-        std::int64_t begin_ns_;
-    };
+        if (clock_ && now() - begin_ns > slow_ns_)
+            tracer_.warn(WarningCode::SlowPrimitive, place, "slow: it took longer than its limit");
+        return good;
+    }
 
 private:
     const Tracer& tracer_;

@@ -1,33 +1,19 @@
 #include "core/posh/run/program.h"
 
 #include <algorithm>
+#include <array>
+#include <ranges>
 #include <string_view>
 
 namespace usar::posh {
 
 namespace {
 
+/// Returns the segment of a path for a place, up to its number.
 std::string_view segmentOf(PlaceKind kind) {
-    switch (kind) {
-    case PlaceKind::Collection:
-        return "/DC:";
-    case PlaceKind::Drive:
-        return "/DE:";
-    case PlaceKind::Competence:
-        return "/C:";
-    case PlaceKind::Pattern:
-        return "/AP:";
-    case PlaceKind::Adopt:
-        return "/AD:";
-    case PlaceKind::Element:
-        return "/CE:";
-    case PlaceKind::Act:
-    case PlaceKind::SenseStep:
-        return "/A:";
-    case PlaceKind::Sense:
-        break;
-    }
-    return "/S:";
+    constexpr std::array<std::string_view, 9> segments{
+        "/DC:", "/DE:", "/C:", "/AP:", "/AD:", "/CE:", "/A:", "/A:", "/S:"};
+    return segments[static_cast<std::size_t>(kind)];
 }
 
 bool isForm(PlaceKind kind) {
@@ -73,7 +59,7 @@ std::string pathOf(const Program& program, Index place) {
     for (Index at = place; at != nowhere; at = program.places[at].parent)
         way.push_back(at);
     std::string path = "/P:0";
-    for (const Index at : std::vector<Index>(way.rbegin(), way.rend())) {
+    for (const Index at : way | std::views::reverse) {
         const Place& here = program.places[at];
         if (isForm(here.kind))
             path.append("/A:") += std::to_string(here.reference);

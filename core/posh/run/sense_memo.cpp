@@ -1,7 +1,5 @@
 #include "core/posh/run/sense_memo.h"
 
-#include <exception>
-
 #include "core/posh/run/comparison.h"
 
 namespace usar::posh {
@@ -43,17 +41,9 @@ void SenseMemo::ask(const ProgramTest& test, Answer& answer) {
         return;
     }
     answer.value = std::monostate{};
-    const Profiler::Span span(profiler_, test.place);
-    try {
-        host_.sense({test.call, test.place}, answer.value);
-        return;
-    } catch (const std::exception& thrown) {
-        tracer_.noteText(TraceEvent::Error, test.place, thrown.what());
-    } catch (...) {
-        tracer_.noteText(TraceEvent::Error, test.place, "it threw something that is no std::exception");
-    }
-    answer.value = std::monostate{};
-    answer.failed = true;
+    answer.failed = !profiler_.call(test.place, [&] { host_.sense({test.call, test.place}, answer.value); });
+    if (answer.failed)
+        answer.value = std::monostate{};
 }
 
 bool SenseMemo::verdict(Index index, const ProgramTest& test, const Answer& answer) {

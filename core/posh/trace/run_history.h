@@ -2,7 +2,6 @@
 // run.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -14,6 +14,41 @@ bool samePlaces(const Program& a, const Program& b) {
     });
 }
 
+using Counter = std::uint64_t PlaceCounts::*;
+
+/// Returns the counter of a place that an event there counts up; nullptr if there is none.
+Counter counterOf(const TraceRecord& record) {
+    switch (record.event) {
+    case TraceEvent::SenseEval:
+        return &PlaceCounts::asked;
+    case TraceEvent::DriveStarted:
+    case TraceEvent::Push:
+    case TraceEvent::ElementSelected:
+    case TraceEvent::ActInit:
+        return &PlaceCounts::started;
+    case TraceEvent::DriveSucceeded:
+    case TraceEvent::Goal:
+        return &PlaceCounts::succeeded;
+    case TraceEvent::DriveFailed:
+    case TraceEvent::NoElement:
+    case TraceEvent::Timeout:
+        return &PlaceCounts::failed;
+    case TraceEvent::DriveInterrupted:
+        return &PlaceCounts::interrupted;
+    case TraceEvent::DriveSkipped:
+    case TraceEvent::ElementSkipped:
+        return &PlaceCounts::skipped;
+    case TraceEvent::ActRun:
+        return &PlaceCounts::runs;
+    case TraceEvent::ActDone:
+        return record.reason() == DoneReason::Finished ? &PlaceCounts::succeeded
+               : record.reason() == DoneReason::Failed ? &PlaceCounts::failed
+                                                       : &PlaceCounts::interrupted;
+    default:
+        return nullptr;
+    }
+}
+
 } // namespace
 
 void RunStatistics::takeProgram(const std::shared_ptr<const Program>& program) {
@@ -36,55 +71,23 @@ void RunStatistics::take(const TraceRecord& record, std::string_view) {
         return;
     PlaceCounts& counts = counts_[record.place];
     counts.last_cycle = record.cycle;
+    if (const auto counter = counterOf(record))
+        ++(counts.*counter);
     switch (record.event) {
     case TraceEvent::CycleBegin:
         return beginCycle(record.time_ms);
     case TraceEvent::SenseEval:
-        ++counts.asked;
         counts.held += record.flags & trace_holds ? 1 : 0;
         return;
-    case TraceEvent::Push:
-    case TraceEvent::ElementSelected:
-        ++counts.started;
-        return;
-    case TraceEvent::ElementSkipped:
-        ++counts.skipped;
-        return;
-    case TraceEvent::Goal:
-        ++counts.succeeded;
-        return;
-    case TraceEvent::NoElement:
-    case TraceEvent::Timeout:
-        ++counts.failed;
-        return;
-    case TraceEvent::ActInit:
+    case TraceEvent::DriveStarted:
+        return noteWinner(record);
     case TraceEvent::ActRun:
-    case TraceEvent::ActDone:
-        return countAct(record, counts);
+        acting_ = record.place;
+        counts.spent_ns += record.payload;
+        counts.longest_ns = std::max(counts.longest_ns, record.payload);
+        return;
     case TraceEvent::Warning:
         return countWarning(record);
-    default:
-        return countDrive(record, counts);
-    }
-}
-
-void RunStatistics::countDrive(const TraceRecord& record, PlaceCounts& counts) {
-    switch (record.event) {
-    case TraceEvent::DriveStarted:
-        ++counts.started;
-        return noteWinner(record);
-    case TraceEvent::DriveSucceeded:
-        ++counts.succeeded;
-        return;
-    case TraceEvent::DriveFailed:
-        ++counts.failed;
-        return;
-    case TraceEvent::DriveInterrupted:
-        ++counts.interrupted;
-        return;
-    case TraceEvent::DriveSkipped:
-        ++counts.skipped;
-        return;
     default:
         return;
     }
@@ -96,22 +99,6 @@ void RunStatistics::beginCycle(std::int64_t now_ms) {
     const std::int64_t passed_ms = now_ms - std::exchange(now_ms_, now_ms);
     for (Index at = std::exchange(acting_, nowhere); at != nowhere; at = program_->places[at].parent)
         counts_[at].active_ms += passed_ms;
-}
-
-void RunStatistics::countAct(const TraceRecord& record, PlaceCounts& counts) {
-    if (record.event == TraceEvent::ActInit) {
-        ++counts.started;
-    } else if (record.event == TraceEvent::ActRun) {
-        ++counts.runs;
-        acting_ = record.place;
-        counts.spent_ns += record.payload;
-        counts.longest_ns = std::max(counts.longest_ns, record.payload);
-    } else {
-        const DoneReason reason = record.reason();
-        ++(reason == DoneReason::Finished ? counts.succeeded
-           : reason == DoneReason::Failed ? counts.failed
-                                          : counts.interrupted);
-    }
 }
 
 void RunStatistics::countWarning(const TraceRecord& record) {
@@ -142,16 +129,11 @@ bool RunStatistics::add(const RunStatistics& other) {
     for (std::size_t i = 0; i < counts_.size(); ++i) {
         PlaceCounts& mine = counts_[i];
         const PlaceCounts& theirs = other.counts_[i];
-        mine.asked += theirs.asked;
-        mine.held += theirs.held;
-        mine.started += theirs.started;
-        mine.succeeded += theirs.succeeded;
-        mine.failed += theirs.failed;
-        mine.interrupted += theirs.interrupted;
-        mine.skipped += theirs.skipped;
-        mine.runs += theirs.runs;
+        for (const Counter sum : {&PlaceCounts::asked, &PlaceCounts::held, &PlaceCounts::started,
+                                  &PlaceCounts::succeeded, &PlaceCounts::failed, &PlaceCounts::interrupted,
+                                  &PlaceCounts::skipped, &PlaceCounts::runs, &PlaceCounts::spent_ns})
+            mine.*sum += theirs.*sum;
         mine.active_ms += theirs.active_ms;
-        mine.spent_ns += theirs.spent_ns;
         mine.longest_ns = std::max(mine.longest_ns, theirs.longest_ns);
         mine.last_cycle = std::max(mine.last_cycle, theirs.last_cycle);
     }

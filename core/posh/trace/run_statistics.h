@@ -66,8 +66,6 @@ private:
         std::int64_t time_ms = 0;
         std::pair<Index, Index> drives{nowhere, nowhere};
     };
-    void countDrive(const TraceRecord& record, PlaceCounts& counts);
-    void countAct(const TraceRecord& record, PlaceCounts& counts);
     void countWarning(const TraceRecord& record);
     void noteWinner(const TraceRecord& record);
     void beginCycle(std::int64_t now_ms);

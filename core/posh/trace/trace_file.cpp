@@ -10,36 +10,35 @@ using namespace trace_codec;
 
 namespace {
 
+/// Returns the greatest detail that an engine writes with an event.
+std::uint8_t mostDetail(TraceEvent event) {
+    switch (event) {
+    case TraceEvent::CycleEnd:
+        return static_cast<std::uint8_t>(Outcome::Won);
+    case TraceEvent::DriveSkipped:
+        return static_cast<std::uint8_t>(SkipReason::SwitchedOff);
+    case TraceEvent::ActRun:
+        return static_cast<std::uint8_t>(ActResult::Failed);
+    case TraceEvent::ActDone:
+        return static_cast<std::uint8_t>(DoneReason::Stopped);
+    case TraceEvent::Warning:
+        return static_cast<std::uint8_t>(WarningCode::Host);
+    default:
+        return 0;
+    }
+}
+
 /// Returns whether the fields of a record from a file are within the ranges that an engine writes.
 bool isSound(const TraceRecord& record) {
-    std::uint8_t most_detail = 0;
-    switch (record.event) {
-    case TraceEvent::CycleEnd:
-        most_detail = static_cast<std::uint8_t>(Outcome::Won);
-        break;
-    case TraceEvent::DriveSkipped:
-        most_detail = static_cast<std::uint8_t>(SkipReason::SwitchedOff);
-        break;
-    case TraceEvent::ActRun:
-        most_detail = static_cast<std::uint8_t>(ActResult::Failed);
-        break;
-    case TraceEvent::ActDone:
-        most_detail = static_cast<std::uint8_t>(DoneReason::Stopped);
-        break;
-    case TraceEvent::Warning:
-        most_detail = static_cast<std::uint8_t>(WarningCode::Host);
-        break;
-    default:
-        break;
-    }
-    return record.event <= TraceEvent::Error && record.value <= ValueKind::Symbol && record.detail <= most_detail;
+    return record.event <= TraceEvent::Error && record.value <= ValueKind::Symbol &&
+           record.detail <= mostDetail(record.event);
 }
 
 } // namespace
 
 Result<TraceFile> TraceFile::open(std::string_view bytes) {
     if (!bytes.starts_with(magic))
-        return failure("it does not begin as a plan trace of this version", "the trace",
+        return failure("it does not begin like a plan trace of this version", "the trace",
                        "Open a file that this program recorded");
     TraceFile file;
     file.indexed_ = magic.size();

@@ -118,7 +118,7 @@ QString formComment(const Form& form) {
         form);
 }
 
-QString retryText(const Element& element) {
+QString retryText(const posh::Member& element) {
     const auto limit = retryLimit(element);
     return !limit        ? QString()
            : *limit == 1 ? QObject::tr("at most 1 start")
@@ -323,24 +323,16 @@ void PlanTreeBuilder::addMember(int parent, const Member& member) {
     node.parent = parent;
     node.level = member.level;
     node.has_equals = member.has_equals;
-    std::visit(
-        [&](const auto* part) {
-            node.name = fromText(part->name.text);
-            node.comment = commentText(part->comment);
-            node.at = part->name.at;
-        },
-        member.part);
-    const auto* const* const drive = std::get_if<const Drive*>(&member.part);
-    node.kind = drive ? PlanNodeKind::Drive : PlanNodeKind::Element;
-    node.segment = (drive ? "/DE:" : "/CE:") + std::to_string(member.number);
-    node.detail = drive ? frequencyText((*drive)->frequency) : retryText(*std::get<const Element*>(member.part));
+    node.name = fromText(member.part->name.text);
+    node.comment = commentText(member.part->comment);
+    node.at = member.part->name.at;
+    const bool is_drive = tree_[parent].kind == PlanNodeKind::Collection;
+    node.kind = is_drive ? PlanNodeKind::Drive : PlanNodeKind::Element;
+    node.segment = (is_drive ? "/DE:" : "/CE:") + std::to_string(member.number);
+    node.detail = is_drive ? frequencyText(member.part->frequency) : retryText(*member.part);
     const int number = add(std::move(node));
-    std::visit(
-        [&](const auto* part) {
-            addSenses(number, part->trigger, false);
-            later(number, Reference{&part->action, "/A:0"});
-        },
-        member.part);
+    addSenses(number, member.part->trigger, false);
+    later(number, Reference{&member.part->action, "/A:0"});
 }
 
 void PlanTreeBuilder::addSenses(int parent, const Senses& senses, bool of_goal) {

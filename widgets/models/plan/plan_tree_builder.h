@@ -26,7 +26,7 @@ private:
     };
     /// A drive of a collection or an element of a competence.
     struct Member {
-        std::variant<const posh::Drive*, const posh::Element*> part;
+        const posh::Member* part;
         int level;
         bool has_equals;
         /// Number among all members of the form.
