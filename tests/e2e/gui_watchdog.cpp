@@ -96,7 +96,7 @@ bool GuiWatchdog::notify(QObject* receiver, QEvent* event) {
     if (timer.elapsed() <= longest_ms_)
         return taken;
     double blocked_here_ms = blocked_ms(double(timer.nsecsElapsed()) / 1e6, before);
-    if (blocked_here_ms > allowed_ms / 2)
+    if (blocked_here_ms > static_cast<double>(allowed_ms_) / 2)
         blocked_here_ms /= slowness();
     const auto lasted_ms = static_cast<qint64>(blocked_here_ms);
     if (lasted_ms > longest_ms_) {
@@ -112,10 +112,15 @@ GuiWatchdog::GuiWatchdog(int& argc, char** argv) : QApplication(argc, argv), und
 }
 
 QByteArray GuiWatchdog::complaint() const {
-    return longest_ms_ <= allowed_ms ? QByteArray() : QString("%1 ms in %2").arg(longest_ms_).arg(where_).toLocal8Bit();
+    return longest_ms_ <= allowed_ms_ ? QByteArray() : QString("%1 ms in %2").arg(longest_ms_).arg(where_).toLocal8Bit();
 }
 
 void GuiWatchdog::reset() {
     longest_ms_ = 0;
     where_.clear();
+}
+
+void GuiWatchdog::resetStrictly() {
+    reset();
+    allowed_ms_ = strict_ms;
 }

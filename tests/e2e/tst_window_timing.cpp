@@ -46,11 +46,12 @@ private:
 class tst_WindowTiming : public QObject {
     Q_OBJECT
 private slots:
-    void init() { GuiWatchdog::instance().reset(); }
+    void init() { GuiWatchdog::instance().resetStrictly(); }
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void lettingAKeyGoIsAStopWithin150Ms();
     void aKeyIsOnTheWireAtOnce();
     void aCycleIsSeenAtOnce();
+    void noGlanceBlocksTheWindowForLong();
 };
 
 /// From the key to the DRIVE that the window shows as sent.
@@ -163,6 +164,34 @@ void tst_WindowTiming::aCycleIsSeenAtOnce() {
     std::ranges::sort(delays_us);
     qInfo("state to painted cycle: median %lld us, worst %lld us", delays_us[12], delays_us.back());
     QVERIFY2(delays_us[12] < 200000, "half of them wait for a beat");
+}
+
+/// The watchdog measures while a robot flies a mission and a person looks at everything: each dock, both themes, sizes.
+void tst_WindowTiming::noGlanceBlocksTheWindowForLong() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-15, -10}, {15, 10}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 2, flight_ms);
+    const widgets::CommandRegistry& commands = page.window().commands();
+    int docks = 0;
+    for (const auto& command : commands.commands()) {
+        if (!command->spec.id.startsWith("view.dock."))
+            continue;
+        ++docks;
+        for (int i = 0; i < 2 || !command->action->isChecked(); ++i) {
+            command->action->trigger();
+            QVERIFY2(page.clockGoesOn(Seconds{0.3}), qPrintable(command->spec.id));
+        }
+    }
+    QVERIFY(docks > 10);
+    for (const QSize size : {QSize(1024, 768), QSize(1920, 1080), QSize(1280, 800)}) {
+        page.window().resize(size);
+        commands.action("view.dark")->trigger();
+        QVERIFY(page.clockGoesOn(Seconds{0.5}));
+    }
 }
 
 USAR_TEST(tst_WindowTiming)
