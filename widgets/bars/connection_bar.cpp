@@ -9,7 +9,6 @@
 
 #include "core/protocol/usual_values.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/elided_label.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -55,17 +54,7 @@ StateShape shape(const ConnectionStatus& status) {
 
 } // namespace
 
-ConnectionBar::ConnectionBar(QWidget* parent)
-    : QWidget(parent)
-    , server_(new QComboBox(this))
-    , host_(new QLineEdit(QStringLiteral("127.0.0.1"), this))
-    , port_(new QSpinBox(this))
-    , button_(new QPushButton(this))
-    , dot_(new StateDot(this))
-    , status_text_(new ElidedLabel(this))
-    , retry_(new QLabel(this))
-    , rate_(new QToolButton(this))
-    , panel_(new LinkPanel(this)) {
+ConnectionBar::ConnectionBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Connection"));
     setUpAddress();
     setUpStatus();

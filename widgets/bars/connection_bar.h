@@ -12,11 +12,10 @@
 
 #include "core/base/clock.h"
 #include "widgets/bars/link_panel.h"
+#include "widgets/style/elided_label.h"
 #include "widgets/style/state_dot.h"
 
 namespace usar::widgets {
-
-class ElidedLabel;
 
 /// The simulator inside this program, or a USARSim server on the network.
 enum class ServerChoice { Embedded, Real };
@@ -91,15 +90,15 @@ private:
     int button_width_px_ = 0; ///< width with its longest word
     Seconds retry_in_{0.0};   ///< time to the next try, counting down
     QTimer second_{this};
-    QComboBox* server_;
-    QLineEdit* host_;
-    QSpinBox* port_;
-    QPushButton* button_;
-    StateDot* dot_;
-    ElidedLabel* status_text_; ///< elided with "…" if there is no room
-    QLabel* retry_;            ///< never elided, because it changes every second
-    QToolButton* rate_;
-    LinkPanel* panel_;
+    QComboBox* server_ = new QComboBox(this);
+    QLineEdit* host_ = new QLineEdit(QStringLiteral("127.0.0.1"), this);
+    QSpinBox* port_ = new QSpinBox(this);
+    QPushButton* button_ = new QPushButton(this);
+    StateDot* dot_ = new StateDot(this);
+    ElidedLabel* status_text_ = new ElidedLabel(this); ///< elided with "…" if there is no room
+    QLabel* retry_ = new QLabel(this);                 ///< never elided, because it changes every second
+    QToolButton* rate_ = new QToolButton(this);
+    LinkPanel* panel_ = new LinkPanel(this);
 };
 
 } // namespace usar::widgets

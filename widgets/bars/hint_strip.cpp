@@ -11,7 +11,7 @@
 
 namespace usar::widgets {
 
-HintStrip::HintStrip(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
+HintStrip::HintStrip(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("First steps"));
     auto* close = new QToolButton(this);

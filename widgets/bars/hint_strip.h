@@ -38,7 +38,7 @@ private:
 
     QStringList steps_;
     std::vector<bool> done_;
-    QLabel* text_;
+    QLabel* text_ = new QLabel(this);
 };
 
 } // namespace usar::widgets

@@ -40,11 +40,7 @@ QString bytesText(double bytes) {
     return figure(bytes, unit == 0 || bytes >= 100.0 ? 0 : 1) + u' ' + QLatin1String(units[unit]);
 }
 
-LinkPanel::LinkPanel(QWidget* parent)
-    : QFrame(parent, Qt::Popup)
-    , title_(new QLabel(this))
-    , totals_(row_count)
-    , rates_(row_count) {
+LinkPanel::LinkPanel(QWidget* parent) : QFrame(parent, Qt::Popup), totals_(row_count), rates_(row_count) {
     setAccessibleName(tr("Link figures"));
     setProperty("role", "card");
     auto* grid = new QGridLayout(this);

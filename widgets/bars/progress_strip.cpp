@@ -17,11 +17,7 @@ constexpr int bar_width_px = 180;
 
 } // namespace
 
-ProgressStrip::ProgressStrip(QWidget* parent)
-    : QFrame(parent)
-    , text_(new QLabel)
-    , bar_(new QProgressBar)
-    , cancel_(new QPushButton(tr("Cancel"))) {
+ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Progress"));
     bar_->setTextVisible(false);

@@ -10,10 +10,7 @@
 
 namespace usar::widgets {
 
-RecordBadge::RecordBadge(QWidget* parent)
-    : QWidget(parent)
-    , button_(new QToolButton(this))
-    , figures_(new QLabel(this)) {
+RecordBadge::RecordBadge(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Recording"));
     button_->setAutoRaise(true);
     button_->setMinimumSize(minimum_target, minimum_target);

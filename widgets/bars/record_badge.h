@@ -39,8 +39,8 @@ protected:
 private:
     void refresh();
 
-    QToolButton* button_;
-    QLabel* figures_;
+    QToolButton* button_ = new QToolButton(this);
+    QLabel* figures_ = new QLabel(this);
     bool writing_ = false;
 };
 

@@ -21,17 +21,7 @@ constexpr int time_steps = 10000;
 
 } // namespace
 
-ReplayBar::ReplayBar(QWidget* parent)
-    : QFrame(parent)
-    , name_(new QLabel(tr("Replay"), this))
-    , back_(new QToolButton(this))
-    , play_(new QToolButton(this))
-    , forward_(new QToolButton(this))
-    , step_(new QToolButton(this))
-    , close_(new QToolButton(this))
-    , slider_(new TimeSlider(this))
-    , time_(new QLabel(this))
-    , speed_(new QComboBox(this)) {
+ReplayBar::ReplayBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Replay"));
     auto* row = new QHBoxLayout(this);

@@ -51,15 +51,15 @@ private:
     Seconds positionOf(int value) const;
 
     ReplayState state_;
-    QLabel* name_;
-    QToolButton* back_;
-    QToolButton* play_;
-    QToolButton* forward_;
-    QToolButton* step_;
-    QToolButton* close_;
-    QSlider* slider_;
-    QLabel* time_;
-    QComboBox* speed_;
+    QLabel* name_ = new QLabel(tr("Replay"), this);
+    QToolButton* back_ = new QToolButton(this);
+    QToolButton* play_ = new QToolButton(this);
+    QToolButton* forward_ = new QToolButton(this);
+    QToolButton* step_ = new QToolButton(this);
+    QToolButton* close_ = new QToolButton(this);
+    QSlider* slider_ = new TimeSlider(this);
+    QLabel* time_ = new QLabel(this);
+    QComboBox* speed_ = new QComboBox(this);
 };
 
 } // namespace usar::widgets

@@ -11,13 +11,7 @@
 
 namespace usar::widgets {
 
-TimeBar::TimeBar(QWidget* parent)
-    : QWidget(parent)
-    , pause_(new QToolButton(this))
-    , step_(new QToolButton(this))
-    , speed_(new QComboBox(this))
-    , clock_(new QLabel(this))
-    , factor_(new QLabel(this)) {
+TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Time"));
     for (QToolButton* button : {pause_, step_}) {
         button->setAutoRaise(true);

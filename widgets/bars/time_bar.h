@@ -44,11 +44,11 @@ signals:
     void speedRequested(double speed);
 
 private:
-    QToolButton* pause_;
-    QToolButton* step_;
-    QComboBox* speed_;
-    QLabel* clock_;
-    QLabel* factor_;
+    QToolButton* pause_ = new QToolButton(this);
+    QToolButton* step_ = new QToolButton(this);
+    QComboBox* speed_ = new QComboBox(this);
+    QLabel* clock_ = new QLabel(this);
+    QLabel* factor_ = new QLabel(this);
 };
 
 } // namespace usar::widgets

@@ -9,9 +9,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/geometry.h"
-#include "widgets/drive/camera_canvas.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -24,15 +22,7 @@ constexpr double old_s = 2.0;
 
 } // namespace
 
-CameraView::CameraView(QWidget* parent)
-    : QWidget(parent)
-    , canvas_(new CameraCanvas(this))
-    , empty_(new EmptyState(canvas_))
-    , source_(new QLabel(this))
-    , freshness_(new QLabel(this))
-    , cameras_(new QComboBox(this))
-    , slider_(new QSlider(Qt::Horizontal, this))
-    , angle_(new QLabel(this)) {
+CameraView::CameraView(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     column->setSpacing(gap::tiny);

@@ -11,13 +11,12 @@
 #include <QWidget>
 
 #include "core/protocol/usual_values.h"
+#include "widgets/drive/camera_canvas.h"
+#include "widgets/style/empty_state.h"
 
 class QAction;
 
 namespace usar::widgets {
-
-class CameraCanvas;
-class EmptyState;
 
 /// Horizontal angles of view of the shown camera. The camera cannot zoom if `largest_rad` <= `smallest_rad`.
 struct CameraZoom {
@@ -81,13 +80,13 @@ private:
     /// Emits zoomRequested, clamped to the limits, if it differs from the current angle.
     void askZoom(double field_of_view_rad);
 
-    CameraCanvas* canvas_;
-    EmptyState* empty_;
-    QLabel* source_;
-    QLabel* freshness_;
-    QComboBox* cameras_;
-    QSlider* slider_;
-    QLabel* angle_;
+    CameraCanvas* canvas_ = new CameraCanvas(this);
+    EmptyState* empty_ = new EmptyState(canvas_);
+    QLabel* source_ = new QLabel(this);
+    QLabel* freshness_ = new QLabel(this);
+    QComboBox* cameras_ = new QComboBox(this);
+    QSlider* slider_ = new QSlider(Qt::Horizontal, this);
+    QLabel* angle_ = new QLabel(this);
     QHBoxLayout* controls_;
     QTimer age_timer_;
     QElapsedTimer age_;

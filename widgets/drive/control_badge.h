@@ -39,7 +39,7 @@ protected:
 
 private:
     ControlWords words_;
-    StateDot* dot_;
+    StateDot* dot_ = new StateDot(this);
     bool bare_ = false;
     bool roomy_ = false;
 };

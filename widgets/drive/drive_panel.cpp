@@ -10,8 +10,6 @@
 #include "widgets/drive/drive_keys.h"
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/elided_label.h"
-#include "widgets/style/empty_state.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -38,18 +36,7 @@ void setRole(QWidget* widget, const char* role) {
 
 } // namespace
 
-DrivePanel::DrivePanel(QWidget* parent)
-    : QWidget(parent)
-    , content_(new QWidget(this))
-    , empty_(new EmptyState(content_))
-    , badge_(new ControlBadge(content_))
-    , take_(new QPushButton(content_))
-    , speed_(new QSlider(Qt::Horizontal, content_))
-    , speed_text_(new QLabel(content_))
-    , echo_(new ElidedLabel(content_))
-    , gamepad_(new ElidedLabel(content_))
-    , note_(new QLabel(content_))
-    , stop_(new QPushButton(this)) {
+DrivePanel::DrivePanel(QWidget* parent) : QWidget(parent) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     outer->setSpacing(gap::small);

@@ -3,14 +3,10 @@
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
 #include "widgets/models/pan_zoom.h"
-#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
 
-MapView::MapView(QWidget* parent)
-    : QWidget(parent)
-    , heights_(new HeightLayer(this))
-    , empty_state_(new EmptyState(this)) {
+MapView::MapView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));

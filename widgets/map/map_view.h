@@ -6,10 +6,9 @@
 #include "widgets/map/height_layer.h"
 #include "widgets/map/map_gestures.h"
 #include "widgets/map/trace_layer.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
-
-class EmptyState;
 
 /// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
@@ -140,9 +139,9 @@ private:
     MapContent content_;
     MapTransform transform_;
     MapGestures gestures_{*this, content_, transform_};
-    HeightLayer* heights_;
+    HeightLayer* heights_ = new HeightLayer(this);
     TraceLayer traces_;
-    EmptyState* empty_state_;
+    EmptyState* empty_state_ = new EmptyState(this);
     bool following_ = false;
     bool view_touched_ = false; ///< by the user; until then resizing fits again
 };

@@ -17,13 +17,7 @@ namespace {
 constexpr int pose_gap_px = gap::large; ///< distance from the pose to the corner that the map passes to openFor
 }
 
-SpawnCard::SpawnCard(QWidget* over)
-    : QFrame(over)
-    , title_(new QLabel(this))
-    , class_(new QComboBox(this))
-    , name_(new QLineEdit(this))
-    , behavior_(new QComboBox(this))
-    , spawn_(new QPushButton(tr("Spawn"), this)) {
+SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
     setProperty("role", "card");
     setAccessibleName(tr("Spawn a robot"));
     setAutoFillBackground(true);

@@ -4,9 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QDrag>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -65,14 +63,7 @@ QToolButton* buttonFor(QAction* action, QWidget* parent) {
 
 } // namespace
 
-WorldPanel::WorldPanel(QWidget* parent)
-    : QWidget(parent)
-    , palette_(new QGridLayout)
-    , buttons_(new QButtonGroup(this))
-    , other_class_(new QLineEdit(this))
-    , model_(new ObjectListModel(this))
-    , list_(new QTreeView(this))
-    , object_row_(new QHBoxLayout) {
+WorldPanel::WorldPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("World"));
     buttons_->setExclusive(false); // A second click releases the button.
     palette_->setSpacing(gap::tiny);

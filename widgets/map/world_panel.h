@@ -4,7 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include <QButtonGroup>
 #include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTreeView>
@@ -15,9 +18,6 @@
 #include "widgets/panels/quantity_box.h"
 
 class QAction;
-class QButtonGroup;
-class QGridLayout;
-class QHBoxLayout;
 class QToolButton;
 
 namespace usar::widgets {
@@ -100,14 +100,14 @@ private:
     const PaletteKind* chosen() const;
 
     std::vector<PaletteKind> kinds_;
-    QGridLayout* palette_;
-    QButtonGroup* buttons_;
-    QLineEdit* other_class_;
+    QGridLayout* palette_ = new QGridLayout;
+    QButtonGroup* buttons_ = new QButtonGroup(this);
+    QLineEdit* other_class_ = new QLineEdit(this);
     QuantityBox* size_m_[3];
-    ObjectListModel* model_;
-    QTreeView* list_;
+    ObjectListModel* model_ = new ObjectListModel(this);
+    QTreeView* list_ = new QTreeView(this);
     EmptyState* empty_list_;
-    QHBoxLayout* object_row_;
+    QHBoxLayout* object_row_ = new QHBoxLayout;
     QHBoxLayout* way_row_;
     QuantityBox* speed_;
     QToolButton* loop_;

@@ -41,13 +41,7 @@ QString ending(const std::string& before, std::string_view completed) {
 
 } // namespace
 
-CommandBox::CommandBox(QWidget* parent)
-    : QWidget(parent)
-    , line_(new CommandLine(this))
-    , send_(new QPushButton(tr("Send"), this))
-    , complaint_(new QLabel(this))
-    , completer_(new QCompleter(this))
-    , completions_(new QStandardItemModel(this)) {
+CommandBox::CommandBox(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
     column->setSpacing(2);

@@ -64,11 +64,11 @@ private:
     void send();
 
     LineHistory history_;
-    CommandLine* line_;
-    QPushButton* send_;
-    QLabel* complaint_;
-    QCompleter* completer_;
-    QStandardItemModel* completions_;
+    CommandLine* line_ = new CommandLine(this);
+    QPushButton* send_ = new QPushButton(tr("Send"), this);
+    QLabel* complaint_ = new QLabel(this);
+    QCompleter* completer_ = new QCompleter(this);
+    QStandardItemModel* completions_ = new QStandardItemModel(this);
     QTimer idle_{this};
     QString refusal_;
     QString sent_anyway_; ///< a second Enter sends this line in spite of its errors

@@ -18,10 +18,7 @@ MessageFilterBar::MessageFilterBar(QAction* only_trouble, QWidget* parent)
     : QWidget(parent)
     , search_(makeSearchLine(tr("Search type or text"), tr(search_help), this))
     , name_(makeSearchLine(tr("Name"), tr("Shows only lines about sensors, effecters or packages of this name"), this))
-    , types_(new TypeChoiceButton(this))
-    , way_(new QComboBox(this))
-    , only_trouble_(only_trouble)
-    , row_(new QHBoxLayout(this)) {
+    , only_trouble_(only_trouble) {
     row_->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
     row_->setSpacing(gap::tiny);
     name_->setObjectName(QStringLiteral("name"));

@@ -24,13 +24,7 @@ constexpr std::size_t most_rows_a_frame = 20'000; ///< limit after a pause; more
 
 } // namespace
 
-MessageList::MessageList(QWidget* parent)
-    : QWidget(parent)
-    , model_(new MessageModel(this))
-    , splitter_(new QSplitter(this))
-    , view_(new QTableView(splitter_))
-    , detail_(new MessageDetail(splitter_))
-    , saver_(new MessageSaver(*model_, this)) {
+MessageList::MessageList(QWidget* parent) : QWidget(parent) {
     makeActions();
     bar_ = new MessageFilterBar(actions_.only_trouble, this);
     for (QAction* action : {actions_.pause, actions_.follow, actions_.details, actions_.clear})

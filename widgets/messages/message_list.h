@@ -128,13 +128,13 @@ private:
     void updateState();
     void enableActions();
 
-    MessageModel* model_;
+    MessageModel* model_ = new MessageModel(this);
     MessageActions actions_;
     MessageFilterBar* bar_ = nullptr;
-    QSplitter* splitter_;
-    QTableView* view_;
-    MessageDetail* detail_;
-    MessageSaver* saver_;
+    QSplitter* splitter_ = new QSplitter(this);
+    QTableView* view_ = new QTableView(splitter_);
+    MessageDetail* detail_ = new MessageDetail(splitter_);
+    MessageSaver* saver_ = new MessageSaver(*model_, this);
     EmptyState* empty_state_ = nullptr;
     std::deque<MessageRow> waiting_;        ///< rows not inserted yet; at most the model's capacity
     std::size_t waiting_bytes_ = 0;         ///< size of their text

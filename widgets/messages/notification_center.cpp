@@ -13,11 +13,7 @@
 
 namespace usar::widgets {
 
-NotificationCenter::NotificationCenter(QWidget* parent)
-    : QWidget(parent)
-    , model_(new NotificationModel(this))
-    , view_(new QListView(this))
-    , summary_(new ElidedLabel(this)) {
+NotificationCenter::NotificationCenter(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

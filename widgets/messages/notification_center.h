@@ -61,9 +61,9 @@ private:
     void showOffer();
     void updateState();
 
-    NotificationModel* model_;
-    QListView* view_;
-    QLabel* summary_;
+    NotificationModel* model_ = new NotificationModel(this);
+    QListView* view_ = new QListView(this);
+    QLabel* summary_ = new ElidedLabel(this);
     QAction* take_offer_ = nullptr;
     QToolButton* clear_cured_ = nullptr;
     QToolButton* clear_all_ = nullptr;

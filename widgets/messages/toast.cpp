@@ -11,11 +11,7 @@ namespace usar::widgets {
 
 Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     : QFrame(parent)
-    , key_(notification.key)
-    , sign_(new QLabel(this))
-    , word_(new QLabel(this))
-    , text_(new QLabel(this))
-    , offer_(new QPushButton(this)) {
+    , key_(notification.key) {
     setProperty("role", "card");
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);

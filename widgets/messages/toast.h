@@ -47,10 +47,10 @@ private:
 
     QString key_;
     Severity severity_ = Severity::Note;
-    QLabel* sign_;
-    QLabel* word_;
-    QLabel* text_;
-    QPushButton* offer_;
+    QLabel* sign_ = new QLabel(this);
+    QLabel* word_ = new QLabel(this);
+    QLabel* text_ = new QLabel(this);
+    QPushButton* offer_ = new QPushButton(this);
     QTimer life_{this};
 };
 

@@ -41,8 +41,7 @@ AreaForm::AreaForm(QWidget* parent)
     , min_x_(metres(tr("Lowest x"), this))
     , max_x_(metres(tr("Highest x"), this))
     , min_y_(metres(tr("Lowest y"), this))
-    , max_y_(metres(tr("Highest y"), this))
-    , size_(new QLabel(this)) {
+    , max_y_(metres(tr("Highest y"), this)) {
     setAccessibleName(tr("Mission area"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);

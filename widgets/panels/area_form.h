@@ -46,7 +46,7 @@ private:
     QDoubleSpinBox* max_x_;
     QDoubleSpinBox* min_y_;
     QDoubleSpinBox* max_y_;
-    QLabel* size_;
+    QLabel* size_ = new QLabel(this);
     std::optional<Rectangle> world_in_map_; ///< nullopt: no limit
 };
 

@@ -4,14 +4,9 @@
 #include <utility>
 
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
@@ -37,20 +32,8 @@ bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescr
 
 BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
     : QWidget(parent)
-    , robot_label_(new QLabel)
-    , behavior_box_(new QComboBox)
-    , rescan_(new QToolButton)
     , help_label_(mutedLabel())
-    , isolated_(new QCheckBox(tr("In a process of its own")))
-    , plan_(new PlanChoice)
-    , area_box_(new QWidget)
-    , area_form_(new AreaForm)
-    , area_tool_(new QToolButton)
-    , summary_label_(mutedLabel())
-    , start_(new QPushButton(tr("Start")))
-    , pause_(new QPushButton(tr("Pause")))
-    , land_(new QPushButton(tr("Land now")))
-    , stop_(new QPushButton(tr("Stop"))) {
+    , summary_label_(mutedLabel()) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     layout->setSpacing(gap::small);

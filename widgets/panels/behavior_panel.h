@@ -5,6 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
 #include <QWidget>
 
 #include "core/agent/robot_plugin.h"
@@ -13,11 +18,6 @@
 #include "widgets/panels/plan_choice.h"
 
 class QAction;
-class QCheckBox;
-class QComboBox;
-class QLabel;
-class QPushButton;
-class QToolButton;
 
 namespace usar::widgets {
 
@@ -96,20 +96,20 @@ private:
     bool busy() const;
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
-    QLabel* robot_label_;
-    QComboBox* behavior_box_;
-    QToolButton* rescan_;
+    QLabel* robot_label_ = new QLabel;
+    QComboBox* behavior_box_ = new QComboBox;
+    QToolButton* rescan_ = new QToolButton;
     QLabel* help_label_;
-    QCheckBox* isolated_;
-    PlanChoice* plan_;
-    QWidget* area_box_;
-    AreaForm* area_form_;
-    QToolButton* area_tool_;
+    QCheckBox* isolated_ = new QCheckBox(tr("In a process of its own"));
+    PlanChoice* plan_ = new PlanChoice;
+    QWidget* area_box_ = new QWidget;
+    AreaForm* area_form_ = new AreaForm;
+    QToolButton* area_tool_ = new QToolButton;
     QLabel* summary_label_;
-    QPushButton* start_;
-    QPushButton* pause_;
-    QPushButton* land_;
-    QPushButton* stop_;
+    QPushButton* start_ = new QPushButton(tr("Start"));
+    QPushButton* pause_ = new QPushButton(tr("Pause"));
+    QPushButton* land_ = new QPushButton(tr("Land now"));
+    QPushButton* stop_ = new QPushButton(tr("Stop"));
     std::optional<RunState> run_state_; ///< nullopt until the first setRunState
 };
 

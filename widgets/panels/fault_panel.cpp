@@ -84,16 +84,8 @@ void setNames(QComboBox* box, const QString& all, const QStringList& names) {
 
 FaultPanel::FaultPanel(QWidget* parent)
     : QWidget(parent)
-    , kind_(new QComboBox)
-    , help_(new QLabel)
-    , robot_(new QComboBox)
-    , sensor_(new QComboBox)
     , from_(timeBox(tr("now"), tr("Begins")))
-    , lasts_(timeBox(tr("until it is ended"), tr("Lasts")))
-    , text_(new QLabel)
-    , inject_(new QPushButton(tr("Inject fault")))
-    , list_(new QTreeWidget)
-    , end_(new QPushButton(tr("End fault"))) {
+    , lasts_(timeBox(tr("until it is ended"), tr("Lasts"))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
     column->setSpacing(gap::small);

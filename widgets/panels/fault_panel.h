@@ -103,18 +103,18 @@ private:
     void showText();
 
     std::vector<FaultKindInfo> kinds_;
-    QComboBox* kind_;
-    QLabel* help_;
+    QComboBox* kind_ = new QComboBox;
+    QLabel* help_ = new QLabel;
     QFormLayout* form_;
-    QComboBox* robot_;
-    QComboBox* sensor_;
+    QComboBox* robot_ = new QComboBox;
+    QComboBox* sensor_ = new QComboBox;
     QuantityBox* from_;
     QuantityBox* lasts_;
     std::vector<Field> fields_; ///< fields of the shown kind
-    QLabel* text_;
-    QPushButton* inject_;
-    QTreeWidget* list_;
-    QPushButton* end_;
+    QLabel* text_ = new QLabel;
+    QPushButton* inject_ = new QPushButton(tr("Inject fault"));
+    QTreeWidget* list_ = new QTreeWidget;
+    QPushButton* end_ = new QPushButton(tr("End fault"));
     EmptyState* empty_state_;
 };
 

@@ -15,9 +15,7 @@ namespace usar::widgets {
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent)
     , search_(
-          makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this))
-    , scroll_(new QScrollArea(this))
-    , nothing_(new QLabel(this)) {
+          makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap::small);

@@ -73,8 +73,8 @@ private:
     QLineEdit* search_;
     QToolButton* modified_only_;
     QToolButton* reset_all_; ///< visible only while something is modified
-    QScrollArea* scroll_;
-    QLabel* nothing_; ///< says why the filter hides all rows
+    QScrollArea* scroll_ = new QScrollArea(this);
+    QLabel* nothing_ = new QLabel(this); ///< says why the filter hides all rows
     EmptyState* empty_state_;
     std::vector<agent::ParameterSpec> specs_;
     std::vector<std::pair<std::string, Group>> groups_; ///< in the order of the specs

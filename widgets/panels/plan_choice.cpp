@@ -1,6 +1,5 @@
 #include "widgets/panels/plan_choice.h"
 
-#include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -11,7 +10,7 @@
 
 namespace usar::widgets {
 
-PlanChoice::PlanChoice(QWidget* parent) : QWidget(parent), box_(new QComboBox) {
+PlanChoice::PlanChoice(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap::tiny);

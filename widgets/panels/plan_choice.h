@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
+#include <QComboBox>
 #include <QStringList>
 #include <QWidget>
 
-class QComboBox;
 class QToolButton;
 
 namespace usar::widgets {
@@ -39,7 +39,7 @@ signals:
 private:
     QToolButton* addButton(const QString& icon_name, const QString& text, const QString& help);
 
-    QComboBox* box_;
+    QComboBox* box_ = new QComboBox;
     std::string behavior_id_; ///< empty: the behavior has no plan
     /// Chosen files by behavior.
     std::map<std::string, QStringList> paths_;

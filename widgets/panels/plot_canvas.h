@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include <QCustomPlot>
 #include <QPixmap>
 #include <QWidget>
 
@@ -12,7 +13,6 @@
 
 class QCPAxis;
 class QCPGraph;
-class QCustomPlot;
 
 namespace usar::widgets {
 
@@ -85,7 +85,7 @@ private:
     void styleAxis(QCPAxis* axis);
     void chooseTimeFormat();
 
-    QCustomPlot* plot_;
+    QCustomPlot* plot_ = new QCustomPlot(this);
     std::map<std::string, Line> lines_;
     std::vector<std::string> order_; ///< order of the store: determines color and legend
     std::set<std::string> emphasized_;

@@ -18,7 +18,6 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
-#include "widgets/panels/plot_canvas.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
@@ -64,7 +63,7 @@ Result<void> written(const QString& file, const QByteArray& bytes) {
 
 } // namespace
 
-PlotView::PlotView(QWidget* parent) : QWidget(parent), canvas_(new PlotCanvas(this)), legend_(new QTreeWidget(this)) {
+PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -10,11 +10,11 @@
 #include "core/base/result.h"
 #include "widgets/models/field_mime.h"
 #include "widgets/models/series_store.h"
+#include "widgets/panels/plot_canvas.h"
 
 namespace usar::widgets {
 
 class EmptyState;
-class PlotCanvas;
 
 /// Records the watched fields even while hidden or paused; draws at most 30 times per second and only while visible.
 /// The wheel zooms time at the cursor, or a value axis if it is over one; drag pans; double-click follows the newest
@@ -90,8 +90,8 @@ private:
     void refresh();
 
     SeriesStore store_;
-    PlotCanvas* canvas_;
-    QTreeWidget* legend_;
+    PlotCanvas* canvas_ = new PlotCanvas(this);
+    QTreeWidget* legend_ = new QTreeWidget(this);
     EmptyState* empty_state_;
     QToolButton* pause_ = nullptr;
     QToolButton* follow_ = nullptr;

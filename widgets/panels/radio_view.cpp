@@ -9,11 +9,7 @@
 
 namespace usar::widgets {
 
-RadioView::RadioView(QWidget* parent)
-    : QWidget(parent)
-    , model_(new RadioLinkModel(this))
-    , view_(new QListView(this))
-    , legend_(new QLabel(this)) {
+RadioView::RadioView(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -29,9 +29,9 @@ public:
     QSize minimumSizeHint() const override { return {240, 100}; }
 
 private:
-    RadioLinkModel* model_;
-    QListView* view_;
-    QLabel* legend_;
+    RadioLinkModel* model_ = new RadioLinkModel(this);
+    QListView* view_ = new QListView(this);
+    QLabel* legend_ = new QLabel(this);
     EmptyState* empty_state_;
 };
 

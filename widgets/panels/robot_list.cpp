@@ -10,7 +10,7 @@
 
 namespace usar::widgets {
 
-RobotList::RobotList(QWidget* parent) : QWidget(parent), model_(new RobotListModel(this)), view_(new QListView(this)) {
+RobotList::RobotList(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(view_);

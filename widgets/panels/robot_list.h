@@ -44,8 +44,8 @@ private:
     void requestRemoval();
     void updateEmptyState();
 
-    RobotListModel* model_;
-    QListView* view_;
+    RobotListModel* model_ = new RobotListModel(this);
+    QListView* view_ = new QListView(this);
     EmptyState* empty_state_;
     bool quiet_ = false; ///< the program changes the selection, not the user
 };

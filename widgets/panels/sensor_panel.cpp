@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -15,11 +14,8 @@ namespace usar::widgets {
 
 SensorPanel::SensorPanel(QWidget* parent)
     : QWidget(parent)
-    , model_(new SensorModel(this))
-    , filtered_(new QSortFilterProxyModel(this))
-    , search_(makeSearchLine(tr("Filter sensors"), tr("Shows only sensors and values whose name contains this"), this))
-    , tree_(new QTreeView(this))
-    , empty_state_(new EmptyState(tree_->viewport())) {
+    , search_(
+          makeSearchLine(tr("Filter sensors"), tr("Shows only sensors and values whose name contains this"), this)) {
     setAccessibleName(tr("Sensors"));
     setFocusProxy(tree_);
     filtered_->setSourceModel(model_);

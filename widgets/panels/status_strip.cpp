@@ -23,18 +23,12 @@ QString orDash(const std::optional<double>& value, int decimals) {
 
 StatusStrip::StatusStrip(QWidget* parent)
     : QWidget(parent)
-    , dot_(new StateDot(this))
-    , state_(new QLabel(this))
-    , stale_(new QLabel(tr("stale"), this))
     , elapsed_(new Readout(tr("elapsed"), {}, time_sample, this))
     , left_(new Readout(tr("time left"), {}, time_sample, this))
     , goal_(new Readout(tr("to goal"), QStringLiteral("m"), length_sample, this))
     , range_(new Readout(tr("range left"), QStringLiteral("m"), length_sample, this))
     , flown_(new Readout(tr("flown"), QStringLiteral("m"), count_sample, this))
-    , charges_(new Readout(tr("charges"), {}, count_sample, this))
-    , battery_(new Meter(tr("Battery used"), this))
-    , progress_(new Meter(tr("Progress"), this))
-    , coverage_(new Meter(tr("Coverage"), this)) {
+    , charges_(new Readout(tr("charges"), {}, count_sample, this)) {
     setAccessibleName(tr("Status"));
     elapsed_->setToolTip(tr("Protocol time since the behavior started, hours:minutes:seconds"));
     left_->setToolTip(tr("Estimated protocol time to the end"));

@@ -7,11 +7,7 @@
 
 namespace usar::widgets {
 
-EmptyState::EmptyState(QWidget* covered)
-    : QWidget(covered)
-    , title_(new QLabel(this))
-    , hint_(new QLabel(this))
-    , button_(new QPushButton(this)) {
+EmptyState::EmptyState(QWidget* covered) : QWidget(covered) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap::medium, gap::medium, gap::medium, gap::medium);
     column->setSpacing(gap::small);

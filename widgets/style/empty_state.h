@@ -25,9 +25,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QLabel* title_;
-    QLabel* hint_;
-    QPushButton* button_;
+    QLabel* title_ = new QLabel(this);
+    QLabel* hint_ = new QLabel(this);
+    QPushButton* button_ = new QPushButton(this);
     QMetaObject::Connection clicked_;
 };
 

@@ -8,10 +8,7 @@
 
 namespace usar::widgets {
 
-SectionStack::SectionStack(const QString& name, QWidget* parent)
-    : QWidget(parent)
-    , column_(new QVBoxLayout(this))
-    , tabs_(new QTabBar(this)) {
+SectionStack::SectionStack(const QString& name, QWidget* parent) : QWidget(parent) {
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(gap::tiny);
     // By default the layout would demand enough height for all sections stacked.
