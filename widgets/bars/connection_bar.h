@@ -51,9 +51,9 @@ public:
     /// Host and TCP port of the real server; the embedded one needs none.
     void setAddress(const QString& host, quint16 port);
     /// Host as typed, trimmed; may be empty.
-    QString host() const;
+    QString host() const { return host_->text().trimmed(); }
     /// TCP port, 1..65535.
-    quint16 port() const;
+    quint16 port() const { return static_cast<quint16>(port_->value()); }
     /// Shows the state. The server choice is locked unless the state is Disconnected.
     void setStatus(const ConnectionStatus& status);
     /// Sets how much room the bar has; the owner knows the width of the window.
@@ -72,9 +72,6 @@ signals:
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also means "stop trying" while connecting or waiting.
     void disconnectRequested();
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void setUpAddress();

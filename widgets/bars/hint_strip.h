@@ -29,9 +29,6 @@ signals:
     /// The user hid the strip; the owner should remember that across restarts.
     void dismissed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     /// Renders the text from steps and state.
     void refresh();

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
-
 #include "widgets/models/figures.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -22,12 +21,11 @@ ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent) {
     setAccessibleName(tr("Progress"));
     bar_->setTextVisible(false);
     bar_->setMaximumWidth(bar_width_px);
-    cancel_->setToolTip(tr("Gives it up; everything stays as it is"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
-    row->addWidget(text_, 1);
-    row->addWidget(bar_, 1);
-    row->addWidget(cancel_);
+    cancel_->setToolTip(tr("Cancels the operation; everything stays as it is"));
+    auto* row =
+        laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, bar_, cancel_});
+    row->setStretchFactor(text_, 1);
+    row->setStretchFactor(bar_, 1);
     soon_.setSingleShot(true);
     soon_.setInterval(moment);
     connect(&soon_, &QTimer::timeout, this, &QWidget::show);

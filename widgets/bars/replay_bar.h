@@ -1,13 +1,14 @@
 // Bar that shows the position of a replay, with controls to move through the recording.
 #pragma once
 
-#include <QComboBox>
 #include <QFrame>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 
 #include "core/base/clock.h"
+#include "widgets/bars/speed_box.h"
+#include "widgets/style/time_slider.h"
 
 namespace usar::widgets {
 
@@ -17,8 +18,7 @@ struct ReplayState {
     Seconds span{0.0};  ///< length of the recording
     double speed = 1.0; ///< times the pace of the recording; infinity: as fast as possible
     bool playing = false;
-    /// Going to another position.
-    bool seeking = false;
+    bool seeking = false; ///< the replay is on its way to another position
     bool operator==(const ReplayState&) const = default;
 };
 
@@ -59,7 +59,7 @@ private:
     QToolButton* close_ = new QToolButton(this);
     QSlider* slider_ = new TimeSlider(this);
     QLabel* time_ = new QLabel(this);
-    QComboBox* speed_ = new QComboBox(this);
+    SpeedBox* speed_ = new SpeedBox(this);
 };
 
 } // namespace usar::widgets

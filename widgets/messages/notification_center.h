@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "widgets/models/messages/notification_model.h"
+#include "widgets/style/elided_label.h"
 
 namespace usar::widgets {
 

@@ -27,7 +27,7 @@ QCPRange roomy(const QCPRange& range) {
 
 } // namespace
 
-PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent) {
+PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(plot_);

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 
-#include <QCustomPlot>
 #include <QPixmap>
 #include <QWidget>
 
@@ -13,6 +12,7 @@
 
 class QCPAxis;
 class QCPGraph;
+class QCustomPlot;
 
 namespace usar::widgets {
 
@@ -85,7 +85,7 @@ private:
     void styleAxis(QCPAxis* axis);
     void chooseTimeFormat();
 
-    QCustomPlot* plot_ = new QCustomPlot(this);
+    QCustomPlot* plot_;
     std::map<std::string, Line> lines_;
     std::vector<std::string> order_; ///< order of the store: determines color and legend
     std::set<std::string> emphasized_;

@@ -4,13 +4,13 @@
 
 #include <QSignalBlocker>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 SectionStack::SectionStack(const QString& name, QWidget* parent) : QWidget(parent) {
-    column_->setContentsMargins(0, 0, 0, 0);
-    column_->setSpacing(gap::tiny);
+    laidOut(column_, {}, gap::tiny, {tabs_});
     // By default the layout would demand enough height for all sections stacked.
     column_->setSizeConstraint(QLayout::SetNoConstraint);
     tabs_->setAccessibleName(name);
@@ -18,7 +18,6 @@ SectionStack::SectionStack(const QString& name, QWidget* parent) : QWidget(paren
     tabs_->setDrawBase(false);
     tabs_->setUsesScrollButtons(true);
     tabs_->hide();
-    column_->addWidget(tabs_);
     connect(tabs_, &QTabBar::currentChanged, this, &SectionStack::arrange);
 }
 
