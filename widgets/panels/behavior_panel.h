@@ -16,6 +16,7 @@
 #include "core/base/geometry.h"
 #include "widgets/panels/area_form.h"
 #include "widgets/panels/plan_choice.h"
+#include "widgets/style/form_parts.h"
 
 class QAction;
 
@@ -45,8 +46,8 @@ public:
     /// True if the chosen behavior needs a mission area, and if none is chosen.
     bool needsArea() const;
     /// True if the chosen behavior should run in a process of its own. Setting it emits nothing.
-    bool isolated() const;
-    void setIsolated(bool isolated);
+    bool isolated() const { return isolated_->isChecked(); }
+    void setIsolated(bool isolated) { isolated_->setChecked(isolated); }
 
     /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
     /// need no area.
@@ -62,7 +63,7 @@ public:
     /// Shows the state; locks the choice of a behavior while one runs. Returns true if the state changed.
     bool setRunState(RunState state, const QString& robot_name);
     /// Shows whether the map's area tool is active; emits nothing.
-    void setAreaToolActive(bool active);
+    void setAreaToolActive(bool active) { area_tool_->setChecked(active); }
     /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
     /// their shortcuts; until then they are disabled. Pause shows a new state only when setRunState reports it. The
     /// actions must live as long as the panel, or be destroyed with it. To be called once.
@@ -99,13 +100,13 @@ private:
     QLabel* robot_label_ = new QLabel;
     QComboBox* behavior_box_ = new QComboBox;
     QToolButton* rescan_ = new QToolButton;
-    QLabel* help_label_;
+    QLabel* help_label_ = mutedLabel();
     QCheckBox* isolated_ = new QCheckBox(tr("In a process of its own"));
     PlanChoice* plan_ = new PlanChoice;
     QWidget* area_box_ = new QWidget;
     AreaForm* area_form_ = new AreaForm;
     QToolButton* area_tool_ = new QToolButton;
-    QLabel* summary_label_;
+    QLabel* summary_label_ = mutedLabel();
     QPushButton* start_ = new QPushButton(tr("Start"));
     QPushButton* pause_ = new QPushButton(tr("Pause"));
     QPushButton* land_ = new QPushButton(tr("Land now"));

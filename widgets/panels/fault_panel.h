@@ -12,6 +12,8 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include "widgets/style/form_parts.h"
+
 namespace usar::widgets {
 
 class EmptyState;
@@ -104,7 +106,7 @@ private:
 
     std::vector<FaultKindInfo> kinds_;
     QComboBox* kind_ = new QComboBox;
-    QLabel* help_ = new QLabel;
+    QLabel* help_ = mutedLabel();
     QFormLayout* form_;
     QComboBox* robot_ = new QComboBox;
     QComboBox* sensor_ = new QComboBox;

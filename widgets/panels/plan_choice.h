@@ -24,7 +24,7 @@ public:
     /// Selects this file, added to the list if it is new; an empty path selects the built-in plan. Emits nothing.
     void choose(const QString& path);
     /// The chosen file; empty for the built-in plan.
-    QString path() const;
+    QString path() const { return box_->currentData().toString(); }
     /// True for a behavior without a plan.
     bool empty() const { return behavior_id_.empty(); }
 
@@ -37,6 +37,7 @@ signals:
     void editRequested();
 
 private:
+    void addFile(const QString& path);
     QToolButton* addButton(const QString& icon_name, const QString& text, const QString& help);
 
     QComboBox* box_ = new QComboBox;

@@ -53,9 +53,9 @@ public:
 
 public slots:
     /// Freezes the picture; recording continues.
-    void setPaused(bool paused);
+    void setPaused(bool paused) { pause_->setChecked(paused); }
     /// Keeps the newest sample at the right edge.
-    void setFollowing(bool following);
+    void setFollowing(bool following) { follow_->setChecked(following); }
 
 signals:
     /// A series was added, removed or cleared; saved as part of the layout.
@@ -70,7 +70,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     QWidget* makeTools();
@@ -80,7 +79,6 @@ private:
     bool runKey(const QKeyEvent& event);
     /// Opens a save dialog, which is not modal because a robot may be moving, and calls `write` with the chosen file.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
-    void legendMenu(const QPoint& at);
     void removeSelected();
     void listChanged();
     void rebuildLegend();

@@ -23,7 +23,7 @@ public:
     /// become unknown; the other figures stay, so that a finished mission can be read.
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
     /// Covered part of the mission area in percent, 0..100; nullopt without an area.
-    void setCoverage(std::optional<double> coverage_pct);
+    void setCoverage(std::optional<double> coverage_pct) { coverage_->setValue(coverage_pct); }
     /// The link is silent: figures are gray and struck through, and the word "stale" is shown, until this is reset; new
     /// figures do not reset it.
     void setStale(bool stale);
