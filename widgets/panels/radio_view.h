@@ -1,11 +1,8 @@
 // List of how well robots and base stations hear each other: one row per pair.
 #pragma once
 
-#include <QLabel>
-#include <QListView>
-#include <QWidget>
-
 #include "widgets/models/radio_links.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -31,7 +28,7 @@ public:
 private:
     RadioLinkModel* model_ = new RadioLinkModel(this);
     QListView* view_ = new QListView(this);
-    QLabel* legend_ = new QLabel(this);
+    QLabel* legend_ = mutedLabel({}, this);
     EmptyState* empty_state_;
 };
 

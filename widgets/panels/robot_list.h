@@ -40,8 +40,6 @@ signals:
     void removeRequested(int id);
 
 private:
-    void showMenu(const QPoint& at);
-    void requestRemoval();
     void updateEmptyState();
 
     RobotListModel* model_ = new RobotListModel(this);

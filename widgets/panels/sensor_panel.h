@@ -30,7 +30,7 @@ public:
     /// Sets the protocol clock between lines, so that values also age while nothing arrives.
     void setNow(Seconds now);
     /// Without a link every repeated value is stale at once.
-    void setLinked(bool linked);
+    void setLinked(bool linked) { linked_ = linked; }
     /// While the simulation is paused, a clock that stands still does not make values stale.
     void setPaused(bool paused);
     /// Replaces the wall clock in tests.
@@ -49,7 +49,6 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void makeTree();
