@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QTreeView>
 #include <QWidget>
 
@@ -18,7 +19,6 @@
 #include "widgets/panels/quantity_box.h"
 
 class QAction;
-class QToolButton;
 
 namespace usar::widgets {
 
@@ -69,7 +69,7 @@ public:
     /// Speed along the way, or of the belt; negative runs a belt backward.
     double speed_m_s() const { return speed_->value(); }
     /// True if the way should start again at its first way point.
-    bool loop() const;
+    bool loop() const { return loop_->isChecked(); }
     /// Emits nothing.
     void setTraceColor(protocol::TraceColor color);
     protocol::TraceColor traceColor() const;
@@ -96,7 +96,6 @@ private:
     QHBoxLayout* makeTraceRow();
     void choose(int kind);
     void drag(QToolButton* button);
-    void requestRemoval();
     const PaletteKind* chosen() const;
 
     std::vector<PaletteKind> kinds_;
