@@ -13,6 +13,7 @@
 #include "core/protocol/usual_values.h"
 #include "widgets/drive/camera_canvas.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 
 class QAction;
 
@@ -36,7 +37,7 @@ public:
     /// Shows a new picture, which counts as fresh for two seconds; `frames_per_s` is only displayed.
     void setPicture(const QImage& picture, double frames_per_s);
     /// The newest picture; null while the view is empty.
-    const QImage& picture() const;
+    const QImage& picture() const { return canvas_->picture(); }
     /// Number of pictures taken since construction.
     int pictureCount() const { return pictures_; }
     /// Shows the robot's name with the shown camera; with more than one camera they are offered in a list. Emits
@@ -48,11 +49,14 @@ public:
     /// The next picture removes it.
     void setEmpty(const QString& title, const QString& hint, QAction* action = nullptr);
     /// True while there is no picture.
-    bool isEmpty() const;
+    bool isEmpty() const { return picture().isNull(); }
     /// Adds these actions as tool buttons to the row of controls, in this order.
     void setActions(const QList<QAction*>& actions);
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
-    void setUncovered(bool uncovered);
+    void setUncovered(bool uncovered) {
+        uncovered_ = uncovered;
+        watchedOrNot();
+    }
     /// True while the view is shown and not covered.
     bool wantsPictures() const { return uncovered_ && isVisible(); }
     QSize sizeHint() const override { return {340, 330}; }
@@ -83,7 +87,7 @@ private:
     CameraCanvas* canvas_ = new CameraCanvas(this);
     EmptyState* empty_ = new EmptyState(canvas_);
     QLabel* source_ = new QLabel(this);
-    QLabel* freshness_ = new QLabel(this);
+    QLabel* freshness_ = mutedLabel({}, this);
     QComboBox* cameras_ = new QComboBox(this);
     QSlider* slider_ = new QSlider(Qt::Horizontal, this);
     QLabel* angle_ = new QLabel(this);

@@ -62,10 +62,10 @@ public:
     /// The newest DRIVE command as it went over the wire; empty: nothing sent yet.
     void setEcho(const QString& line);
     /// The shown text.
-    QString echo() const;
+    QString echo() const { return echo_->text(); }
     /// Text of the row about gamepads.
     void setGamepad(const QString& text);
-    QString gamepadText() const;
+    QString gamepadText() const { return gamepad_->text(); }
 
     /// The combined position of pad and sliders.
     Stick stick() const;
@@ -94,7 +94,6 @@ private:
     void showAxes();
     void showFigures();
     void showSpeed();
-    void tellMoved();
 
     DriveState state_;
     BodyVelocity velocity_;

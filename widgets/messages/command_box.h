@@ -54,8 +54,6 @@ private:
     bool popupOpen() const;
     /// True if an entry of the completion list is marked.
     bool chosenInPopup() const;
-    /// Shows a line of the history; nullopt changes nothing.
-    void showHistory(const std::optional<QString>& line);
     /// Accepts the marked completion, or the first one. Returns true.
     bool acceptFirst();
     void accept(const QModelIndex& index);

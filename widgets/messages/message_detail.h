@@ -25,9 +25,6 @@ signals:
     /// `serial` is a serial number of the model.
     void jumpRequested(std::uint64_t serial);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QString headOf(const MessageModel& model, const MessageRow& row) const;
     QString causeOf(const MessageModel& model, const MessageRow& row, std::uint64_t serial) const;
