@@ -105,14 +105,6 @@ void ConnectionBar::setUpStatus() {
     rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
 }
 
-void ConnectionBar::setServer(ServerChoice choice) {
-    server_->setCurrentIndex(choice == ServerChoice::Embedded ? 0 : 1);
-}
-
-ServerChoice ConnectionBar::server() const {
-    return server_->currentIndex() == 0 ? ServerChoice::Embedded : ServerChoice::Real;
-}
-
 void ConnectionBar::setAddress(const QString& host, quint16 port) {
     host_->setText(host);
     port_->setValue(port);
@@ -142,10 +134,6 @@ void ConnectionBar::showWords() {
         server() == ServerChoice::Real ? QStringLiteral(" %1:%2").arg(host()).arg(port()) : QString();
     for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
         label->setToolTip(tr("%1\n%2%3").arg(statusText(), server_->currentText(), address));
-}
-
-QString ConnectionBar::statusText() const {
-    return QString(status_text_->text() + u' ' + retry_->text()).trimmed();
 }
 
 void ConnectionBar::setRoom(BarRoom room) {

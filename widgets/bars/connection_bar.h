@@ -45,9 +45,9 @@ public:
     explicit ConnectionBar(QWidget* parent = nullptr);
 
     /// Emits nothing.
-    void setServer(ServerChoice choice);
+    void setServer(ServerChoice choice) { server_->setCurrentIndex(choice == ServerChoice::Embedded ? 0 : 1); }
     /// The current choice, connected or not.
-    ServerChoice server() const;
+    ServerChoice server() const { return server_->currentIndex() == 0 ? ServerChoice::Embedded : ServerChoice::Real; }
     /// Host and TCP port of the real server; the embedded one needs none.
     void setAddress(const QString& host, quint16 port);
     /// Host as typed, trimmed; may be empty.
@@ -65,7 +65,7 @@ public:
     LinkPanel* panel() const { return panel_; }
     void openPanel() { panel_->openBelow(rate_); }
     /// The complete status text, even if part of it is elided on the screen.
-    QString statusText() const;
+    QString statusText() const { return QString(status_text_->text() + u' ' + retry_->text()).trimmed(); }
 
 signals:
     /// For a real server the host is trimmed and not empty; for the embedded one it is empty and the port is 0.

@@ -179,10 +179,6 @@ void MapPainter::paintTrails() {
     }
 }
 
-void MapPainter::paintTraces() {
-    traces_.paint(painter_, transform_);
-}
-
 void MapPainter::paintMarks() {
     painter_.setRenderHint(QPainter::Antialiasing);
     const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0);

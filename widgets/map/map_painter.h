@@ -34,7 +34,7 @@ private:
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
     void paintTrails();
-    void paintTraces();
+    void paintTraces() { traces_.paint(painter_, transform_); }
     /// Leaves out path marks closer than three pixels to the previous one; draws all others.
     void paintMarks();
     /// Paints objects to scale, but never too small to click; the way points of the selected one; the object that is

@@ -262,14 +262,6 @@ void WorldPanel::disarm() {
     choose(-1);
 }
 
-void WorldPanel::setTraceColor(protocol::TraceColor color) {
-    trace_color_->setCurrentIndex(static_cast<int>(color));
-}
-
-protocol::TraceColor WorldPanel::traceColor() const {
-    return static_cast<protocol::TraceColor>(trace_color_->currentIndex());
-}
-
 bool WorldPanel::eventFilter(QObject* watched, QEvent* event) {
     auto* const button = qobject_cast<QToolButton*>(watched);
     if (!button || (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseMove))

@@ -71,8 +71,8 @@ public:
     /// True if the way should start again at its first way point.
     bool loop() const { return loop_->isChecked(); }
     /// Emits nothing.
-    void setTraceColor(protocol::TraceColor color);
-    protocol::TraceColor traceColor() const;
+    void setTraceColor(protocol::TraceColor color) { trace_color_->setCurrentIndex(static_cast<int>(color)); }
+    protocol::TraceColor traceColor() const { return static_cast<protocol::TraceColor>(trace_color_->currentIndex()); }
     const ObjectListModel& model() const { return *model_; }
     QSize sizeHint() const override { return {260, 420}; }
 

@@ -160,8 +160,4 @@ QString MessageDetail::bodyOf(const MessageRow& row) const {
     return body;
 }
 
-void MessageDetail::render() {
-    setHtml(head_ + (row_ ? bodyOf(*row_) : QString()));
-}
-
 } // namespace usar::widgets

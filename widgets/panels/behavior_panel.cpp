@@ -98,10 +98,6 @@ QWidget* BehaviorPanel::makeButtons() {
     return box;
 }
 
-std::array<QPushButton*, 4> BehaviorPanel::buttons() const {
-    return {start_, pause_, land_, stop_};
-}
-
 void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
     QAction* const actions[] = {start, pause, land, stop};
     for (std::size_t i = 0; i < buttons().size(); ++i) {
@@ -208,18 +204,10 @@ bool BehaviorPanel::needsArea() const {
     return row < 0 || behaviors_[static_cast<std::size_t>(row)].needs_area;
 }
 
-bool BehaviorPanel::busy() const {
-    return run_state_ == RunState::Running || run_state_ == RunState::Paused;
-}
-
 void BehaviorPanel::chooseBehavior(const std::string& id) {
     const int index = behavior_box_->findData(QString::fromStdString(id));
     if (index >= 0)
         behavior_box_->setCurrentIndex(index);
-}
-
-std::string BehaviorPanel::behaviorId() const {
-    return behavior_box_->currentData().toString().toStdString();
 }
 
 void BehaviorPanel::setPlanSummary(const QString& summary) {

@@ -38,7 +38,7 @@ public:
     /// Chooses and emits behaviorChosen as if the user had done it; an unknown id changes nothing.
     void chooseBehavior(const std::string& id);
     /// Id of the chosen behavior; empty if the list is empty.
-    std::string behaviorId() const;
+    std::string behaviorId() const { return behavior_box_->currentData().toString().toStdString(); }
 
     /// The plan of the chosen behavior; the widget is hidden for behaviors without a plan.
     PlanChoice& plan() { return *plan_; }
@@ -90,11 +90,11 @@ private:
     void fitHelp();
     void makeAreaBox();
     QWidget* makeButtons();
-    std::array<QPushButton*, 4> buttons() const;
+    std::array<QPushButton*, 4> buttons() const { return {start_, pause_, land_, stop_}; }
     /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is
     /// disabled.
     void follow(QPushButton* button, const QAction* action);
-    bool busy() const;
+    bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
     QLabel* robot_label_ = new QLabel;

@@ -220,10 +220,6 @@ QString FaultPanel::text() const {
     return text;
 }
 
-void FaultPanel::showText() {
-    text_->setText(text());
-}
-
 void FaultPanel::setFaults(const std::vector<FaultRow>& faults) {
     const int selected = endable();
     const QSignalBlocker quiet(list_);

@@ -102,7 +102,7 @@ private:
     /// Rebuilds the fields for the chosen kind.
     void showKind();
     Field addNumber(const FaultQuantity& quantity);
-    void showText();
+    void showText() { text_->setText(text()); }
 
     std::vector<FaultKindInfo> kinds_;
     QComboBox* kind_ = new QComboBox;

@@ -35,14 +35,6 @@ void Meter::setLimits(double caution_pct, double danger_pct) {
     update();
 }
 
-QSize Meter::sizeHint() const {
-    return {240, fontMetrics().height() + 2};
-}
-
-QSize Meter::minimumSizeHint() const {
-    return {160, fontMetrics().height() + 2};
-}
-
 void Meter::paintEvent(QPaintEvent*) {
     const Tokens& t = tokens();
     QPainter painter(this);

@@ -20,8 +20,8 @@ public:
     std::optional<double> value() const { return value_pct_; }
     /// High values are bad from these limits on; above 100 means never.
     void setLimits(double caution_pct, double danger_pct);
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return {240, fontMetrics().height() + 2}; }
+    QSize minimumSizeHint() const override { return {160, fontMetrics().height() + 2}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -54,10 +54,6 @@ int ObjectListModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(objects_.size());
 }
 
-int ObjectListModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : column_count;
-}
-
 QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};

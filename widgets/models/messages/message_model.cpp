@@ -216,16 +216,8 @@ std::vector<std::uint64_t> MessageModel::causedBy(std::uint64_t serial) const {
     return caused;
 }
 
-const MessageRow& MessageModel::row(int shown) const {
-    return rows_[shown_[static_cast<std::size_t>(shown)] - dropped_];
-}
-
 int MessageModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(shown_.size());
-}
-
-int MessageModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : column_count;
 }
 
 QVariant MessageModel::data(const QModelIndex& index, int role) const {
