@@ -1,7 +1,6 @@
 #include "widgets/bars/link_panel.h"
 
 #include <array>
-#include <cmath>
 
 #include <QGridLayout>
 #include <QLocale>

@@ -1,7 +1,6 @@
 // Chip that says in a word and a shape who drives a robot: nobody, its behavior, or the user.
 #pragma once
 
-#include <QToolButton>
 #include <QWidget>
 
 #include "widgets/models/control_words.h"

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <QPainterPath>
-
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {

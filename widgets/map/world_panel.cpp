@@ -1,7 +1,5 @@
 #include "widgets/map/world_panel.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QApplication>
 #include <QDrag>

@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QTimer>
 #include <QWidget>
 
 #include "widgets/messages/type_choice_button.h"

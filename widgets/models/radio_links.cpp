@@ -1,7 +1,6 @@
 #include "widgets/models/radio_links.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "widgets/models/figures.h"

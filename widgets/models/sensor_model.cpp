@@ -6,9 +6,9 @@
 #include <QMimeData>
 #include <QSize>
 
-#include "widgets/models/field_mime.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/models/series_store.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

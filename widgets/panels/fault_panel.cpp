@@ -1,7 +1,6 @@
 #include "widgets/panels/fault_panel.h"
 
 #include <QHeaderView>
-#include <QScrollArea>
 
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include "core/base/result.h"
-#include "widgets/models/field_mime.h"
 #include "widgets/models/series_store.h"
 #include "widgets/panels/plot_canvas.h"
 
