@@ -285,7 +285,7 @@ void TaskDesk::start() {
     const int id = desk_.selection.id();
     const mission::TaskDraft& draft = drafts_.shown();
     if (Robot* robot = desk_.selection.robot(); robot && robot->setCellSize(draft.cell_size_m))
-        desk_.views.map->clearHeights(draft.cell_size_m);
+        desk_.views.map->heights().clear(draft.cell_size_m);
     const auto started = desk_.control.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
                                                      QString::fromStdString(draft.plan_path), isolated());
     if (!started)

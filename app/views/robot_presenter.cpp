@@ -166,7 +166,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
         views_.map->setLaserHits(name, update.last_hits);
     if (!selected)
         return;
-    views_.map->takeTiles(update.tiles, update.height_range);
+    views_.map->heights().take(update.tiles, update.height_range);
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))
             views_.map->addMark(*mark);
@@ -268,7 +268,7 @@ void RobotPresenter::select(int id) {
     views_.plots->setSource({});
     scan_heard_ = sonar_heard_ = std::nullopt;
     const Robot* robot = control_.robot(id);
-    views_.map->clearHeights(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
+    views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot)
         return views_.status->clear(QObject::tr("No robot yet"));
@@ -277,7 +277,7 @@ void RobotPresenter::select(int id) {
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
         tiles.push_back(tile);
-    views_.map->takeTiles(tiles, view.height_range);
+    views_.map->heights().take(tiles, view.height_range);
     for (const agent::MapMark& mark : view.marks)
         views_.map->addMark(mark);
     if (robot->running())

@@ -21,7 +21,7 @@ void fill(widgets::MapView& view) {
     for (int column = 0; column < 800; ++column)
         for (int row = 0; row < 800; ++row)
             map.write({column, row}, static_cast<float>((column * 7 + row * 13) % 64), {1});
-    view.takeTiles(map.takeChangedTiles(), map.range());
+    view.heights().take(map.takeChangedTiles(), map.range());
     while (view.heights().busy()) {
         QEventLoop loop;
         QObject::connect(&view.heights(), &widgets::HeightLayer::changed, &loop, &QEventLoop::quit);

@@ -317,7 +317,7 @@ void tst_MapView::areaWithoutGroundIsRefused() {
 void tst_MapView::hoverProbesTheGround() {
     mapping::HeightMap map(0.25);
     map.write(map.cellAt(Vec2(10.1, -5.1)), 4.31f, {1});
-    view_->takeTiles(map.takeChangedTiles(), map.range());
+    view_->heights().take(map.takeChangedTiles(), map.range());
     view_->setTransform({{}, Vec2(10.1, -5.1), 100.0, {}});
     QTRY_VERIFY(!view_->heights().busy());
     const auto probe = view_->heights().probe(Vec2(10.1, -5.1));

@@ -347,7 +347,7 @@ void tst_MessageList::aWrongExpressionIsSaidAndFiltersNothing() {
     auto* search = list_->findChild<QLineEdit*>(QStringLiteral("search"));
     QTest::keyClicks(search, QStringLiteral("/f1 range [0-9/"));
     QCOMPARE(list_->model().rowCount(), 2);
-    QVERIFY2(search->toolTip().startsWith(QStringLiteral("Not a regular expression at column ")),
+    QVERIFY2(search->toolTip().startsWith(QStringLiteral("Invalid regular expression at column ")),
              qPrintable(search->toolTip()));
     search->clear();
     QTest::keyClicks(search, QStringLiteral("/f1 range 3/"));

@@ -4,12 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include <QEvent>
-#include <QHBoxLayout>
-
 #include "core/protocol/usual_values.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/elided_label.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -55,28 +52,13 @@ StateShape shape(const ConnectionStatus& status) {
 
 } // namespace
 
-ConnectionBar::ConnectionBar(QWidget* parent)
-    : QWidget(parent)
-    , server_(new QComboBox(this))
-    , host_(new QLineEdit(QStringLiteral("127.0.0.1"), this))
-    , port_(new QSpinBox(this))
-    , button_(new QPushButton(this))
-    , dot_(new StateDot(this))
-    , status_text_(new ElidedLabel(this))
-    , retry_(new QLabel(this))
-    , rate_(new QToolButton(this))
-    , panel_(new LinkPanel(this)) {
+ConnectionBar::ConnectionBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Connection"));
     setUpAddress();
     setUpStatus();
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
-    row->setSpacing(gap::small);
-    for (QWidget* widget : std::initializer_list<QWidget*>{server_, host_, port_, button_, dot_})
-        row->addWidget(widget);
-    row->addWidget(status_text_, 1);
-    row->addWidget(retry_);
-    row->addWidget(rate_);
+    laidOut(new QHBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::tiny}, gap::small,
+            {server_, host_, port_, button_, dot_, status_text_, retry_, rate_})
+        ->setStretchFactor(status_text_, 1);
     connect(button_, &QPushButton::clicked, this, &ConnectionBar::press);
     connect(host_, &QLineEdit::returnPressed, this, &ConnectionBar::press);
     connect(server_, &QComboBox::currentIndexChanged, this, &ConnectionBar::refresh);
@@ -84,23 +66,22 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     connect(&second_, &QTimer::timeout, this, &ConnectionBar::countDown);
     setRate(std::nullopt);
     refresh();
+    onThemeChange(
+        this, [this] { refresh(); }, QEvent::StyleChange);
 }
 
 void ConnectionBar::setUpAddress() {
     server_->addItem(icon(QStringLiteral("robot")), tr("Embedded simulator"));
     server_->addItem(icon(QStringLiteral("plug")), tr("Real server"));
-    server_->setAccessibleName(tr("Server"));
-    server_->setToolTip(tr("The simulator inside this program, or a USARSim server in the network"));
-    host_->setAccessibleName(tr("Host"));
-    host_->setToolTip(tr("Name or address of the USARSim server"));
+    named(server_, tr("Server"), tr("The simulator inside this program, or a USARSim server on the network"));
+    named(host_, tr("Host"), tr("Name or address of the USARSim server"));
     host_->setMinimumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("000.000.000")));
     host_->setTextMargins(2, 0, 2, 0); // Same distance to the frame as in the port's box.
     host_->setMaximumWidth(host_->fontMetrics().horizontalAdvance(QStringLiteral("some-long-host.example.org")));
     port_->setRange(1, 65535);
     port_->setValue(protocol::usual_port::bot);
     port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    port_->setAccessibleName(tr("Port"));
-    port_->setToolTip(tr("TCP port of the server; USARSim listens on %1").arg(protocol::usual_port::bot));
+    named(port_, tr("Port"), tr("TCP port of the server; USARSim listens on %1").arg(protocol::usual_port::bot));
     button_->setIcon(icon(QStringLiteral("plug")));
     button_->setText(tr("Disconnect")); // The longest text, so that the neighbors do not move.
     button_width_px_ = button_->sizeHint().width();
@@ -115,8 +96,8 @@ void ConnectionBar::setUpStatus() {
     status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
     retry_->setAccessibleName(tr("Next try"));
     retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
-    rate_->setAccessibleName(tr("Info lines per second"));
-    rate_->setToolTip(tr("Info lines received per second of wall time; click for all figures of the link"));
+    named(rate_, tr("Info lines per second"),
+          tr("Info lines received per second of wall time; click to see all figures of the link"));
     rate_->setAutoRaise(true);
     rate_->setFocusPolicy(Qt::StrongFocus);
     rate_->setMinimumHeight(minimum_target);
@@ -124,25 +105,9 @@ void ConnectionBar::setUpStatus() {
     rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
 }
 
-void ConnectionBar::setServer(ServerChoice choice) {
-    server_->setCurrentIndex(choice == ServerChoice::Embedded ? 0 : 1);
-}
-
-ServerChoice ConnectionBar::server() const {
-    return server_->currentIndex() == 0 ? ServerChoice::Embedded : ServerChoice::Real;
-}
-
 void ConnectionBar::setAddress(const QString& host, quint16 port) {
     host_->setText(host);
     port_->setValue(port);
-}
-
-QString ConnectionBar::host() const {
-    return host_->text().trimmed();
-}
-
-quint16 ConnectionBar::port() const {
-    return static_cast<quint16>(port_->value());
 }
 
 void ConnectionBar::setStatus(const ConnectionStatus& status) {
@@ -150,10 +115,9 @@ void ConnectionBar::setStatus(const ConnectionStatus& status) {
         return;
     status_ = status;
     retry_in_ = status.retry_in;
+    second_.stop();
     if (status.state == ConnectionState::Waiting)
         second_.start();
-    else
-        second_.stop();
     refresh();
 }
 
@@ -170,11 +134,6 @@ void ConnectionBar::showWords() {
         server() == ServerChoice::Real ? QStringLiteral(" %1:%2").arg(host()).arg(port()) : QString();
     for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
         label->setToolTip(tr("%1\n%2%3").arg(statusText(), server_->currentText(), address));
-}
-
-QString ConnectionBar::statusText() const {
-    const QStringList sentences{status_text_->text(), retry_->text()};
-    return sentences.join(u' ').trimmed();
 }
 
 void ConnectionBar::setRoom(BarRoom room) {
@@ -200,12 +159,10 @@ void ConnectionBar::refresh() {
     const bool off = status_.state == ConnectionState::Disconnected;
     const bool real = server() == ServerChoice::Real;
     const bool choice_shown = off || room_ == BarRoom::Wide;
-    server_->setVisible(choice_shown);
-    server_->setEnabled(off);
-    host_->setVisible(real && choice_shown);
-    port_->setVisible(real && choice_shown);
-    host_->setEnabled(off);
-    port_->setEnabled(off);
+    for (QWidget* part : std::initializer_list<QWidget*>{server_, host_, port_}) {
+        part->setVisible(choice_shown && (real || part == server_));
+        part->setEnabled(off);
+    }
     const QString word = off                                           ? tr("Connect")
                          : status_.state == ConnectionState::Connected ? tr("Disconnect")
                                                                        : tr("Cancel");
@@ -222,12 +179,6 @@ void ConnectionBar::refresh() {
     palette.setColor(QPalette::WindowText, stateColor(shape(status_)));
     status_text_->setPalette(palette);
     retry_->setPalette(palette);
-}
-
-void ConnectionBar::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::StyleChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

@@ -12,11 +12,10 @@
 
 #include "core/base/clock.h"
 #include "widgets/bars/link_panel.h"
+#include "widgets/style/elided_label.h"
 #include "widgets/style/state_dot.h"
 
 namespace usar::widgets {
-
-class ElidedLabel;
 
 /// The simulator inside this program, or a USARSim server on the network.
 enum class ServerChoice { Embedded, Real };
@@ -46,15 +45,15 @@ public:
     explicit ConnectionBar(QWidget* parent = nullptr);
 
     /// Emits nothing.
-    void setServer(ServerChoice choice);
+    void setServer(ServerChoice choice) { server_->setCurrentIndex(choice == ServerChoice::Embedded ? 0 : 1); }
     /// The current choice, connected or not.
-    ServerChoice server() const;
+    ServerChoice server() const { return server_->currentIndex() == 0 ? ServerChoice::Embedded : ServerChoice::Real; }
     /// Host and TCP port of the real server; the embedded one needs none.
     void setAddress(const QString& host, quint16 port);
     /// Host as typed, trimmed; may be empty.
-    QString host() const;
+    QString host() const { return host_->text().trimmed(); }
     /// TCP port, 1..65535.
-    quint16 port() const;
+    quint16 port() const { return static_cast<quint16>(port_->value()); }
     /// Shows the state. The server choice is locked unless the state is Disconnected.
     void setStatus(const ConnectionStatus& status);
     /// Sets how much room the bar has; the owner knows the width of the window.
@@ -66,16 +65,13 @@ public:
     LinkPanel* panel() const { return panel_; }
     void openPanel() { panel_->openBelow(rate_); }
     /// The complete status text, even if part of it is elided on the screen.
-    QString statusText() const;
+    QString statusText() const { return QString(status_text_->text() + u' ' + retry_->text()).trimmed(); }
 
 signals:
     /// For a real server the host is trimmed and not empty; for the embedded one it is empty and the port is 0.
     void connectRequested(usar::widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also means "stop trying" while connecting or waiting.
     void disconnectRequested();
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void setUpAddress();
@@ -91,15 +87,15 @@ private:
     int button_width_px_ = 0; ///< width with its longest word
     Seconds retry_in_{0.0};   ///< time to the next try, counting down
     QTimer second_{this};
-    QComboBox* server_;
-    QLineEdit* host_;
-    QSpinBox* port_;
-    QPushButton* button_;
-    StateDot* dot_;
-    ElidedLabel* status_text_; ///< elided with "…" if there is no room
-    QLabel* retry_;            ///< never elided, because it changes every second
-    QToolButton* rate_;
-    LinkPanel* panel_;
+    QComboBox* server_ = new QComboBox(this);
+    QLineEdit* host_ = new QLineEdit(QStringLiteral("127.0.0.1"), this);
+    QSpinBox* port_ = new QSpinBox(this);
+    QPushButton* button_ = new QPushButton(this);
+    StateDot* dot_ = new StateDot(this);
+    ElidedLabel* status_text_ = new ElidedLabel(this); ///< elided with "…" if there is no room
+    QLabel* retry_ = new QLabel(this);                 ///< never elided, because it changes every second
+    QToolButton* rate_ = new QToolButton(this);
+    LinkPanel* panel_ = new LinkPanel(this);
 };
 
 } // namespace usar::widgets

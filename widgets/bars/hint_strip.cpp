@@ -2,36 +2,30 @@
 
 #include <algorithm>
 
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QToolButton>
-
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-HintStrip::HintStrip(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
+HintStrip::HintStrip(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("First steps"));
-    auto* close = new QToolButton(this);
+    auto* close = named(new QToolButton(this), tr("Dismiss the first steps"),
+                        tr("Hide this strip; First steps in the View menu shows it again"));
     close->setObjectName(QStringLiteral("dismiss"));
     close->setIcon(icon(QStringLiteral("clear")));
-    close->setAutoRaise(true);
-    close->setMinimumSize(minimum_target, minimum_target);
-    close->setAccessibleName(tr("Dismiss the first steps"));
-    close->setToolTip(tr("Hide this strip; First steps in the View menu shows it again"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
+    makeFlat(close);
     text_->setTextFormat(Qt::RichText);
     text_->setWordWrap(true);
-    row->addWidget(text_, 1);
-    row->addWidget(close);
+    laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, close})
+        ->setStretchFactor(text_, 1);
     connect(close, &QToolButton::clicked, this, [this] {
         hide();
         emit dismissed();
     });
     setSteps(firstSteps());
+    onThemeChange(this, [this] { refresh(); });
 }
 
 QStringList HintStrip::firstSteps() {
@@ -69,12 +63,6 @@ void HintStrip::refresh() {
     text_->setText(
         parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name())));
     setAccessibleDescription(next < steps_.size() ? tr("Next: %1").arg(steps_[next]) : tr("All steps are done"));
-}
-
-void HintStrip::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        refresh();
-    QFrame::changeEvent(event);
 }
 
 } // namespace usar::widgets

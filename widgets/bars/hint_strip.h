@@ -29,16 +29,13 @@ signals:
     /// The user hid the strip; the owner should remember that across restarts.
     void dismissed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     /// Renders the text from steps and state.
     void refresh();
 
     QStringList steps_;
     std::vector<bool> done_;
-    QLabel* text_;
+    QLabel* text_ = new QLabel(this);
 };
 
 } // namespace usar::widgets

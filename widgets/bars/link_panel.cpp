@@ -1,12 +1,12 @@
 #include "widgets/bars/link_panel.h"
 
 #include <array>
-#include <cmath>
 
 #include <QGridLayout>
 #include <QLocale>
 
 #include "widgets/models/figures.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -40,11 +40,7 @@ QString bytesText(double bytes) {
     return figure(bytes, unit == 0 || bytes >= 100.0 ? 0 : 1) + u' ' + QLatin1String(units[unit]);
 }
 
-LinkPanel::LinkPanel(QWidget* parent)
-    : QFrame(parent, Qt::Popup)
-    , title_(new QLabel(this))
-    , totals_(row_count)
-    , rates_(row_count) {
+LinkPanel::LinkPanel(QWidget* parent) : QFrame(parent, Qt::Popup), totals_(row_count), rates_(row_count) {
     setAccessibleName(tr("Link figures"));
     setProperty("role", "card");
     auto* grid = new QGridLayout(this);
@@ -53,7 +49,7 @@ LinkPanel::LinkPanel(QWidget* parent)
     grid->setVerticalSpacing(gap::tiny);
     title_->setProperty("role", "title");
     grid->addWidget(title_, 0, 0);
-    const QStringList heads{tr("in all"), tr("per second")};
+    const QStringList heads{tr("total"), tr("per second")};
     for (int column = 0; column < heads.size(); ++column) {
         QLabel* head = figureLabel(this);
         head->setText(heads[column]);
@@ -61,19 +57,18 @@ LinkPanel::LinkPanel(QWidget* parent)
         grid->addWidget(head, 0, column + 1);
     }
     addRow(LinesIn, tr("Lines in"), tr("From the server"));
-    addRow(LinesOut, tr("Lines out"), tr("Sent to the server, STEP too"));
-    addRow(BytesIn, tr("Bytes in"), tr("With line ends and dropped lines"));
-    addRow(BytesOut, tr("Bytes out"), tr("With line ends"));
+    addRow(LinesOut, tr("Lines out"), tr("Sent to the server, including STEP"));
+    addRow(BytesIn, tr("Bytes in"), tr("Including line ends and dropped lines"));
+    addRow(BytesOut, tr("Bytes out"), tr("Including line ends"));
     addRow(Unknown, tr("Unknown types"),
            tr("Lines whose type no table knows; they are kept whole, shown and recorded"));
-    addRow(Malformed, tr("Malformed"), tr("Lines with something wrong in them; what could be read was used"));
-    addRow(Dropped, tr("Dropped"), tr("Lines longer than 4 MiB, left out"));
+    addRow(Malformed, tr("Malformed"), tr("Lines with errors; what could be read was used"));
+    addRow(Dropped, tr("Dropped"), tr("Lines longer than 4 MiB, which were left out"));
     addRow(Replaced, tr("DRIVE replaced"),
-           tr("DRIVE commands that a newer one replaced, for a server takes 20 a second"));
-    addRow(NotShown, tr("Not shown"), tr("Lines that were read and used, but came faster than lists take them"));
-    auto* note = new QLabel(tr("Since this connection was made"), this);
-    note->setProperty("role", "muted");
-    grid->addWidget(note, row_count + 1, 0, 1, 3);
+           tr("DRIVE commands that a newer one replaced, because a server takes only 20 per second"));
+    addRow(NotShown, tr("Not shown"),
+           tr("Lines that were read and used, but arrived faster than the lists can take them"));
+    grid->addWidget(mutedLabel(tr("Since this connection was made"), this), row_count + 1, 0, 1, 3);
     setFigures({});
     setName({});
 }
@@ -115,8 +110,7 @@ void LinkPanel::setFigures(const LinkFigures& figures) {
 
 void LinkPanel::openBelow(const QWidget* widget) {
     adjustSize();
-    const QPoint corner = widget->mapToGlobal(QPoint(widget->width() - width(), widget->height()));
-    move(corner);
+    move(widget->mapToGlobal(QPoint(widget->width() - width(), widget->height())));
     show();
 }
 

@@ -39,7 +39,7 @@ private:
     enum Row { LinesIn, LinesOut, BytesIn, BytesOut, Unknown, Malformed, Dropped, Replaced, NotShown, row_count };
     void addRow(Row row, const QString& name, const QString& help);
 
-    QLabel* title_;
+    QLabel* title_ = new QLabel(this);
     std::vector<QLabel*> totals_;
     std::vector<QLabel*> rates_;
 };

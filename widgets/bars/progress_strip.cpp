@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
-
 #include "widgets/models/figures.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -17,21 +16,16 @@ constexpr int bar_width_px = 180;
 
 } // namespace
 
-ProgressStrip::ProgressStrip(QWidget* parent)
-    : QFrame(parent)
-    , text_(new QLabel)
-    , bar_(new QProgressBar)
-    , cancel_(new QPushButton(tr("Cancel"))) {
+ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Progress"));
     bar_->setTextVisible(false);
     bar_->setMaximumWidth(bar_width_px);
-    cancel_->setToolTip(tr("Gives it up; everything stays as it is"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
-    row->addWidget(text_, 1);
-    row->addWidget(bar_, 1);
-    row->addWidget(cancel_);
+    cancel_->setToolTip(tr("Cancels the operation; everything stays as it is"));
+    auto* row =
+        laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, bar_, cancel_});
+    row->setStretchFactor(text_, 1);
+    row->setStretchFactor(bar_, 1);
     soon_.setSingleShot(true);
     soon_.setInterval(moment);
     connect(&soon_, &QTimer::timeout, this, &QWidget::show);

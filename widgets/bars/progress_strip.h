@@ -30,9 +30,9 @@ signals:
 
 private:
     QString what_;
-    QLabel* text_;
-    QProgressBar* bar_;
-    QPushButton* cancel_;
+    QLabel* text_ = new QLabel;
+    QProgressBar* bar_ = new QProgressBar;
+    QPushButton* cancel_ = new QPushButton(tr("Cancel"));
     QTimer soon_; ///< delays the strip, so that short operations do not show it
 };
 

@@ -1,36 +1,22 @@
 #include "widgets/bars/record_badge.h"
 
-#include <QAction>
-#include <QEvent>
-#include <QHBoxLayout>
-
 #include "widgets/models/figures.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-RecordBadge::RecordBadge(QWidget* parent)
-    : QWidget(parent)
-    , button_(new QToolButton(this))
-    , figures_(new QLabel(this)) {
+RecordBadge::RecordBadge(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Recording"));
-    button_->setAutoRaise(true);
-    button_->setMinimumSize(minimum_target, minimum_target);
-    figures_->setProperty("role", "muted");
+    makeFlat(button_);
     figures_->setMinimumWidth(figures_->fontMetrics().horizontalAdvance(QStringLiteral("00:00:00 0000.0 MB")));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
-    row->setSpacing(gap::tiny);
-    row->addWidget(button_);
-    row->addWidget(figures_);
+    laidOut(new QHBoxLayout(this), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny, {button_, figures_});
     setState(std::nullopt);
+    onThemeChange(this, [this] { refresh(); });
 }
 
 void RecordBadge::setAction(QAction* action) {
-    button_->setDefaultAction(action);
-    button_->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    button_->setAccessibleName(action->text());
+    showAction(button_, action);
     connect(action, &QAction::toggled, this, [this] { refresh(); });
     refresh();
 }
@@ -52,12 +38,6 @@ void RecordBadge::refresh() {
         figures_->setText(action && action->isChecked() ? tr("REC ready") : tr("not recorded"));
     if (action)
         action->setIcon(writing_ ? icon(QStringLiteral("record"), tokens().danger) : icon(QStringLiteral("record")));
-}
-
-void RecordBadge::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

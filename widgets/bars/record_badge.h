@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <optional>
 
-#include <QLabel>
-#include <QToolButton>
 #include <QWidget>
 
 #include "core/base/clock.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -33,14 +32,11 @@ public:
     void setFiguresShown(bool shown) { figures_->setVisible(shown); }
     QString text() const { return figures_->text(); }
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void refresh();
 
-    QToolButton* button_;
-    QLabel* figures_;
+    QToolButton* button_ = new QToolButton(this);
+    QLabel* figures_ = mutedLabel({}, this);
     bool writing_ = false;
 };
 

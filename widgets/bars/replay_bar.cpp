@@ -1,17 +1,15 @@
 #include "widgets/bars/replay_bar.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QAbstractItemView>
 #include <QAction>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include "widgets/models/figures.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
-#include "widgets/style/time_slider.h"
 
 namespace usar::widgets {
 
@@ -21,48 +19,25 @@ constexpr int time_steps = 10000;
 
 } // namespace
 
-ReplayBar::ReplayBar(QWidget* parent)
-    : QFrame(parent)
-    , name_(new QLabel(tr("Replay"), this))
-    , back_(new QToolButton(this))
-    , play_(new QToolButton(this))
-    , forward_(new QToolButton(this))
-    , step_(new QToolButton(this))
-    , close_(new QToolButton(this))
-    , slider_(new TimeSlider(this))
-    , time_(new QLabel(this))
-    , speed_(new QComboBox(this)) {
+ReplayBar::ReplayBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Replay"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::medium, gap::tiny, gap::small, gap::tiny);
-    row->setSpacing(gap::tiny);
     slider_->setRange(0, time_steps);
-    slider_->setAccessibleName(tr("Moment of the recording"));
-    slider_->setToolTip(tr("Click or drag to another moment"));
+    named(slider_, tr("Moment of the recording"), tr("Click or drag to go to another moment"));
     slider_->setMinimumHeight(minimum_target);
-    time_->setAccessibleName(tr("Moment and length of the recording"));
-    time_->setToolTip(tr("Since the recording began, and how long it is"));
+    named(time_, tr("Moment and length of the recording"),
+          tr("Time since the recording began, and the length of the recording"));
     time_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(QStringLiteral("00:00:00 / 00:00:00")));
-    speed_->setAccessibleName(tr("Speed of the replay"));
-    speed_->setToolTip(tr("Times the pace of the recording; max is as fast as this machine can"));
-    for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
-        speed_->addItem(QStringLiteral("%1×").arg(speed), speed);
-    speed_->addItem(tr("max"), double(INFINITY));
+    named(speed_, tr("Speed of the replay"),
+          tr("Speed as a multiple of the recording's pace; max is as fast as this machine can go"));
     name_->setProperty("role", "title");
-    row->addWidget(name_);
-    row->addSpacing(gap::small);
-    for (QToolButton* button : {back_, play_, forward_, step_, close_}) {
-        button->setAutoRaise(true);
-        button->setMinimumSize(minimum_target, minimum_target);
-    }
-    for (QWidget* widget : std::initializer_list<QWidget*>{back_, play_, forward_, step_})
-        row->addWidget(widget);
-    row->addWidget(slider_, 1);
-    row->addWidget(time_);
-    row->addWidget(speed_);
-    row->addWidget(close_);
+    for (QToolButton* button : {back_, play_, forward_, step_, close_})
+        makeFlat(button);
+    auto* row = laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, gap::tiny,
+                        {name_, back_, play_, forward_, step_, slider_, time_, speed_, close_});
+    row->insertSpacing(1, gap::small);
+    row->setStretchFactor(slider_, 1);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) {
         showTime(positionOf(value));
         emit seekRequested(positionOf(value));
@@ -71,19 +46,15 @@ ReplayBar::ReplayBar(QWidget* parent)
         if (action != QAbstractSlider::SliderMove)
             emit seekRequested(positionOf(slider_->sliderPosition()));
     });
-    connect(speed_, &QComboBox::activated, this, [this] { emit speedRequested(speed_->currentData().toDouble()); });
-    speed_->setCurrentIndex(speed_->findData(1.0));
+    connect(speed_, &QComboBox::activated, this, [this] { emit speedRequested(speed_->speed()); });
     showTime(Seconds{0.0});
 }
 
 void ReplayBar::setActions(QAction* play, QAction* back, QAction* forward, QAction* step, QAction* close) {
     const std::initializer_list<std::pair<QToolButton*, QAction*>> pairs{
         {play_, play}, {back_, back}, {forward_, forward}, {step_, step}, {close_, close}};
-    for (const auto& [button, action] : pairs) {
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-        button->setAccessibleName(action->text());
-    }
+    for (const auto& [button, action] : pairs)
+        showAction(button, action);
 }
 
 Seconds ReplayBar::positionOf(int value) const {
@@ -100,19 +71,13 @@ void ReplayBar::setState(const ReplayState& state) {
         slider_->setValue(static_cast<int>(std::lround(part * time_steps)));
         showTime(state.position);
     }
-    int nearest = 0;
-    for (int i = 1; i < speed_->count(); ++i) {
-        const auto off = [&](int row) { return std::abs(std::log(speed_->itemData(row).toDouble() / state.speed)); };
-        if (std::isinf(state.speed) ? i == speed_->count() - 1 : off(i) < off(nearest))
-            nearest = i;
-    }
     if (!speed_->view()->isVisible())
-        speed_->setCurrentIndex(nearest);
+        speed_->setSpeed(state.speed);
 }
 
 void ReplayBar::changeSpeed(int entries) {
-    speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + entries, 0, speed_->count() - 1));
-    emit speedRequested(speed_->currentData().toDouble());
+    speed_->step(entries);
+    emit speedRequested(speed_->speed());
 }
 
 void ReplayBar::showTime(Seconds position) {

@@ -1,13 +1,14 @@
 // Bar that shows the position of a replay, with controls to move through the recording.
 #pragma once
 
-#include <QComboBox>
 #include <QFrame>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 
 #include "core/base/clock.h"
+#include "widgets/bars/speed_box.h"
+#include "widgets/style/time_slider.h"
 
 namespace usar::widgets {
 
@@ -17,8 +18,7 @@ struct ReplayState {
     Seconds span{0.0};  ///< length of the recording
     double speed = 1.0; ///< times the pace of the recording; infinity: as fast as possible
     bool playing = false;
-    /// Going to another position.
-    bool seeking = false;
+    bool seeking = false; ///< the replay is on its way to another position
     bool operator==(const ReplayState&) const = default;
 };
 
@@ -51,15 +51,15 @@ private:
     Seconds positionOf(int value) const;
 
     ReplayState state_;
-    QLabel* name_;
-    QToolButton* back_;
-    QToolButton* play_;
-    QToolButton* forward_;
-    QToolButton* step_;
-    QToolButton* close_;
-    QSlider* slider_;
-    QLabel* time_;
-    QComboBox* speed_;
+    QLabel* name_ = new QLabel(tr("Replay"), this);
+    QToolButton* back_ = new QToolButton(this);
+    QToolButton* play_ = new QToolButton(this);
+    QToolButton* forward_ = new QToolButton(this);
+    QToolButton* step_ = new QToolButton(this);
+    QToolButton* close_ = new QToolButton(this);
+    QSlider* slider_ = new TimeSlider(this);
+    QLabel* time_ = new QLabel(this);
+    SpeedBox* speed_ = new SpeedBox(this);
 };
 
 } // namespace usar::widgets

@@ -3,12 +3,13 @@
 
 #include <optional>
 
-#include <QComboBox>
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
 
 #include "core/base/clock.h"
+#include "widgets/bars/speed_box.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -23,11 +24,11 @@ public:
     void setSteerable(bool steerable);
     /// Shows the state without a signal. Stepping is possible only while paused.
     void setPaused(bool paused);
-    bool paused() const;
+    bool paused() const { return pause_->isChecked(); }
     /// Shows the nearest speed of the list without a signal; infinity is "max".
-    void setSpeed(double speed);
+    void setSpeed(double speed) { speed_->setSpeed(speed); }
     /// Multiple of real time; infinity for "max".
-    double speed() const;
+    double speed() const { return speed_->speed(); }
     /// Moves so many entries up or down the list and emits speedRequested, as if the user had done it.
     void changeSpeed(int entries);
     /// Protocol clock; nullopt while unknown.
@@ -44,11 +45,11 @@ signals:
     void speedRequested(double speed);
 
 private:
-    QToolButton* pause_;
-    QToolButton* step_;
-    QComboBox* speed_;
-    QLabel* clock_;
-    QLabel* factor_;
+    QToolButton* pause_ = new QToolButton(this);
+    QToolButton* step_ = new QToolButton(this);
+    SpeedBox* speed_ = new SpeedBox(this);
+    QLabel* clock_ = new QLabel(this);
+    QLabel* factor_ = mutedLabel({}, this);
 };
 
 } // namespace usar::widgets

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -18,24 +19,16 @@ constexpr double wheel_notch = 120.0;
 
 } // namespace
 
-CameraCanvas::CameraCanvas(QWidget* parent) : QWidget(parent) {
+CameraCanvas::CameraCanvas(QWidget* parent) : Instrument(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::OpenHandCursor);
-    setAccessibleName(tr("Camera picture"));
-    setToolTip(tr("Drag to turn the camera, wheel to zoom; with the focus here the arrow keys turn it"));
+    named(this, tr("Camera picture"),
+          tr("Drag to turn the camera, use the wheel to zoom; with the focus here, the arrow keys turn it"));
 }
 
 void CameraCanvas::setPicture(const QImage& picture) {
     picture_ = picture;
-    stale_ = false;
-    update();
-}
-
-void CameraCanvas::setStale(bool stale) {
-    if (stale == stale_)
-        return;
-    stale_ = stale;
-    update();
+    showFresh({});
 }
 
 QRect CameraCanvas::pictureRect() const {
@@ -50,7 +43,7 @@ void CameraCanvas::paintEvent(QPaintEvent*) {
     if (picture_.isNull())
         return;
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setOpacity(stale_ ? 0.35 : 1.0);
+    painter.setOpacity(stale() ? 0.35 : 1.0);
     painter.drawImage(pictureRect(), picture_);
     painter.setOpacity(1.0);
     if (hasFocus()) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QImage>
-#include <QWidget>
+
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
-/// Dragging moves the scene with the mouse, as on a map; the arrow keys turn the camera, the wheel zooms. GUI thread.
-class CameraCanvas : public QWidget {
+/// Dragging moves the scene with the mouse, as on a map; the arrow keys turn the camera, the wheel zooms. A stale
+/// picture is drawn faded. GUI thread.
+class CameraCanvas : public Instrument {
     Q_OBJECT
 public:
     explicit CameraCanvas(QWidget* parent = nullptr);
@@ -16,8 +18,6 @@ public:
     void setPicture(const QImage& picture);
     /// The picture as last set; null if there is none.
     const QImage& picture() const { return picture_; }
-    /// Draws the picture faded, because it may be out of date.
-    void setStale(bool stale);
     /// Rectangle of the picture in pixels of this widget; keeps the aspect ratio.
     QRect pictureRect() const;
     QSize sizeHint() const override { return {320, 240}; }
@@ -41,7 +41,6 @@ private:
     QImage picture_;
     QPoint grabbed_;
     bool grabbing_ = false;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

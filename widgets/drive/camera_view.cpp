@@ -6,12 +6,10 @@
 #include <QAction>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "core/base/geometry.h"
-#include "widgets/drive/camera_canvas.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -24,24 +22,12 @@ constexpr double old_s = 2.0;
 
 } // namespace
 
-CameraView::CameraView(QWidget* parent)
-    : QWidget(parent)
-    , canvas_(new CameraCanvas(this))
-    , empty_(new EmptyState(canvas_))
-    , source_(new QLabel(this))
-    , freshness_(new QLabel(this))
-    , cameras_(new QComboBox(this))
-    , slider_(new QSlider(Qt::Horizontal, this))
-    , angle_(new QLabel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
-    column->addWidget(canvas_, 1);
-    auto* facts = new QHBoxLayout;
-    facts->addWidget(source_);
-    facts->addWidget(cameras_);
-    facts->addStretch(1);
-    facts->addWidget(freshness_);
+CameraView::CameraView(QWidget* parent) : QWidget(parent) {
+    auto* column =
+        laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::tiny, {canvas_});
+    column->setStretchFactor(canvas_, 1);
+    auto* facts = laidOut(new QHBoxLayout, -1, {source_, cameras_, freshness_});
+    facts->insertStretch(2, 1);
     column->addLayout(facts);
     makeControls();
     column->addLayout(controls_);
@@ -58,25 +44,19 @@ CameraView::CameraView(QWidget* parent)
 
 void CameraView::makeControls() {
     source_->setProperty("role", "title");
-    freshness_->setProperty("role", "muted");
     freshness_->setFont(themeFont(FontRole::Small));
-    freshness_->setAccessibleName(tr("Pictures a second and age of the last one"));
-    freshness_->setToolTip(tr("Pictures a second, and how long ago the last one came"));
-    cameras_->setAccessibleName(tr("Camera"));
-    cameras_->setToolTip(tr("Which of the robot's cameras is shown"));
+    named(freshness_, tr("Pictures per second and age of the last one"),
+          tr("Pictures per second, and how long ago the last one arrived"));
+    named(cameras_, tr("Camera"), tr("The robot's camera that is shown"));
     slider_->setRange(0, slider_steps);
     slider_->setMinimumHeight(minimum_target);
-    slider_->setAccessibleName(tr("Zoom"));
-    slider_->setToolTip(tr("Angle of view: wide on the left, close on the right"));
+    named(slider_, tr("Zoom"), tr("Angle of view: wide on the left, close on the right"));
     angle_->setFont(themeFont(FontRole::Small));
-    angle_->setAccessibleName(tr("Angle of view"));
-    angle_->setToolTip(tr("Angle of view across the picture, in degrees"));
+    named(angle_, tr("Angle of view"), tr("Angle of view across the picture, in degrees"));
     angle_->setMinimumWidth(angle_->fontMetrics().horizontalAdvance(QStringLiteral("120°")));
     angle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    controls_ = new QHBoxLayout;
-    controls_->setSpacing(gap::tiny);
-    controls_->addWidget(slider_, 1);
-    controls_->addWidget(angle_);
+    controls_ = laidOut(new QHBoxLayout, gap::tiny, {slider_, angle_});
+    controls_->setStretchFactor(slider_, 1);
     connect(slider_, &QSlider::valueChanged, this, [this](int value) {
         askZoom(zoom_.largest_rad * std::pow(zoom_.smallest_rad / zoom_.largest_rad, double(value) / slider_steps));
     });
@@ -85,17 +65,11 @@ void CameraView::makeControls() {
 void CameraView::setActions(const QList<QAction*>& actions) {
     for (QAction* const action : actions) {
         auto* button = new QToolButton(this);
-        button->setDefaultAction(action);
-        button->setAutoRaise(true);
+        showAction(button, action);
+        makeFlat(button);
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setMinimumSize(minimum_target, minimum_target);
-        button->setAccessibleName(action->text());
         controls_->addWidget(button);
     }
-}
-
-const QImage& CameraView::picture() const {
-    return canvas_->picture();
 }
 
 void CameraView::setPicture(const QImage& picture, double frames_per_s) {
@@ -153,10 +127,6 @@ void CameraView::setEmpty(const QString& title, const QString& hint, QAction* ac
     age_.invalidate();
 }
 
-bool CameraView::isEmpty() const {
-    return canvas_->picture().isNull();
-}
-
 void CameraView::showAge() {
     if (!age_.isValid())
         return;
@@ -166,16 +136,10 @@ void CameraView::showAge() {
                                       : tr("%1 frames/s · %2 s").arg(figure(frames_per_s_, 1), figure(age_s, 1)));
 }
 
-void CameraView::setUncovered(bool uncovered) {
-    uncovered_ = uncovered;
-    watchedOrNot();
-}
-
 void CameraView::watchedOrNot() {
+    age_timer_.stop();
     if (wantsPictures())
         age_timer_.start(250);
-    else
-        age_timer_.stop();
     emit wantsPicturesChanged(wantsPictures());
 }
 

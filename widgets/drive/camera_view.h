@@ -11,13 +11,13 @@
 #include <QWidget>
 
 #include "core/protocol/usual_values.h"
+#include "widgets/drive/camera_canvas.h"
+#include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 
 class QAction;
 
 namespace usar::widgets {
-
-class CameraCanvas;
-class EmptyState;
 
 /// Horizontal angles of view of the shown camera. The camera cannot zoom if `largest_rad` <= `smallest_rad`.
 struct CameraZoom {
@@ -37,7 +37,7 @@ public:
     /// Shows a new picture, which counts as fresh for two seconds; `frames_per_s` is only displayed.
     void setPicture(const QImage& picture, double frames_per_s);
     /// The newest picture; null while the view is empty.
-    const QImage& picture() const;
+    const QImage& picture() const { return canvas_->picture(); }
     /// Number of pictures taken since construction.
     int pictureCount() const { return pictures_; }
     /// Shows the robot's name with the shown camera; with more than one camera they are offered in a list. Emits
@@ -49,11 +49,14 @@ public:
     /// The next picture removes it.
     void setEmpty(const QString& title, const QString& hint, QAction* action = nullptr);
     /// True while there is no picture.
-    bool isEmpty() const;
+    bool isEmpty() const { return picture().isNull(); }
     /// Adds these actions as tool buttons to the row of controls, in this order.
     void setActions(const QList<QAction*>& actions);
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
-    void setUncovered(bool uncovered);
+    void setUncovered(bool uncovered) {
+        uncovered_ = uncovered;
+        watchedOrNot();
+    }
     /// True while the view is shown and not covered.
     bool wantsPictures() const { return uncovered_ && isVisible(); }
     QSize sizeHint() const override { return {340, 330}; }
@@ -81,13 +84,13 @@ private:
     /// Emits zoomRequested, clamped to the limits, if it differs from the current angle.
     void askZoom(double field_of_view_rad);
 
-    CameraCanvas* canvas_;
-    EmptyState* empty_;
-    QLabel* source_;
-    QLabel* freshness_;
-    QComboBox* cameras_;
-    QSlider* slider_;
-    QLabel* angle_;
+    CameraCanvas* canvas_ = new CameraCanvas(this);
+    EmptyState* empty_ = new EmptyState(canvas_);
+    QLabel* source_ = new QLabel(this);
+    QLabel* freshness_ = mutedLabel({}, this);
+    QComboBox* cameras_ = new QComboBox(this);
+    QSlider* slider_ = new QSlider(Qt::Horizontal, this);
+    QLabel* angle_ = new QLabel(this);
     QHBoxLayout* controls_;
     QTimer age_timer_;
     QElapsedTimer age_;

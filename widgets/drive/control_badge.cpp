@@ -26,7 +26,7 @@ StateShape shapeOf(Driver driver) {
 
 } // namespace
 
-ControlBadge::ControlBadge(QWidget* parent) : QWidget(parent), dot_(new StateDot(this)) {
+ControlBadge::ControlBadge(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     dot_->setAttribute(Qt::WA_TransparentForMouseEvents);

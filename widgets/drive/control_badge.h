@@ -1,7 +1,6 @@
 // Chip that says in a word and a shape who drives a robot: nobody, its behavior, or the user.
 #pragma once
 
-#include <QToolButton>
 #include <QWidget>
 
 #include "widgets/models/control_words.h"
@@ -39,7 +38,7 @@ protected:
 
 private:
     ControlWords words_;
-    StateDot* dot_;
+    StateDot* dot_ = new StateDot(this);
     bool bare_ = false;
     bool roomy_ = false;
 };

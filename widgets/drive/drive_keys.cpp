@@ -1,5 +1,7 @@
 #include "widgets/drive/drive_keys.h"
 
+#include <algorithm>
+
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -7,13 +9,26 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTextEdit>
-#include <QWindow>
 
 namespace usar::widgets {
 
 namespace {
 
 constexpr double slow_share = 0.3;
+
+/// A key, the axis that the robot needs for it, and where it moves the stick.
+struct DriveKey {
+    int key;
+    bool StickAxes::*axis;
+    double Stick::*part;
+    double way;
+};
+
+constexpr DriveKey drive_keys[] = {
+    {Qt::Key_W, &StickAxes::forward, &Stick::forward, 1.0}, {Qt::Key_S, &StickAxes::forward, &Stick::forward, -1.0},
+    {Qt::Key_Q, &StickAxes::left, &Stick::left, 1.0},       {Qt::Key_E, &StickAxes::left, &Stick::left, -1.0},
+    {Qt::Key_R, &StickAxes::up, &Stick::up, 1.0},           {Qt::Key_F, &StickAxes::up, &Stick::up, -1.0},
+    {Qt::Key_A, &StickAxes::turn, &Stick::turn, 1.0},       {Qt::Key_D, &StickAxes::turn, &Stick::turn, -1.0}};
 
 bool takesText(const QWidget* widget) {
     if (const auto* const line = qobject_cast<const QLineEdit*>(widget))
@@ -44,17 +59,12 @@ void DriveKeys::setActive(bool active) {
         typed_in->clearFocus(); // The user wants to drive, not to type.
 }
 
-void DriveKeys::setAxes(const StickAxes& axes) {
-    axes_ = axes;
-}
-
 Stick DriveKeys::stick() const {
-    const auto share = [this](int more, int less) {
-        return (double(down_.contains(more)) - double(down_.contains(less))) * (slow_ ? slow_share : 1.0);
-    };
-    return masked({share(Qt::Key_W, Qt::Key_S), share(Qt::Key_Q, Qt::Key_E), share(Qt::Key_A, Qt::Key_D),
-                   share(Qt::Key_R, Qt::Key_F)},
-                  axes_);
+    Stick stick;
+    for (const DriveKey& drive : drive_keys)
+        if (down_.contains(drive.key))
+            stick.*drive.part += drive.way * (slow_ ? slow_share : 1.0);
+    return masked(stick, axes_);
 }
 
 QStringList DriveKeys::turnKeys(const StickAxes& axes) {
@@ -63,24 +73,9 @@ QStringList DriveKeys::turnKeys(const StickAxes& axes) {
 }
 
 bool DriveKeys::isOurs(const QKeyEvent& event) const {
-    switch (event.key()) {
-    case Qt::Key_W:
-    case Qt::Key_S:
-        return axes_.forward;
-    case Qt::Key_A:
-    case Qt::Key_D:
-        return axes_.turn;
-    case Qt::Key_Q:
-    case Qt::Key_E:
-        return axes_.left;
-    case Qt::Key_R:
-    case Qt::Key_F:
-        return axes_.up;
-    case Qt::Key_Space:
-        return true;
-    default:
-        return false;
-    }
+    return event.key() == Qt::Key_Space || std::ranges::any_of(drive_keys, [&](const DriveKey& drive) {
+               return drive.key == event.key() && axes_.*drive.axis;
+           });
 }
 
 bool DriveKeys::takes(const QKeyEvent& event) const {

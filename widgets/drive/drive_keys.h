@@ -27,7 +27,7 @@ public:
     void setActive(bool active);
     bool active() const { return active_; }
     /// The axes that the robot can follow; keys of others are ignored.
-    void setAxes(const StickAxes& axes);
+    void setAxes(const StickAxes& axes) { axes_ = axes; }
     /// Position that results from the keys that are down; all zero if none is.
     Stick stick() const;
     /// Key labels for a pad that does the same, in the order forward, back, left, right; empty if the robot lacks the
@@ -60,10 +60,8 @@ private:
 
     QWidget* window_;
     StickAxes axes_;
-    /// Keys that are down (Qt::Key).
-    std::set<int> down_;
-    /// Shift is down.
-    bool slow_ = false;
+    std::set<int> down_; ///< keys that are down (Qt::Key)
+    bool slow_ = false;  ///< Shift is down
     bool active_ = false;
 };
 

@@ -3,15 +3,12 @@
 #include <cmath>
 
 #include <QScrollArea>
-#include <QStyle>
-#include <QVBoxLayout>
 
 #include "core/base/geometry.h"
 #include "widgets/drive/drive_keys.h"
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/elided_label.h"
-#include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -21,49 +18,24 @@ namespace {
 
 constexpr int speed_steps = 20;
 
-QLabel* mutedLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "muted");
+QLabel* smallLabel(const QString& text, QWidget* parent) {
+    QLabel* label = mutedLabel(text, parent);
     label->setFont(themeFont(FontRole::Small));
     return label;
 }
 
-void setRole(QWidget* widget, const char* role) {
-    if (widget->property("role").toByteArray() == role)
-        return;
-    widget->setProperty("role", role);
-    widget->style()->unpolish(widget);
-    widget->style()->polish(widget);
-}
-
 } // namespace
 
-DrivePanel::DrivePanel(QWidget* parent)
-    : QWidget(parent)
-    , content_(new QWidget(this))
-    , empty_(new EmptyState(content_))
-    , badge_(new ControlBadge(content_))
-    , take_(new QPushButton(content_))
-    , speed_(new QSlider(Qt::Horizontal, content_))
-    , speed_text_(new QLabel(content_))
-    , echo_(new ElidedLabel(content_))
-    , gamepad_(new ElidedLabel(content_))
-    , note_(new QLabel(content_))
-    , stop_(new QPushButton(this)) {
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    outer->setSpacing(gap::small);
+DrivePanel::DrivePanel(QWidget* parent) : QWidget(parent) {
     auto* scroll = new QScrollArea(this); // It also prevents changing figures from laying out the whole window again.
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidgetResizable(true);
     scroll->setWidget(content_);
-    outer->addWidget(scroll, 1);
-    outer->addWidget(stop_);
-    auto* column = new QVBoxLayout(content_);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::small);
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {scroll, stop_})
+        ->setStretchFactor(scroll, 1);
+    auto* column = laidOut(new QVBoxLayout(content_), {}, gap::small);
     badge_->setBare(true);
     column->addWidget(badge_, 0, Qt::AlignTop); // Also visible above the empty state.
     column->addWidget(take_);
@@ -88,36 +60,31 @@ void DrivePanel::makePads() {
     pad_ = new DrivePad(PadShape::Both, content_);
     side_ = new DrivePad(PadShape::Across, content_);
     lift_ = new DrivePad(PadShape::Upright, content_);
-    pad_->setAccessibleName(tr("Drive and turn"));
-    pad_->setToolTip(tr("Drag and hold: up drives forward, left turns left; let go to stop. With the focus here the "
-                        "arrow keys do the same"));
-    side_->setAccessibleName(tr("Sideways"));
-    side_->setToolTip(tr("Drag and hold: left or right without turning; let go to stop"));
-    lift_->setAccessibleName(tr("Up and down"));
-    lift_->setToolTip(tr("Drag and hold: climb or sink; let go to stop"));
+    named(
+        pad_, tr("Drive and turn"),
+        tr("Drag and hold: up drives forward, left turns left; let go to stop. With the focus here, the arrow keys do "
+           "the same"));
+    named(side_, tr("Sideways"), tr("Drag and hold: left or right without turning; let go to stop"));
+    named(lift_, tr("Up and down"), tr("Drag and hold: climb or descend; let go to stop"));
     grid->addWidget(pad_, 0, 0);
     grid->addWidget(lift_, 0, 1);
     grid->addWidget(side_, 1, 0);
     static_cast<QVBoxLayout*>(content_->layout())->addLayout(grid, 1);
     for (DrivePad* const pad : {pad_, side_, lift_})
-        connect(pad, &DrivePad::moved, this, &DrivePanel::tellMoved);
+        connect(pad, &DrivePad::moved, this, [this] { emit moved(stick()); });
 }
 
 void DrivePanel::makeSpeed() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::small);
     speed_->setRange(1, speed_steps);
     speed_->setValue(speed_steps * 2 / 5);
     speed_->setMinimumHeight(minimum_target);
-    speed_->setAccessibleName(tr("Speed limit"));
-    speed_->setToolTip(tr("Speed at the whole stick, as a share of the robot's most"));
-    speed_text_->setAccessibleName(tr("Speed at the whole stick"));
+    named(speed_, tr("Speed limit"), tr("Speed at full stick, as a share of the robot's top speed"));
+    speed_text_->setAccessibleName(tr("Speed at full stick"));
     speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     speed_text_->setFixedSize(speed_text_->fontMetrics().horizontalAdvance(QStringLiteral("100 % · 00.0 m/s")),
                               minimum_target);
-    row->addWidget(new QLabel(tr("Speed"), content_));
-    row->addWidget(speed_, 1);
-    row->addWidget(speed_text_);
+    auto* row = laidOut(new QHBoxLayout, gap::small, {new QLabel(tr("Speed"), content_), speed_, speed_text_});
+    row->setStretchFactor(speed_, 1);
     static_cast<QVBoxLayout*>(content_->layout())->addLayout(row);
     connect(speed_, &QSlider::valueChanged, this, [this] {
         showSpeed();
@@ -130,8 +97,8 @@ void DrivePanel::makeFigures() {
     grid->setHorizontalSpacing(gap::medium);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
-    grid->addWidget(mutedLabel(tr("stick"), content_), 0, 1, Qt::AlignRight);
-    grid->addWidget(mutedLabel(tr("measured"), content_), 0, 2, Qt::AlignRight);
+    grid->addWidget(smallLabel(tr("stick"), content_), 0, 1, Qt::AlignRight);
+    grid->addWidget(smallLabel(tr("measured"), content_), 0, 2, Qt::AlignRight);
     const QString names[] = {tr("Forward"), tr("Left"), tr("Up"), tr("Turn left")};
     for (std::size_t i = 0; i < figures_.size(); ++i) {
         FigureRow& row = figures_[i];
@@ -171,7 +138,7 @@ void DrivePanel::setState(const DriveState& state) {
     badge_->setWords(state.control);
     const bool behavior = state.control.driver == Driver::Behavior;
     take_->setText(state.taken ? tr("Give control back") : behavior ? tr("Take control") : tr("Drive by hand"));
-    take_->setToolTip(state.taken ? tr("Nobody drives then; a paused behavior waits to be resumed (G)")
+    take_->setToolTip(state.taken ? tr("Then nobody drives; a paused behavior waits to be resumed (G)")
                       : behavior  ? tr("Pauses the behavior; you drive from then on (G)")
                                   : tr("Keys, pad and gamepad drive while they are held (G)"));
     take_->setEnabled(state.can_take);
@@ -255,17 +222,9 @@ void DrivePanel::setEcho(const QString& line) {
     echo_->setToolTip(tr("What is sent: %1").arg(text));
 }
 
-QString DrivePanel::echo() const {
-    return echo_->text();
-}
-
 void DrivePanel::setGamepad(const QString& text) {
     gamepad_->setText(text);
     gamepad_->setToolTip(text);
-}
-
-QString DrivePanel::gamepadText() const {
-    return gamepad_->text();
 }
 
 Stick DrivePanel::stick() const {
@@ -283,10 +242,6 @@ void DrivePanel::setSpeedShare(double share) {
 void DrivePanel::letGo() {
     for (DrivePad* const pad : {pad_, side_, lift_})
         pad->letGo();
-}
-
-void DrivePanel::tellMoved() {
-    emit moved(stick());
 }
 
 } // namespace usar::widgets

@@ -12,12 +12,12 @@
 
 #include "core/base/stick.h"
 #include "widgets/drive/control_badge.h"
+#include "widgets/style/elided_label.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
 
 class DrivePad;
-class ElidedLabel;
-class EmptyState;
 
 /// Measured velocity of the robot in its own frame; nullopt for what it does not report.
 struct BodyVelocity {
@@ -62,10 +62,10 @@ public:
     /// The newest DRIVE command as it went over the wire; empty: nothing sent yet.
     void setEcho(const QString& line);
     /// The shown text.
-    QString echo() const;
+    QString echo() const { return echo_->text(); }
     /// Text of the row about gamepads.
     void setGamepad(const QString& text);
-    QString gamepadText() const;
+    QString gamepadText() const { return gamepad_->text(); }
 
     /// The combined position of pad and sliders.
     Stick stick() const;
@@ -94,22 +94,21 @@ private:
     void showAxes();
     void showFigures();
     void showSpeed();
-    void tellMoved();
 
     DriveState state_;
     BodyVelocity velocity_;
     bool velocity_stale_ = false;
     bool shown_ = false;                        ///< setState has been called
     QString empty_title_ = QStringLiteral("?"); ///< differs from any real title, so the first setEmpty takes effect
-    QWidget* content_;
-    EmptyState* empty_;
-    ControlBadge* badge_;
-    QPushButton* take_;
+    QWidget* content_ = new QWidget(this);
+    EmptyState* empty_ = new EmptyState(content_);
+    ControlBadge* badge_ = new ControlBadge(content_);
+    QPushButton* take_ = new QPushButton(content_);
     DrivePad* pad_;
     DrivePad* side_;
     DrivePad* lift_;
-    QSlider* speed_;
-    QLabel* speed_text_;
+    QSlider* speed_ = new QSlider(Qt::Horizontal, content_);
+    QLabel* speed_text_ = new QLabel(content_);
     /// Labels of one axis: its name, the share that is sent, and the measured velocity.
     struct FigureRow {
         QLabel* name = nullptr;
@@ -117,10 +116,10 @@ private:
         QLabel* measured = nullptr;
     };
     std::array<FigureRow, 4> figures_; ///< forward, sideways, up, turn
-    ElidedLabel* echo_;
-    ElidedLabel* gamepad_;
-    QLabel* note_;
-    QPushButton* stop_;
+    ElidedLabel* echo_ = new ElidedLabel(content_);
+    ElidedLabel* gamepad_ = new ElidedLabel(content_);
+    QLabel* note_ = new QLabel(content_);
+    QPushButton* stop_ = new QPushButton(this);
 };
 
 } // namespace usar::widgets

@@ -1,6 +1,7 @@
 #include "widgets/map/height_layer.h"
 
 #include <limits>
+#include <utility>
 
 #include "core/base/hand_over.h"
 
@@ -28,6 +29,14 @@ void HeightLayer::clear(double cell_size_m) {
     emit changed();
 }
 
+template <class Value>
+void HeightLayer::restyle(Value HeightStyle::*part, const Value& value) {
+    if (std::exchange(style_.*part, value) == value)
+        return;
+    for (const auto& [index, source] : sources_)
+        dirty_.insert(index);
+}
+
 void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& tiles,
                        const std::optional<mapping::HeightRange>& range) {
     for (const auto& tile : tiles) {
@@ -42,33 +51,19 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
     }
     if (range && (!range_known_ || *range != style_.range)) {
         range_known_ = true;
-        HeightStyle style = style_;
-        style.range = *range;
-        setStyle(style);
+        restyle(&HeightStyle::range, *range);
     }
     renderNext();
 }
 
 void HeightLayer::setColorMap(mapping::ColorMap color_map) {
-    HeightStyle style = style_;
-    style.color_map = color_map;
-    setStyle(style);
+    restyle(&HeightStyle::color_map, color_map);
     renderNext();
 }
 
 void HeightLayer::setOrientation(MapOrientation orientation) {
-    HeightStyle style = style_;
-    style.orientation = orientation;
-    setStyle(style);
+    restyle(&HeightStyle::orientation, orientation);
     renderNext();
-}
-
-void HeightLayer::setStyle(const HeightStyle& style) {
-    if (style == style_)
-        return;
-    style_ = style;
-    for (const auto& [index, source] : sources_)
-        dirty_.insert(index);
 }
 
 Rectangle HeightLayer::bounds_in_map() const {

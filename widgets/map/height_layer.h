@@ -58,7 +58,9 @@ signals:
     void changed();
 
 private:
-    void setStyle(const HeightStyle& style);
+    /// Changes one part of the style; every page must be rendered again if that is another value.
+    template <class Value>
+    void restyle(Value HeightStyle::*part, const Value& value);
     /// Hands all dirty pages to the worker, unless it is busy or no range is known yet.
     void renderNext();
     /// Takes the worker's result; a result from before the last clear() is dropped.

@@ -4,6 +4,7 @@
 
 #include "core/mapping/shading.h"
 #include "widgets/map/map_painter.h"
+#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -27,13 +28,6 @@ void paintHeightSwatch(QPainter& painter) {
                          QColor::fromRgba(mapping::shade(static_cast<float>(i), range, mapping::ColorMap::Gray)));
 }
 
-void paintAreaSwatch(QPainter& painter) {
-    QPen dashed(tokens().accent, 1.5);
-    dashed.setDashPattern({4.0, 2.5});
-    painter.setPen(dashed);
-    painter.drawRect(frame);
-}
-
 void paintLaneSwatch(QPainter& painter) {
     painter.setPen(QPen(tokens().accent, 1.0));
     for (const double y : {-4.5, 0.5, 5.5})
@@ -46,9 +40,7 @@ void paintLaserSwatch(QPainter& painter) {
 }
 
 void paintGoalSwatch(QPainter& painter) {
-    QPen dashed(robotColor(1), 1.5);
-    dashed.setDashPattern({2.0, 3.0});
-    painter.setPen(dashed);
+    painter.setPen(dashedPen(robotColor(1), 1.5, {2.0, 3.0}));
     painter.drawLine(QPointF(frame.left(), 0.0), QPointF(1.0, 0.0));
     painter.setPen(QPen(robotColor(1), 2.0));
     painter.drawEllipse(QPointF(7.0, 0.0), 5.0, 5.0);
@@ -76,7 +68,8 @@ void paintLayer(QPainter& painter, MapLayer layer) {
     case MapLayer::Heights:
         return paintHeightSwatch(painter);
     case MapLayer::Area:
-        return paintAreaSwatch(painter);
+        painter.setPen(dashedPen(tokens().accent, 1.5, {4.0, 2.5}));
+        return painter.drawRect(frame);
     case MapLayer::Lanes:
         return paintLaneSwatch(painter);
     case MapLayer::Trails:

@@ -3,10 +3,10 @@
 #include <QGridLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLabel>
 #include <QSignalBlocker>
 
 #include "widgets/map/layer_swatch.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -40,10 +40,8 @@ int LayersPanel::addLayer(MapLayer layer, int line) {
     Row& row = rows_[static_cast<std::size_t>(layer)];
     row.eye = new QToolButton(this);
     row.eye->setCheckable(true);
-    row.eye->setAutoRaise(true);
-    row.eye->setMinimumSize(minimum_target, minimum_target);
-    row.eye->setAccessibleName(tr("Show %1").arg(name));
-    row.eye->setToolTip(tr("Shows or hides the layer %1").arg(name));
+    makeFlat(row.eye);
+    named(row.eye, tr("Show %1").arg(name), tr("Shows or hides the layer %1").arg(name));
     row.opacity = new QSlider(Qt::Horizontal, this);
     row.opacity->setRange(10, 100);
     row.opacity->setMinimumWidth(80);
@@ -64,10 +62,8 @@ int LayersPanel::addLayer(MapLayer layer, int line) {
 
 int LayersPanel::addMarkLegend(int line) {
     for (const agent::MarkKind kind : all_mark_kinds) {
-        auto* name = new QLabel(markName(kind), this);
-        name->setProperty("role", "muted");
         grid_->addWidget(new LayerSwatch(kind, this), line, 1);
-        grid_->addWidget(name, line, 2, 1, 2);
+        grid_->addWidget(mutedLabel(markName(kind), this), line, 2, 1, 2);
         ++line;
     }
     return line;

@@ -1,6 +1,7 @@
 #include "widgets/map/map_content.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace usar::widgets {
 
@@ -15,8 +16,8 @@ Rectangle MapContent::groundInMap() const {
         return *world_in_map;
     if (start_poses.empty())
         return {};
-    Rectangle ground;
-    ground.min_m = ground.max_m = start_poses.front().pose_in_map.position_m.head<2>();
+    const Vec2 first = start_poses.front().pose_in_map.position_m.head<2>();
+    Rectangle ground{first, first};
     for (const protocol::StartPose& pose : start_poses) {
         ground.min_m = ground.min_m.cwiseMin(pose.pose_in_map.position_m.head<2>());
         ground.max_m = ground.max_m.cwiseMax(pose.pose_in_map.position_m.head<2>());
@@ -53,8 +54,7 @@ void MapContent::setObjects(const std::vector<MapObject>& all) {
 }
 
 MapObject* MapContent::object(const QString& name) {
-    const auto found = std::ranges::find(objects.objects, name, &MapObject::name);
-    return found == objects.objects.end() ? nullptr : &*found;
+    return const_cast<MapObject*>(std::as_const(*this).object(name));
 }
 
 const MapObject* MapContent::object(const QString& name) const {

@@ -6,37 +6,10 @@
 namespace usar::widgets {
 
 QString layerName(MapLayer layer) {
-    switch (layer) {
-    case MapLayer::World:
-        return QStringLiteral("World");
-    case MapLayer::Grid:
-        return QStringLiteral("Grid");
-    case MapLayer::Heights:
-        return QStringLiteral("Height map");
-    case MapLayer::Area:
-        return QStringLiteral("Mission area");
-    case MapLayer::Lanes:
-        return QStringLiteral("Lanes");
-    case MapLayer::Trails:
-        return QStringLiteral("Trails");
-    case MapLayer::Traces:
-        return QStringLiteral("Trace marks");
-    case MapLayer::Marks:
-        return QStringLiteral("Marks");
-    case MapLayer::Objects:
-        return QStringLiteral("Objects");
-    case MapLayer::StartPoses:
-        return QStringLiteral("Start poses");
-    case MapLayer::Laser:
-        return QStringLiteral("Laser hits");
-    case MapLayer::Goals:
-        return QStringLiteral("Goals");
-    case MapLayer::Radio:
-        return QStringLiteral("Radio links");
-    case MapLayer::Robots:
-        break;
-    }
-    return QStringLiteral("Robots");
+    static constexpr std::array<const char*, map_layer_count> names = {
+        "World", "Grid",    "Height map",  "Mission area", "Lanes", "Trails",      "Trace marks",
+        "Marks", "Objects", "Start poses", "Laser hits",   "Goals", "Radio links", "Robots"};
+    return QLatin1String(names[static_cast<std::size_t>(layer)]);
 }
 
 LayerStates firstLayers() {
@@ -137,7 +110,6 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
 }
 
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {
-    const Tokens& t = tokens();
     painter.save();
     painter.setFont(themeFont(FontRole::Small));
     const QFontMetricsF metrics(painter.font());
@@ -150,12 +122,8 @@ QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Q
     if (alignment & Qt::AlignBottom)
         chip.moveBottom(at_px.y());
     painter.setRenderHint(QPainter::Antialiasing);
-    QColor back = t.raised;
-    back.setAlphaF(0.92f);
-    painter.setBrush(back);
-    painter.setPen(QPen(t.line, 1.0));
-    painter.drawRoundedRect(chip.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
-    painter.setPen(t.text);
+    paintCard(painter, chip);
+    painter.setPen(tokens().text);
     painter.drawText(chip, Qt::AlignCenter, text);
     painter.restore();
     return chip;

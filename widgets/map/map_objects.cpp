@@ -7,14 +7,12 @@ namespace usar::widgets {
 
 void paintObjectSymbol(QPainter& painter, const QPolygonF& outline, bool selected) {
     const Tokens& t = tokens();
-    QColor fill = selected ? t.accent : t.text_muted;
-    fill.setAlphaF(0.45f);
     painter.setPen(QPen(t.background, 3.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(outline);
     painter.setPen(
         QPen(selected ? t.accent : t.text, selected ? 2.0 : 1.25, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.setBrush(fill);
+    painter.setBrush(faded(selected ? t.accent : t.text_muted, 0.45));
     painter.drawPolygon(outline);
 }
 
@@ -64,8 +62,7 @@ void MapPainter::paintObject(const MapObject& object, bool selected) {
 
 void MapPainter::paintWaypoints(const MapObject& object) {
     QPointF from = transform_.toScreen(Vec2(object.body_in_map.position_m.head<2>()));
-    QPen dashed(tokens_.accent, 1.5);
-    dashed.setDashPattern({3.0, 3.0});
+    const QPen dashed = dashedPen(tokens_.accent, 1.5, {3.0, 3.0});
     painter_.setFont(themeFont(FontRole::Small, QFont::DemiBold));
     int number = 0;
     for (const Vec2& point_m : object.waypoints_in_map_m) {

@@ -46,10 +46,8 @@ QPointF axesOrigin(const MapTransform& transform) {
 void paintAxes(QPainter& painter, const MapTransform& transform) {
     const Tokens& t = tokens();
     const QPointF origin = axesOrigin(transform);
-    QColor back = t.background;
-    back.setAlphaF(0.7f);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(back);
+    painter.setBrush(faded(t.background, 0.7));
     painter.drawEllipse(axesGlass_px(transform));
     painter.setFont(themeFont(FontRole::Small, QFont::DemiBold));
     const bool x_up = transform.orientation == MapOrientation::XUp;
@@ -63,11 +61,7 @@ double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QP
     const Tokens& t = tokens();
     const mapping::HeightRange& range = heights.style().range;
     const QRectF box(bottom_right.x() - 224.0, bottom_right.y() - 48.0, 224.0, 48.0);
-    QColor back = t.raised;
-    back.setAlphaF(0.92f);
-    painter.setPen(QPen(t.line, 1.0));
-    painter.setBrush(back);
-    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    paintCard(painter, box);
     const QRectF bar = box.adjusted(gap::small, 26.0, -gap::small, -gap::small);
     const int steps = static_cast<int>(bar.width());
     for (int i = 0; i < steps; ++i) {
@@ -89,23 +83,18 @@ double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QP
 
 /// Paints the kinds of marks that are on the map with their names; returns the top edge of the legend.
 double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks, const QPointF& bottom_right) {
-    const Tokens& t = tokens();
     std::set<agent::MarkKind> present;
     for (const agent::MapMark& mark : marks)
         present.insert(mark.kind);
     const double row = 20.0;
     const double height = row * static_cast<double>(present.size()) + gap::small;
     const QRectF box(bottom_right.x() - 124.0, bottom_right.y() - height, 124.0, height);
-    QColor back = t.raised;
-    back.setAlphaF(0.92f);
-    painter.setPen(QPen(t.line, 1.0));
-    painter.setBrush(back);
-    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    paintCard(painter, box);
     painter.setFont(themeFont(FontRole::Small));
     double y = box.top() + gap::tiny;
     for (const agent::MarkKind kind : present) {
         paintMark(painter, kind, QPointF(box.left() + 16.0, y + row / 2.0), 10.0);
-        painter.setPen(t.text);
+        painter.setPen(tokens().text);
         painter.drawText(QRectF(box.left() + 30.0, y, box.width() - 34.0, row), Qt::AlignVCenter, markName(kind));
         y += row;
     }
@@ -141,7 +130,7 @@ void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent
         paintMarkLegend(painter, content.marks, QPointF(right, bottom));
     if (!overlay.following.isEmpty())
         paintChip(painter, QPointF(transform.viewport.width() / 2.0, edge),
-                  QStringLiteral("Following %1 — drag the map to let go").arg(overlay.following), Qt::AlignHCenter);
+                  QStringLiteral("Following %1 — drag the map to stop").arg(overlay.following), Qt::AlignHCenter);
     if (overlay.focused) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(tokens().accent, 2.0));

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <QPainterPath>
-
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
@@ -14,11 +12,6 @@ constexpr double scale_bar_px = 56.0; ///< height of the scale bar with its text
 
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
-}
-
-QColor faded(QColor color, double alpha) {
-    color.setAlphaF(static_cast<float>(alpha));
-    return color;
 }
 
 } // namespace
@@ -34,61 +27,34 @@ MapPainter::MapPainter(QPainter& painter, const MapContent& content, const Heigh
     , labels_(placeMapLabels(content, transform)) {}
 
 void MapPainter::paintLayers() {
+    // In the order of MapLayer.
+    static constexpr std::array<void (MapPainter::*)(), map_layer_count> painters = {
+        &MapPainter::paintWorld,   &MapPainter::paintGrid,       &MapPainter::paintHeights, &MapPainter::paintArea,
+        &MapPainter::paintLanes,   &MapPainter::paintTrails,     &MapPainter::paintTraces,  &MapPainter::paintMarks,
+        &MapPainter::paintObjects, &MapPainter::paintStartPoses, &MapPainter::paintLaser,   &MapPainter::paintGoals,
+        &MapPainter::paintRadio,   &MapPainter::paintRobots};
     for (std::size_t i = 0; i < map_layer_count; ++i) {
         if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
             continue;
         painter_.save();
         painter_.setOpacity(content_.layers[i].opacity);
-        paint(static_cast<MapLayer>(i));
+        (this->*painters[i])();
         painter_.restore();
     }
 }
 
-void MapPainter::paint(MapLayer layer) {
-    switch (layer) {
-    case MapLayer::World:
-        return paintWorld();
-    case MapLayer::Grid:
-        return paintGrid();
-    case MapLayer::Heights:
-        return paintHeights();
-    case MapLayer::Area:
-        return paintArea();
-    case MapLayer::Lanes:
-        return paintLanes();
-    case MapLayer::Trails:
-        return paintTrails();
-    case MapLayer::Traces:
-        return traces_.paint(painter_, transform_);
-    case MapLayer::Marks:
-        return paintMarks();
-    case MapLayer::Objects:
-        return paintObjects();
-    case MapLayer::StartPoses:
-        return paintStartPoses();
-    case MapLayer::Laser:
-        return paintLaser();
-    case MapLayer::Goals:
-        return paintGoals();
-    case MapLayer::Radio:
-        return paintRadio();
-    case MapLayer::Robots:
-        return paintRobots();
-    }
-}
-
 void MapPainter::paintWorld() {
-    if (content_.world_in_map) {
-        const QRectF world = transform_.toScreen(*content_.world_in_map);
-        painter_.fillRect(world, tokens_.ground);
-        paintBackgroundImage();
-        painter_.setOpacity(1.0); // Frame and name stay readable, however faint the picture is.
-        painter_.setPen(QPen(tokens_.text_muted, 1.0));
-        painter_.setBrush(Qt::NoBrush);
-        painter_.drawRect(world);
-        painter_.setFont(themeFont(FontRole::Small));
-        painter_.drawText(world.topLeft() + QPointF(0.0, -gap::small), content_.world_name);
-    }
+    if (!content_.world_in_map)
+        return;
+    const QRectF world = transform_.toScreen(*content_.world_in_map);
+    painter_.fillRect(world, tokens_.ground);
+    paintBackgroundImage();
+    painter_.setOpacity(1.0); // Frame and name stay readable, however faint the picture is.
+    painter_.setPen(QPen(tokens_.text_muted, 1.0));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRect(world);
+    painter_.setFont(themeFont(FontRole::Small));
+    painter_.drawText(world.topLeft() + QPointF(0.0, -gap::small), content_.world_name);
 }
 
 void MapPainter::paintBackgroundImage() {
@@ -150,21 +116,17 @@ void MapPainter::paintArea() {
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(tokens_.background, 3.0));
     painter_.drawRect(rect);
-    QPen dashed(tokens_.accent, 1.5);
-    dashed.setDashPattern({5.0, 3.0});
-    painter_.setPen(dashed);
+    painter_.setPen(dashedPen(tokens_.accent, 1.5, {5.0, 3.0}));
     painter_.drawRect(rect);
     if (content_.area.editing)
         paintAreaHandles(area);
     QString text = QStringLiteral("x %1 × y %2 m").arg(figure(area.width_m(), 1), figure(area.height_m(), 1));
     if (!content_.area.summary.isEmpty())
         text += QStringLiteral("  ·  ") + content_.area.summary;
-    const double below = rect.bottom() + gap::small;
-    if (below + gap::large < transform_.viewport.height() - scale_bar_px)
-        paintChip(painter_, QPointF(rect.left(), below), text, Qt::AlignLeft | Qt::AlignTop);
-    else
-        paintChip(painter_, QPointF(rect.left() + gap::small, rect.top() + gap::small), text,
-                  Qt::AlignLeft | Qt::AlignTop);
+    const QPointF below = rect.bottomLeft() + QPointF(0.0, gap::small);
+    const bool room_below = below.y() + gap::large < transform_.viewport.height() - scale_bar_px;
+    paintChip(painter_, room_below ? below : rect.topLeft() + QPointF(gap::small, gap::small), text,
+              Qt::AlignLeft | Qt::AlignTop);
 }
 
 void MapPainter::paintAreaHandles(const Rectangle& area) {
@@ -221,9 +183,7 @@ void MapPainter::paintMarks() {
     QVector<QPointF> path;
     for (const agent::MapMark& mark : content_.marks) {
         const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
-        if (!sight.contains(at))
-            continue;
-        if (mark.kind != agent::MarkKind::Path)
+        if (!sight.contains(at) || mark.kind != agent::MarkKind::Path)
             continue;
         if (path.empty() || (at - path.back()).manhattanLength() >= 3.0)
             path << at;
@@ -238,19 +198,16 @@ void MapPainter::paintMarks() {
 
 void MapPainter::paintStartPoses() {
     painter_.setRenderHint(QPainter::Antialiasing);
-    for (std::size_t i = 0; i < content_.start_poses.size(); ++i)
-        paintStartPose(i);
-}
-
-void MapPainter::paintStartPose(std::size_t start_pose) {
-    const protocol::StartPose& pose = content_.start_poses[start_pose];
-    const bool hot = content_.hot_start_pose == start_pose;
-    painter_.save();
-    painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
-    paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
-    painter_.restore();
-    if (const auto& box = labels_.start_poses[start_pose])
-        paintLabel(*box, QString::fromStdString(pose.name), hot);
+    for (std::size_t i = 0; i < content_.start_poses.size(); ++i) {
+        const protocol::StartPose& pose = content_.start_poses[i];
+        const bool hot = content_.hot_start_pose == i;
+        painter_.save();
+        painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
+        paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
+        painter_.restore();
+        if (const auto& box = labels_.start_poses[i])
+            paintLabel(*box, QString::fromStdString(pose.name), hot);
+    }
 }
 
 void MapPainter::paintLaser() {
@@ -271,9 +228,7 @@ void MapPainter::paintGoals() {
             continue;
         const QPointF from = transform_.toScreen(flat(robot.robot.base_in_map.position_m));
         const QPointF to = transform_.toScreen(flat(*robot.goal_in_map_m));
-        QPen pen(robotColor(robot.robot.number), 1.5);
-        pen.setDashPattern({2.0, 3.0});
-        painter_.setPen(pen);
+        painter_.setPen(dashedPen(robotColor(robot.robot.number), 1.5, {2.0, 3.0}));
         painter_.drawLine(from, to);
         painter_.setPen(QPen(robotColor(robot.robot.number), 2.0));
         painter_.setBrush(Qt::NoBrush);
@@ -293,10 +248,8 @@ void MapPainter::paintRadio() {
         const RadioQuality quality = radioQuality(link.strength_dbm);
         const QLineF line(transform_.toScreen(flat(a->second.robot.base_in_map.position_m)),
                           transform_.toScreen(flat(b->second.robot.base_in_map.position_m)));
-        QPen pen(radioColor(quality), 2.0);
-        if (quality == RadioQuality::Lost || quality == RadioQuality::Unknown)
-            pen.setDashPattern({2.0, 4.0});
-        painter_.setPen(pen);
+        const bool linked = quality != RadioQuality::Lost && quality != RadioQuality::Unknown;
+        painter_.setPen(linked ? QPen(radioColor(quality), 2.0) : dashedPen(radioColor(quality), 2.0, {2.0, 4.0}));
         painter_.drawLine(line);
         if (link.strength_dbm && line.length() >= room_px)
             paintChip(painter_, line.center(), figure(*link.strength_dbm, 0) + QStringLiteral(" dBm"),

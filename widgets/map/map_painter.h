@@ -7,6 +7,7 @@
 #include "widgets/map/map_content.h"
 #include "widgets/map/map_labels.h"
 #include "widgets/map/trace_layer.h"
+#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -22,8 +23,7 @@ public:
     void paintLayers();
 
 private:
-    /// Paints one layer; the caller has set its opacity.
-    void paint(MapLayer layer);
+    // Each of these functions paints one layer; the caller has set its opacity.
     /// Paints ground and picture at the layer's opacity, but frame and name opaque.
     void paintWorld();
     void paintBackgroundImage();
@@ -34,6 +34,7 @@ private:
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
     void paintTrails();
+    void paintTraces() { traces_.paint(painter_, transform_); }
     /// Leaves out path marks closer than three pixels to the previous one; draws all others.
     void paintMarks();
     /// Paints objects to scale, but never too small to click; the way points of the selected one; the object that is
@@ -48,7 +49,6 @@ private:
     /// Paints lines between robots in the color of their quality, with their dBm; dashed if there is no link.
     void paintRadio();
     void paintRobots();
-    void paintStartPose(std::size_t start_pose);
     /// Paints an arrowhead along the yaw; hollow and gray when stale.
     void paintRobot(const RobotOnMap& robot);
     /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight.

@@ -2,15 +2,10 @@
 
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
-#include "widgets/models/pan_zoom.h"
-#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
 
-MapView::MapView(QWidget* parent)
-    : QWidget(parent)
-    , heights_(new HeightLayer(this))
-    , empty_state_(new EmptyState(this)) {
+MapView::MapView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));
@@ -63,15 +58,6 @@ void MapView::clear() {
     view_touched_ = false;
     setFollowing(false);
     showContent();
-}
-
-void MapView::clearHeights(double cell_size_m) {
-    heights_->clear(cell_size_m);
-}
-
-void MapView::takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
-                        const std::optional<mapping::HeightRange>& range) {
-    heights_->take(tiles, range);
 }
 
 void MapView::setArea(const std::optional<Rectangle>& area_in_map) {
@@ -146,10 +132,6 @@ void MapView::setLayer(MapLayer layer, const LayerState& state) {
     update();
 }
 
-void MapView::setTool(MapTool tool) {
-    gestures_.setTool(tool);
-}
-
 void MapView::setObjects(const std::vector<MapObject>& objects) {
     content_.setObjects(objects);
     update();
@@ -158,10 +140,6 @@ void MapView::setObjects(const std::vector<MapObject>& objects) {
 void MapView::selectObject(const QString& name) {
     content_.objects.selected = name;
     update();
-}
-
-void MapView::setGhost(const std::optional<MapObject>& ghost) {
-    gestures_.setGhost(ghost);
 }
 
 void MapView::addTraceMark(const Vec2& point_in_map_m, const QColor& color) {
@@ -207,14 +185,6 @@ void MapView::zoomAt(const QPointF& at_px, double factor) {
     transform_.zoomAt(at_px, factor);
     view_touched_ = true;
     update();
-}
-
-void MapView::zoomIn() {
-    zoomAt(QRectF(rect()).center(), zoom_step::closer);
-}
-
-void MapView::zoomOut() {
-    zoomAt(QRectF(rect()).center(), zoom_step::farther);
 }
 
 void MapView::panBy(const QPointF& by_px) {

@@ -6,10 +6,10 @@
 #include "widgets/map/height_layer.h"
 #include "widgets/map/map_gestures.h"
 #include "widgets/map/trace_layer.h"
+#include "widgets/models/pan_zoom.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
-
-class EmptyState;
 
 /// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
@@ -31,11 +31,7 @@ public:
     void clear();
     /// The sheet that is shown while there is no world, start pose or robot.
     EmptyState* emptyState() const { return empty_state_; }
-    /// Removes all heights; later tiles have cells of this size, in meters.
-    void clearHeights(double cell_size_m);
-    /// A tile replaces the one with the same index; a changed range recolors everything at once, nullopt keeps it.
-    void takeTiles(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
-                   const std::optional<mapping::HeightRange>& range);
+    /// The height map; takes its tiles.
     HeightLayer& heights() { return *heights_; }
 
     // The mission.
@@ -68,7 +64,7 @@ public:
     /// Emits nothing; an empty name: none.
     void selectObject(const QString& name);
     /// Sets the object that the Place tool and drags out of the palette show under the cursor; nullopt: none.
-    void setGhost(const std::optional<MapObject>& ghost);
+    void setGhost(const std::optional<MapObject>& ghost) { gestures_.setGhost(ghost); }
     /// Adds a mark that a robot left while TRACE was on.
     void addTraceMark(const Vec2& point_in_map_m, const QColor& color);
     void clearTraceMarks();
@@ -78,7 +74,7 @@ public:
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     /// Cancels a drag in progress; emits toolChanged if the tool changed.
-    void setTool(MapTool tool);
+    void setTool(MapTool tool) { gestures_.setTool(tool); }
     MapTool tool() const { return gestures_.tool(); }
     /// Rotates the picture by a quarter turn and fits it again.
     void setOrientation(MapOrientation orientation);
@@ -95,8 +91,8 @@ public slots:
     void fit();
     /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
-    void zoomIn();
-    void zoomOut();
+    void zoomIn() { zoomAt(QRectF(rect()).center(), zoom_step::closer); }
+    void zoomOut() { zoomAt(QRectF(rect()).center(), zoom_step::farther); }
     /// Keeps the selected robot in the middle until the user pans. Has no effect without a selected robot on the map.
     void setFollowing(bool following);
 
@@ -140,9 +136,9 @@ private:
     MapContent content_;
     MapTransform transform_;
     MapGestures gestures_{*this, content_, transform_};
-    HeightLayer* heights_;
+    HeightLayer* heights_ = new HeightLayer(this);
     TraceLayer traces_;
-    EmptyState* empty_state_;
+    EmptyState* empty_state_ = new EmptyState(this);
     bool following_ = false;
     bool view_touched_ = false; ///< by the user; until then resizing fits again
 };

@@ -5,7 +5,6 @@
 #include <QWheelEvent>
 
 #include "widgets/map/map_view.h"
-#include "widgets/models/pan_zoom.h"
 
 namespace usar::widgets {
 

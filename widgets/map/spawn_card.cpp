@@ -2,12 +2,10 @@
 
 #include <QApplication>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QRegularExpressionValidator>
-#include <QToolButton>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -17,47 +15,32 @@ namespace {
 constexpr int pose_gap_px = gap::large; ///< distance from the pose to the corner that the map passes to openFor
 }
 
-SpawnCard::SpawnCard(QWidget* over)
-    : QFrame(over)
-    , title_(new QLabel(this))
-    , class_(new QComboBox(this))
-    , name_(new QLineEdit(this))
-    , behavior_(new QComboBox(this))
-    , spawn_(new QPushButton(tr("Spawn"), this)) {
+SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
     setProperty("role", "card");
     setAccessibleName(tr("Spawn a robot"));
     setAutoFillBackground(true);
     title_->setProperty("role", "title");
-    class_->setAccessibleName(tr("Robot class"));
-    class_->setToolTip(tr("Which robot the server makes"));
-    name_->setAccessibleName(tr("Robot name"));
-    name_->setToolTip(tr("Letters, digits, - and _; every robot needs its own"));
+    named(class_, tr("Robot class"), tr("The kind of robot that the server spawns"));
+    named(name_, tr("Robot name"), tr("Letters, digits, - and _; every robot needs a name of its own"));
     name_->setTextMargins(2, 0, 2, 0);
     // The protocol has no quotes: a space or a brace would end the name.
     name_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));
-    behavior_->setAccessibleName(tr("Behavior"));
-    behavior_->setToolTip(tr("What will drive it; can be changed until it starts"));
+    named(behavior_, tr("Behavior"), tr("What will drive the robot; you can change it until it starts"));
     spawn_->setProperty("role", "primary");
-    spawn_->setToolTip(tr("Puts the robot here (Return)"));
+    spawn_->setToolTip(tr("Spawns the robot here (Return)"));
     for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
         control->setMinimumHeight(minimum_target);
-    auto* close = new QToolButton(this);
+    auto* close = named(new QToolButton(this), tr("Close"), tr("Close (Esc)"));
     close->setIcon(icon(QStringLiteral("clear")));
-    close->setAutoRaise(true);
-    close->setMinimumSize(minimum_target, minimum_target);
-    close->setAccessibleName(tr("Close"));
-    close->setToolTip(tr("Close (Esc)"));
-    auto* head = new QHBoxLayout;
-    head->addWidget(title_, 1);
-    head->addWidget(close);
+    makeFlat(close);
+    auto* head = laidOut(new QHBoxLayout, -1, {title_, close});
+    head->setStretchFactor(title_, 1);
     auto* form = new QFormLayout;
     form->addRow(tr("Robot"), class_);
     form->addRow(tr("Name"), name_);
     form->addRow(tr("Behavior"), behavior_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::medium, gap::small, gap::medium, gap::medium);
-    column->setSpacing(gap::small);
+    auto* column = laidOut(new QVBoxLayout(this), {gap::medium, gap::small, gap::medium, gap::medium}, gap::small);
     column->addLayout(head);
     column->addLayout(form);
     column->addWidget(spawn_, 0, Qt::AlignRight);

@@ -63,11 +63,11 @@ private:
     std::vector<agent::RobotDescription> robots_;
     QString preferred_behavior_;
     int start_pose_ = 0;
-    QLabel* title_;
-    QComboBox* class_;
-    QLineEdit* name_;
-    QComboBox* behavior_;
-    QPushButton* spawn_;
+    QLabel* title_ = new QLabel(this);
+    QComboBox* class_ = new QComboBox(this);
+    QLineEdit* name_ = new QLineEdit(this);
+    QComboBox* behavior_ = new QComboBox(this);
+    QPushButton* spawn_ = new QPushButton(tr("Spawn"), this);
 };
 
 } // namespace usar::widgets

@@ -1,12 +1,8 @@
 #include "widgets/map/world_panel.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QDrag>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -16,7 +12,7 @@
 
 #include "widgets/map/map_view.h"
 #include "widgets/style/empty_state.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -28,21 +24,13 @@ constexpr int palette_columns = 4;
 constexpr int object_icon_px = 24;
 
 QuantityBox* makeBox(const QString& name, const QString& unit, double lowest, double highest, QWidget* parent) {
-    auto* box = new QuantityBox(parent);
-    box->setAccessibleName(name);
-    box->setToolTip(name);
+    auto* box = named(new QuantityBox(parent), name, name);
     box->setRange(lowest, highest);
     box->setDecimals(2);
     box->setSingleStep(0.1);
     box->setSuffix(unit);
     box->setMinimumWidth(56);
     return box;
-}
-
-QLabel* makeCaption(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "muted");
-    return label;
 }
 
 QIcon colorIcon(protocol::TraceColor color) {
@@ -58,32 +46,21 @@ QIcon colorIcon(protocol::TraceColor color) {
 
 QToolButton* buttonFor(QAction* action, QWidget* parent) {
     auto* button = makeToolButton(action->toolTip(), parent);
-    button->setDefaultAction(action);
-    button->setAccessibleName(action->text());
+    showAction(button, action);
     return button;
 }
 
 } // namespace
 
-WorldPanel::WorldPanel(QWidget* parent)
-    : QWidget(parent)
-    , palette_(new QGridLayout)
-    , buttons_(new QButtonGroup(this))
-    , other_class_(new QLineEdit(this))
-    , model_(new ObjectListModel(this))
-    , list_(new QTreeView(this))
-    , object_row_(new QHBoxLayout) {
+WorldPanel::WorldPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("World"));
     buttons_->setExclusive(false); // A second click releases the button.
     palette_->setSpacing(gap::tiny);
     other_class_->setPlaceholderText(tr("Other class, e.g. USARModels.Pallet"));
-    other_class_->setAccessibleName(tr("Other class"));
-    other_class_->setToolTip(tr("A class that only this server knows; then click on the map"));
+    named(other_class_, tr("Other class"), tr("Type a class that only this server knows, then click on the map"));
     other_class_->setClearButtonEnabled(true);
     other_class_->setMinimumHeight(minimum_target);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
+    auto* column = laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::tiny);
     column->addLayout(palette_);
     column->addWidget(other_class_);
     column->addLayout(makeSizeRow());
@@ -102,9 +79,8 @@ WorldPanel::WorldPanel(QWidget* parent)
 }
 
 QHBoxLayout* WorldPanel::makeSizeRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
-    row->addWidget(makeCaption(tr("Size m"), this));
+    auto* row = laidOut(new QHBoxLayout, gap::tiny);
+    row->addWidget(mutedLabel(tr("Size, m"), this));
     const QStringList names{tr("Length or diameter"), tr("Width"), tr("Height")};
     for (int axis = 0; axis < 3; ++axis) {
         size_m_[axis] = makeBox(names[axis], {}, 0.02, 50.0, this);
@@ -132,13 +108,12 @@ void WorldPanel::makeList() {
                                               {ObjectListModel::Speed, QStringLiteral("00.0")}};
     for (const auto& [section, sample] : widths)
         header->resizeSection(section, metrics.horizontalAdvance(sample) + gap::small);
-    empty_list_ = new EmptyState(list_->viewport());
-    empty_list_->setText(tr("No objects"), tr("Press a button above, then click on the map."));
-    auto* remove = new QAction(tr("Delete"), list_);
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    list_->addAction(remove);
-    connect(remove, &QAction::triggered, this, &WorldPanel::requestRemoval);
+    empty_list_ =
+        new EmptyState(list_->viewport(), tr("No objects"), tr("Press a button above, then click on the map."));
+    connect(addRowAction(list_, tr("Delete"), QKeySequence::Delete), &QAction::triggered, this, [this] {
+        if (const QModelIndex current = list_->currentIndex(); current.isValid())
+            emit removeRequested(model_->object(current.row()).name);
+    });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!quiet_)
             emit objectSelected(current.isValid() ? model_->object(current.row()).name : QString());
@@ -146,30 +121,23 @@ void WorldPanel::makeList() {
 }
 
 QHBoxLayout* WorldPanel::makeWayRow() {
-    way_row_ = new QHBoxLayout;
-    way_row_->setSpacing(gap::tiny);
-    speed_ = makeBox(tr("Speed along the way, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
+    speed_ = makeBox(tr("Speed along the way points, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
     speed_->setValue(0.5);
-    way_row_->addWidget(speed_);
-    loop_ = makeToolButton(tr("Begins anew at the first way point"), this, QStringLiteral("reset"));
+    loop_ = makeToolButton(tr("Starts over at the first way point after the last one"), this, QStringLiteral("reset"));
     loop_->setCheckable(true);
-    way_row_->addWidget(loop_);
+    way_row_ = laidOut(new QHBoxLayout, gap::tiny, {speed_, loop_});
     way_row_->addStretch(1);
     return way_row_;
 }
 
 QHBoxLayout* WorldPanel::makeTraceRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
     trace_ = makeToolButton(tr("Trace"), this, QStringLiteral("trace"));
     trace_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    row->addWidget(trace_);
-    trace_color_ = new QComboBox(this);
-    trace_color_->setAccessibleName(tr("Color of the trace"));
-    trace_color_->setToolTip(tr("Color of the marks that the selected robot leaves from now on"));
+    trace_color_ = named(new QComboBox(this), tr("Color of the trace"),
+                         tr("Color of the marks that the selected robot leaves from now on"));
     for (const protocol::TraceColor color : all_trace_colors)
         trace_color_->addItem(colorIcon(color), traceColorName(color));
-    row->addWidget(trace_color_);
+    auto* row = laidOut(new QHBoxLayout, gap::tiny, {trace_, trace_color_});
     row->addStretch(1);
     connect(trace_color_, &QComboBox::activated, this,
             [this](int index) { emit traceColorChosen(static_cast<protocol::TraceColor>(index)); });
@@ -183,7 +151,7 @@ void WorldPanel::setKinds(const std::vector<PaletteKind>& kinds) {
     for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
         const PaletteKind& kind = kinds[static_cast<std::size_t>(i)];
         auto* button = makeToolButton(
-            tr("%1, %2 × %3 × %4 m: press, then click on the map; or drag it there. Shift-click brings several.")
+            tr("%1, %2 × %3 × %4 m: press, then click on the map; or drag it there. Shift-click places several.")
                 .arg(kind.class_name)
                 .arg(kind.size_m.x())
                 .arg(kind.size_m.y())
@@ -261,11 +229,10 @@ void WorldPanel::choose(int kind) {
 }
 
 const PaletteKind* WorldPanel::chosen() const {
-    const QAbstractButton* down = nullptr;
-    for (const QAbstractButton* button : buttons_->buttons())
-        if (button->isChecked())
-            down = button;
-    return down ? &kinds_[static_cast<std::size_t>(buttons_->id(const_cast<QAbstractButton*>(down)))] : nullptr;
+    for (std::size_t i = 0; i < kinds_.size(); ++i)
+        if (buttons_->button(static_cast<int>(i))->isChecked())
+            return &kinds_[i];
+    return nullptr;
 }
 
 std::optional<PaletteChoice> WorldPanel::choice() const {
@@ -287,28 +254,10 @@ std::optional<PaletteChoice> WorldPanel::choice() const {
 void WorldPanel::disarm() {
     if (!choice())
         return;
-    {
-        const QSignalBlocker quiet(other_class_);
-        other_class_->clear();
-    }
+    QSignalBlocker quiet(other_class_);
+    other_class_->clear();
+    quiet.unblock();
     choose(-1);
-}
-
-bool WorldPanel::loop() const {
-    return loop_->isChecked();
-}
-
-void WorldPanel::setTraceColor(protocol::TraceColor color) {
-    trace_color_->setCurrentIndex(static_cast<int>(color));
-}
-
-protocol::TraceColor WorldPanel::traceColor() const {
-    return static_cast<protocol::TraceColor>(trace_color_->currentIndex());
-}
-
-void WorldPanel::requestRemoval() {
-    if (const QModelIndex current = list_->currentIndex(); current.isValid())
-        emit removeRequested(model_->object(current.row()).name);
 }
 
 bool WorldPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -4,9 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include <QButtonGroup>
 #include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QTreeView>
 #include <QWidget>
 
@@ -15,10 +19,6 @@
 #include "widgets/panels/quantity_box.h"
 
 class QAction;
-class QButtonGroup;
-class QGridLayout;
-class QHBoxLayout;
-class QToolButton;
 
 namespace usar::widgets {
 
@@ -69,10 +69,10 @@ public:
     /// Speed along the way, or of the belt; negative runs a belt backward.
     double speed_m_s() const { return speed_->value(); }
     /// True if the way should start again at its first way point.
-    bool loop() const;
+    bool loop() const { return loop_->isChecked(); }
     /// Emits nothing.
-    void setTraceColor(protocol::TraceColor color);
-    protocol::TraceColor traceColor() const;
+    void setTraceColor(protocol::TraceColor color) { trace_color_->setCurrentIndex(static_cast<int>(color)); }
+    protocol::TraceColor traceColor() const { return static_cast<protocol::TraceColor>(trace_color_->currentIndex()); }
     const ObjectListModel& model() const { return *model_; }
     QSize sizeHint() const override { return {260, 420}; }
 
@@ -96,18 +96,17 @@ private:
     QHBoxLayout* makeTraceRow();
     void choose(int kind);
     void drag(QToolButton* button);
-    void requestRemoval();
     const PaletteKind* chosen() const;
 
     std::vector<PaletteKind> kinds_;
-    QGridLayout* palette_;
-    QButtonGroup* buttons_;
-    QLineEdit* other_class_;
+    QGridLayout* palette_ = new QGridLayout;
+    QButtonGroup* buttons_ = new QButtonGroup(this);
+    QLineEdit* other_class_ = new QLineEdit(this);
     QuantityBox* size_m_[3];
-    ObjectListModel* model_;
-    QTreeView* list_;
+    ObjectListModel* model_ = new ObjectListModel(this);
+    QTreeView* list_ = new QTreeView(this);
     EmptyState* empty_list_;
-    QHBoxLayout* object_row_;
+    QHBoxLayout* object_row_ = new QHBoxLayout;
     QHBoxLayout* way_row_;
     QuantityBox* speed_;
     QToolButton* loop_;

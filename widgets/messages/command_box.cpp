@@ -4,14 +4,12 @@
 
 #include <QAbstractItemView>
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QStyle>
-#include <QVBoxLayout>
 
 #include "core/base/text.h"
 #include "core/protocol/command_grammar.h"
 #include "widgets/messages/completion_delegate.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -41,20 +39,10 @@ QString ending(const std::string& before, std::string_view completed) {
 
 } // namespace
 
-CommandBox::CommandBox(QWidget* parent)
-    : QWidget(parent)
-    , line_(new CommandLine(this))
-    , send_(new QPushButton(tr("Send"), this))
-    , complaint_(new QLabel(this))
-    , completer_(new QCompleter(this))
-    , completions_(new QStandardItemModel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
-    column->setSpacing(2);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
-    row->addWidget(line_, 1);
-    row->addWidget(send_);
+CommandBox::CommandBox(QWidget* parent) : QWidget(parent) {
+    auto* column = laidOut(new QVBoxLayout(this), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, 2);
+    auto* row = laidOut(new QHBoxLayout, gap::tiny, {line_, send_});
+    row->setStretchFactor(line_, 1);
     column->addLayout(row);
     column->addWidget(complaint_);
     send_->setMinimumHeight(minimum_target);
@@ -96,14 +84,12 @@ void CommandBox::setTarget(const QString& name, const QString& refusal) {
     line_->setPlaceholderText(name.isEmpty() ? tr("Raw command: no connection")
                                              : tr("Raw command to %1 (Up: history, Ctrl+Space: words)").arg(name));
     line_->setToolTip(
-        tr("A line as the server reads it, such as DRIVE {Left 1.0} {Right 1.0}. Enter sends it, Tab completes "
-           "it, Up and Down walk through what was sent before: only lines with what is typed, if anything is."));
+        tr("A line as the server reads it, such as DRIVE {Left 1.0} {Right 1.0}. Enter sends it, Tab completes it, and "
+           "Up and Down step through the lines sent before that contain the typed text."));
 }
 
 void CommandBox::complain(Severity severity, const QString& sentence) {
-    complaint_->setProperty("role", severity == Severity::Error ? "danger" : "caution");
-    complaint_->style()->unpolish(complaint_); // Otherwise the color of the previous role would stay.
-    complaint_->style()->polish(complaint_);
+    setRole(complaint_, severity == Severity::Error ? "danger" : "caution");
     complaint_->setText((severity == Severity::Error ? QStringLiteral("✕ ") : QStringLiteral("⚠ ")) + sentence);
     complaint_->show();
 }
@@ -167,13 +153,12 @@ bool CommandBox::takeKey(int key, Qt::KeyboardModifiers modifiers) {
     case Qt::Key_Tab:
         return popupOpen() && acceptFirst();
     case Qt::Key_Up:
-        if (!popupOpen())
-            showHistory(history_.older(line_->text()));
-        return !popupOpen();
     case Qt::Key_Down:
-        if (!popupOpen())
-            showHistory(history_.newer());
-        return !popupOpen();
+        if (popupOpen())
+            return false;
+        if (const auto line = key == Qt::Key_Up ? history_.older(line_->text()) : history_.newer())
+            line_->setText(*line);
+        return true;
     case Qt::Key_Space:
         if (!modifiers.testFlag(Qt::ControlModifier))
             return false;
@@ -182,11 +167,6 @@ bool CommandBox::takeKey(int key, Qt::KeyboardModifiers modifiers) {
     default:
         return false;
     }
-}
-
-void CommandBox::showHistory(const std::optional<QString>& line) {
-    if (line)
-        line_->setText(*line);
 }
 
 bool CommandBox::acceptFirst() {

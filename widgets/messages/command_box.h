@@ -54,8 +54,6 @@ private:
     bool popupOpen() const;
     /// True if an entry of the completion list is marked.
     bool chosenInPopup() const;
-    /// Shows a line of the history; nullopt changes nothing.
-    void showHistory(const std::optional<QString>& line);
     /// Accepts the marked completion, or the first one. Returns true.
     bool acceptFirst();
     void accept(const QModelIndex& index);
@@ -64,11 +62,11 @@ private:
     void send();
 
     LineHistory history_;
-    CommandLine* line_;
-    QPushButton* send_;
-    QLabel* complaint_;
-    QCompleter* completer_;
-    QStandardItemModel* completions_;
+    CommandLine* line_ = new CommandLine(this);
+    QPushButton* send_ = new QPushButton(tr("Send"), this);
+    QLabel* complaint_ = new QLabel(this);
+    QCompleter* completer_ = new QCompleter(this);
+    QStandardItemModel* completions_ = new QStandardItemModel(this);
     QTimer idle_{this};
     QString refusal_;
     QString sent_anyway_; ///< a second Enter sends this line in spite of its errors

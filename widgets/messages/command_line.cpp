@@ -35,10 +35,6 @@ void CommandLine::setDiagnostics(const Diagnostics& diagnostics) {
     update();
 }
 
-std::size_t CommandLine::cursorByte() const {
-    return static_cast<std::size_t>(text().left(cursorPosition()).toUtf8().size());
-}
-
 std::size_t CommandLine::wordEnd(std::size_t offset) const {
     const std::string bytes = text().toStdString();
     std::size_t end = std::min(offset, bytes.size());

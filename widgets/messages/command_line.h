@@ -17,7 +17,7 @@ public:
     void setDiagnostics(const Diagnostics& diagnostics);
     const Diagnostics& diagnostics() const { return diagnostics_; }
     /// The cursor's position in bytes of the UTF-8 text.
-    std::size_t cursorByte() const;
+    std::size_t cursorByte() const { return static_cast<std::size_t>(text().left(cursorPosition()).toUtf8().size()); }
     /// Position, in bytes, after the last byte of the word that begins at `offset`.
     std::size_t wordEnd(std::size_t offset) const;
 

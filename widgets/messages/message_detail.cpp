@@ -4,10 +4,10 @@
 #include <cmath>
 #include <span>
 
-#include <QEvent>
-
 #include "widgets/models/figures.h"
 #include "widgets/models/messages/message_parts.h"
+#include "widgets/models/messages/notification_model.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -31,19 +31,24 @@ QString tableRow(const QString& name, const QString& value) {
         .arg(tokens().text_muted.name(), name, value);
 }
 
-QString more(std::size_t count) {
-    return count <= most_rows ? QString()
-                              : tableRow(QStringLiteral("…"),
-                                         MessageDetail::tr("%n more", nullptr, static_cast<int>(count - most_rows)));
+/// Makes a table of the first rows, which `row_of` makes; a last row says how many more there are.
+template <class Entries, class RowOf>
+QString tableOf(const Entries& entries, RowOf row_of) {
+    if (entries.empty())
+        return {};
+    QString rows;
+    for (const auto& entry : std::span(entries).first(std::min(entries.size(), most_rows)))
+        rows += row_of(entry);
+    if (entries.size() > most_rows)
+        rows += tableRow(QStringLiteral("…"),
+                         MessageDetail::tr("%n more", nullptr, static_cast<int>(entries.size() - most_rows)));
+    return QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows);
 }
 
 QString troubles(const MessageRow& row, const Diagnostics& diagnostics) {
     QString text;
     for (const Diagnostic& diagnostic : diagnostics) {
-        const Tokens& t = tokens();
-        const QColor ink = diagnostic.severity == Severity::Error     ? t.danger
-                           : diagnostic.severity == Severity::Warning ? t.caution
-                                                                      : t.accent;
+        const QColor ink = severityColor(diagnostic.severity);
         const Pointer pointer = pointerAt(row.text, diagnostic.offset, pointer_width);
         text += QStringLiteral("<pre style=\"margin:4px 0 0 0\">%1\n<span style=\"color:%2\">%3</span></pre>"
                                "<p style=\"margin:0 0 4px 0; color:%2\">%4</p>")
@@ -53,27 +58,16 @@ QString troubles(const MessageRow& row, const Diagnostics& diagnostics) {
     return text;
 }
 
-QString fieldTable(const std::vector<protocol::Field>& fields) {
-    QString rows;
-    for (const protocol::Field& field : std::span(fields).first(std::min(fields.size(), most_rows))) {
-        const QString name = field.item.empty() ? html(field.field) : html(field.item) + u' ' + html(field.field);
-        rows += tableRow(name, valueText(field).toHtmlEscaped());
-    }
-    return rows.isEmpty() ? QString()
-                          : QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows + more(fields.size()));
+QString fieldRow(const protocol::Field& field) {
+    const QString name = field.item.empty() ? html(field.field) : html(field.item) + u' ' + html(field.field);
+    return tableRow(name, valueText(field).toHtmlEscaped());
 }
 
-QString segmentTable(const std::vector<MessagePart>& segments) {
-    QString rows;
-    for (const MessagePart& part : std::span(segments).first(std::min(segments.size(), most_rows))) {
-        const QString value = html(std::string_view(part.value).substr(0, longest_text / 10));
-        rows +=
-            tableRow(html(part.key), part.help.empty() ? value
-                                                       : QStringLiteral("%1 <span style=\"color:%2\">· %3</span>")
-                                                             .arg(value, tokens().text_muted.name(), html(part.help)));
-    }
-    return rows.isEmpty() ? QString()
-                          : QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows + more(segments.size()));
+QString segmentRow(const MessagePart& part) {
+    const QString value = html(std::string_view(part.value).substr(0, longest_text / 10));
+    return tableRow(html(part.key), part.help.empty() ? value
+                                                      : QStringLiteral("%1 <span style=\"color:%2\">· %3</span>")
+                                                            .arg(value, tokens().text_muted.name(), html(part.help)));
 }
 
 } // namespace
@@ -88,6 +82,7 @@ MessageDetail::MessageDetail(QWidget* parent) : QTextBrowser(parent) {
             emit jumpRequested(url.path().toULongLong());
     });
     clearRow();
+    onThemeChange(this, [this] { render(); });
 }
 
 void MessageDetail::show(const MessageModel& model, std::uint64_t serial) {
@@ -156,23 +151,13 @@ QString MessageDetail::bodyOf(const MessageRow& row) const {
     QString body =
         QStringLiteral("<p style=\"margin:8px 0 0 0; font-family:'%1'\">%2</p>").arg(codeFont().family(), text);
     body += troubles(row, parts.diagnostics);
-    if (const QString fields = fieldTable(parts.fields); !fields.isEmpty())
+    if (const QString fields = tableOf(parts.fields, fieldRow); !fields.isEmpty())
         body += heading.arg(muted, parts.known ? tr("Values, in SI units and map axes")
                                                : tr("Values as on the wire: no table knows this type")) +
                 fields;
-    if (const QString segments = segmentTable(parts.segments); !segments.isEmpty())
+    if (const QString segments = tableOf(parts.segments, segmentRow); !segments.isEmpty())
         body += heading.arg(muted, tr("Segments as on the wire")) + segments;
     return body;
-}
-
-void MessageDetail::render() {
-    setHtml(head_ + (row_ ? bodyOf(*row_) : QString()));
-}
-
-void MessageDetail::changeEvent(QEvent* event) {
-    QTextBrowser::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        render();
 }
 
 } // namespace usar::widgets

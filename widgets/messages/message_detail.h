@@ -25,15 +25,12 @@ signals:
     /// `serial` is a serial number of the model.
     void jumpRequested(std::uint64_t serial);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QString headOf(const MessageModel& model, const MessageRow& row) const;
     QString causeOf(const MessageModel& model, const MessageRow& row, std::uint64_t serial) const;
     QString sourceOf(const MessageModel& model, const MessageRow& row) const;
     QString bodyOf(const MessageRow& row) const;
-    void render();
+    void render() { setHtml(head_ + (row_ ? bodyOf(*row_) : QString())); }
 
     QString head_; ///< HTML without colors, so that it survives a change of theme
     std::optional<MessageRow> row_;

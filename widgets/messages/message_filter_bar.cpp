@@ -1,6 +1,6 @@
 #include "widgets/messages/message_filter_bar.h"
 
-#include "widgets/style/icons.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -18,24 +18,18 @@ MessageFilterBar::MessageFilterBar(QAction* only_trouble, QWidget* parent)
     : QWidget(parent)
     , search_(makeSearchLine(tr("Search type or text"), tr(search_help), this))
     , name_(makeSearchLine(tr("Name"), tr("Shows only lines about sensors, effecters or packages of this name"), this))
-    , types_(new TypeChoiceButton(this))
-    , way_(new QComboBox(this))
-    , only_trouble_(only_trouble)
-    , row_(new QHBoxLayout(this)) {
-    row_->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
-    row_->setSpacing(gap::tiny);
+    , only_trouble_(only_trouble) {
     name_->setObjectName(QStringLiteral("name"));
     search_->setObjectName(QStringLiteral("search"));
     way_->addItems({tr("In and out"), tr("← in"), tr("→ out")});
-    way_->setToolTip(tr("What came from the server, what was sent, or both"));
-    way_->setAccessibleName(way_->toolTip());
+    const QString help = tr("Lines from the server, lines sent to it, or both");
+    named(way_, help, help);
     way_->setMinimumHeight(minimum_target);
     search_->setMinimumWidth(90);
     name_->setMinimumWidth(70);
-    row_->addWidget(search_, 3);
-    row_->addWidget(name_, 1);
-    row_->addWidget(types_);
-    row_->addWidget(way_);
+    laidOut(row_, {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny, {search_, name_, types_, way_});
+    row_->setStretchFactor(search_, 3);
+    row_->setStretchFactor(name_, 1);
     addButton(only_trouble);
     const auto changed = [this] {
         showExpression();
@@ -52,7 +46,6 @@ MessageFilterBar::MessageFilterBar(QAction* only_trouble, QWidget* parent)
 void MessageFilterBar::addButton(QAction* action) {
     QToolButton* button = makeToolButton(action->toolTip(), this);
     button->setDefaultAction(action);
-    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     row_->addWidget(button);
 }
 
@@ -96,10 +89,11 @@ void MessageFilterBar::showExpression() {
     if (wrong)
         palette.setColor(QPalette::Text, tokens().danger);
     search_->setPalette(palette);
-    search_->setToolTip(wrong ? tr("Not a regular expression at column %1: %2. All lines are shown until it is.")
-                                    .arg(expression->patternErrorOffset() + 2)
-                                    .arg(expression->errorString())
-                              : tr(search_help));
+    search_->setToolTip(
+        wrong ? tr("Invalid regular expression at column %1: %2. All lines are shown until you correct it.")
+                    .arg(expression->patternErrorOffset() + 2)
+                    .arg(expression->errorString())
+              : tr(search_help));
 }
 
 } // namespace usar::widgets

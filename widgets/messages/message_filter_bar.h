@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QTimer>
 #include <QWidget>
 
 #include "widgets/messages/type_choice_button.h"
@@ -44,10 +43,10 @@ private:
 
     QLineEdit* search_;
     QLineEdit* name_;
-    TypeChoiceButton* types_;
-    QComboBox* way_;
+    TypeChoiceButton* types_ = new TypeChoiceButton(this);
+    QComboBox* way_ = new QComboBox(this);
     QAction* only_trouble_;
-    QHBoxLayout* row_;
+    QHBoxLayout* row_ = new QHBoxLayout(this);
     bool setting_ = false;
 };
 

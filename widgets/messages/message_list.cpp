@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollBar>
-#include <QVBoxLayout>
 
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -24,23 +23,13 @@ constexpr std::size_t most_rows_a_frame = 20'000; ///< limit after a pause; more
 
 } // namespace
 
-MessageList::MessageList(QWidget* parent)
-    : QWidget(parent)
-    , model_(new MessageModel(this))
-    , splitter_(new QSplitter(this))
-    , view_(new QTableView(splitter_))
-    , detail_(new MessageDetail(splitter_))
-    , saver_(new MessageSaver(*model_, this)) {
+MessageList::MessageList(QWidget* parent) : QWidget(parent) {
     makeActions();
     bar_ = new MessageFilterBar(actions_.only_trouble, this);
     for (QAction* action : {actions_.pause, actions_.follow, actions_.details, actions_.clear})
         bar_->addButton(action);
     bar_->types()->setCounts([this] { return model_->types(); });
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(bar_);
-    column->addWidget(splitter_, 1);
+    laidOut(new QVBoxLayout(this), {}, 0, {bar_, splitter_})->setStretchFactor(splitter_, 1);
     splitter_->setChildrenCollapsible(false);
     splitter_->setStretchFactor(0, 3);
     splitter_->setStretchFactor(1, 2);
@@ -55,6 +44,7 @@ MessageList::MessageList(QWidget* parent)
     frame_.setInterval(refresh_ms);
     connect(&frame_, &QTimer::timeout, this, &MessageList::flush);
     applyFilter();
+    onThemeChange(this, [this] { view_->viewport()->update(); });
 }
 
 MessageList::~MessageList() {
@@ -117,15 +107,11 @@ void MessageList::wireView() {
 }
 
 void MessageList::takeLine(const protocol::InfoLine& line, Seconds time, int connection) {
-    MessageRow row = rowOf(line, time);
-    row.connection = connection;
-    keep(std::move(row));
+    keep(rowOf(line, time), connection);
 }
 
 void MessageList::takeCommand(std::string text, const Cause& cause, Seconds time, int connection) {
-    MessageRow row = rowOf(std::move(text), cause, ++commands_[connection], time);
-    row.connection = connection;
-    keep(std::move(row));
+    keep(rowOf(std::move(text), cause, ++commands_[connection], time), connection);
 }
 
 void MessageList::takeNotShown(std::uint64_t count, int connection) {
@@ -135,13 +121,7 @@ void MessageList::takeNotShown(std::uint64_t count, int connection) {
         count += waiting_.back().not_shown;
         waiting_.pop_back();
     }
-    MessageRow row = gapOf(count);
-    row.connection = connection;
-    keep(std::move(row));
-}
-
-void MessageList::nameConnection(int connection, const QString& name) {
-    model_->nameConnection(connection, name);
+    keep(gapOf(count), connection);
 }
 
 void MessageList::selectConnection(int connection) {
@@ -151,7 +131,8 @@ void MessageList::selectConnection(int connection) {
     applyFilter();
 }
 
-void MessageList::keep(MessageRow row) {
+void MessageList::keep(MessageRow row, int connection) {
+    row.connection = connection;
     waiting_bytes_ += row.text.size();
     waiting_.push_back(std::move(row));
     while (waiting_.size() > model_->capacity() || waiting_bytes_ > MessageModel::default_capacity_bytes) {
@@ -198,10 +179,6 @@ void MessageList::flush() {
             flushSoon();
     }
     updateState();
-}
-
-void MessageList::setFilter(const MessageFilter& filter) {
-    bar_->setFilter(filter);
 }
 
 void MessageList::applyFilter() {
@@ -255,10 +232,6 @@ void MessageList::jumpTo(std::uint64_t serial) {
     view_->setFocus();
 }
 
-void MessageList::setPaused(bool paused) {
-    actions_.pause->setChecked(paused);
-}
-
 void MessageList::clear() {
     waiting_.clear();
     waiting_bytes_ = 0;
@@ -282,7 +255,7 @@ void MessageList::updateState() {
         text += tr(", %1 waiting").arg(words.toString(static_cast<qulonglong>(waiting_.size())));
     emit countChanged(text);
     if (total > 0)
-        empty_state_->setText(tr("No line fits"), tr("Nothing of the traffic fits the filters above."));
+        empty_state_->setText(tr("No line fits"), tr("No line of the traffic passes the filters above."));
     else
         empty_state_->setText(tr("No messages yet"), tr("Every line from and to the server appears here."));
     empty_state_->setAction(total > 0 ? actions_.no_filter : nullptr);
@@ -315,12 +288,6 @@ void MessageList::resizeEvent(QResizeEvent* event) {
 void MessageList::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     flushSoon();
-}
-
-void MessageList::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && view_)
-        view_->viewport()->update();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

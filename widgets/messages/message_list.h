@@ -57,11 +57,11 @@ public:
     /// Reports that `count` lines were left out here; consecutive reports are added up in one row.
     void takeNotShown(std::uint64_t count, int connection = 0);
     /// Name of the robot on that connection.
-    void nameConnection(int connection, const QString& name);
+    void nameConnection(int connection, const QString& name) { model_->nameConnection(connection, name); }
     /// Shows the lines of this connection, unless those of all connections are shown.
     void selectConnection(int connection);
     /// Also sets the tool bar above the list; `filter.connection` is ignored.
-    void setFilter(const MessageFilter& filter);
+    void setFilter(const MessageFilter& filter) { bar_->setFilter(filter); }
     bool paused() const { return actions_.pause->isChecked(); }
     /// Starts saving the shown rows as text, or as JSON lines if the name ends in ".jsonl". The list stands still until
     /// `saved` or `failed` is emitted.
@@ -82,7 +82,7 @@ public:
 
 public slots:
     /// While paused, the list stands still; the newest 100,000 lines are stored, and their number is shown.
-    void setPaused(bool paused);
+    void setPaused(bool paused) { actions_.pause->setChecked(paused); }
     /// Removes all lines, also those not inserted yet; filter and pause stay.
     void clear();
 
@@ -98,7 +98,6 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void makeActions();
@@ -108,7 +107,7 @@ private:
     void setUpView();
     void wireView();
     /// Stores a row; beyond the capacity the oldest ones are dropped and counted.
-    void keep(MessageRow row);
+    void keep(MessageRow row, int connection);
     /// Starts the frame timer if the list is visible.
     void flushSoon();
     void flush();
@@ -128,13 +127,13 @@ private:
     void updateState();
     void enableActions();
 
-    MessageModel* model_;
+    MessageModel* model_ = new MessageModel(this);
     MessageActions actions_;
     MessageFilterBar* bar_ = nullptr;
-    QSplitter* splitter_;
-    QTableView* view_;
-    MessageDetail* detail_;
-    MessageSaver* saver_;
+    QSplitter* splitter_ = new QSplitter(this);
+    QTableView* view_ = new QTableView(splitter_);
+    MessageDetail* detail_ = new MessageDetail(splitter_);
+    MessageSaver* saver_ = new MessageSaver(*model_, this);
     EmptyState* empty_state_ = nullptr;
     std::deque<MessageRow> waiting_;        ///< rows not inserted yet; at most the model's capacity
     std::size_t waiting_bytes_ = 0;         ///< size of their text

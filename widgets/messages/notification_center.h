@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "widgets/models/messages/notification_model.h"
+#include "widgets/style/elided_label.h"
 
 namespace usar::widgets {
 
@@ -39,9 +40,9 @@ public slots:
     /// it is clicked.
     void push(const QString& key, usar::Severity severity, const QString& text, const usar::widgets::Offer& offer);
     /// The problem with this key is over; its row stays, grayed out.
-    void cured(const QString& key);
+    void cured(const QString& key) { model_->cure(key); }
     /// Removes all rows, also open ones.
-    void clearAll();
+    void clearAll() { model_->clear(); }
 
 signals:
     /// For the tab's title.
@@ -55,15 +56,13 @@ protected:
 private:
     QWidget* makeTools();
     void copySelected();
-    /// Makes an action of the list's context menu; its shortcut works while the list has the focus.
-    QAction* addRowAction(const QString& text, const QKeySequence& keys);
     /// Updates the action for the offer of the current row.
     void showOffer();
     void updateState();
 
-    NotificationModel* model_;
-    QListView* view_;
-    QLabel* summary_;
+    NotificationModel* model_ = new NotificationModel(this);
+    QListView* view_ = new QListView(this);
+    QLabel* summary_ = new ElidedLabel(this);
     QAction* take_offer_ = nullptr;
     QToolButton* clear_cured_ = nullptr;
     QToolButton* clear_all_ = nullptr;

@@ -2,8 +2,8 @@
 
 #include <QGridLayout>
 #include <QMouseEvent>
-#include <QToolButton>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -11,11 +11,7 @@ namespace usar::widgets {
 
 Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     : QFrame(parent)
-    , key_(notification.key)
-    , sign_(new QLabel(this))
-    , word_(new QLabel(this))
-    , text_(new QLabel(this))
-    , offer_(new QPushButton(this)) {
+    , key_(notification.key) {
     setProperty("role", "card");
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
@@ -29,8 +25,7 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     close->setFocusPolicy(Qt::NoFocus);
     close->setCursor(Qt::ArrowCursor);
     close->setFixedSize(minimum_target, minimum_target);
-    close->setToolTip(tr("Take this message away"));
-    close->setAccessibleName(close->toolTip());
+    named(close, tr("Close this message"), tr("Close this message"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(gap::small, gap::tiny, gap::tiny, gap::small);
     grid->setHorizontalSpacing(gap::small);
@@ -50,6 +45,7 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     connect(close, &QToolButton::clicked, this, &Toast::finished);
     connect(offer_, &QPushButton::clicked, this, &Toast::offerTaken);
     show(notification);
+    onThemeChange(this, [this] { paintSign(); });
 }
 
 void Toast::show(const Notification& notification) {
@@ -68,10 +64,9 @@ void Toast::show(const Notification& notification) {
 }
 
 void Toast::startLife() {
+    life_.stop();
     if (offer_->isHidden())
         life_.start();
-    else
-        life_.stop();
 }
 
 void Toast::paintSign() {
@@ -94,12 +89,6 @@ void Toast::enterEvent(QEnterEvent* event) {
 void Toast::leaveEvent(QEvent* event) {
     startLife();
     QFrame::leaveEvent(event);
-}
-
-void Toast::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        paintSign();
-    QFrame::changeEvent(event);
 }
 
 } // namespace usar::widgets

@@ -37,7 +37,6 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     /// Sets icon and severity in the color of the current theme.
@@ -47,10 +46,10 @@ private:
 
     QString key_;
     Severity severity_ = Severity::Note;
-    QLabel* sign_;
-    QLabel* word_;
-    QLabel* text_;
-    QPushButton* offer_;
+    QLabel* sign_ = new QLabel(this);
+    QLabel* word_ = new QLabel(this);
+    QLabel* text_ = new QLabel(this);
+    QPushButton* offer_ = new QPushButton(this);
     QTimer life_{this};
 };
 

@@ -1,10 +1,9 @@
 #include "widgets/messages/type_choice_button.h"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -30,20 +29,16 @@ TypeChoiceButton::TypeChoiceButton(QWidget* parent) : QToolButton(parent), popup
 QWidget* TypeChoiceButton::makePopup() {
     auto* popup = new QFrame(this, Qt::Popup);
     popup->setFrameShape(QFrame::StyledPanel);
-    auto* column = new QVBoxLayout(popup);
-    column->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
-    column->setSpacing(gap::tiny);
-    auto* row = new QHBoxLayout;
     auto* all = new QPushButton(tr("All"), popup);
     auto* none = new QPushButton(tr("None"), popup);
-    for (QPushButton* button : {all, none}) {
+    for (QPushButton* button : {all, none})
         button->setMinimumHeight(minimum_target);
-        row->addWidget(button);
-    }
-    all->setToolTip(tr("All types, also those that come later"));
-    none->setToolTip(tr("Only those that are ticked from now on"));
-    column->addLayout(row);
-    column->addWidget(list_ = new QListWidget(popup));
+    all->setToolTip(tr("Shows all types, also those that come later"));
+    none->setToolTip(tr("Shows only the types that you check from now on"));
+    list_ = new QListWidget(popup);
+    auto* column = laidOut(new QVBoxLayout(popup), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny);
+    column->addLayout(laidOut(new QHBoxLayout, -1, {all, none}));
+    column->addWidget(list_);
     list_->setAccessibleName(tr("Types"));
     list_->setFrameShape(QFrame::NoFrame);
     list_->setFont(codeFont());

@@ -23,14 +23,15 @@ struct NameOf {
         });
         return stream;
     }
-    std::string operator()(const protocol::GeometryInfo& m) const {
-        return m.type + ' ' + (m.items.empty() ? std::string() : m.items.front().name);
-    }
-    std::string operator()(const protocol::ConfigurationInfo& m) const {
-        return m.type + ' ' + (m.items.empty() ? std::string() : m.items.front().name);
-    }
+    std::string operator()(const protocol::GeometryInfo& m) const { return withFirst(m); }
+    std::string operator()(const protocol::ConfigurationInfo& m) const { return withFirst(m); }
     std::string operator()(const protocol::Response& m) const { return m.type + ' ' + m.name; }
     std::string operator()(const auto&) const { return {}; }
+
+private:
+    static std::string withFirst(const auto& m) {
+        return m.type + ' ' + (m.items.empty() ? std::string() : m.items.front().name);
+    }
 };
 
 } // namespace

@@ -23,10 +23,6 @@ void PanZoom::zoomAt(const QPointF& on_screen, double factor) {
     corner = held - on_screen / scale;
 }
 
-void PanZoom::panBy(const QPointF& by_px) {
-    corner -= by_px / scale;
-}
-
 void PanZoom::fit(const QRectF& bounds, const QSizeF& viewport) {
     if (bounds.isEmpty())
         return;

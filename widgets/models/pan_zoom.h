@@ -37,7 +37,7 @@ struct PanZoom {
     /// Multiplies the scale by `factor`, within the limits; the place under the cursor stays there.
     void zoomAt(const QPointF& on_screen, double factor);
     /// Moves the drawing by this many pixels of the screen.
-    void panBy(const QPointF& by_px);
+    void panBy(const QPointF& by_px) { corner -= by_px / scale; }
     /// Shows all of the drawing with a margin around it, but never enlarged. Empty bounds change nothing.
     void fit(const QRectF& bounds, const QSizeF& viewport);
     /// Like fit(), but if that is too small to be read, shows the top left part at a readable scale.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -33,23 +34,19 @@ QString withUnit(const QString& number, const QString& unit) {
 QString numberText(double si, const agent::ParameterSpec& spec) {
     const DisplayUnit unit = displayUnit(spec.unit);
     const double shown = si * unit.factor;
-    const QString number = QString::fromStdString(fixed(shown, decimalsOf(shown)));
-    return withUnit(number, unit.text);
+    return withUnit(QString::fromStdString(fixed(shown, decimalsOf(shown))), unit.text);
 }
 
 } // namespace
 
 DisplayUnit displayUnit(const std::string& unit) {
     constexpr double degrees = 180.0 / pi;
-    if (unit == "rad")
-        return {QStringLiteral("°"), degrees};
-    if (unit == "rad/s")
-        return {QStringLiteral("°/s"), degrees};
-    if (unit == "rad/s2")
-        return {QStringLiteral("°/s²"), degrees};
-    if (unit == "m/s2")
-        return {QStringLiteral("m/s²"), 1.0};
-    return {QString::fromStdString(unit), 1.0};
+    static const std::map<std::string, DisplayUnit> others = {{"rad", {QStringLiteral("°"), degrees}},
+                                                              {"rad/s", {QStringLiteral("°/s"), degrees}},
+                                                              {"rad/s2", {QStringLiteral("°/s²"), degrees}},
+                                                              {"m/s2", {QStringLiteral("m/s²"), 1.0}}};
+    const auto found = others.find(unit);
+    return found != others.end() ? found->second : DisplayUnit{QString::fromStdString(unit), 1.0};
 }
 
 int decimalsFor(const agent::ParameterSpec& spec) {

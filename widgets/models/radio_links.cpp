@@ -1,7 +1,6 @@
 #include "widgets/models/radio_links.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "widgets/models/figures.h"
@@ -37,34 +36,15 @@ int radioBars(const std::optional<double>& strength_dbm) {
 }
 
 QString radioWord(RadioQuality quality) {
-    switch (quality) {
-    case RadioQuality::Unknown:
-        break;
-    case RadioQuality::Lost:
-        return QObject::tr("no link");
-    case RadioQuality::Weak:
-        return QObject::tr("weak");
-    case RadioQuality::Fair:
-        return QObject::tr("fair");
-    case RadioQuality::Good:
-        return QObject::tr("good");
-    }
-    return QObject::tr("not heard");
+    const QString words[] = {QObject::tr("not heard"), QObject::tr("no link"), QObject::tr("weak"), QObject::tr("fair"),
+                             QObject::tr("good")};
+    return words[static_cast<std::size_t>(quality)];
 }
 
 QColor radioColor(RadioQuality quality) {
-    switch (quality) {
-    case RadioQuality::Unknown:
-        break;
-    case RadioQuality::Lost:
-        return tokens().danger;
-    case RadioQuality::Weak:
-    case RadioQuality::Fair:
-        return tokens().caution;
-    case RadioQuality::Good:
-        return tokens().ok;
-    }
-    return tokens().stale;
+    const Tokens& t = tokens();
+    const QColor colors[] = {t.stale, t.danger, t.caution, t.caution, t.ok};
+    return colors[static_cast<std::size_t>(quality)];
 }
 
 void RadioLinkModel::take(std::vector<RadioLink> links) {

@@ -6,9 +6,9 @@
 #include <QMimeData>
 #include <QSize>
 
-#include "widgets/models/field_mime.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/models/series_store.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -18,17 +18,20 @@ namespace {
 /// Sort key of the first answer; larger than the number of streams can ever be.
 constexpr int answers_from = 1'000'000;
 
+template <class Type, class... Others>
+constexpr bool isOneOf = (std::is_same_v<Type, Others> || ...);
+
 /// True for answers to a question; all other messages are repeated.
 bool isAnswer(const protocol::InfoMessage& message) {
     if (const auto* generic = std::get_if<protocol::GenericMessage>(&message))
         return generic->type_word == "NFO" || generic->type_word == "GEO" || generic->type_word == "CONF" ||
                generic->type_word == "RES";
-    return std::holds_alternative<protocol::GameInfo>(message) ||
-           std::holds_alternative<protocol::StartPoses>(message) ||
-           std::holds_alternative<protocol::LockstepInfo>(message) ||
-           std::holds_alternative<protocol::GeometryInfo>(message) ||
-           std::holds_alternative<protocol::ConfigurationInfo>(message) ||
-           std::holds_alternative<protocol::Response>(message);
+    return std::visit(
+        []<class Message>(const Message&) {
+            return isOneOf<Message, protocol::GameInfo, protocol::StartPoses, protocol::LockstepInfo,
+                           protocol::GeometryInfo, protocol::ConfigurationInfo, protocol::Response>;
+        },
+        message);
 }
 
 int decimalsOf(double shown, const QString& unit) {
@@ -59,8 +62,6 @@ QString SensorModel::Source::title() const {
     const QString item = leaves.empty() || !single ? QString() : QString::fromStdString(leaves.front().field.item);
     return item.isEmpty() || item == kind ? kind : kind + QStringLiteral("  ") + item;
 }
-
-SensorModel::SensorModel(QObject* parent) : QAbstractItemModel(parent) {}
 
 void SensorModel::take(const protocol::InfoLine& line, Seconds now, int count) {
     const bool repeats = !isAnswer(line.message);
@@ -220,8 +221,7 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
     case Qt::FontRole:
         return look(index, role);
     case Qt::TextAlignmentRole:
-        return int(Qt::AlignVCenter |
-                   (index.column() == Name || index.column() == Unit ? Qt::AlignLeft : Qt::AlignRight));
+        return headerData(index.column(), Qt::Horizontal, role);
     case Qt::ToolTipRole:
         if (!leaf)
             return tr("%1: age of its newest message, and messages per second")

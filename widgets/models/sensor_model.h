@@ -22,7 +22,7 @@ public:
     /// SortRole orders repeated messages before answers, each in the order of first appearance.
     enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };
 
-    explicit SensorModel(QObject* parent = nullptr);
+    using QAbstractItemModel::QAbstractItemModel;
 
     /// `count` is the number of lines of this stream since the last one passed here, this one included.
     void take(const protocol::InfoLine& line, Seconds now, int count = 1);

@@ -12,6 +12,10 @@
 
 namespace usar::widgets {
 
+/// Drag format between the sensor panel and the plots: UTF-8 paths of fields as protocol::Field::path() returns them,
+/// one per line.
+inline constexpr const char* field_mime_type = "application/x-usar-field";
+
 /// One value of a field.
 struct Sample {
     double time_s = 0.0; ///< protocol clock

@@ -14,16 +14,8 @@ long long ringPlace(const std::string& name) {
     const auto number = name.size() > 1 ? readInteger(std::string_view(name).substr(1)) : std::nullopt;
     if (!number)
         return last;
-    switch (name.front()) {
-    case 'L':
-        return -*number;
-    case 'M':
-        return 0;
-    case 'R':
-        return *number;
-    default:
-        return last;
-    }
+    const char side = name.front();
+    return side == 'L' ? -*number : side == 'M' ? 0 : side == 'R' ? *number : last;
 }
 
 } // namespace
@@ -46,15 +38,9 @@ std::vector<SonarColumn> sonarColumns(const std::map<std::string, double>& range
 }
 
 QString riskWord(agent::Risk risk) {
-    switch (risk) {
-    case agent::Risk::None:
-        return {};
-    case agent::Risk::Low:
-        return QStringLiteral("low");
-    case agent::Risk::High:
-        break;
-    }
-    return QStringLiteral("high");
+    return risk == agent::Risk::None  ? QString()
+           : risk == agent::Risk::Low ? QStringLiteral("low")
+                                      : QStringLiteral("high");
 }
 
 } // namespace usar::widgets

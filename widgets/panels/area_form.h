@@ -1,13 +1,14 @@
 // Form for typing the corners of the mission area, as an alternative to drawing it on the map.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QWidget>
 
 #include "core/base/geometry.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -31,22 +32,15 @@ signals:
     /// The user typed or stepped a value. Corners are in order; an empty Rectangle{} if they enclose nothing.
     void areaChanged(const usar::Rectangle& area_in_map);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    /// Updates the description and emits areaChanged.
-    void tell();
     /// Marks the field if its value is outside the extent of the world; returns true if it is.
     bool mark(QDoubleSpinBox* box, double minimum_m, double maximum_m);
     /// Shows size and surface in words, or what to do while there is no area.
     void describe();
 
-    QDoubleSpinBox* min_x_;
-    QDoubleSpinBox* max_x_;
-    QDoubleSpinBox* min_y_;
-    QDoubleSpinBox* max_y_;
-    QLabel* size_;
+    std::array<QDoubleSpinBox*, 2> x_{}; ///< lowest and highest
+    std::array<QDoubleSpinBox*, 2> y_{};
+    QLabel* size_ = mutedLabel({}, this);
     std::optional<Rectangle> world_in_map_; ///< nullopt: no limit
 };
 

@@ -3,29 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 namespace {
-
-QLabel* mutedLabel(const QString& text = {}) {
-    auto* label = new QLabel(text);
-    label->setProperty("role", "muted");
-    label->setWordWrap(true);
-    return label;
-}
 
 /// Compares everything that the panel shows except the name.
 bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescription& other) {
@@ -35,51 +22,28 @@ bool looksLike(const agent::BehaviorDescription& one, const agent::BehaviorDescr
 
 } // namespace
 
-BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
-    : QWidget(parent)
-    , robot_label_(new QLabel)
-    , behavior_box_(new QComboBox)
-    , rescan_(new QToolButton)
-    , help_label_(mutedLabel())
-    , isolated_(new QCheckBox(tr("In a process of its own")))
-    , plan_(new PlanChoice)
-    , area_box_(new QWidget)
-    , area_form_(new AreaForm)
-    , area_tool_(new QToolButton)
-    , summary_label_(mutedLabel())
-    , start_(new QPushButton(tr("Start")))
-    , pause_(new QPushButton(tr("Pause")))
-    , land_(new QPushButton(tr("Land now")))
-    , stop_(new QPushButton(tr("Stop"))) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    layout->setSpacing(gap::small);
+BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget(parent) {
     robot_label_->setProperty("role", "title");
-    robot_label_->setWordWrap(true);
-    behavior_box_->setAccessibleName(tr("Behavior"));
-    behavior_box_->setToolTip(tr("What the selected robot should do"));
+    for (QLabel* label : {robot_label_, help_label_, summary_label_})
+        label->setWordWrap(true);
+    named(behavior_box_, tr("Behavior"), tr("What the selected robot should do"));
     behavior_box_->setMinimumHeight(minimum_target);
-    layout->addWidget(robot_label_);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
-    row->addWidget(behavior_box_, 1);
-    row->addWidget(rescan_);
     rescan_->hide();
-    layout->addLayout(row);
-    layout->addWidget(help_label_);
-    layout->addWidget(plan_);
     isolated_->setToolTip(
-        tr("A behavior that crashes or hangs there ends alone: its robot stops, you are told where it "
-           "died, and nothing else is disturbed. Costs well below a millisecond a tick"));
+        tr("If a behavior crashes or hangs in its own process, only its robot stops; you are told where it failed, and "
+           "nothing else is affected. Costs well under a millisecond per tick"));
     isolated_->setMinimumHeight(minimum_target);
-    layout->addWidget(isolated_);
     connect(isolated_, &QCheckBox::clicked, this, &BehaviorPanel::isolationChosen);
     makeAreaBox();
-    layout->addWidget(area_box_);
-    layout->addWidget(summary_label_);
+    auto* column =
+        laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {robot_label_});
+    auto* row = laidOut(new QHBoxLayout, gap::tiny, {behavior_box_, rescan_});
+    row->setStretchFactor(behavior_box_, 1);
+    column->addLayout(row);
+    laidOut(column, gap::small,
+            {help_label_, plan_, isolated_, area_box_, summary_label_, parameter_form, makeButtons()});
+    column->setStretchFactor(parameter_form, 1);
     summary_label_->hide();
-    layout->addWidget(parameter_form, 1);
-    layout->addWidget(makeButtons());
     connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this] {
         showBehavior();
         emit behaviorChosen(QString::fromStdString(behaviorId()));
@@ -88,10 +52,6 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent)
 }
 
 void BehaviorPanel::makeAreaBox() {
-    auto* layout = new QVBoxLayout(area_box_);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(gap::tiny);
-    auto* row = new QHBoxLayout;
     auto* title = new QLabel(tr("Mission area"));
     title->setProperty("role", "title");
     area_tool_->setIcon(icon("area"));
@@ -100,10 +60,11 @@ void BehaviorPanel::makeAreaBox() {
     area_tool_->setCheckable(true);
     area_tool_->setMinimumHeight(minimum_target);
     area_tool_->setToolTip(tr("Draw the mission area on the map (A)"));
-    row->addWidget(title, 1);
-    row->addWidget(area_tool_);
-    layout->addLayout(row);
-    layout->addWidget(area_form_);
+    auto* row = laidOut(new QHBoxLayout, -1, {title, area_tool_});
+    row->setStretchFactor(title, 1);
+    auto* column = laidOut(new QVBoxLayout(area_box_), {}, gap::tiny);
+    column->addLayout(row);
+    column->addWidget(area_form_);
     connect(area_tool_, &QToolButton::clicked, this, &BehaviorPanel::areaToolToggled);
     connect(area_form_, &AreaForm::areaChanged, this, &BehaviorPanel::areaTyped);
 }
@@ -120,7 +81,7 @@ QWidget* BehaviorPanel::makeButtons() {
     stop_->setIcon(icon("stop"));
     pause_->setCheckable(true);
     start_->setStatusTip(tr("Start the behavior with this area and these parameters"));
-    pause_->setStatusTip(tr("Hold position; press again to go on"));
+    pause_->setStatusTip(tr("Hold position; press again to continue"));
     land_->setStatusTip(tr("Land here and now; what was scanned is kept"));
     stop_->setStatusTip(tr("End the behavior; the robot stops where it is"));
     for (QPushButton* button : buttons()) {
@@ -135,10 +96,6 @@ QWidget* BehaviorPanel::makeButtons() {
     grid->addWidget(land_, 1, 1);
     grid->addWidget(stop_, 1, 2);
     return box;
-}
-
-std::array<QPushButton*, 4> BehaviorPanel::buttons() const {
-    return {start_, pause_, land_, stop_};
 }
 
 void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QAction* stop) {
@@ -162,9 +119,7 @@ void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QA
 }
 
 void BehaviorPanel::setRescanAction(QAction* action) {
-    rescan_->setDefaultAction(action);
-    rescan_->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    rescan_->setAccessibleName(action->text());
+    showAction(rescan_, action);
     rescan_->setMinimumSize(minimum_target, minimum_target);
     rescan_->setFocusPolicy(Qt::TabFocus);
     rescan_->show();
@@ -218,8 +173,9 @@ void BehaviorPanel::showBehavior() {
     const int row = behavior_box_->currentIndex();
     area_box_->setVisible(needsArea());
     if (row < 0) {
-        help_label_->setText(tr("No plugin has a behavior for this kind of robot. Messages > Type a raw "
-                                "command drives it."));
+        help_label_->setText(
+            tr("No plugin has a behavior for this kind of robot. You can drive it with Messages > Type "
+               "a raw command."));
         plan_->setBehavior({}, {});
         return fitHelp();
     }
@@ -248,36 +204,16 @@ bool BehaviorPanel::needsArea() const {
     return row < 0 || behaviors_[static_cast<std::size_t>(row)].needs_area;
 }
 
-bool BehaviorPanel::busy() const {
-    return run_state_ == RunState::Running || run_state_ == RunState::Paused;
-}
-
 void BehaviorPanel::chooseBehavior(const std::string& id) {
     const int index = behavior_box_->findData(QString::fromStdString(id));
     if (index >= 0)
         behavior_box_->setCurrentIndex(index);
 }
 
-bool BehaviorPanel::isolated() const {
-    return isolated_->isChecked();
-}
-
-void BehaviorPanel::setIsolated(bool isolated) {
-    isolated_->setChecked(isolated);
-}
-
-std::string BehaviorPanel::behaviorId() const {
-    return behavior_box_->currentData().toString().toStdString();
-}
-
 void BehaviorPanel::setPlanSummary(const QString& summary) {
     summary_label_->setText(summary);
     summary_label_->setVisible(!summary.isEmpty());
     fitHelp();
-}
-
-void BehaviorPanel::setAreaToolActive(bool active) {
-    area_tool_->setChecked(active);
 }
 
 bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {

@@ -5,19 +5,20 @@
 #include <optional>
 #include <vector>
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
 #include <QWidget>
 
 #include "core/agent/robot_plugin.h"
 #include "core/base/geometry.h"
 #include "widgets/panels/area_form.h"
 #include "widgets/panels/plan_choice.h"
+#include "widgets/style/form_parts.h"
 
 class QAction;
-class QCheckBox;
-class QComboBox;
-class QLabel;
-class QPushButton;
-class QToolButton;
 
 namespace usar::widgets {
 
@@ -37,7 +38,7 @@ public:
     /// Chooses and emits behaviorChosen as if the user had done it; an unknown id changes nothing.
     void chooseBehavior(const std::string& id);
     /// Id of the chosen behavior; empty if the list is empty.
-    std::string behaviorId() const;
+    std::string behaviorId() const { return behavior_box_->currentData().toString().toStdString(); }
 
     /// The plan of the chosen behavior; the widget is hidden for behaviors without a plan.
     PlanChoice& plan() { return *plan_; }
@@ -45,8 +46,8 @@ public:
     /// True if the chosen behavior needs a mission area, and if none is chosen.
     bool needsArea() const;
     /// True if the chosen behavior should run in a process of its own. Setting it emits nothing.
-    bool isolated() const;
-    void setIsolated(bool isolated);
+    bool isolated() const { return isolated_->isChecked(); }
+    void setIsolated(bool isolated) { isolated_->setChecked(isolated); }
 
     /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
     /// need no area.
@@ -62,7 +63,7 @@ public:
     /// Shows the state; locks the choice of a behavior while one runs. Returns true if the state changed.
     bool setRunState(RunState state, const QString& robot_name);
     /// Shows whether the map's area tool is active; emits nothing.
-    void setAreaToolActive(bool active);
+    void setAreaToolActive(bool active) { area_tool_->setChecked(active); }
     /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
     /// their shortcuts; until then they are disabled. Pause shows a new state only when setRunState reports it. The
     /// actions must live as long as the panel, or be destroyed with it. To be called once.
@@ -89,27 +90,27 @@ private:
     void fitHelp();
     void makeAreaBox();
     QWidget* makeButtons();
-    std::array<QPushButton*, 4> buttons() const;
+    std::array<QPushButton*, 4> buttons() const { return {start_, pause_, land_, stop_}; }
     /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is
     /// disabled.
     void follow(QPushButton* button, const QAction* action);
-    bool busy() const;
+    bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
-    QLabel* robot_label_;
-    QComboBox* behavior_box_;
-    QToolButton* rescan_;
-    QLabel* help_label_;
-    QCheckBox* isolated_;
-    PlanChoice* plan_;
-    QWidget* area_box_;
-    AreaForm* area_form_;
-    QToolButton* area_tool_;
-    QLabel* summary_label_;
-    QPushButton* start_;
-    QPushButton* pause_;
-    QPushButton* land_;
-    QPushButton* stop_;
+    QLabel* robot_label_ = new QLabel;
+    QComboBox* behavior_box_ = new QComboBox;
+    QToolButton* rescan_ = new QToolButton;
+    QLabel* help_label_ = mutedLabel();
+    QCheckBox* isolated_ = new QCheckBox(tr("In a process of its own"));
+    PlanChoice* plan_ = new PlanChoice;
+    QWidget* area_box_ = new QWidget;
+    AreaForm* area_form_ = new AreaForm;
+    QToolButton* area_tool_ = new QToolButton;
+    QLabel* summary_label_ = mutedLabel();
+    QPushButton* start_ = new QPushButton(tr("Start"));
+    QPushButton* pause_ = new QPushButton(tr("Pause"));
+    QPushButton* land_ = new QPushButton(tr("Land now"));
+    QPushButton* stop_ = new QPushButton(tr("Stop"));
     std::optional<RunState> run_state_; ///< nullopt until the first setRunState
 };
 

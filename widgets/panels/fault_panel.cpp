@@ -1,11 +1,10 @@
 #include "widgets/panels/fault_panel.h"
 
 #include <QHeaderView>
-#include <QScrollArea>
-#include <QVBoxLayout>
 
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/state_dot.h"
 #include "widgets/style/theme.h"
 
@@ -31,22 +30,13 @@ QString labelOf(QString key) {
 }
 
 QString wordOf(FaultState state) {
-    switch (state) {
-    case FaultState::ToCome:
-        return FaultPanel::tr("to come");
-    case FaultState::Active:
-        return FaultPanel::tr("active");
-    case FaultState::Over:
-        break;
-    }
-    return FaultPanel::tr("over");
+    const QString words[] = {FaultPanel::tr("to come"), FaultPanel::tr("active"), FaultPanel::tr("over")};
+    return words[static_cast<std::size_t>(state)];
 }
 
 QColor inkOf(FaultState state) {
-    const StateShape shape = state == FaultState::Active   ? StateShape::Bad
-                             : state == FaultState::ToCome ? StateShape::Waiting
-                                                           : StateShape::Off;
-    return stateColor(shape);
+    constexpr StateShape shapes[] = {StateShape::Waiting, StateShape::Bad, StateShape::Off};
+    return stateColor(shapes[static_cast<std::size_t>(state)]);
 }
 
 /// Makes a field of the form as wide as the form.
@@ -84,38 +74,26 @@ void setNames(QComboBox* box, const QString& all, const QStringList& names) {
 
 FaultPanel::FaultPanel(QWidget* parent)
     : QWidget(parent)
-    , kind_(new QComboBox)
-    , help_(new QLabel)
-    , robot_(new QComboBox)
-    , sensor_(new QComboBox)
     , from_(timeBox(tr("now"), tr("Begins")))
-    , lasts_(timeBox(tr("until it is ended"), tr("Lasts")))
-    , text_(new QLabel)
-    , inject_(new QPushButton(tr("Inject fault")))
-    , list_(new QTreeWidget)
-    , end_(new QPushButton(tr("End fault"))) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::small);
+    , lasts_(timeBox(tr("until it is ended"), tr("Lasts"))) {
     makeForm();
     makeList();
-    empty_state_ = new EmptyState(this);
-    empty_state_->setText(tr("No simulator to break"),
-                          tr("Faults are made by the embedded simulator. Connect to it, and sensors, links, batteries, "
-                             "rotors and the wind can go wrong here on request."));
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
+            {kind_, help_, form_->parentWidget(), text_, inject_, list_, end_})
+        ->setStretchFactor(list_, 1);
+    empty_state_ = new EmptyState(this, tr("No simulator to break"),
+                                  tr("Faults are made by the embedded simulator. Connect to it, and sensors, links, "
+                                     "batteries, rotors and the wind can go wrong here on request."));
     setAvailable(false);
     setRobots({});
     setSensors({});
 }
 
 void FaultPanel::makeForm() {
-    auto* column = static_cast<QVBoxLayout*>(layout());
     kind_->setAccessibleName(tr("Kind of fault"));
     kind_->setMinimumHeight(minimum_target);
-    help_->setProperty("role", "muted");
     help_->setWordWrap(true);
-    auto* rows = new QWidget;
-    form_ = new QFormLayout(rows);
+    form_ = new QFormLayout(new QWidget);
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setHorizontalSpacing(gap::medium);
     form_->setVerticalSpacing(gap::tiny);
@@ -130,28 +108,22 @@ void FaultPanel::makeForm() {
         form_->addRow(name, box);
         connect(box, &QComboBox::currentTextChanged, this, &FaultPanel::showText);
     }
-    sensor_->setToolTip(tr("By name or type; what is not listed can be typed"));
+    sensor_->setToolTip(tr("The sensor by name or type; you can type one that is not listed"));
     form_->addRow(tr("Begins"), from_);
     form_->addRow(tr("Lasts"), lasts_);
     from_->setToolTip(tr("Seconds of simulated time from now"));
     text_->setFont(codeFont());
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    text_->setToolTip(tr("The same as text, for the list \"faults\" of a mission file and for --fault"));
-    text_->setAccessibleName(tr("The fault as text"));
+    named(text_, tr("The fault as text"),
+          tr("The same as text, for the list \"faults\" of a mission file and for --fault"));
     inject_->setProperty("role", "primary");
-    column->addWidget(kind_);
-    column->addWidget(help_);
-    column->addWidget(rows);
-    column->addWidget(text_);
-    column->addWidget(inject_);
     connect(kind_, &QComboBox::currentIndexChanged, this, &FaultPanel::showKind);
     for (QuantityBox* box : {from_, lasts_})
         connect(box, &QuantityBox::valueChanged, this, &FaultPanel::showText);
 }
 
 void FaultPanel::makeList() {
-    auto* column = static_cast<QVBoxLayout*>(layout());
     list_->setHeaderLabels({tr("Faults of this run"), tr("State")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
@@ -160,8 +132,6 @@ void FaultPanel::makeList() {
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     list_->setMinimumHeight(80);
-    column->addWidget(list_, 1);
-    column->addWidget(end_);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, &FaultPanel::selectionChanged);
 }
 
@@ -247,10 +217,6 @@ QString FaultPanel::text() const {
     if (lasts_->value() > 0.0)
         text += " for=" + QString::number(lasts_->value(), 'g', 12);
     return text;
-}
-
-void FaultPanel::showText() {
-    text_->setText(text());
 }
 
 void FaultPanel::setFaults(const std::vector<FaultRow>& faults) {

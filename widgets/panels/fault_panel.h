@@ -12,6 +12,8 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include "widgets/style/form_parts.h"
+
 namespace usar::widgets {
 
 class EmptyState;
@@ -100,21 +102,21 @@ private:
     /// Rebuilds the fields for the chosen kind.
     void showKind();
     Field addNumber(const FaultQuantity& quantity);
-    void showText();
+    void showText() { text_->setText(text()); }
 
     std::vector<FaultKindInfo> kinds_;
-    QComboBox* kind_;
-    QLabel* help_;
+    QComboBox* kind_ = new QComboBox;
+    QLabel* help_ = mutedLabel();
     QFormLayout* form_;
-    QComboBox* robot_;
-    QComboBox* sensor_;
+    QComboBox* robot_ = new QComboBox;
+    QComboBox* sensor_ = new QComboBox;
     QuantityBox* from_;
     QuantityBox* lasts_;
     std::vector<Field> fields_; ///< fields of the shown kind
-    QLabel* text_;
-    QPushButton* inject_;
-    QTreeWidget* list_;
-    QPushButton* end_;
+    QLabel* text_ = new QLabel;
+    QPushButton* inject_ = new QPushButton(tr("Inject fault"));
+    QTreeWidget* list_ = new QTreeWidget;
+    QPushButton* end_ = new QPushButton(tr("End fault"));
     EmptyState* empty_state_;
 };
 

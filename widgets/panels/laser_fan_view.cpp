@@ -9,21 +9,19 @@
 
 namespace usar::widgets {
 
-LaserFanView::LaserFanView(QWidget* parent) : QWidget(parent) {
+LaserFanView::LaserFanView(QWidget* parent) : Instrument(parent) {
     setAccessibleName(tr("Laser scan"));
     setToolTip(
-        tr("Rays of the range scanner, in metres: a robot's in the air seen from behind, with the terrain line under "
-           "it; any other's seen from above, with what is ahead on top."));
+        tr("Rays of the range scanner, in meters. For a flying robot they are seen from behind, with the terrain line "
+           "below it; for any other robot from above, with what is ahead at the top."));
 }
 
 void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, ScanPlane plane) {
     section_ = laserSection(scan, maximum_m);
     plane_ = plane;
-    stale_ = false;
-    setAccessibleDescription(section_.clearance_m        ? clearanceText(0)
-                             : plane == ScanPlane::Below ? tr("No ground in range")
-                                                         : tr("Nothing ahead in range"));
-    update();
+    showFresh(section_.clearance_m        ? clearanceText(0)
+              : plane == ScanPlane::Below ? tr("No ground in range")
+                                          : tr("Nothing ahead in range"));
 }
 
 QString LaserFanView::clearanceText(int digits) const {
@@ -34,13 +32,6 @@ QString LaserFanView::clearanceText(int digits) const {
 void LaserFanView::clear() {
     section_ = {};
     setAccessibleDescription(tr("No scan yet"));
-    update();
-}
-
-void LaserFanView::setStale(bool stale) {
-    if (stale == stale_)
-        return;
-    stale_ = stale;
     update();
 }
 
@@ -71,16 +62,16 @@ void LaserFanView::paintSurface(QPainter& painter, const QPointF& origin, double
     for (const LaserRay& ray : section_.rays)
         surface.push_back(ray.hit ? std::optional(onScreen(ray, origin, scale)) : std::nullopt);
     if (plane_ == ScanPlane::Below)
-        return paintGround(painter, surface, height(), stale_);
+        return paintGround(painter, surface, height(), stale());
     painter.setPen(Qt::NoPen); // Walls and posts do not form a line.
-    painter.setBrush(stale_ ? tokens().stale : tokens().ok);
+    painter.setBrush(ink(tokens().ok));
     for (const std::optional<QPointF>& hit : surface)
         if (hit)
             painter.drawEllipse(*hit, 1.5, 1.5);
 }
 
 void LaserFanView::paintRobot(QPainter& painter, const QPointF& origin) const {
-    const QColor body = stale_ ? tokens().stale : tokens().text;
+    const QColor body = ink(tokens().text);
     painter.setPen(QPen(body, 2.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(origin + QPointF(-9.0, 0.0), origin + QPointF(9.0, 0.0));
     painter.setBrush(body);
@@ -88,18 +79,16 @@ void LaserFanView::paintRobot(QPainter& painter, const QPointF& origin) const {
 }
 
 void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double scale) const {
-    QColor ink = stale_ ? tokens().stale : tokens().laser;
-    ink.setAlphaF(0.30f);
     QVector<QLineF> rays;
     for (const LaserRay& ray : section_.rays)
         if (ray.hit)
             rays << QLineF(origin, onScreen(ray, origin, scale));
-    painter.setPen(QPen(ink, 1.0));
+    painter.setPen(QPen(faded(ink(tokens().laser), 0.30), 1.0));
     painter.drawLines(rays);
 }
 
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
-    paintSheetHead(painter, *this, tr("laser"), clearanceText(5), stale_);
+    paintSheetHead(painter, *this, tr("laser"), clearanceText(5), stale());
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
     painter.setPen(QPen(tokens().text_muted, 1.5));

@@ -2,10 +2,9 @@
 // line below (thesis 4.2); of a scanner that looks ahead from above.
 #pragma once
 
-#include <QWidget>
-
 #include "core/protocol/usual_values.h"
 #include "widgets/models/laser_section.h"
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
@@ -14,7 +13,7 @@ enum class ScanPlane { Below, Ahead };
 
 /// Seen from behind (Below), or from above with the direction of travel at the top (Ahead); the robot's left is on the
 /// left in both cases. Both axes have the same scale, which changes only in round steps. GUI thread.
-class LaserFanView : public QWidget {
+class LaserFanView : public Instrument {
     Q_OBJECT
 public:
     explicit LaserFanView(QWidget* parent = nullptr);
@@ -25,8 +24,6 @@ public:
                  ScanPlane plane = ScanPlane::Below);
     /// Shows the sentence that says what will appear here.
     void clear();
-    /// Draws the scan gray, with the word "stale", because it may be out of date.
-    void setStale(bool stale);
     /// The rays as drawn; no rays before the first scan.
     const LaserSection& section() const { return section_; }
     QSize sizeHint() const override { return {280, 160}; }
@@ -48,7 +45,6 @@ private:
 
     LaserSection section_;
     ScanPlane plane_ = ScanPlane::Below;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

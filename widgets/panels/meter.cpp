@@ -17,7 +17,7 @@ const QString widest_caption = QStringLiteral("Battery used");
 
 } // namespace
 
-Meter::Meter(const QString& caption, QWidget* parent) : QWidget(parent), caption_(caption) {
+Meter::Meter(const QString& caption, QWidget* parent) : Instrument(parent), caption_(caption) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(caption);
     setValue(std::nullopt);
@@ -35,36 +35,23 @@ void Meter::setLimits(double caution_pct, double danger_pct) {
     update();
 }
 
-void Meter::setStale(bool stale) {
-    stale_ = stale;
-    update();
-}
-
-QSize Meter::sizeHint() const {
-    return {240, fontMetrics().height() + 2};
-}
-
-QSize Meter::minimumSizeHint() const {
-    return {160, fontMetrics().height() + 2};
-}
-
 void Meter::paintEvent(QPaintEvent*) {
     const Tokens& t = tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF words(0, 0, width(), height());
     const double value = value_pct_.value_or(qQNaN());
-    const QColor ink = stale_ ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
+    const QColor ink = stale() ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
     painter.setPen(t.text_muted);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, caption_);
     QFont figures = font();
-    figures.setStrikeOut(stale_);
+    figures.setStrikeOut(stale());
     painter.setFont(figures);
-    painter.setPen(stale_ || value >= caution_pct_ ? ink : t.text);
+    painter.setPen(stale() || value >= caution_pct_ ? ink : t.text);
     // The strike-out also covers spaces, so a stale figure is not padded.
-    const QString mark = value >= caution_pct_ && !stale_ ? QStringLiteral("! ") : QString();
+    const QString mark = value >= caution_pct_ && !stale() ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
-                     mark + figure(value, 0, stale_ ? 0 : 3) + QStringLiteral(" %"));
+                     mark + figure(value, 0, stale() ? 0 : 3) + QStringLiteral(" %"));
     const double left = fontMetrics().horizontalAdvance(widest_caption) + gap::small;
     const double right = fontMetrics().horizontalAdvance(QStringLiteral("! 100 %")) + gap::small;
     const QRectF groove(left + 0.5, std::round(height() / 2.0) - 3.5, std::max(width() - left - right, 0.0), 7.0);

@@ -3,14 +3,14 @@
 
 #include <optional>
 
-#include <QWidget>
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
 /// Caption on the left, figure on the right, the bar between them. An unknown value is drawn as an empty, hatched bar
 /// with a dash. The color changes to the caution and danger colors from those limits on, and a "!" precedes the figure.
 /// GUI thread.
-class Meter : public QWidget {
+class Meter : public Instrument {
     Q_OBJECT
 public:
     explicit Meter(const QString& caption, QWidget* parent = nullptr);
@@ -20,11 +20,8 @@ public:
     std::optional<double> value() const { return value_pct_; }
     /// High values are bad from these limits on; above 100 means never.
     void setLimits(double caution_pct, double danger_pct);
-    /// Gray and struck through, because the figure may be out of date.
-    void setStale(bool stale);
-    bool stale() const { return stale_; }
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return {240, fontMetrics().height() + 2}; }
+    QSize minimumSizeHint() const override { return {160, fontMetrics().height() + 2}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -34,7 +31,6 @@ private:
     std::optional<double> value_pct_;
     double caution_pct_ = 101.0;
     double danger_pct_ = 101.0;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
 #include "widgets/panels/parameter_row.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -15,24 +13,16 @@ namespace usar::widgets {
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent)
     , search_(
-          makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this))
-    , scroll_(new QScrollArea(this))
-    , nothing_(new QLabel(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::small);
-    column->addWidget(makeTools());
-    column->addWidget(nothing_);
-    column->addWidget(scroll_, 1);
-    nothing_->setProperty("role", "muted");
+          makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this)) {
+    laidOut(new QVBoxLayout(this), {}, gap::small, {makeTools(), nothing_, scroll_})->setStretchFactor(scroll_, 1);
     nothing_->setWordWrap(true);
     nothing_->hide();
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    empty_state_ = new EmptyState(this);
-    empty_state_->setText(tr("No parameters yet"), tr("Choose a robot and a behavior; its settings appear here."));
+    empty_state_ =
+        new EmptyState(this, tr("No parameters yet"), tr("Choose a robot and a behavior; its settings appear here."));
     search_->hide();
     modified_only_->hide();
     applyFilter();
@@ -40,16 +30,11 @@ ParameterForm::ParameterForm(QWidget* parent)
 
 QWidget* ParameterForm::makeTools() {
     auto* tools = new QWidget(this);
-    auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap::tiny);
-    modified_only_ = makeToolButton(tr("Show only what differs from its default"), tools);
+    modified_only_ = makeToolButton(tr("Show only parameters that differ from their defaults"), tools);
     modified_only_->setText(tr("Modified"));
     modified_only_->setCheckable(true);
-    reset_all_ = makeToolButton(tr("All parameters back to their defaults"), tools, "reset");
-    row->addWidget(search_, 1);
-    row->addWidget(modified_only_);
-    row->addWidget(reset_all_);
+    reset_all_ = makeToolButton(tr("Reset all parameters to their defaults"), tools, "reset");
+    laidOut(new QHBoxLayout(tools), {}, gap::tiny, {search_, modified_only_, reset_all_})->setStretchFactor(search_, 1);
     connect(search_, &QLineEdit::textChanged, this, &ParameterForm::applyFilter);
     connect(modified_only_, &QToolButton::toggled, this, &ParameterForm::applyFilter);
     connect(reset_all_, &QToolButton::clicked, this, &ParameterForm::resetAll);
@@ -59,41 +44,35 @@ QWidget* ParameterForm::makeTools() {
 void ParameterForm::setSpecs(const std::vector<agent::ParameterSpec>& specs) {
     if (specs == specs_)
         return;
-    keepModified();
+    if (!specs_.empty())
+        keptValues() = modified();
     specs_ = specs;
     buildRows();
     empty_state_->setVisible(specs_.empty());
     empty_state_->raise();
-    for (QWidget* tool : {static_cast<QWidget*>(search_), static_cast<QWidget*>(modified_only_)})
-        tool->setVisible(!specs_.empty());
-    const auto known = std::ranges::find(kept_, specs_, &decltype(kept_)::value_type::first);
-    setValues(known == kept_.end() ? std::map<std::string, agent::ParameterValue>{} : known->second);
+    search_->setVisible(!specs_.empty());
+    modified_only_->setVisible(!specs_.empty());
+    setValues(keptValues());
 }
 
-void ParameterForm::keepModified() {
-    if (specs_.empty())
-        return;
+ParameterForm::Values& ParameterForm::keptValues() {
     const auto known = std::ranges::find(kept_, specs_, &decltype(kept_)::value_type::first);
-    if (known != kept_.end())
-        known->second = modified();
-    else
-        kept_.emplace_back(specs_, modified());
+    return known != kept_.end() ? known->second : kept_.emplace_back(specs_, Values{}).second;
 }
 
 void ParameterForm::buildRows() {
     groups_.clear();
+    rows_.clear();
     auto* page = new QWidget;
     for (const agent::ParameterSpec& spec : specs_) {
         auto* row = new ParameterRow(spec, page);
         connect(row, &ParameterRow::edited, this, &ParameterForm::rowEdited);
         groupOf(spec.group).rows.push_back(row);
+        rows_.push_back(row);
     }
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
+    auto* column = laidOut(new QVBoxLayout(page), {0, 0, gap::small, gap::small}, gap::tiny);
     for (auto& [name, group] : groups_) {
-        group.header = new QLabel(QString::fromStdString(name), page);
-        group.header->setProperty("role", "muted");
+        group.header = mutedLabel(QString::fromStdString(name), page);
         group.header->setContentsMargins(0, column->isEmpty() ? 0 : gap::small, 0, 0);
         column->addWidget(group.header);
         for (ParameterRow* row : group.rows)
@@ -111,45 +90,33 @@ ParameterForm::Group& ParameterForm::groupOf(const std::string& name) {
     return found != groups_.end() ? found->second : groups_.emplace_back(name, Group{}).second;
 }
 
-void ParameterForm::setValues(const std::map<std::string, agent::ParameterValue>& values) {
-    for (auto& [name, group] : groups_)
-        for (ParameterRow* row : group.rows)
-            if (const auto found = values.find(row->spec().id); found != values.end())
-                row->setValue(found->second);
+void ParameterForm::setValues(const Values& values) {
+    for (ParameterRow* row : rows_)
+        if (const auto found = values.find(row->spec().id); found != values.end())
+            row->setValue(found->second);
     applyFilter();
 }
 
-std::map<std::string, agent::ParameterValue> ParameterForm::values() const {
-    std::map<std::string, agent::ParameterValue> all;
-    for (const auto& [name, group] : groups_)
-        for (const ParameterRow* row : group.rows)
-            all[row->spec().id] = row->value();
+ParameterForm::Values ParameterForm::values() const {
+    Values all;
+    for (const ParameterRow* row : rows_)
+        all[row->spec().id] = row->value();
     return all;
 }
 
-std::map<std::string, agent::ParameterValue> ParameterForm::modified() const {
-    std::map<std::string, agent::ParameterValue> changes;
-    for (const auto& [name, group] : groups_)
-        for (const ParameterRow* row : group.rows)
-            if (row->modified())
-                changes[row->spec().id] = row->value();
+ParameterForm::Values ParameterForm::modified() const {
+    Values changes;
+    for (const ParameterRow* row : rows_)
+        if (row->modified())
+            changes[row->spec().id] = row->value();
     return changes;
-}
-
-void ParameterForm::setFilter(const QString& words) {
-    search_->setText(words);
-}
-
-void ParameterForm::setModifiedOnly(bool on) {
-    modified_only_->setChecked(on);
 }
 
 void ParameterForm::resetAll() {
     if (modified().empty())
         return;
-    for (auto& [name, group] : groups_)
-        for (ParameterRow* row : group.rows)
-            row->setValue(row->spec().default_value);
+    for (ParameterRow* row : rows_)
+        row->setValue(row->spec().default_value);
     applyFilter();
     emit changed(values());
 }

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "core/agent/parameters.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -24,6 +25,9 @@ class ParameterRow;
 class ParameterForm : public QWidget {
     Q_OBJECT
 public:
+    /// Values by the ids of their parameters.
+    using Values = std::map<std::string, agent::ParameterValue>;
+
     explicit ParameterForm(QWidget* parent = nullptr);
 
     /// Shows rows for these specs, in groups in the order of first appearance. The same specs again change nothing;
@@ -31,16 +35,16 @@ public:
     void setSpecs(const std::vector<agent::ParameterSpec>& specs);
     /// Ids without a row are ignored, and rows that are not in `values` keep their value; a value that does not fit its
     /// spec is replaced by the default. Does not emit `changed`.
-    void setValues(const std::map<std::string, agent::ParameterValue>& values);
+    void setValues(const Values& values);
     /// All values by id, also those of hidden rows.
-    std::map<std::string, agent::ParameterValue> values() const;
+    Values values() const;
     /// The values that differ from their defaults, which is what a mission file stores.
-    std::map<std::string, agent::ParameterValue> modified() const;
+    Values modified() const;
 
     /// Shows only rows with `words` in label, id, group or help, ignoring case.
-    void setFilter(const QString& words);
+    void setFilter(const QString& words) { search_->setText(words); }
     /// Shows only rows that differ from their default.
-    void setModifiedOnly(bool on);
+    void setModifiedOnly(bool on) { modified_only_->setChecked(on); }
     /// The sheet that is shown while there are no specs.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {320, 400}; }
@@ -64,8 +68,8 @@ private:
     QWidget* makeTools();
     Group& groupOf(const std::string& name);
     void buildRows();
-    /// Remembers the modified values of the current specs in kept_.
-    void keepModified();
+    /// The entry of kept_ for the current specs; empty if they were not shown before.
+    Values& keptValues();
     void applyFilter();
     /// Emits `changed`; the edited row stays visible even if the filter would now hide it.
     void rowEdited();
@@ -73,14 +77,15 @@ private:
     QLineEdit* search_;
     QToolButton* modified_only_;
     QToolButton* reset_all_; ///< visible only while something is modified
-    QScrollArea* scroll_;
-    QLabel* nothing_; ///< says why the filter hides all rows
+    QScrollArea* scroll_ = new QScrollArea(this);
+    QLabel* nothing_ = mutedLabel({}, this); ///< says why the filter hides all rows
     EmptyState* empty_state_;
     std::vector<agent::ParameterSpec> specs_;
     std::vector<std::pair<std::string, Group>> groups_; ///< in the order of the specs
+    std::vector<ParameterRow*> rows_;                   ///< the rows of all groups
     /// Modified values of each list of specs when it was last shown; there are few behaviors, so a linear search is
     /// enough.
-    std::vector<std::pair<std::vector<agent::ParameterSpec>, std::map<std::string, agent::ParameterValue>>> kept_;
+    std::vector<std::pair<std::vector<agent::ParameterSpec>, Values>> kept_;
 };
 
 } // namespace usar::widgets

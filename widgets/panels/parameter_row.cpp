@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -13,6 +12,7 @@
 
 #include "widgets/models/parameter_display.h"
 #include "widgets/panels/quantity_box.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -46,11 +46,6 @@ ParameterRow::ParameterRow(agent::ParameterSpec spec, QWidget* parent)
     : QWidget(parent)
     , spec_(std::move(spec))
     , value_(spec_.default_value) {
-    build();
-    showValue();
-}
-
-void ParameterRow::build() {
     mark_ = new Mark(this);
     mark_->setFixedWidth(3);
     label_ = new QLabel(QString::fromStdString(spec_.label), this);
@@ -67,9 +62,8 @@ void ParameterRow::build() {
     reset_->setAutoRaise(true);
     reset_->setIcon(icon(QStringLiteral("reset")));
     reset_->setFixedSize(minimum_target, minimum_target);
-    const QString to_default = tr("Back to the default, %1").arg(valueText(spec_, spec_.default_value));
-    reset_->setToolTip(to_default);
-    reset_->setAccessibleName(to_default);
+    const QString to_default = tr("Reset to the default, %1").arg(valueText(spec_, spec_.default_value));
+    named(reset_, to_default, to_default);
     connect(reset_, &QToolButton::clicked, this, [this] {
         take(spec_.default_value);
         showValue();
@@ -80,13 +74,8 @@ void ParameterRow::build() {
         shy->setSizePolicy(policy);
     }
     setToolTip(parameterToolTip(spec_));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap::tiny);
-    row->addWidget(mark_);
-    row->addWidget(label_, 1);
-    row->addWidget(editor_);
-    row->addWidget(reset_);
+    laidOut(new QHBoxLayout(this), {}, gap::tiny, {mark_, label_, editor_, reset_})->setStretchFactor(label_, 1);
+    showValue();
 }
 
 QWidget* ParameterRow::makeEditor() {

@@ -31,7 +31,6 @@ signals:
     void edited();
 
 private:
-    void build();
     // Make the editor for each type of value; every editor has the spec's id as its object name.
     QWidget* makeEditor();
     QWidget* makeSwitch();

@@ -1,27 +1,22 @@
 #include "widgets/panels/plan_choice.h"
 
-#include <QComboBox>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QToolButton>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-PlanChoice::PlanChoice(QWidget* parent) : QWidget(parent), box_(new QComboBox) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap::tiny);
+PlanChoice::PlanChoice(QWidget* parent) : QWidget(parent) {
+    laidOut(new QHBoxLayout(this), {}, gap::tiny, {box_})->setStretchFactor(box_, 1);
     box_->setAccessibleName(tr("Plan"));
     box_->setMinimumHeight(minimum_target);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(12);
-    row->addWidget(box_, 1);
-    const QToolButton* open = addButton("open", tr("Open plan"), tr("Let a plan of your own decide (.lap)"));
-    const QToolButton* edit = addButton("edit", tr("Edit plan"), tr("Read and change the chosen plan"));
+    const QToolButton* open = addButton("open", tr("Open plan"), tr("Use a plan of your own (.lap)"));
+    const QToolButton* edit = addButton("edit", tr("Edit plan"), tr("View and edit the chosen plan"));
     connect(open, &QToolButton::clicked, this, &PlanChoice::openRequested);
     connect(edit, &QToolButton::clicked, this, &PlanChoice::editRequested);
     connect(box_, &QComboBox::currentIndexChanged, this,
@@ -31,10 +26,8 @@ PlanChoice::PlanChoice(QWidget* parent) : QWidget(parent), box_(new QComboBox) {
 }
 
 QToolButton* PlanChoice::addButton(const QString& icon_name, const QString& text, const QString& help) {
-    auto* button = new QToolButton;
+    auto* button = named(new QToolButton, text, help);
     button->setIcon(icon(icon_name));
-    button->setAccessibleName(text);
-    button->setToolTip(help);
     button->setMinimumSize(minimum_target, minimum_target);
     layout()->addWidget(button);
     return button;
@@ -49,10 +42,8 @@ void PlanChoice::setBehavior(const std::string& behavior_id, const QString& plan
         return;
     box_->addItem(tr("%1 (comes with the robot)").arg(plan_name), QString());
     box_->setItemData(0, tr("The plan that comes with the robot decides"), Qt::ToolTipRole);
-    for (const QString& path : paths_[behavior_id_]) {
-        box_->addItem(QFileInfo(path).fileName(), path);
-        box_->setItemData(box_->count() - 1, path, Qt::ToolTipRole);
-    }
+    for (const QString& path : paths_[behavior_id_])
+        addFile(path);
     box_->setToolTip(box_->itemData(0, Qt::ToolTipRole).toString());
 }
 
@@ -62,15 +53,15 @@ void PlanChoice::choose(const QString& path) {
     const QSignalBlocker silent(box_);
     if (box_->findData(path) < 0) {
         paths_[behavior_id_] += path;
-        box_->addItem(QFileInfo(path).fileName(), path);
-        box_->setItemData(box_->count() - 1, path, Qt::ToolTipRole);
+        addFile(path);
     }
     box_->setCurrentIndex(box_->findData(path));
     box_->setToolTip(box_->currentData(Qt::ToolTipRole).toString());
 }
 
-QString PlanChoice::path() const {
-    return box_->currentData().toString();
+void PlanChoice::addFile(const QString& path) {
+    box_->addItem(QFileInfo(path).fileName(), path);
+    box_->setItemData(box_->count() - 1, path, Qt::ToolTipRole);
 }
 
 } // namespace usar::widgets

@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
+#include <QComboBox>
 #include <QStringList>
 #include <QWidget>
 
-class QComboBox;
 class QToolButton;
 
 namespace usar::widgets {
@@ -24,7 +24,7 @@ public:
     /// Selects this file, added to the list if it is new; an empty path selects the built-in plan. Emits nothing.
     void choose(const QString& path);
     /// The chosen file; empty for the built-in plan.
-    QString path() const;
+    QString path() const { return box_->currentData().toString(); }
     /// True for a behavior without a plan.
     bool empty() const { return behavior_id_.empty(); }
 
@@ -37,9 +37,10 @@ signals:
     void editRequested();
 
 private:
+    void addFile(const QString& path);
     QToolButton* addButton(const QString& icon_name, const QString& text, const QString& help);
 
-    QComboBox* box_;
+    QComboBox* box_ = new QComboBox;
     std::string behavior_id_; ///< empty: the behavior has no plan
     /// Chosen files by behavior.
     std::map<std::string, QStringList> paths_;

@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include "widgets/models/parameter_display.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 namespace {
-
-QSharedPointer<QCPAxisTickerTime> timeTicker() {
-    QSharedPointer<QCPAxisTickerTime> ticker(new QCPAxisTickerTime);
-    ticker->setTimeFormat(QStringLiteral("%h:%m:%s"));
-    return ticker;
-}
 
 /// Adds some margin around `range`, and a height if it has none.
 QCPRange roomy(const QCPRange& range) {
@@ -28,14 +22,13 @@ QCPRange roomy(const QCPRange& range) {
 } // namespace
 
 PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(plot_);
+    laidOut(new QVBoxLayout(this), {}, -1, {plot_});
     setFocusProxy(plot_);
     plot_->setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Plot over protocol time"));
-    setToolTip(tr("Values over protocol time, hours:minutes:seconds. Drag or the arrow keys move in time, the wheel or "
-                  "plus and minus zoom, Space holds still, F follows."));
+    named(
+        this, tr("Plot over protocol time"),
+        tr("Values over protocol time, hours:minutes:seconds. Drag or use the arrow keys to move in time, the wheel or "
+           "plus and minus to zoom, Space to pause, F to follow."));
     plot_->setAccessibleName(accessibleName());
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->setNoAntialiasingOnDrag(true);
@@ -43,8 +36,9 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->axisRect()->setRangeDrag(Qt::Horizontal);
     plot_->axisRect()->setRangeZoom(Qt::Horizontal);
     plot_->axisRect()->setRangeZoomAxes({plot_->xAxis}, {plot_->yAxis, plot_->yAxis2});
-    plot_->xAxis->setTicker(timeTicker());
+    plot_->xAxis->setTicker(QSharedPointer<QCPAxisTickerTime>::create());
     plot_->xAxis->setRange(0.0, window_.count());
+    chooseTimeFormat();
     plot_->yAxis->setNumberFormat(QStringLiteral("gb"));
     plot_->yAxis2->setNumberFormat(QStringLiteral("gb"));
     plot_->legend->setVisible(false);
@@ -52,6 +46,10 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->setLocale(QLocale::c());
     connectGestures();
     applyTheme();
+    onThemeChange(this, [this] {
+        applyTheme();
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    });
 }
 
 void PlotCanvas::connectGestures() {
@@ -84,10 +82,8 @@ void PlotCanvas::aimWheel(const QPointF& at_px) {
     QCPAxisRect* rect = plot_->axisRect();
     QCPAxis* axis = at_px.x() < rect->left() ? plot_->yAxis : at_px.x() > rect->right() ? plot_->yAxis2 : nullptr;
     rect->setRangeZoom(axis ? Qt::Vertical : Qt::Horizontal);
-    if (!axis) {
-        leaveFollowing();
-        return;
-    }
+    if (!axis)
+        return leaveFollowing();
     rect->setRangeZoomAxes({plot_->xAxis}, {axis});
     values_fitted_ = false;
 }
@@ -262,14 +258,6 @@ QColor PlotCanvas::lineColor(int index) {
     for (int i = 0; i < 8 && contrast(color, t.surface) < 3.0; ++i)
         color = currentTheme() == Theme::Light ? color.darker(115) : color.lighter(115);
     return color;
-}
-
-void PlotCanvas::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) {
-        applyTheme();
-        plot_->replot(QCustomPlot::rpQueuedReplot);
-    }
-    QWidget::changeEvent(event);
 }
 
 void PlotCanvas::applyTheme() {

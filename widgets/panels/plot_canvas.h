@@ -54,9 +54,6 @@ signals:
     /// By a gesture or by zoomTime() and panTime().
     void followingChanged(bool following);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Line {
         QCPGraph* graph = nullptr;

@@ -6,7 +6,6 @@
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -14,12 +13,11 @@
 #include <QPainter>
 #include <QSaveFile>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
-#include "widgets/panels/plot_canvas.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -64,21 +62,18 @@ Result<void> written(const QString& file, const QByteArray& bytes) {
 
 } // namespace
 
-PlotView::PlotView(QWidget* parent) : QWidget(parent), canvas_(new PlotCanvas(this)), legend_(new QTreeWidget(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(makeTools());
+PlotView::PlotView(QWidget* parent) : QWidget(parent) {
+    QWidget* const tools = makeTools();
     auto* halves = new QSplitter(this);
     halves->addWidget(canvas_);
     halves->addWidget(makeLegend());
     halves->setStretchFactor(0, 1);
     halves->setSizes({700, 240});
     halves->setCollapsible(0, false);
-    column->addWidget(halves, 1);
-    empty_state_ = new EmptyState(canvas_);
-    empty_state_->setText(tr("Nothing plotted yet"),
-                          tr("Drag a value here from the sensors, or double-click one; its line grows from now on."));
+    laidOut(new QVBoxLayout(this), {}, 0, {tools, halves})->setStretchFactor(halves, 1);
+    empty_state_ =
+        new EmptyState(canvas_, tr("Nothing plotted yet"),
+                       tr("Drag a value here from the sensors, or double-click one; its line grows from then on."));
     empty_state_->setBackgroundRole(QPalette::Base);
     empty_state_->setAutoFillBackground(true);
     setAcceptDrops(true);
@@ -87,16 +82,14 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent), canvas_(new PlotCanvas(th
     connect(&frame_, &QTimer::timeout, this, &PlotView::refresh);
     connect(canvas_, &PlotCanvas::followingChanged, follow_, &QToolButton::setChecked);
     rebuildLegend();
+    onThemeChange(this, [this] { rebuildLegend(); });
 }
 
 QWidget* PlotView::makeTools() {
     auto* tools = new QWidget(this);
-    auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(gap::tiny, gap::tiny, gap::tiny, gap::tiny);
-    row->setSpacing(gap::tiny);
-    pause_ = makeToolButton(tr("Hold the picture still; recording goes on (Space)"), tools, "pause");
+    pause_ = makeToolButton(tr("Freeze the picture; recording continues (Space)"), tools, "pause");
     follow_ = makeToolButton(tr("Follow the newest values (F, or double-click the plot)"), tools, "follow");
-    auto* clear_button = makeToolButton(tr("Take all lines off"), tools, "clear");
+    auto* clear_button = makeToolButton(tr("Remove all lines"), tools, "clear");
     export_ = makeToolButton(tr("Save the plot as a picture or a table"), tools, "export");
     for (QToolButton* toggle : {pause_, follow_})
         toggle->setCheckable(true);
@@ -111,10 +104,9 @@ QWidget* PlotView::makeTools() {
                     [this] { askForFile(tr("Save values"), QStringLiteral("CSV (*.csv)"), &PlotView::exportCsv); });
     export_->setMenu(menu);
     export_->setPopupMode(QToolButton::InstantPopup);
-    for (QWidget* tool : {static_cast<QWidget*>(pause_), static_cast<QWidget*>(follow_), static_cast<QWidget*>(window_),
-                          static_cast<QWidget*>(clear_button), static_cast<QWidget*>(export_)})
-        row->addWidget(tool);
-    row->addStretch();
+    laidOut(new QHBoxLayout(tools), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny,
+            {pause_, follow_, window_, clear_button, export_})
+        ->addStretch();
     connect(pause_, &QToolButton::toggled, this, &PlotView::refreshSoon);
     connect(follow_, &QToolButton::toggled, canvas_, &PlotCanvas::setFollowing);
     connect(clear_button, &QToolButton::clicked, this, &PlotView::clear);
@@ -122,8 +114,7 @@ QWidget* PlotView::makeTools() {
 }
 
 void PlotView::fillWindowChoice() {
-    window_->setToolTip(tr("How much time is seen while following"));
-    window_->setAccessibleName(window_->toolTip());
+    named(window_, tr("Time span that is shown while following"), tr("Time span that is shown while following"));
     window_->setMinimumHeight(minimum_target);
     for (const double seconds : {10.0, 30.0, 60.0, 300.0, 1800.0, 7200.0})
         window_->addItem(seconds < 60.0     ? tr("%1 s").arg(seconds)
@@ -153,12 +144,10 @@ QWidget* PlotView::makeLegend() {
     legend_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     legend_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     legend_->header()->resizeSection(1, 76);
-    auto* remove = new QAction(tr("Remove from the plot"), legend_);
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    legend_->addAction(remove);
-    connect(remove, &QAction::triggered, this, &PlotView::removeSelected);
-    connect(legend_, &QWidget::customContextMenuRequested, this, &PlotView::legendMenu);
+    connect(addRowAction(legend_, tr("Remove from the plot"), QKeySequence::Delete), &QAction::triggered, this,
+            &PlotView::removeSelected);
+    connect(legend_, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) { popUpRowMenu(legend_, at); });
     connect(legend_, &QTreeWidget::itemSelectionChanged, this, [this] {
         std::set<std::string> paths;
         for (const QTreeWidgetItem* item : legend_->selectedItems())
@@ -166,15 +155,6 @@ QWidget* PlotView::makeLegend() {
         canvas_->emphasize(paths);
     });
     return legend_;
-}
-
-void PlotView::legendMenu(const QPoint& at) {
-    if (!legend_->itemAt(at))
-        return;
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addActions(legend_->actions());
-    menu->popup(legend_->viewport()->mapToGlobal(at));
 }
 
 void PlotView::removeSelected() {
@@ -238,14 +218,6 @@ void PlotView::askForFile(const QString& title, const QString& filter,
     dialog->show();
 }
 
-void PlotView::setPaused(bool paused) {
-    pause_->setChecked(paused);
-}
-
-void PlotView::setFollowing(bool following) {
-    follow_->setChecked(following);
-}
-
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasFormat(QLatin1String(field_mime_type)))
         event->acceptProposedAction();
@@ -277,22 +249,14 @@ bool PlotView::eventFilter(QObject* watched, QEvent* event) {
 bool PlotView::runKey(const QKeyEvent& event) {
     if (!isOwnKey(event))
         return false;
-    switch (event.key()) {
-    case Qt::Key_Space:
+    if (event.key() == Qt::Key_Space)
         pause_->toggle();
-        break;
-    case Qt::Key_F:
+    else if (event.key() == Qt::Key_F)
         follow_->toggle();
-        break;
-    case Qt::Key_Left:
-        canvas_->panTime(-0.1);
-        break;
-    case Qt::Key_Right:
-        canvas_->panTime(0.1);
-        break;
-    default:
+    else if (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right)
+        canvas_->panTime(event.key() == Qt::Key_Left ? -0.1 : 0.1);
+    else
         canvas_->zoomTime(event.key() == Qt::Key_Minus ? 0.8 : 1.25);
-    }
     return true;
 }
 
@@ -304,12 +268,6 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
 void PlotView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refreshSoon();
-}
-
-void PlotView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        rebuildLegend();
-    QWidget::changeEvent(event);
 }
 
 void PlotView::listChanged() {

@@ -8,13 +8,12 @@
 #include <QWidget>
 
 #include "core/base/result.h"
-#include "widgets/models/field_mime.h"
 #include "widgets/models/series_store.h"
+#include "widgets/panels/plot_canvas.h"
 
 namespace usar::widgets {
 
 class EmptyState;
-class PlotCanvas;
 
 /// Records the watched fields even while hidden or paused; draws at most 30 times per second and only while visible.
 /// The wheel zooms time at the cursor, or a value axis if it is over one; drag pans; double-click follows the newest
@@ -53,9 +52,9 @@ public:
 
 public slots:
     /// Freezes the picture; recording continues.
-    void setPaused(bool paused);
+    void setPaused(bool paused) { pause_->setChecked(paused); }
     /// Keeps the newest sample at the right edge.
-    void setFollowing(bool following);
+    void setFollowing(bool following) { follow_->setChecked(following); }
 
 signals:
     /// A series was added, removed or cleared; saved as part of the layout.
@@ -70,7 +69,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     QWidget* makeTools();
@@ -80,7 +78,6 @@ private:
     bool runKey(const QKeyEvent& event);
     /// Opens a save dialog, which is not modal because a robot may be moving, and calls `write` with the chosen file.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
-    void legendMenu(const QPoint& at);
     void removeSelected();
     void listChanged();
     void rebuildLegend();
@@ -90,8 +87,8 @@ private:
     void refresh();
 
     SeriesStore store_;
-    PlotCanvas* canvas_;
-    QTreeWidget* legend_;
+    PlotCanvas* canvas_ = new PlotCanvas(this);
+    QTreeWidget* legend_ = new QTreeWidget(this);
     EmptyState* empty_state_;
     QToolButton* pause_ = nullptr;
     QToolButton* follow_ = nullptr;

@@ -1,11 +1,8 @@
 // List of how well robots and base stations hear each other: one row per pair.
 #pragma once
 
-#include <QLabel>
-#include <QListView>
-#include <QWidget>
-
 #include "widgets/models/radio_links.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -29,9 +26,9 @@ public:
     QSize minimumSizeHint() const override { return {240, 100}; }
 
 private:
-    RadioLinkModel* model_;
-    QListView* view_;
-    QLabel* legend_;
+    RadioLinkModel* model_ = new RadioLinkModel(this);
+    QListView* view_ = new QListView(this);
+    QLabel* legend_ = mutedLabel({}, this);
     EmptyState* empty_state_;
 };
 

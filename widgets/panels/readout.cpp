@@ -7,7 +7,7 @@
 namespace usar::widgets {
 
 Readout::Readout(const QString& caption, const QString& unit, const QString& sample, QWidget* parent)
-    : QWidget(parent)
+    : Instrument(parent)
     , caption_(caption)
     , unit_(unit)
     , sample_(sample) {
@@ -21,11 +21,6 @@ void Readout::setText(const QString& text) {
         return;
     text_ = text;
     setAccessibleDescription(text + QStringLiteral(" ") + unit_);
-    update();
-}
-
-void Readout::setStale(bool stale) {
-    stale_ = stale;
     update();
 }
 
@@ -48,9 +43,9 @@ void Readout::paintEvent(QPaintEvent*) {
     const QFontMetrics big_metrics(big);
     const QFontMetrics small_metrics(small);
     const int field = fieldWidth_px();
-    big.setStrikeOut(stale_);
+    big.setStrikeOut(stale());
     painter.setFont(big);
-    painter.setPen(stale_ ? t.stale : t.text);
+    painter.setPen(ink(t.text));
     painter.drawText(QRect(0, 0, field, big_metrics.height()), Qt::AlignRight | Qt::AlignVCenter, text_);
     painter.setFont(small);
     painter.setPen(t.text_muted);

@@ -1,12 +1,12 @@
 // Instrument for one figure: a big number in a fixed place, its unit muted, its caption below.
 #pragma once
 
-#include <QWidget>
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
 /// The figure is right-aligned before its unit. `sample` is the widest text that will be shown; its width is reserved.
-class Readout : public QWidget {
+class Readout : public Instrument {
     Q_OBJECT
 public:
     Readout(const QString& caption, const QString& unit, const QString& sample, QWidget* parent = nullptr);
@@ -14,9 +14,6 @@ public:
     /// Sets the formatted figure without its unit; the same text again costs nothing.
     void setText(const QString& text);
     const QString& text() const { return text_; }
-    /// Gray and struck through, because the figure may be out of date.
-    void setStale(bool stale);
-    bool stale() const { return stale_; }
     /// Width of the figure alone, in pixels; readouts in a column line up if their widths are equal.
     int fieldWidth_px() const;
     QSize sizeHint() const override;
@@ -30,7 +27,6 @@ private:
     QString unit_;
     QString sample_;
     QString text_;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

@@ -5,8 +5,8 @@
 #include <QFontDatabase>
 #include <QGuiApplication>
 #include <QPushButton>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -21,16 +21,13 @@ ReportDialog::ReportDialog(const QString& title, const QString& text, QWidget* p
     text_->setAccessibleName(title);
     auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     auto* const copied = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    copied->setToolTip(tr("What is selected, or all of it, to the clipboard"));
+    copied->setToolTip(tr("Copies the selected text, or all of it, to the clipboard"));
     auto* const saved = buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole);
-    saved->setToolTip(tr("As text, or as JSON lines for other programs"));
+    saved->setToolTip(tr("Saves as text, or as JSON lines for other programs"));
     connect(copied, &QPushButton::clicked, this, &ReportDialog::copy);
     connect(saved, &QPushButton::clicked, this, &ReportDialog::saveRequested);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* const column = new QVBoxLayout(this);
-    column->setSpacing(gap::small);
-    column->addWidget(text_, 1);
-    column->addWidget(buttons);
+    laidOut(new QVBoxLayout(this), gap::small, {text_, buttons})->setStretchFactor(text_, 1);
 }
 
 void ReportDialog::copy() {

@@ -1,41 +1,147 @@
 #include "widgets/panels/robot_list.h"
 
-#include <QAction>
-#include <QMenu>
-#include <QScopedValueRollback>
-#include <QVBoxLayout>
+#include <algorithm>
 
-#include "widgets/panels/robot_delegate.h"
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QStyledItemDelegate>
+
+#include "widgets/models/figures.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
+#include "widgets/style/sheet.h"
+#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-RobotList::RobotList(QWidget* parent) : QWidget(parent), model_(new RobotListModel(this)), view_(new QListView(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(view_);
-    view_->setModel(model_);
-    view_->setItemDelegate(new RobotDelegate(view_));
+namespace {
+
+constexpr int chip_px = 24;
+constexpr int bar_height_px = 6;
+constexpr int percent_width_px = 44;
+
+void paintNumberChip(QPainter* painter, const QRect& chip, const RobotRow& robot) {
+    const QColor color = robotColor(robot.number);
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(color, 2.0));
+    painter->setBrush(robot.stale ? QBrush(Qt::NoBrush) : QBrush(color));
+    painter->drawRoundedRect(QRectF(chip).adjusted(1, 1, -1, -1), 4, 4);
+    painter->setPen(robot.stale ? tokens().stale : inkOn(color));
+    painter->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    painter->drawText(chip, Qt::AlignCenter, QString::number(robot.number));
+}
+
+/// Paints who drives at the right of the title; returns the rest of the line.
+QRect paintDriver(QPainter* painter, QRect line, const RobotRow& robot) {
+    if (robot.driver.robot.isEmpty() || robot.stale)
+        return line;
+    const bool person = robot.driver.driver == Driver::Person;
+    painter->setFont(themeFont(FontRole::Small, person ? QFont::DemiBold : QFont::Normal));
+    painter->setPen(person ? tokens().accent : tokens().text_muted);
+    const QString text = painter->fontMetrics().elidedText(controlText(robot.driver), Qt::ElideRight, line.width() / 2);
+    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, text);
+    line.setRight(line.right() - painter->fontMetrics().horizontalAdvance(text) - gap::small);
+    return line;
+}
+
+void paintTitle(QPainter* painter, QRect line, const RobotRow& robot) {
+    const Tokens& t = tokens();
+    line = paintDriver(painter, line, robot);
+    painter->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    painter->setPen(robot.stale ? t.stale : t.text);
+    paintElided(*painter, line, robot.name);
+    line.setLeft(line.left() + painter->fontMetrics().horizontalAdvance(robot.name) + gap::small);
+    painter->setFont(themeFont());
+    painter->setPen(robot.stale ? t.stale : t.text_muted);
+    if (line.width() > chip_px)
+        paintElided(*painter, line, robot.class_name);
+}
+
+void paintState(QPainter* painter, QRect line, const RobotRow& robot) {
+    const Tokens& t = tokens();
+    QFont font = themeFont();
+    painter->setPen(robot.stale ? t.stale : t.text);
+    if (robot.stale) {
+        const QString words = RobotList::tr("no news");
+        painter->setFont(font);
+        paintElided(*painter, line, words);
+        line.setLeft(line.left() + painter->fontMetrics().horizontalAdvance(words) + gap::small);
+        font.setStrikeOut(true);
+    }
+    painter->setFont(font);
+    if (line.width() > chip_px)
+        paintElided(*painter, line, robot.state);
+}
+
+void paintBattery(QPainter* painter, const QRect& line, const RobotRow& robot) {
+    if (!robot.battery_pct)
+        return;
+    const Tokens& t = tokens();
+    const double share = std::clamp(*robot.battery_pct / 100.0, 0.0, 1.0);
+    QRectF bar(line.left(), line.center().y() - bar_height_px / 2.0 + 0.5, line.width() - percent_width_px,
+               bar_height_px);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(t.line);
+    painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);
+    const QColor level = share < 0.15 ? t.danger : share < 0.3 ? t.caution : t.ok;
+    bar.setWidth(bar.width() * share);
+    painter->setBrush(robot.stale ? t.stale : level);
+    painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);
+    painter->setFont(themeFont(FontRole::Small));
+    painter->setPen(robot.stale ? t.stale : t.text_muted);
+    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, figure(*robot.battery_pct, 0) + QStringLiteral(" %"));
+}
+
+/// Paints a robot's row: color chip with its number, name, class, state in words, battery bar. Stale rows are gray with
+/// the state struck through and the words "no news".
+class RobotDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const RobotRow& robot = static_cast<const RobotListModel*>(index.model())->row(index.row());
+        const bool selected = option.state & QStyle::State_Selected;
+        painter->save();
+        if (!selected && option.state & QStyle::State_MouseOver)
+            painter->fillRect(option.rect, faded(tokens().raised, 0.55));
+        paintRowGround(*painter, option);
+        if (selected)
+            painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), tokens().accent);
+        const QRect inner = option.rect.adjusted(gap::small, gap::tiny, -gap::small, -gap::tiny);
+        paintNumberChip(painter, QRect(inner.topLeft(), QSize(chip_px, chip_px)), robot);
+        const int line_px = QFontMetrics(themeFont()).height();
+        QRect line = inner.adjusted(chip_px + gap::small, 0, 0, 0);
+        line.setHeight(line_px);
+        paintTitle(painter, line, robot);
+        line.translate(0, line_px);
+        paintState(painter, line, robot);
+        line.translate(0, line_px);
+        paintBattery(painter, line, robot);
+        painter->restore();
+    }
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
+        return {200, 3 * QFontMetrics(themeFont()).height() + 2 * gap::tiny};
+    }
+};
+
+} // namespace
+
+RobotList::RobotList(QWidget* parent) : QWidget(parent) {
+    laidOut(new QVBoxLayout(this), {}, -1, {view_});
+    setUpPaintedRows(view_, model_, new RobotDelegate(view_), tr("Robots"));
     view_->setUniformItemSizes(true);
     view_->setMouseTracking(true);
-    view_->setFrameShape(QFrame::NoFrame);
-    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     view_->setContextMenuPolicy(Qt::CustomContextMenu);
-    view_->setAccessibleName(tr("Robots"));
-    setFocusProxy(view_);
-    auto* remove = new QAction(tr("Remove this robot"), view_);
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    view_->addAction(remove);
-    connect(remove, &QAction::triggered, this, &RobotList::requestRemoval);
-    connect(view_, &QWidget::customContextMenuRequested, this, &RobotList::showMenu);
+    connect(addRowAction(view_, tr("Remove this robot"), QKeySequence::Delete), &QAction::triggered, this, [this] {
+        if (const std::optional<int> id = selectedRobot())
+            emit removeRequested(*id);
+    });
+    connect(view_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) { popUpRowMenu(view_, at); });
     connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!quiet_ && current.isValid())
             emit robotSelected(model_->row(current.row()).id);
     });
-    empty_state_ = new EmptyState(view_);
-    empty_state_->setText(tr("No robot yet"), tr("Double-click a start pose on the map to spawn one."));
+    empty_state_ = new EmptyState(view_, tr("No robot yet"), tr("Double-click a start pose on the map to spawn one."));
 }
 
 void RobotList::setRobots(const std::vector<RobotRow>& robots) {
@@ -72,20 +178,6 @@ void RobotList::selectRobot(int id) {
 std::optional<int> RobotList::selectedRobot() const {
     const QModelIndex current = view_->currentIndex();
     return current.isValid() ? std::optional(model_->row(current.row()).id) : std::nullopt;
-}
-
-void RobotList::showMenu(const QPoint& at) {
-    if (!view_->indexAt(at).isValid())
-        return;
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addActions(view_->actions());
-    menu->popup(view_->viewport()->mapToGlobal(at));
-}
-
-void RobotList::requestRemoval() {
-    if (const std::optional<int> id = selectedRobot())
-        emit removeRequested(*id);
 }
 
 void RobotList::updateEmptyState() {

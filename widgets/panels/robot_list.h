@@ -40,12 +40,10 @@ signals:
     void removeRequested(int id);
 
 private:
-    void showMenu(const QPoint& at);
-    void requestRemoval();
     void updateEmptyState();
 
-    RobotListModel* model_;
-    QListView* view_;
+    RobotListModel* model_ = new RobotListModel(this);
+    QListView* view_ = new QListView(this);
     EmptyState* empty_state_;
     bool quiet_ = false; ///< the program changes the selection, not the user
 };

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include <QEvent>
 #include <QHeaderView>
-#include <QVBoxLayout>
 
-#include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -15,11 +13,8 @@ namespace usar::widgets {
 
 SensorPanel::SensorPanel(QWidget* parent)
     : QWidget(parent)
-    , model_(new SensorModel(this))
-    , filtered_(new QSortFilterProxyModel(this))
-    , search_(makeSearchLine(tr("Filter sensors"), tr("Shows only sensors and values whose name contains this"), this))
-    , tree_(new QTreeView(this))
-    , empty_state_(new EmptyState(tree_->viewport())) {
+    , search_(
+          makeSearchLine(tr("Filter sensors"), tr("Shows only sensors and values whose name contains this"), this)) {
     setAccessibleName(tr("Sensors"));
     setFocusProxy(tree_);
     filtered_->setSourceModel(model_);
@@ -31,12 +26,8 @@ SensorPanel::SensorPanel(QWidget* parent)
     setWallClock([] { return Seconds(std::chrono::steady_clock::now().time_since_epoch()); });
     makeTree();
     empty_state_->setText(tr("No sensor data yet"),
-                          tr("Every value that the robot sends appears here, once it is spawned."));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
-    column->addWidget(search_);
-    column->addWidget(tree_, 1);
+                          tr("Every value that the robot sends appears here once it is spawned."));
+    laidOut(new QVBoxLayout(this), {}, gap::tiny, {search_, tree_})->setStretchFactor(tree_, 1);
     connect(search_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
     connect(filtered_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& branch) {
         if (filtered_->rowCount(branch) > 0)
@@ -44,6 +35,7 @@ SensorPanel::SensorPanel(QWidget* parent)
     });
     frame_.setInterval(std::chrono::milliseconds(100));
     connect(&frame_, &QTimer::timeout, this, &SensorPanel::refresh);
+    onThemeChange(this, [this] { tree_->viewport()->update(); });
 }
 
 void SensorPanel::makeTree() {
@@ -85,10 +77,6 @@ void SensorPanel::heard(Seconds now) {
         pace_ = silence();
     now_ = now;
     heard_at_ = wall_clock_();
-}
-
-void SensorPanel::setLinked(bool linked) {
-    linked_ = linked;
 }
 
 void SensorPanel::setPaused(bool paused) {
@@ -134,12 +122,6 @@ void SensorPanel::showEvent(QShowEvent* event) {
 void SensorPanel::hideEvent(QHideEvent* event) {
     frame_.stop();
     QWidget::hideEvent(event);
-}
-
-void SensorPanel::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        tree_->viewport()->update();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

@@ -11,10 +11,9 @@
 
 #include "widgets/models/newest_lines.h"
 #include "widgets/models/sensor_model.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
-
-class EmptyState;
 
 /// Takes lines and reports plot requests. Repaints ten times per second, which is as fast as numbers can be read; while
 /// hidden it only keeps the newest line of each stream. Ages are measured on the protocol clock. If that clock stands
@@ -31,7 +30,7 @@ public:
     /// Sets the protocol clock between lines, so that values also age while nothing arrives.
     void setNow(Seconds now);
     /// Without a link every repeated value is stale at once.
-    void setLinked(bool linked);
+    void setLinked(bool linked) { linked_ = linked; }
     /// While the simulation is paused, a clock that stands still does not make values stale.
     void setPaused(bool paused);
     /// Replaces the wall clock in tests.
@@ -50,7 +49,6 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void makeTree();
@@ -62,11 +60,11 @@ private:
     bool silent() const;
     void plot(const QModelIndex& index);
 
-    SensorModel* model_;
-    QSortFilterProxyModel* filtered_;
+    SensorModel* model_ = new SensorModel(this);
+    QSortFilterProxyModel* filtered_ = new QSortFilterProxyModel(this);
     QLineEdit* search_;
-    QTreeView* tree_;
-    EmptyState* empty_state_;
+    QTreeView* tree_ = new QTreeView(this);
+    EmptyState* empty_state_ = new EmptyState(tree_->viewport());
     NewestLines newest_;
     QTimer frame_;
     std::function<Seconds()> wall_clock_;

@@ -14,44 +14,21 @@ namespace usar::widgets {
 namespace {
 
 QColor riskColor(agent::Risk risk) {
-    switch (risk) {
-    case agent::Risk::None:
-        return tokens().ok;
-    case agent::Risk::Low:
-        return tokens().caution;
-    case agent::Risk::High:
-        break;
-    }
-    return tokens().danger;
-}
-
-QColor faded(QColor color, float alpha) {
-    color.setAlphaF(alpha);
-    return color;
+    return risk == agent::Risk::None ? tokens().ok : risk == agent::Risk::Low ? tokens().caution : tokens().danger;
 }
 
 } // namespace
 
-SonarColumnsView::SonarColumnsView(QWidget* parent) : QWidget(parent) {
+SonarColumnsView::SonarColumnsView(QWidget* parent) : Instrument(parent) {
     setAccessibleName(tr("Sonars"));
-    setToolTip(tr("Range of each sonar in metres, left to right as they sit on the robot. "
+    setToolTip(tr("Range of each sonar in meters, from left to right as they are mounted on the robot. "
                   "Bands: high risk (dense) and low risk (light)."));
 }
 
 void SonarColumnsView::setColumns(const std::vector<SonarColumn>& columns) {
     columns_ = columns;
-    stale_ = false;
     const auto risky = std::ranges::count_if(columns_, [](const auto& c) { return c.risk != agent::Risk::None; });
-    setAccessibleDescription(columns_.empty() ? tr("No sonars yet")
-                                              : tr("%1 sonars, %2 at risk").arg(columns_.size()).arg(risky));
-    update();
-}
-
-void SonarColumnsView::setStale(bool stale) {
-    if (stale == stale_)
-        return;
-    stale_ = stale;
-    update();
+    showFresh(columns_.empty() ? tr("No sonars yet") : tr("%1 sonars, %2 at risk").arg(columns_.size()).arg(risky));
 }
 
 void SonarColumnsView::paintEvent(QPaintEvent*) {
@@ -59,7 +36,7 @@ void SonarColumnsView::paintEvent(QPaintEvent*) {
     if (columns_.empty())
         return paintEmptySheet(painter, *this, tr("No sonars yet.\nOne column each appears here once they report."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, tr("sonar, m"), {}, stale_);
+    paintSheetHead(painter, *this, tr("sonar, m"), {}, stale());
     const double top = sheetHead_px(*this);
     const double step = (width() - 2.0 * gap::tiny) / static_cast<double>(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -71,24 +48,23 @@ void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column,
     const Tokens& t = tokens();
     painter.setFont(themeFont(FontRole::Small));
     const double line = QFontMetricsF(painter.font()).height();
-    const bool risky = column.risk != agent::Risk::None && !stale_;
+    const bool risky = column.risk != agent::Risk::None && !stale();
     const QRectF shaft = cell.adjusted(3.0, line + 2.0, -3.0, -2.0 * line - 2.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(t.raised);
     painter.drawRect(shaft);
     paintZones(painter, column, shaft);
     const double part = std::clamp(column.range_m / column.maximum_m, 0.0, 1.0);
-    const QColor ink = stale_ ? t.stale : riskColor(column.risk);
     if (std::isfinite(column.range_m)) {
         const double bar = shaft.height() * part;
-        painter.setBrush(faded(ink, stale_ ? 0.4f : 0.85f));
+        painter.setBrush(faded(ink(riskColor(column.risk)), stale() ? 0.4 : 0.85));
         painter.setPen(Qt::NoPen);
         painter.drawRect(shaft.adjusted(shaft.width() * 0.22, shaft.height() - bar, -shaft.width() * 0.22, 0.0));
     }
     QFont font = painter.font();
-    font.setStrikeOut(stale_);
+    font.setStrikeOut(stale());
     painter.setFont(font);
-    painter.setPen(stale_ ? t.stale : t.text);
+    painter.setPen(ink(t.text));
     painter.drawText(QRectF(cell.left() - 4.0, cell.top(), cell.width() + 8.0, line), Qt::AlignCenter,
                      figure(column.range_m, column.range_m >= 10.0 ? 1 : 2));
     font.setStrikeOut(false);
@@ -103,7 +79,6 @@ void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column,
 }
 
 void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const {
-    const Tokens& t = tokens();
     const auto level = [&](double range_m) {
         return shaft.bottom() - shaft.height() * std::clamp(range_m / column.maximum_m, 0.0, 1.0);
     };
@@ -111,10 +86,10 @@ void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, 
         return;
     const double high = level(column.high_risk_below_m);
     const double low = level(column.low_risk_below_m);
-    const QColor danger = stale_ ? t.stale : t.danger;
-    const QColor caution = stale_ ? t.stale : t.caution;
-    painter.fillRect(QRectF(QPointF(shaft.left(), high), shaft.bottomRight()), faded(danger, 0.22f));
-    painter.fillRect(QRectF(QPointF(shaft.left(), low), QPointF(shaft.right(), high)), faded(caution, 0.40f));
+    const QColor danger = ink(tokens().danger);
+    const QColor caution = ink(tokens().caution);
+    painter.fillRect(QRectF(QPointF(shaft.left(), high), shaft.bottomRight()), faded(danger, 0.22));
+    painter.fillRect(QRectF(QPointF(shaft.left(), low), QPointF(shaft.right(), high)), faded(caution, 0.40));
     painter.setPen(QPen(danger, 1.0));
     painter.drawLine(QPointF(shaft.left(), high), QPointF(shaft.right(), high));
     painter.setPen(QPen(caution, 1.0, Qt::DotLine));

@@ -1,15 +1,14 @@
 // Instrument that shows each sonar as a column, with the risk zones drawn into it (thesis 4.2).
 #pragma once
 
-#include <QWidget>
-
 #include "widgets/models/sonar_columns.h"
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
 /// The height of a column is its reading; the zones are bands at its foot with a line at each threshold. Risk is shown
 /// by color, word and shape. GUI thread.
-class SonarColumnsView : public QWidget {
+class SonarColumnsView : public Instrument {
     Q_OBJECT
 public:
     explicit SonarColumnsView(QWidget* parent = nullptr);
@@ -18,8 +17,6 @@ public:
     void setColumns(const std::vector<SonarColumn>& columns);
     void setZones(const agent::SonarZones& zones) { setColumns(sonarColumns(zones)); }
     void clear() { setColumns({}); }
-    /// Gray and struck through until the next setColumns.
-    void setStale(bool stale);
     const std::vector<SonarColumn>& columns() const { return columns_; }
     QSize sizeHint() const override { return {280, 150}; }
     QSize minimumSizeHint() const override { return {200, 90}; }
@@ -34,7 +31,6 @@ private:
     void paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const;
 
     std::vector<SonarColumn> columns_;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

@@ -1,9 +1,9 @@
 #include "widgets/panels/status_strip.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 
 #include "widgets/models/figures.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -23,40 +23,32 @@ QString orDash(const std::optional<double>& value, int decimals) {
 
 StatusStrip::StatusStrip(QWidget* parent)
     : QWidget(parent)
-    , dot_(new StateDot(this))
-    , state_(new QLabel(this))
-    , stale_(new QLabel(tr("stale"), this))
     , elapsed_(new Readout(tr("elapsed"), {}, time_sample, this))
     , left_(new Readout(tr("time left"), {}, time_sample, this))
     , goal_(new Readout(tr("to goal"), QStringLiteral("m"), length_sample, this))
     , range_(new Readout(tr("range left"), QStringLiteral("m"), length_sample, this))
     , flown_(new Readout(tr("flown"), QStringLiteral("m"), count_sample, this))
-    , charges_(new Readout(tr("charges"), {}, count_sample, this))
-    , battery_(new Meter(tr("Battery used"), this))
-    , progress_(new Meter(tr("Progress"), this))
-    , coverage_(new Meter(tr("Coverage"), this)) {
+    , charges_(new Readout(tr("charges"), {}, count_sample, this)) {
     setAccessibleName(tr("Status"));
     elapsed_->setToolTip(tr("Protocol time since the behavior started, hours:minutes:seconds"));
     left_->setToolTip(tr("Estimated protocol time to the end"));
-    goal_->setToolTip(tr("Distance to the goal that the robot flies to now, metres"));
-    range_->setToolTip(tr("How far it can fly before the reserve is touched, metres"));
-    flown_->setToolTip(tr("Distance flown since the behavior started, metres"));
-    charges_->setToolTip(tr("Times the battery was recharged"));
-    battery_->setToolTip(tr("Used part of the battery's capacity, per cent"));
+    goal_->setToolTip(tr("Distance to the goal that the robot is heading for, in meters"));
+    range_->setToolTip(tr("How far the robot can fly before it uses its reserve, in meters"));
+    flown_->setToolTip(tr("Distance flown since the behavior started, in meters"));
+    charges_->setToolTip(tr("How often the battery was recharged"));
+    battery_->setToolTip(tr("Used part of the battery's capacity, in percent"));
     battery_->setLimits(70.0, 85.0);
-    progress_->setToolTip(tr("Part of the whole task that is done, per cent"));
-    coverage_->setToolTip(tr("Part of the mission area whose height is known, per cent"));
+    progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
+    coverage_->setToolTip(tr("Part of the mission area whose height is known, in percent"));
     state_->setAccessibleName(tr("State of the behavior"));
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
-    auto* head = new QHBoxLayout;
-    head->setSpacing(gap::small);
-    head->addWidget(dot_);
-    head->addWidget(state_, 1);
-    head->addWidget(stale_, 0, Qt::AlignTop);
+    auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, state_, stale_});
+    head->setStretchFactor(state_, 1);
+    head->setAlignment(stale_, Qt::AlignTop);
     stale_->setObjectName(QStringLiteral("stale"));
     stale_->setProperty("role", "caution");
-    stale_->setToolTip(tr("Nothing comes from the robot; these are its last figures"));
+    stale_->setToolTip(tr("The robot is silent; these are its last figures"));
     stale_->hide();
     auto* figures = new QGridLayout;
     figures->setHorizontalSpacing(gap::medium);
@@ -64,16 +56,10 @@ StatusStrip::StatusStrip(QWidget* parent)
     Readout* cells[] = {elapsed_, goal_, flown_, left_, range_, charges_};
     for (int i = 0; i < 6; ++i)
         figures->addWidget(cells[i], i / 3, i % 3);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::small);
+    auto* column = laidOut(new QVBoxLayout(this), {}, gap::small);
     column->addLayout(head);
     column->addLayout(figures);
-    auto* meters = new QVBoxLayout;
-    meters->setSpacing(gap::tiny);
-    for (Meter* meter : {battery_, progress_, coverage_})
-        meters->addWidget(meter);
-    column->addLayout(meters);
+    column->addLayout(laidOut(new QVBoxLayout, gap::tiny, {battery_, progress_, coverage_}));
     clear(tr("No behavior runs"));
 }
 
@@ -114,13 +100,8 @@ void StatusStrip::clear(const QString& words) {
     setState(words, StateShape::Off);
     for (Readout* readout : {elapsed_, left_, goal_, range_, flown_, charges_})
         readout->setText(figure(qQNaN(), 0));
-    battery_->setValue(std::nullopt);
-    progress_->setValue(std::nullopt);
-    coverage_->setValue(std::nullopt);
-}
-
-void StatusStrip::setCoverage(std::optional<double> coverage_pct) {
-    coverage_->setValue(coverage_pct);
+    for (Meter* meter : {battery_, progress_, coverage_})
+        meter->setValue(std::nullopt);
 }
 
 } // namespace usar::widgets

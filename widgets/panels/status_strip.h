@@ -23,7 +23,7 @@ public:
     /// become unknown; the other figures stay, so that a finished mission can be read.
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
     /// Covered part of the mission area in percent, 0..100; nullopt without an area.
-    void setCoverage(std::optional<double> coverage_pct);
+    void setCoverage(std::optional<double> coverage_pct) { coverage_->setValue(coverage_pct); }
     /// The link is silent: figures are gray and struck through, and the word "stale" is shown, until this is reset; new
     /// figures do not reset it.
     void setStale(bool stale);
@@ -38,18 +38,18 @@ private:
     void setState(const QString& words, StateShape shape);
 
     StateShape shape_ = StateShape::Off; ///< the screen shows a hollow circle while stale
-    StateDot* dot_;
-    QLabel* state_;
-    QLabel* stale_;
+    StateDot* dot_ = new StateDot(this);
+    QLabel* state_ = new QLabel(this);
+    QLabel* stale_ = new QLabel(tr("stale"), this);
     Readout* elapsed_;
     Readout* left_;
     Readout* goal_;
     Readout* range_;
     Readout* flown_;
     Readout* charges_;
-    Meter* battery_;
-    Meter* progress_;
-    Meter* coverage_;
+    Meter* battery_ = new Meter(tr("Battery used"), this);
+    Meter* progress_ = new Meter(tr("Progress"), this);
+    Meter* coverage_ = new Meter(tr("Coverage"), this);
 };
 
 } // namespace usar::widgets

@@ -16,29 +16,20 @@ QString heightText(double height_m) {
 }
 } // namespace
 
-TerrainProfileView::TerrainProfileView(QWidget* parent) : QWidget(parent) {
+TerrainProfileView::TerrainProfileView(QWidget* parent) : Instrument(parent) {
     setAccessibleName(tr("Terrain profile"));
-    setToolTip(tr("Mapped heights along the robot's course: behind it on the left, ahead on the right. Metres, "
-                  "heights stretched."));
+    setToolTip(tr("Mapped heights along the robot's course: behind it on the left, ahead on the right. In "
+                  "meters; heights are stretched."));
 }
 
 void TerrainProfileView::setProfile(const mapping::CourseProfile& profile) {
     profile_ = profile;
-    stale_ = false;
-    setAccessibleDescription(clearanceText());
-    update();
+    showFresh(clearanceText());
 }
 
 void TerrainProfileView::clear() {
     profile_ = {};
     setAccessibleDescription(tr("No map yet"));
-    update();
-}
-
-void TerrainProfileView::setStale(bool stale) {
-    if (stale == stale_)
-        return;
-    stale_ = stale;
     update();
 }
 
@@ -69,7 +60,7 @@ void TerrainProfileView::paintEvent(QPaintEvent*) {
     if (profile_.points.empty())
         return paintEmptySheet(painter, *this, tr("No terrain profile yet.\nIt appears here as the map grows."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, tr("mapped terrain"), clearanceText(), stale_);
+    paintSheetHead(painter, *this, tr("mapped terrain"), clearanceText(), stale());
     const Span heights = span();
     const QRectF plot =
         QRectF(rect()).adjusted(gap::small + scaleWidth_px(heights), sheetHead_px(*this), -gap::small, -gap::small);
@@ -77,20 +68,20 @@ void TerrainProfileView::paintEvent(QPaintEvent*) {
     std::ranges::transform(profile_.points, ground.begin(), [&](const mapping::ProfilePoint& point) {
         return point.height_m ? std::optional(place(point.distance_m, *point.height_m, plot, heights)) : std::nullopt;
     });
-    paintGround(painter, ground, plot.bottom(), stale_);
+    paintGround(painter, ground, plot.bottom(), stale());
     paintScale(painter, plot, heights);
     paintRobot(painter, plot, heights);
 }
 
 void TerrainProfileView::paintRobot(QPainter& painter, const QRectF& plot, const Span& span) const {
-    const QColor ink = stale_ ? tokens().stale : tokens().text;
+    const QColor body = ink(tokens().text);
     const QPointF robot = place(0.0, profile_.robot_z_m, plot, span);
     if (const std::optional<double> ground_m = profile_.groundBelow_m()) {
-        painter.setPen(QPen(ink, 1.0, Qt::DotLine));
+        painter.setPen(QPen(body, 1.0, Qt::DotLine));
         painter.drawLine(robot, place(0.0, *ground_m, plot, span));
     }
     painter.setPen(Qt::NoPen);
-    painter.setBrush(ink);
+    painter.setBrush(body);
     painter.drawPolygon(QPolygonF{robot + QPointF(8.0, 0.0), robot + QPointF(-6.0, -4.5), robot + QPointF(-6.0, 4.5)});
 }
 

@@ -1,15 +1,14 @@
 // Instrument that shows the mapped ground along the robot's course from the side, with the robot above it.
 #pragma once
 
-#include <QWidget>
-
 #include "core/mapping/profile.h"
+#include "widgets/style/sheet.h"
 
 namespace usar::widgets {
 
 /// Behind the robot is on the left, ahead on the right; in meters. The line is interrupted where the map has no data.
 /// Heights are stretched in round steps to fill the sheet, and the lowest and highest are labeled. GUI thread.
-class TerrainProfileView : public QWidget {
+class TerrainProfileView : public Instrument {
     Q_OBJECT
 public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
@@ -18,8 +17,6 @@ public:
     void setProfile(const mapping::CourseProfile& profile);
     /// Shows the sentence that says what will appear here.
     void clear();
-    /// Draws the profile gray, with the word "stale", because the robot may have moved.
-    void setStale(bool stale);
     const mapping::CourseProfile& profile() const { return profile_; }
     /// "6.1 m above the map", or "unmapped here".
     QString clearanceText() const;
@@ -46,7 +43,6 @@ private:
     void paintScale(QPainter& painter, const QRectF& plot, const Span& span) const;
 
     mapping::CourseProfile profile_;
-    bool stale_ = false;
 };
 
 } // namespace usar::widgets

@@ -1,39 +1,28 @@
 #include "widgets/style/empty_state.h"
 
-#include <QEvent>
-#include <QVBoxLayout>
-
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-EmptyState::EmptyState(QWidget* covered)
-    : QWidget(covered)
-    , title_(new QLabel(this))
-    , hint_(new QLabel(this))
-    , button_(new QPushButton(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::medium, gap::medium, gap::medium, gap::medium);
-    column->setSpacing(gap::small);
+EmptyState::EmptyState(QWidget* covered, const QString& title, const QString& hint) : QWidget(covered) {
+    auto* column = laidOut(new QVBoxLayout(this), {gap::medium, gap::medium, gap::medium, gap::medium}, gap::small);
     column->addStretch();
     column->addWidget(title_);
     column->addWidget(hint_);
     column->addWidget(button_, 0, Qt::AlignHCenter);
     column->addStretch();
     setObjectName(QStringLiteral("emptyState"));
-    title_->setAlignment(Qt::AlignCenter);
     title_->setProperty("role", "title");
-    title_->setWordWrap(true);
-    hint_->setAlignment(Qt::AlignCenter);
-    hint_->setProperty("role", "muted");
-    hint_->setWordWrap(true);
-    // Labels and the sheet itself are transparent for the mouse: only the button takes clicks.
-    title_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    for (QLabel* label : {title_, hint_}) {
+        label->setAlignment(Qt::AlignCenter);
+        label->setWordWrap(true);
+        label->setAttribute(Qt::WA_TransparentForMouseEvents); // Only the button takes clicks.
+    }
     button_->setProperty("role", "primary");
     button_->hide();
     covered->installEventFilter(this);
     setGeometry(covered->rect());
+    setText(title, hint);
 }
 
 void EmptyState::setText(const QString& title, const QString& hint) {

@@ -1,10 +1,9 @@
 // Sheet that a view shows while it is empty: what will appear here, and a button that makes it appear.
 #pragma once
 
-#include <QAction>
-#include <QLabel>
 #include <QPushButton>
-#include <QWidget>
+
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -13,8 +12,8 @@ namespace usar::widgets {
 class EmptyState : public QWidget {
     Q_OBJECT
 public:
-    /// `covered` becomes the parent.
-    explicit EmptyState(QWidget* covered);
+    /// `covered` becomes the parent; the texts are those of setText().
+    explicit EmptyState(QWidget* covered, const QString& title = {}, const QString& hint = {});
 
     /// Says what is missing and how to make it appear; both also become the accessible name and description.
     void setText(const QString& title, const QString& hint);
@@ -25,9 +24,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QLabel* title_;
-    QLabel* hint_;
-    QPushButton* button_;
+    QLabel* title_ = new QLabel(this);
+    QLabel* hint_ = mutedLabel({}, this);
+    QPushButton* button_ = new QPushButton(this);
     QMetaObject::Connection clicked_;
 };
 

@@ -4,16 +4,13 @@
 
 #include <QSignalBlocker>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
-SectionStack::SectionStack(const QString& name, QWidget* parent)
-    : QWidget(parent)
-    , column_(new QVBoxLayout(this))
-    , tabs_(new QTabBar(this)) {
-    column_->setContentsMargins(0, 0, 0, 0);
-    column_->setSpacing(gap::tiny);
+SectionStack::SectionStack(const QString& name, QWidget* parent) : QWidget(parent) {
+    laidOut(column_, {}, gap::tiny, {tabs_});
     // By default the layout would demand enough height for all sections stacked.
     column_->setSizeConstraint(QLayout::SetNoConstraint);
     tabs_->setAccessibleName(name);
@@ -21,7 +18,6 @@ SectionStack::SectionStack(const QString& name, QWidget* parent)
     tabs_->setDrawBase(false);
     tabs_->setUsesScrollButtons(true);
     tabs_->hide();
-    column_->addWidget(tabs_);
     connect(tabs_, &QTabBar::currentChanged, this, &SectionStack::arrange);
 }
 

@@ -52,8 +52,8 @@ private:
     void showTabs();
 
     std::vector<Section> sections_;
-    QVBoxLayout* column_;
-    QTabBar* tabs_; ///< one per shown section; the tab's data is the index in `sections_`
+    QVBoxLayout* column_ = new QVBoxLayout(this);
+    QTabBar* tabs_ = new QTabBar(this); ///< one per shown section; the tab's data is the index in `sections_`
     bool tabbed_ = false;
 };
 

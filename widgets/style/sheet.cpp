@@ -1,5 +1,7 @@
 #include "widgets/style/sheet.h"
 
+#include <utility>
+
 #include <QFontMetrics>
 
 #include "widgets/style/theme.h"
@@ -32,26 +34,22 @@ void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& nam
 
 void paintSheetNote(QPainter& painter, const QPointF& baseline, const QString& text) {
     painter.setFont(themeFont(FontRole::Small));
-    QColor back = tokens().surface;
-    back.setAlphaF(0.85f);
     const QFontMetricsF metrics(painter.font());
     const QRectF box(baseline - QPointF(2.0, metrics.ascent()),
                      QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height()));
-    painter.fillRect(box, back);
+    painter.fillRect(box, faded(tokens().surface, 0.85));
     painter.setPen(tokens().text_muted);
     painter.drawText(baseline, text);
 }
 
 void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& line, double bottom_px, bool stale) {
     const QColor ink = stale ? tokens().stale : tokens().ok;
-    QColor fill = ink;
-    fill.setAlphaF(0.16f);
     QPolygonF piece;
     const auto flush = [&] {
         if (piece.size() > 1) {
             const QPolygonF foot{QPointF(piece.last().x(), bottom_px), QPointF(piece.first().x(), bottom_px)};
             painter.setPen(Qt::NoPen);
-            painter.setBrush(fill);
+            painter.setBrush(faded(ink, 0.16));
             painter.drawPolygon(piece + foot);
             painter.setPen(QPen(ink, 2.0));
             painter.setBrush(Qt::NoBrush);
@@ -66,6 +64,47 @@ void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& l
 
 double sheetHead_px(const QWidget& widget) {
     return gap::tiny + widget.fontMetrics().height() + 2.0;
+}
+
+void paintCard(QPainter& painter, const QRectF& card) {
+    painter.setBrush(faded(tokens().raised, 0.92));
+    painter.setPen(QPen(tokens().line, 1.0));
+    painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+}
+
+void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option) {
+    if (option.state & QStyle::State_Selected)
+        painter.fillRect(option.rect, tokens().raised);
+    if (option.state & QStyle::State_HasFocus) {
+        painter.setPen(tokens().accent);
+        painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
+    }
+}
+
+void paintElided(QPainter& painter, const QRect& box, const QString& text) {
+    painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, box.width()));
+}
+
+QPen dashedPen(const QColor& color, double width_px, const QList<qreal>& pattern) {
+    QPen pen(color, width_px);
+    pen.setDashPattern(pattern);
+    return pen;
+}
+
+void Instrument::setStale(bool stale) {
+    if (std::exchange(stale_, stale) != stale)
+        update();
+}
+
+void Instrument::showFresh(const QString& description) {
+    stale_ = false;
+    setAccessibleDescription(description);
+    update();
+}
+
+QColor Instrument::ink(const QColor& fresh) const {
+    return stale_ ? tokens().stale : fresh;
 }
 
 } // namespace usar::widgets

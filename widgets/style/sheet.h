@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPointF>
 #include <QString>
+#include <QStyleOptionViewItem>
 #include <QWidget>
 
 namespace usar::widgets {
@@ -25,5 +26,33 @@ void paintGround(QPainter& painter, const std::vector<std::optional<QPointF>>& l
 void paintSheetNote(QPainter& painter, const QPointF& baseline, const QString& text);
 /// Top edge of the drawing area below the head, in pixels.
 double sheetHead_px(const QWidget& widget);
+
+/// Paints a raised card on which something can be read above a drawing. Leaves its pen and brush set.
+void paintCard(QPainter& painter, const QRectF& card);
+/// Paints the background of a list's row: raised if it is selected, with a frame if it has the focus.
+void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option);
+/// Paints a line of text at the left of `box`, elided with "…" if there is no room.
+void paintElided(QPainter& painter, const QRect& box, const QString& text);
+/// `pattern` has the lengths of dashes and gaps in turn, as multiples of `width_px`.
+QPen dashedPen(const QColor& color, double width_px, const QList<qreal>& pattern);
+
+/// Base of the painted instruments, whose figures may be out of date. GUI thread.
+class Instrument : public QWidget {
+public:
+    using QWidget::QWidget;
+    /// Draws the instrument gray, and texts struck through or with the word "stale", because its figures may be out of
+    /// date.
+    void setStale(bool stale);
+    bool stale() const { return stale_; }
+
+protected:
+    /// Repaints with new figures, which are not stale; `description` says them to screen readers.
+    void showFresh(const QString& description);
+    /// Returns `fresh`, or the color for stale figures.
+    QColor ink(const QColor& fresh) const;
+
+private:
+    bool stale_ = false;
+};
 
 } // namespace usar::widgets

@@ -17,19 +17,8 @@ void StateDot::setState(StateShape state) {
 
 QColor stateColor(StateShape state) {
     const Tokens& t = tokens();
-    switch (state) {
-    case StateShape::Off:
-        return t.text_muted;
-    case StateShape::Busy:
-        return t.accent;
-    case StateShape::Good:
-        return t.ok;
-    case StateShape::Waiting:
-        return t.caution;
-    case StateShape::Bad:
-        break;
-    }
-    return t.danger;
+    const QColor colors[] = {t.text_muted, t.accent, t.ok, t.caution, t.danger};
+    return colors[static_cast<std::size_t>(state)];
 }
 
 void StateDot::paintEvent(QPaintEvent*) {

@@ -4,10 +4,11 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QPainter>
 #include <QPalette>
-
-#include "widgets/style/outline_style.h"
-#include "widgets/style/style_sheet.h"
+#include <QProxyStyle>
+#include <QStyleFactory>
+#include <QStyleOption>
 
 namespace usar::widgets {
 
@@ -98,6 +99,106 @@ double luminance(const QColor& c) {
     return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
 }
 
+void outline(QPainter& painter, const QRect& rect, const QColor& ink) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ink, 1.0));
+    painter.drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
+    painter.restore();
+}
+
+QColor checkBoxInk(QStyle::State state) {
+    if (!(state & QStyle::State_Enabled))
+        return tokens().line;
+    return state & QStyle::State_HasFocus ? tokens().accent : tokens().text_muted;
+}
+
+/// In the light theme Fusion's own hairline is dark enough, and the focused widget has a ring.
+bool needsHairline(const QStyleOption& option) {
+    return currentTheme() == Theme::Dark && !(option.state & QStyle::State_HasFocus);
+}
+
+/// Fusion with visible outlines: on dark themes its own are darker than the background. Gives check boxes an outline
+/// with a contrast of at least 3:1, and fields and spin boxes of the dark theme a hairline. Reads the tokens while
+/// painting, so it need not be told about a new theme.
+class OutlineStyle : public QProxyStyle {
+public:
+    OutlineStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_IndicatorCheckBox)
+            outline(*painter, option->rect, checkBoxInk(option->state));
+        else if (element == PE_FrameLineEdit && needsHairline(*option))
+            outline(*painter, option->rect, tokens().line);
+    }
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_SpinBox && needsHairline(*option))
+            outline(*painter, option->rect, tokens().line);
+    }
+};
+
+/// What Fusion and a palette cannot express: tooltips, dock titles, headers, and the roles that widgets have by the
+/// dynamic property `role`: labels "muted", "title", "danger", "caution", "ok"; buttons "primary", "stop"; frames
+/// "card", "strip".
+constexpr const char* rules = R"(
+QToolTip { color: %text; background: %raised; border: 1px solid %line; padding: 4px; }
+QMainWindow::separator { background: %background; width: 4px; height: 4px; }
+QMainWindow::separator:hover { background: %accent; }
+QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
+QDockWidget::title { background: %background; color: %text_muted; padding: 4px 8px; text-align: left; }
+QHeaderView::section { background: %surface; color: %text_muted; border: none; border-bottom: 1px solid %line;
+    padding: 4px 3px; }
+QStatusBar::item { border: none; }
+QLabel[role="muted"] { color: %text_muted; }
+QLabel[role="title"] { color: %text; font-weight: 600; }
+QLabel[role="ok"] { color: %ok; }
+QLabel[role="caution"] { color: %caution; }
+QLabel[role="danger"] { color: %danger; }
+QFrame[role="card"] { background: %raised; border: 1px solid %line; border-radius: 8px; }
+QFrame[role="strip"] { background: %surface; border: none; border-bottom: 1px solid %line; }
+QPushButton[role="primary"], QPushButton[role="stop"] { color: %on_fill; border: 1px solid transparent;
+    border-radius: 4px; padding: 4px 16px; min-height: 22px; font-weight: 600; }
+QPushButton[role="primary"] { background: %primary; }
+QPushButton[role="primary"]:hover { background: %primary_hover; }
+QPushButton[role="stop"] { background: %stop; }
+QPushButton[role="stop"]:hover { background: %stop_hover; }
+QPushButton[role="primary"]:focus, QPushButton[role="stop"]:focus { border: 2px solid %text; padding: 3px 15px; }
+QPushButton[role="primary"]:disabled, QPushButton[role="stop"]:disabled { background: %raised; color: %stale;
+    border: 1px solid %line; }
+)";
+
+QString styleSheet(const Tokens& t) {
+    QString sheet = QString::fromLatin1(rules);
+    const QColor primary = contrast(t.on_fill, t.accent) >= 4.5 ? t.accent : QColor(0x1f6fc0);
+    // Longer names come first, because %text would match the start of %text_muted.
+    const std::pair<const char*, QColor> words[] = {
+        {"%text_muted", t.text_muted},
+        {"%primary_hover", primary.darker(115)},
+        {"%stop_hover", t.stop.darker(115)},
+        {"%background", t.background},
+        {"%surface", t.surface},
+        {"%raised", t.raised},
+        {"%line", t.line},
+        {"%text", t.text},
+        {"%accent", t.accent},
+        {"%on_fill", t.on_fill},
+        {"%ok", t.ok},
+        {"%caution", t.caution},
+        {"%danger", t.danger},
+        {"%stale", t.stale},
+        {"%primary", primary},
+        {"%stop", t.stop},
+    };
+    for (const auto& [word, color] : words)
+        sheet.replace(QLatin1String(word), color.name());
+    return sheet;
+}
+
 } // namespace
 
 const Tokens& tokens(Theme theme) {
@@ -162,26 +263,20 @@ QString markName(agent::MarkKind kind) {
 }
 
 QColor lineColor(LineFamily family, Theme theme) {
-    const bool dark = theme == Theme::Dark;
-    switch (family) {
-    case LineFamily::State:
-        return QColor(dark ? 0x7fd6a4 : 0x13703a);
-    case LineFamily::Range:
-        return QColor(dark ? 0xc9a6ff : 0x6b3fb5);
-    case LineFamily::Pose:
-        return QColor(dark ? 0x5fd3d9 : 0x00696e);
-    case LineFamily::Sensor:
-        return QColor(dark ? 0xf0a37a : 0x9a4310);
-    case LineFamily::Answer:
-        return QColor(dark ? 0xf59ac6 : 0xa3246f);
-    case LineFamily::Drive:
+    // Each row has the colors for the dark and the light theme.
+    static constexpr QRgb inks[][2] = {{0x7fd6a4, 0x13703a}, {0xc9a6ff, 0x6b3fb5}, {0x5fd3d9, 0x00696e},
+                                       {0xf0a37a, 0x9a4310}, {0xf59ac6, 0xa3246f}, {0, 0},
+                                       {0xa9b9ff, 0x3d49b8}};
+    if (family == LineFamily::Drive)
         return tokens(theme).accent;
-    case LineFamily::Command:
-        return QColor(dark ? 0xa9b9ff : 0x3d49b8);
-    case LineFamily::Other:
-        break;
-    }
-    return tokens(theme).text_muted;
+    if (family == LineFamily::Other)
+        return tokens(theme).text_muted;
+    return inks[static_cast<std::size_t>(family)][theme == Theme::Dark ? 0 : 1];
+}
+
+QColor faded(QColor color, double alpha) {
+    color.setAlphaF(static_cast<float>(alpha));
+    return color;
 }
 
 double contrast(const QColor& a, const QColor& b) {

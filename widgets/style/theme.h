@@ -69,6 +69,8 @@ QColor lineColor(LineFamily family, Theme theme);
 QString markName(agent::MarkKind kind);
 using agent::all_mark_kinds;
 
+/// The color with an opacity of 0..1.
+QColor faded(QColor color, double alpha);
 /// WCAG 2 contrast ratio of two opaque colors, 1..21.
 double contrast(const QColor& a, const QColor& b);
 

@@ -49,7 +49,7 @@ std::unique_ptr<QWidget> mapPage() {
     auto view = world();
     mapping::HeightMap map(0.25);
     scanLanes(map);
-    view->takeTiles(map.takeChangedTiles(), map.range());
+    view->heights().take(map.takeChangedTiles(), map.range());
     const Rectangle area{{-30.0, -20.0}, {15.0, 20.0}};
     view->setArea(area);
     view->setAreaSummary(QStringLiteral("9 lanes  ·  6 min 12 s"));

@@ -36,10 +36,6 @@ void MapTransform::zoomAt(const QPointF& cursor_px, double factor) {
     center_m += before - toMap(cursor_px);
 }
 
-void MapTransform::pan(const QPointF& by_px) {
-    center_m += toMap(QPointF(0.0, 0.0)) - toMap(by_px);
-}
-
 void MapTransform::fit(const Rectangle& rectangle_in_map, double margin_px) {
     if (rectangle_in_map.empty())
         return;

@@ -37,7 +37,7 @@ struct MapTransform {
     /// Multiplies the scale by `factor`; the ground under the cursor stays there.
     void zoomAt(const QPointF& cursor_px, double factor);
     /// Moves the ground by this many pixels.
-    void pan(const QPointF& by_px);
+    void pan(const QPointF& by_px) { center_m += toMap(QPointF(0.0, 0.0)) - toMap(by_px); }
     /// Shows all of `rectangle_in_map` with a margin; an empty rectangle changes nothing.
     void fit(const Rectangle& rectangle_in_map, double margin_px = 32.0);
 

@@ -54,18 +54,14 @@ int ObjectListModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(objects_.size());
 }
 
-int ObjectListModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : column_count;
-}
-
 QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};
     const MapObject& one = object(index.row());
     if (role == Qt::DisplayRole)
         return cell(one, index.column());
-    if (role == Qt::TextAlignmentRole && index.column() >= Place)
-        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::TextAlignmentRole)
+        return headerData(index.column(), Qt::Horizontal, role);
     const QString kind = one.kind.isEmpty() ? tr("unknown kind") : one.kind;
     if (role == Qt::DecorationRole && index.column() == Name)
         return icon(kindIcon(one.kind));

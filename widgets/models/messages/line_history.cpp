@@ -15,29 +15,26 @@ void LineHistory::add(const QString& line) {
     endWalk();
 }
 
-bool LineHistory::fits(qsizetype at) const {
-    return lines_[at].contains(typed_, Qt::CaseInsensitive);
+bool LineHistory::walk(qsizetype step) {
+    for (qsizetype at = at_.value_or(lines_.size()) + step; at >= 0 && at < lines_.size(); at += step)
+        if (lines_[at].contains(typed_, Qt::CaseInsensitive)) {
+            at_ = at;
+            return true;
+        }
+    return false;
 }
 
 std::optional<QString> LineHistory::older(const QString& typed) {
     if (!at_)
         typed_ = typed;
-    for (qsizetype at = at_.value_or(lines_.size()) - 1; at >= 0; --at)
-        if (fits(at)) {
-            at_ = at;
-            return lines_[at];
-        }
-    return std::nullopt;
+    return walk(-1) ? std::optional(lines_[*at_]) : std::nullopt;
 }
 
 std::optional<QString> LineHistory::newer() {
     if (!at_)
         return std::nullopt;
-    for (qsizetype at = *at_ + 1; at < lines_.size(); ++at)
-        if (fits(at)) {
-            at_ = at;
-            return lines_[at];
-        }
+    if (walk(1))
+        return lines_[*at_];
     endWalk();
     return typed_;
 }

@@ -27,12 +27,13 @@ public:
     void endWalk() { at_.reset(); }
 
 private:
-    bool fits(qsizetype at) const;
+    /// Moves the walk by `step` (1 or -1) to the next line that contains the typed text; returns false if there is
+    /// none.
+    bool walk(qsizetype step);
 
     QStringList lines_;
     QString typed_;
-    /// Index of the line that the walk is at.
-    std::optional<qsizetype> at_;
+    std::optional<qsizetype> at_; ///< index of the line that the walk is at
 };
 
 } // namespace usar::widgets

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 
 #include "widgets/models/figures.h"
+#include "widgets/models/messages/notification_model.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -215,16 +216,8 @@ std::vector<std::uint64_t> MessageModel::causedBy(std::uint64_t serial) const {
     return caused;
 }
 
-const MessageRow& MessageModel::row(int shown) const {
-    return rows_[shown_[static_cast<std::size_t>(shown)] - dropped_];
-}
-
 int MessageModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(shown_.size());
-}
-
-int MessageModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : column_count;
 }
 
 QVariant MessageModel::data(const QModelIndex& index, int role) const {
@@ -243,9 +236,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
             return icon(QStringLiteral("warning"), ink(message, Text).value<QColor>());
         return {};
     case Qt::TextAlignmentRole:
-        if (index.column() == Number || index.column() == Time)
-            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+        return headerData(index.column(), Qt::Horizontal, role);
     default:
         return {};
     }
@@ -274,7 +265,7 @@ QVariant MessageModel::shownText(const MessageRow& row, int column) const {
 QVariant MessageModel::ink(const MessageRow& row, int column) const {
     const Tokens& t = tokens();
     if (row.trouble)
-        return *row.trouble == Severity::Error ? t.danger : *row.trouble == Severity::Warning ? t.caution : t.accent;
+        return severityColor(*row.trouble);
     if (column == Number || column == Time || column == Robot)
         return t.text_muted;
     if (column == Type)

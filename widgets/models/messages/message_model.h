@@ -54,7 +54,7 @@ public:
     /// Types of the stored rows, with the number of rows of each.
     const std::map<std::string, int, std::less<>>& types() const { return types_; }
     /// The `shown`-th row of the table; the reference is valid until the next change.
-    const MessageRow& row(int shown) const;
+    const MessageRow& row(int shown) const { return rows_[shown_[static_cast<std::size_t>(shown)] - dropped_]; }
     /// Serial number of that row of the table; it stays with the row as long as the row is stored.
     std::uint64_t serial(int shown) const { return shown_[static_cast<std::size_t>(shown)]; }
     /// Row of the table with this serial number; -1 if it is not shown.
@@ -67,7 +67,7 @@ public:
     std::vector<std::uint64_t> causedBy(std::uint64_t serial) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : column_count; }
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 

@@ -130,11 +130,8 @@ QJsonObject jsonOf(const MessageRow& row, const QString& robot) {
 Pointer pointerAt(std::string_view text, std::size_t offset, int width) {
     offset = std::min(offset, text.size());
     const auto wide = static_cast<std::size_t>(width);
-    std::size_t from = offset > wide / 2 ? offset - wide / 2 : 0;
-    if (text.size() <= wide)
-        from = 0;
-    else
-        from = std::min(from, text.size() - wide);
+    const std::size_t last = text.size() - std::min(wide, text.size());
+    const std::size_t from = std::min(offset - std::min(wide / 2, offset), last);
     const std::string_view part = text.substr(from, wide);
     Pointer pointer;
     for (const char c : part)

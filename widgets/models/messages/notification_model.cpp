@@ -9,39 +9,22 @@
 namespace usar::widgets {
 
 QString severityWord(Severity severity) {
-    switch (severity) {
-    case Severity::Error:
-        return QCoreApplication::translate("Notification", "Error");
-    case Severity::Warning:
-        return QCoreApplication::translate("Notification", "Warning");
-    case Severity::Note:
-        break;
-    }
-    return QCoreApplication::translate("Notification", "Note");
+    const char* const word = severity == Severity::Error     ? QT_TRANSLATE_NOOP("Notification", "Error")
+                             : severity == Severity::Warning ? QT_TRANSLATE_NOOP("Notification", "Warning")
+                                                             : QT_TRANSLATE_NOOP("Notification", "Note");
+    return QCoreApplication::translate("Notification", word);
 }
 
 QString severityIcon(Severity severity) {
-    switch (severity) {
-    case Severity::Error:
-        return QStringLiteral("error");
-    case Severity::Warning:
-        return QStringLiteral("warning");
-    case Severity::Note:
-        break;
-    }
-    return QStringLiteral("note");
+    return severity == Severity::Error     ? QStringLiteral("error")
+           : severity == Severity::Warning ? QStringLiteral("warning")
+                                           : QStringLiteral("note");
 }
 
 QColor severityColor(Severity severity) {
-    switch (severity) {
-    case Severity::Error:
-        return tokens().danger;
-    case Severity::Warning:
-        return tokens().caution;
-    case Severity::Note:
-        break;
-    }
-    return tokens().accent;
+    return severity == Severity::Error     ? tokens().danger
+           : severity == Severity::Warning ? tokens().caution
+                                           : tokens().accent;
 }
 
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,

@@ -22,12 +22,10 @@ struct Offer {
 struct Notification {
     QString key; ///< identifies the problem: reports with the same key share a row ("link", "export")
     Severity severity = Severity::Note;
-    QString text;   ///< says what happened, to what, and what to do
-    QDateTime last; ///< wall time of the newest report
-    /// Number of reports since the problem was last cured.
-    int count = 1;
-    /// The problem is over.
-    bool cured = false;
+    QString text;       ///< says what happened, to what, and what to do
+    QDateTime last;     ///< wall time of the newest report
+    int count = 1;      ///< number of reports since the problem was last cured
+    bool cured = false; ///< the problem is over
     bool unread = true;
     bool toast = true; ///< also shown as a toast
     Offer offer = {};  ///< from the newest report
