@@ -1,7 +1,7 @@
 // The state that the senses and acts of a surveying AirRobot share: the flight and the current tick.
 #pragma once
 
-#include "core/agent/posh_registry.h"
+#include "core/agent/posh_primitives.h"
 #include "robots/airrobot/survey_flight.h"
 
 namespace usar::airrobot {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/agent/posh/posh_behavior.h"
+#include "core/agent/posh_primitives.h"
 #include "robots/p2dx/explorer.h"
 
 namespace usar::p2dx {
