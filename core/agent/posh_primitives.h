@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <initializer_list>
 #include <type_traits>
 
 #include "core/agent/posh_registry.h"
@@ -111,5 +112,15 @@ private:
 
     PoshRegistry& registry_;
 };
+
+/// The senses and acts that these functions add.
+template <class Body>
+PoshRegistry registryOf(std::initializer_list<void (*)(PoshPrimitives<Body>&)> adders) {
+    PoshRegistry registry;
+    PoshPrimitives<Body> primitives(registry);
+    for (const auto add : adders)
+        add(primitives);
+    return registry;
+}
 
 } // namespace usar::agent

@@ -34,11 +34,11 @@ Seconds longestSilence(const Senses& senses) {
 SurveyFlight::SurveyFlight(agent::BehaviorContext context)
     : task_(std::move(context.task))
     , base_in_map_(task_.start_in_map) {
-    craft_.settings = settingsFrom(context.parameters);
+    craft_.settings = Settings::parameters.settings(context.parameters);
 }
 
 void SurveyFlight::setParameters(const agent::ParameterSet& parameters) {
-    craft_.settings = settingsFrom(parameters);
+    craft_.settings = Settings::parameters.settings(parameters);
 }
 
 bool SurveyFlight::inTheAir() const {
