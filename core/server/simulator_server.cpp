@@ -192,7 +192,7 @@ void SimulatorServer::flush() {
         socket->write(bytes.data(), static_cast<qint64>(bytes.size()));
         socket->flush();
         if (socket->bytesToWrite() > unread_limit_bytes_) {
-            emit logged(tr("client %1: dropped, for it does not read: %2 MiB wait for it")
+            emit logged(tr("client %1: dropped because it does not read; %2 MiB wait for it")
                             .arg(client.value)
                             .arg(static_cast<double>(socket->bytesToWrite()) / (1 << 20), 0, 'f', 1));
             socket->abort();
@@ -229,8 +229,8 @@ void SimulatorServer::watchLockstep() {
         return;
     for (const sim::ClientId client : simulation_->awaited()) {
         simulation_->releaseFromLockstep(client);
-        emit logged(tr("client %1: taken out of lockstep, for it has said no STEP for %2 s while others waited; "
-                       "LOCKSTEP {On true} takes it in again")
+        emit logged(tr("client %1: taken out of lockstep because it has sent no STEP for %2 s while others waited; "
+                       "LOCKSTEP {On true} puts it back")
                         .arg(client.value)
                         .arg(static_cast<double>(held_up_.count()) / 1000.0, 0, 'f', 1));
     }

@@ -130,7 +130,7 @@ void addGoalActs(SurveyPrimitives& primitives) {
     addNote(primitives, "StoreGoalAndReturn", "Remembers where the lane was left, and makes the base the goal.",
             return_home);
     addNote(primitives, "StoreOuterGoalAndReturn",
-            "The same in a diversion, which is forgotten: the lane is the goal behind it.", return_home);
+            "The same during a diversion, which is forgotten; the lane is the next goal after it.", return_home);
     addNote(primitives, "AbortScan", "No more goals; the base is the goal, and the scan ends there.",
             &SurveyFlight::abortScan);
     addNote(primitives, "GiveUpAndReturn", "The robot's own battery runs out: home, and the scan ends there.",

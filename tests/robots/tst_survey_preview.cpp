@@ -21,13 +21,13 @@ agent::BehaviorContext contextWith(const Rectangle& area,
 class tst_SurveyPreview : public QObject {
     Q_OBJECT
 private slots:
-    void foretellsLanesLengthAndTime();
+    void predictsLanesLengthAndTime();
     void narrowerLanesAreMoreLanes();
     void saysWhenTheAreaIsCutIntoParts();
     void refusesAnAreaWithoutSize();
 };
 
-void tst_SurveyPreview::foretellsLanesLengthAndTime() {
+void tst_SurveyPreview::predictsLanesLengthAndTime() {
     const auto preview =
         airrobot::AirRobot().preview({}, contextWith({{-30, -20}, {30, 20}}, {{"lane_spacing_m", 10.0}}));
     QVERIFY(preview.has_value());
