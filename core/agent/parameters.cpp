@@ -1,7 +1,6 @@
 #include "core/agent/parameters.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"

@@ -1,6 +1,5 @@
 #include "core/server/com_interface.h"
 
-#include <array>
 #include <optional>
 
 #include "core/base/numbers.h"

@@ -1,7 +1,5 @@
 #include "core/server/image_server.h"
 
-#include <algorithm>
-
 #include "core/link/across_threads.h"
 #include "core/server/loopback.h"
 #include "core/server/picture_maker.h"

@@ -1,8 +1,6 @@
 // One drive of a P2DX in the simulation, judged: what the loop test and the long campaign share.
 #pragma once
 
-#include <cmath>
-
 #include <QTest>
 
 #include "core/sim/worlds/tall_test.h"
