@@ -2,7 +2,6 @@
 // that a behavior can run in the caller's thread, in a thread or in a process of its own without being changed.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/agent/command_port.h"

@@ -1,6 +1,7 @@
 // A table that links each parameter of a behavior to its member in the behavior's settings and to its entry in a form.
 #pragma once
 
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -24,33 +25,29 @@ struct ParameterRow {
     const char* help;
 };
 
-/// The specs for a form, in the table's order.
+/// The parameters that the user can set. `rows` must outlive the table: a constexpr array in the settings' source file.
 template <class Settings>
-std::vector<ParameterSpec> specsOf(const std::vector<ParameterRow<Settings>>& table) {
-    static const Settings defaults{}; // static, because GCC 12 warns that one on the stack is uninitialized
-    std::vector<ParameterSpec> specs;
-    for (const ParameterRow<Settings>& row : table) {
-        specs.push_back({row.id, row.label, row.group, row.unit, 0.0, row.minimum, row.maximum, row.help, {}});
-        std::visit([&](auto member) { specs.back().default_value = defaults.*member; }, row.member);
-    }
-    return specs;
-}
+struct ParameterTable {
+    std::span<const ParameterRow<Settings>> rows;
 
-/// The settings with the values of `parameters`, which must have been made from `specsOf(table)`.
-template <class Settings>
-Settings settingsOf(const std::vector<ParameterRow<Settings>>& table, const ParameterSet& parameters) {
-    struct Load {
-        Settings& into;
-        const ParameterSet& from;
-        const char* id;
-        void operator()(double Settings::*member) const { into.*member = from.real(id); }
-        void operator()(long long Settings::*member) const { into.*member = from.integer(id); }
-        void operator()(bool Settings::*member) const { into.*member = from.flag(id); }
-    };
-    Settings settings{};
-    for (const ParameterRow<Settings>& row : table)
-        std::visit(Load{settings, parameters, row.id}, row.member);
-    return settings;
-}
+    /// The specs for a form, in the order of the rows.
+    std::vector<ParameterSpec> specs() const {
+        static const Settings defaults{}; // static, because GCC 12 warns that one on the stack is uninitialized
+        std::vector<ParameterSpec> specs;
+        for (const ParameterRow<Settings>& row : rows) {
+            specs.push_back({row.id, row.label, row.group, row.unit, 0.0, row.minimum, row.maximum, row.help, {}});
+            std::visit([&](auto member) { specs.back().default_value = defaults.*member; }, row.member);
+        }
+        return specs;
+    }
+
+    /// The settings with the values of `parameters`, which must have been made from `specs()`.
+    Settings settings(const ParameterSet& parameters) const {
+        Settings settings{};
+        for (const ParameterRow<Settings>& row : rows)
+            std::visit([&](auto member) { parameters.read(row.id, settings.*member); }, row.member);
+        return settings;
+    }
+};
 
 } // namespace usar::agent

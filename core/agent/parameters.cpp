@@ -1,8 +1,6 @@
 #include "core/agent/parameters.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"
@@ -75,15 +73,6 @@ Result<ParameterValue> checked(const ParameterSpec& spec, ParameterValue value) 
     return value;
 }
 
-template <class T>
-const T& valueOf(const std::map<std::string, ParameterValue>& values, const std::string& id) {
-    const auto found = values.find(id);
-    assert(found != values.end() && "a parameter that has no spec was asked for");
-    const T* value = std::get_if<T>(&found->second);
-    assert(value && "a parameter was asked for as another type than its spec's");
-    return *value;
-}
-
 } // namespace
 
 Result<ParameterSet> ParameterSet::make(const std::vector<ParameterSpec>& specs,
@@ -102,22 +91,6 @@ Result<ParameterSet> ParameterSet::make(const std::vector<ParameterSpec>& specs,
         set.values_[id] = *std::move(judged);
     }
     return set;
-}
-
-double ParameterSet::real(const std::string& id) const {
-    return valueOf<double>(values_, id);
-}
-
-long long ParameterSet::integer(const std::string& id) const {
-    return valueOf<long long>(values_, id);
-}
-
-bool ParameterSet::flag(const std::string& id) const {
-    return valueOf<bool>(values_, id);
-}
-
-const std::string& ParameterSet::text(const std::string& id) const {
-    return valueOf<std::string>(values_, id);
 }
 
 } // namespace usar::agent

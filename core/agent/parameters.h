@@ -1,6 +1,7 @@
 // Typed parameters of a behavior, which are shown in forms, set in mission files and read by the behavior.
 #pragma once
 
+#include <cassert>
 #include <map>
 #include <string>
 #include <variant>
@@ -39,15 +40,29 @@ public:
                                      const std::map<std::string, ParameterValue>& values = {});
 
     /// The id must have a spec of the requested type (assertion).
-    double real(const std::string& id) const;
-    long long integer(const std::string& id) const;
-    bool flag(const std::string& id) const;
-    const std::string& text(const std::string& id) const;
+    double real(const std::string& id) const { return valueOf<double>(id); }
+    long long integer(const std::string& id) const { return valueOf<long long>(id); }
+    bool flag(const std::string& id) const { return valueOf<bool>(id); }
+    const std::string& text(const std::string& id) const { return valueOf<std::string>(id); }
+    /// Copies the value to `into`, whose type must be that of the parameter (assertion).
+    template <class Value>
+    void read(const std::string& id, Value& into) const {
+        into = valueOf<Value>(id);
+    }
     /// All values by id, including defaults.
     const std::map<std::string, ParameterValue>& values() const { return values_; }
     bool operator==(const ParameterSet&) const = default;
 
 private:
+    template <class Value>
+    const Value& valueOf(const std::string& id) const {
+        const auto found = values_.find(id);
+        assert(found != values_.end() && "a parameter that has no spec was asked for");
+        const auto* const value = std::get_if<Value>(&found->second);
+        assert(value && "a parameter was asked for as another type than its spec's");
+        return *value;
+    }
+
     std::map<std::string, ParameterValue> values_;
 };
 

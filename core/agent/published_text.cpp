@@ -1,8 +1,10 @@
 #include "core/agent/published_text.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
+#include <concepts>
 
 #include "core/base/numbers.h"
 #include "core/base/quoted_text.h"
@@ -12,11 +14,72 @@ namespace usar::agent {
 
 namespace {
 
+/// The first word of each text, in the order of PublishedVariant.
+constexpr std::array<std::string_view, std::variant_size_v<PublishedVariant>> words{
+    "status", "pose",     "mark",  "scan",   "path",    "goal",    "zones",
+    "event",  "finished", "trace", "halted", "resumed", "replaced"};
+
+/// Satisfied by `Plain` and by `const Plain`, so that one list of fields serves writing and reading.
+template <class Of, class Plain>
+concept Field = std::same_as<std::remove_const_t<Of>, Plain>;
+
+/// The fields of each type in the order of the text: `io` writes or reads them. A list has no end mark, so it comes
+/// last.
+struct FieldLists {
+    static void pass(auto& io, Field<LineNumber> auto& line) { io(line.value); }
+    static void pass(auto& io, Field<Vec2> auto& point) { io(point.x(), point.y()); }
+    static void pass(auto& io, Field<Vec3> auto& point) { io(point.x(), point.y(), point.z()); }
+    static void pass(auto& io, Field<Pose> auto& pose) {
+        io(pose.position_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad);
+    }
+    static void pass(auto& io, Field<BehaviorStatus> auto& status) {
+        io(status.time, status.elapsed, status.state, status.distance_to_goal_m, status.battery_used_pct);
+        io(status.range_left_m, status.progress_pct, status.time_left, status.distance_flown_m, status.charges);
+        io(status.paused);
+    }
+    static void pass(auto& io, Field<PoseEstimate> auto& estimate) { io(estimate.time, estimate.base_in_map); }
+    static void pass(auto& io, Field<MapMark> auto& mark) {
+        io(mark.kind, mark.position_in_map_m, mark.time, mark.line);
+    }
+    static void pass(auto& io, Field<ScanPlacement> auto& scan) { io(scan.scan_line, scan.scanner_in_map); }
+    static void pass(auto& io, Field<PlannedPath> auto& path) { io(path.points_in_map_m); }
+    static void pass(auto& io, Field<CurrentGoal> auto& goal) { io(goal.goal_in_map_m); }
+    static void pass(auto& io, Field<SonarZone> auto& zone) {
+        io(zone.name, zone.bearing_rad, zone.range_m, zone.maximum_m, zone.low_risk_below_m, zone.high_risk_below_m);
+        io(zone.risk);
+    }
+    static void pass(auto& io, Field<SonarZones> auto& zones) { io(zones.zones); }
+    static void pass(auto& io, Field<BehaviorEvent> auto& event) { io(event.severity, event.text); }
+    static void pass(auto& io, Field<BehaviorFinished> auto& finished) { io(finished.success, finished.reason); }
+    static void pass(auto& io, Field<PlanTrace> auto& trace) { io(trace.bytes); }
+    static void pass(auto& io, Field<PlanHalted> auto& halted) {
+        io(halted.cycle, halted.time, halted.breakpoint, halted.path, halted.reason);
+    }
+    static void pass(auto&, Field<PlanResumed> auto&) {}
+    static void pass(auto& io, Field<posh::Spot> auto& at) { io(at.line, at.column, at.offset, at.length); }
+    static void pass(auto& io, Field<posh::Finding> auto& found) {
+        io(found.code, found.at, found.opener, found.message);
+    }
+    static void pass(auto& io, Field<PlanReplaced> auto& replaced) {
+        io(replaced.fate, replaced.plan_name, replaced.cycle, replaced.reason, replaced.findings);
+    }
+
+    /// The last enumerator of each enumeration, beyond which a number is malformed.
+    static constexpr MarkKind last(MarkKind) { return MarkKind::GoalGivenUp; }
+    static constexpr Risk last(Risk) { return Risk::High; }
+    static constexpr Severity last(Severity) { return Severity::Error; }
+    static constexpr PlanFate last(PlanFate) { return PlanFate::Refused; }
+    static constexpr posh::Code last(posh::Code) { return posh::Code::UndeclaredArgument; }
+};
+
+/// Appends fields to a text, each after a blank.
 class Writer {
 public:
     explicit Writer(std::string& text) : text_(text) {}
 
-    void word(std::string_view word) { text_ += word; }
+    void operator()(const auto&... fields) { (add(fields), ...); }
+
+private:
     void add(double value) {
         text_ += ' ';
         if (std::isfinite(value))
@@ -25,20 +88,8 @@ public:
             text_ += "nan";
     }
     void add(Seconds value) { add(value.count()); }
-    void add(int value) { (text_ += ' ') += std::to_string(value); }
-    void add(std::uint64_t value) { (text_ += ' ') += std::to_string(value); }
-    void add(const posh::Spot& spot) {
-        for (const std::uint32_t number : {spot.line, spot.column, spot.offset, spot.length})
-            add(std::uint64_t{number});
-    }
-    void add(LineNumber value) { (text_ += ' ') += std::to_string(value.value); }
-    void add(const std::string& value) {
-        text_ += ' ';
-        appendQuoted(text_, value);
-    }
-    void add(const Vec2& point) { (add(point.x()), add(point.y())); }
-    void add(const Vec3& point) { (add(point.x()), add(point.y()), add(point.z())); }
-    void add(const Pose& pose) { (add(pose.position_m), add(pose.roll_rad), add(pose.pitch_rad), add(pose.yaw_rad)); }
+    void add(const std::integral auto& value) { (text_ += ' ') += std::to_string(value); }
+    void add(const std::string& value) { appendQuoted(text_ += ' ', value); }
     template <class Value>
     void add(const std::optional<Value>& value) {
         if (value)
@@ -46,85 +97,36 @@ public:
         else
             text_ += " -";
     }
-
-    void operator()(const BehaviorStatus& status) {
-        word("status");
-        (add(status.time), add(status.elapsed), add(status.state));
-        (add(status.distance_to_goal_m), add(status.battery_used_pct), add(status.range_left_m));
-        (add(status.progress_pct), add(status.time_left), add(status.distance_flown_m));
-        (add(status.charges), add(int{status.paused}));
+    template <class Value>
+    void add(const std::vector<Value>& values) {
+        for (const Value& value : values)
+            add(value);
     }
-    void operator()(const PoseEstimate& estimate) {
-        word("pose");
-        (add(estimate.time), add(estimate.base_in_map));
-    }
-    void operator()(const MapMark& mark) {
-        word("mark");
-        (add(static_cast<int>(mark.kind)), add(mark.position_in_map_m), add(mark.time), add(mark.line));
-    }
-    void operator()(const ScanPlacement& placement) {
-        word("scan");
-        (add(placement.scan_line), add(placement.scanner_in_map));
-    }
-    void operator()(const PlannedPath& path) {
-        word("path");
-        for (const Vec2& point : path.points_in_map_m)
-            add(point);
-    }
-    void operator()(const CurrentGoal& goal) {
-        word("goal");
-        add(goal.goal_in_map_m);
-    }
-    void operator()(const SonarZones& zones) {
-        word("zones");
-        for (const SonarZone& zone : zones.zones) {
-            (add(zone.name), add(zone.bearing_rad), add(zone.range_m), add(zone.maximum_m));
-            (add(zone.low_risk_below_m), add(zone.high_risk_below_m), add(static_cast<int>(zone.risk)));
-        }
-    }
-    void operator()(const BehaviorEvent& event) {
-        word("event");
-        (add(static_cast<int>(event.severity)), add(event.text));
-    }
-    void operator()(const BehaviorFinished& finished) {
-        word("finished");
-        (add(int{finished.success}), add(finished.reason));
-    }
-    void operator()(const PlanTrace& trace) {
-        word("trace");
-        add(trace.bytes);
-    }
-    void operator()(const PlanHalted& halted) {
-        word("halted");
-        (add(halted.cycle), add(halted.time), add(halted.breakpoint), add(halted.path), add(halted.reason));
-    }
-    void operator()(const PlanResumed&) { word("resumed"); }
-    void operator()(const PlanReplaced& replaced) {
-        word("replaced");
-        (add(static_cast<int>(replaced.fate)), add(replaced.plan_name), add(replaced.cycle), add(replaced.reason));
-        for (const posh::Finding& finding : replaced.findings)
-            (add(static_cast<int>(finding.code)), add(finding.at), add(finding.opener), add(finding.message));
+    template <class Value>
+    void add(const Value& value) {
+        if constexpr (std::is_enum_v<Value>)
+            add(static_cast<int>(value));
+        else
+            FieldLists::pass(*this, value);
     }
 
-private:
     std::string& text_;
 };
 
 /// Removes fields from a text. After a field that is missing or malformed, `fine` stays false.
-class Fields {
+class Reader {
 public:
-    explicit Fields(std::string_view text) : rest_(text) {}
+    explicit Reader(std::string_view text) : rest_(text) {}
 
-    bool done() {
-        rest_ = trimmed(rest_);
-        return rest_.empty();
-    }
-    bool fine() { return fine_ && done(); }
     std::string_view word() { return takeWord(rest_); }
+    bool fine() { return fine_ && done(); }
+    void operator()(auto&... fields) { (take(fields), ...); }
+
+private:
+    bool done() { return (rest_ = trimmed(rest_)).empty(); }
 
     void take(double& value) {
-        const std::string_view text = takeWord(rest_);
-        const auto number = readNumber(text);
+        const auto number = readNumber(word());
         fine_ = fine_ && number;
         value = number.value_or(0.0);
     }
@@ -133,135 +135,73 @@ public:
         take(seconds);
         value = Seconds{seconds};
     }
-    void take(LineNumber& value) { takeWhole(value.value); }
-    void take(std::string& value) { fine_ = takeQuoted(rest_, value) && fine_; }
-    void take(Vec2& point) { (take(point.x()), take(point.y())); }
-    void take(Vec3& point) { (take(point.x()), take(point.y()), take(point.z())); }
-    void take(Pose& pose) { (take(pose.position_m), take(pose.roll_rad), take(pose.pitch_rad), take(pose.yaw_rad)); }
     void take(bool& value) {
         int number = 0;
-        takeWhole(number);
+        take(number);
         value = number != 0;
     }
-    void take(int& value) { takeWhole(value); }
-    void take(std::uint64_t& value) { takeWhole(value); }
-    void take(posh::Spot& spot) {
-        for (std::uint32_t* const number : {&spot.line, &spot.column, &spot.offset, &spot.length})
-            takeWhole(*number);
+    void take(std::integral auto& value) {
+        const std::string_view text = word();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        fine_ = fine_ && error == std::errc() && end == text.data() + text.size();
     }
-    /// Takes an enumerator by its number, up to `last`.
-    template <class Enum>
-    void takeOneOf(Enum& value, Enum last) {
-        int number = 0;
-        takeWhole(number);
-        fine_ = fine_ && number >= 0 && number <= static_cast<int>(last);
-        value = static_cast<Enum>(number);
-    }
+    void take(std::string& value) { fine_ = takeQuoted(rest_, value) && fine_; }
     template <class Value>
     void take(std::optional<Value>& value) {
         rest_ = trimmed(rest_);
         if (rest_.starts_with("-") && (rest_.size() == 1 || rest_[1] == ' '))
-            takeWord(rest_);
+            word();
         else
             take(value.emplace());
     }
-
-private:
-    template <class Integer>
-    void takeWhole(Integer& value) {
-        const std::string_view text = takeWord(rest_);
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        fine_ = fine_ && error == std::errc() && end == text.data() + text.size();
+    template <class Value>
+    void take(std::vector<Value>& values) {
+        while (!done())
+            take(values.emplace_back());
+    }
+    template <class Value>
+    void take(Value& value) {
+        if constexpr (std::is_enum_v<Value>) {
+            int number = 0;
+            take(number);
+            fine_ = fine_ && number >= 0 && number <= static_cast<int>(FieldLists::last(value));
+            value = static_cast<Value>(number);
+        } else {
+            FieldLists::pass(*this, value);
+        }
     }
 
     std::string_view rest_;
     bool fine_ = true;
 };
 
-void read(Fields& fields, BehaviorStatus& status) {
-    (fields.take(status.time), fields.take(status.elapsed), fields.take(status.state));
-    (fields.take(status.distance_to_goal_m), fields.take(status.battery_used_pct), fields.take(status.range_left_m));
-    (fields.take(status.progress_pct), fields.take(status.time_left), fields.take(status.distance_flown_m));
-    (fields.take(status.charges), fields.take(status.paused));
-}
-void read(Fields& fields, PoseEstimate& estimate) {
-    (fields.take(estimate.time), fields.take(estimate.base_in_map));
-}
-void read(Fields& fields, MapMark& mark) {
-    fields.takeOneOf(mark.kind, MarkKind::GoalGivenUp);
-    (fields.take(mark.position_in_map_m), fields.take(mark.time), fields.take(mark.line));
-}
-void read(Fields& fields, ScanPlacement& placement) {
-    (fields.take(placement.scan_line), fields.take(placement.scanner_in_map));
-}
-void read(Fields& fields, PlannedPath& path) {
-    while (!fields.done())
-        fields.take(path.points_in_map_m.emplace_back(Vec2::Zero()));
-}
-void read(Fields& fields, CurrentGoal& goal) {
-    fields.take(goal.goal_in_map_m);
-}
-void read(Fields& fields, SonarZones& zones) {
-    while (!fields.done()) {
-        SonarZone& zone = zones.zones.emplace_back();
-        (fields.take(zone.name), fields.take(zone.bearing_rad), fields.take(zone.range_m), fields.take(zone.maximum_m));
-        (fields.take(zone.low_risk_below_m), fields.take(zone.high_risk_below_m));
-        fields.takeOneOf(zone.risk, Risk::High);
-    }
-}
-void read(Fields& fields, BehaviorEvent& event) {
-    fields.takeOneOf(event.severity, Severity::Error);
-    fields.take(event.text);
-}
-void read(Fields& fields, BehaviorFinished& finished) {
-    (fields.take(finished.success), fields.take(finished.reason));
-}
-void read(Fields& fields, PlanTrace& trace) {
-    fields.take(trace.bytes);
-}
-
-void read(Fields& fields, PlanHalted& halted) {
-    (fields.take(halted.cycle), fields.take(halted.time), fields.take(halted.breakpoint));
-    (fields.take(halted.path), fields.take(halted.reason));
-}
-void read(Fields&, PlanResumed&) {}
-void read(Fields& fields, PlanReplaced& replaced) {
-    fields.takeOneOf(replaced.fate, PlanFate::Refused);
-    (fields.take(replaced.plan_name), fields.take(replaced.cycle), fields.take(replaced.reason));
-    while (!fields.done()) {
-        posh::Finding& finding = replaced.findings.emplace_back();
-        fields.takeOneOf(finding.code, posh::Code::UndeclaredArgument);
-        (fields.take(finding.at), fields.take(finding.opener), fields.take(finding.message));
-    }
-}
-
-template <class Value>
-std::optional<Published> readAs(Fields& fields) {
-    Value value;
-    read(fields, value);
-    return fields.fine() ? std::optional<Published>(std::move(value)) : std::nullopt;
+template <class... Values>
+std::optional<Published> readOneOf(std::string_view text, std::type_identity<std::variant<Values...>>) {
+    Reader reader(text);
+    const std::string_view word = reader.word();
+    std::optional<Published> read;
+    const auto readAs = [&]<class Value>(std::string_view known, std::type_identity<Value>) {
+        if (known != word)
+            return;
+        Value value;
+        reader(value);
+        if (reader.fine())
+            read = std::move(value);
+    };
+    std::size_t index = 0;
+    (readAs(words[index++], std::type_identity<Values>()), ...);
+    return read;
 }
 
 } // namespace
 
 void appendText(std::string& text, const Published& value) {
+    text += words[value.index()];
     std::visit(Writer(text), value);
 }
 
 std::optional<Published> readPublished(std::string_view text) {
-    using Read = std::optional<Published> (*)(Fields&);
-    static constexpr std::pair<std::string_view, Read> readers[]{
-        {"status", readAs<BehaviorStatus>}, {"pose", readAs<PoseEstimate>},   {"mark", readAs<MapMark>},
-        {"scan", readAs<ScanPlacement>},    {"path", readAs<PlannedPath>},    {"goal", readAs<CurrentGoal>},
-        {"zones", readAs<SonarZones>},      {"event", readAs<BehaviorEvent>}, {"finished", readAs<BehaviorFinished>},
-        {"trace", readAs<PlanTrace>},       {"halted", readAs<PlanHalted>},   {"resumed", readAs<PlanResumed>},
-        {"replaced", readAs<PlanReplaced>}};
-    Fields fields(text);
-    const std::string_view word = fields.word();
-    for (const auto& [known, reader] : readers)
-        if (known == word)
-            return reader(fields);
-    return std::nullopt;
+    return readOneOf(text, std::type_identity<PublishedVariant>());
 }
 
 } // namespace usar::agent

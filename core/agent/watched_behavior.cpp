@@ -20,11 +20,7 @@ struct WatchedBehavior::Worker {
     std::unique_ptr<BehaviorHost> host;
     protocol::InfoLine line; ///< a copy, because the caller may overwrite its own while the behavior still uses it
     std::function<Output(BehaviorHost&)> call;
-    Output output;
-    protocol::Command safe;
-    bool halted = false;
-    bool finished = false;
-    bool broke = false;
+    BehaviorAnswer answer;
 
     enum class Turn { Owners, Workers, Nobodys };
     void pass(Turn to);
@@ -51,19 +47,14 @@ void WatchedBehavior::Worker::work() {
             if (turn == Turn::Nobodys)
                 return;
         }
-        output = call(*host);
-        safe = host->safeCommand({}).command;
-        halted = host->halted();
-        finished = host->finished();
-        broke = host->broke();
+        answer = answerOf(call(*host), *host);
         pass(Turn::Owners);
     }
 }
 
 WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
-    : worker_(std::make_shared<Worker>(std::move(host)))
-    , behavior_id_(worker_->host->behaviorId())
-    , safe_(lastResort(protocol::VehicleKind::Unknown)) {
+    : RemoteBehavior(host->behaviorId())
+    , worker_(std::make_shared<Worker>(std::move(host))) {
     std::thread([worker = worker_] { worker->work(); }).detach();
 }
 
@@ -81,28 +72,15 @@ RunningBehavior::Output WatchedBehavior::run(std::function<Output(BehaviorHost&)
         if (!worker_->turned.wait_for(lock, patience_, [this] { return worker_->turn == Worker::Turn::Owners; }))
             return giveUp(what);
     }
-    halted_ = worker_->halted;
-    finished_ = worker_->finished;
-    broke_ = worker_->broke;
-    safe_ = worker_->safe;
-    Output output = std::exchange(worker_->output, {});
-    if (owed_.commands.empty() && owed_.published.empty())
-        return output;
-    Output both = std::exchange(owed_, {});
-    both.append(std::move(output));
-    return both;
+    return take(std::move(worker_->answer));
 }
 
 RunningBehavior::Output WatchedBehavior::giveUp(const std::string& what) {
-    finished_ = broke_ = true;
-    halted_ = false;
-    Output output = std::exchange(owed_, {});
-    output.commands = {safeCommand(behavior_id_ + ": stopped because it hangs")};
-    output.published.push_back(BehaviorFinished{
-        false, "The behavior " + behavior_id_ + " hangs: it has not come back from " + what + " for " +
-                   fixed(patience_.count(), 1) +
-                   " s. Mend it, or let it run in a process of its own, which can be ended; then start it again."});
-    return output;
+    broke_ = true;
+    return finish("stopped because it hangs",
+                  "The behavior " + behavior_id_ + " hangs: it has not come back from " + what + " for " +
+                      fixed(patience_.count(), 1) +
+                      " s. Fix it, or let it run in a process of its own, which can be ended; then start it again.");
 }
 
 RunningBehavior::Output WatchedBehavior::begin() {
@@ -133,10 +111,6 @@ void WatchedBehavior::setParameters(const ParameterSet& parameters) {
             return Output{};
         },
         "new parameters");
-}
-
-CausedCommand WatchedBehavior::safeCommand(const std::string& source) const {
-    return {safe_, {source, last_line_}};
 }
 
 } // namespace usar::agent

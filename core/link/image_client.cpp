@@ -2,7 +2,6 @@
 #include "core/protocol/usual_values.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <QNetworkProxy>

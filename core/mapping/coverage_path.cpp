@@ -1,7 +1,6 @@
 #include "core/mapping/coverage_path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

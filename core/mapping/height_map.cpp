@@ -31,6 +31,20 @@ std::int32_t cellIndex(double coordinate_m, double cell_size_m) {
 
 } // namespace
 
+void HeightRange::include(std::optional<HeightRange>& range, float height_m) {
+    if (!range)
+        range = {height_m, height_m};
+    range->minimum_m = std::min(range->minimum_m, height_m);
+    range->maximum_m = std::max(range->maximum_m, height_m);
+}
+
+void CellBounds::include(std::optional<CellBounds>& bounds, GridIndex cell) {
+    if (!bounds)
+        bounds = {cell, cell};
+    bounds->first = {std::min(bounds->first.column, cell.column), std::min(bounds->first.row, cell.row)};
+    bounds->last = {std::max(bounds->last.column, cell.column), std::max(bounds->last.row, cell.row)};
+}
+
 HeightTile::HeightTile() {
     height_m.fill(std::numeric_limits<float>::quiet_NaN());
     preview_m.fill(std::numeric_limits<float>::quiet_NaN());
@@ -63,49 +77,25 @@ HeightMap::Slot& HeightMap::slotFor(GridIndex cell) {
     return *slot;
 }
 
-void HeightMap::note(Slot& slot, std::size_t offset, float height_m, LineNumber line) {
-    slot.tile.preview_m[offset] = height_m;
-    slot.tile.line[offset] = line.value;
-    if (!slot.changed) {
-        slot.changed = true;
-        changed_.push_back(slot.tile.index);
-    }
-    if (!range_)
-        range_ = HeightRange{height_m, height_m};
-    range_->minimum_m = std::min(range_->minimum_m, height_m);
-    range_->maximum_m = std::max(range_->maximum_m, height_m);
-}
-
-void HeightMap::write(GridIndex cell, float height_m, LineNumber line) {
+void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool measured) {
     if (!std::isfinite(height_m))
         return;
     Slot& slot = slotFor(cell);
     const std::size_t offset = offsetOf(cell);
     float& known_m = slot.tile.height_m[offset];
     std::uint16_t& hits = slot.tile.hits[offset];
-    if (std::isnan(known_m))
-        ++known_cells_;
-    known_m = hits == 0 ? height_m : (known_m + height_m) / 2.0f;
-    if (hits < std::numeric_limits<std::uint16_t>::max())
+    if (!measured && hits > 0)
+        return;
+    const bool is_new = std::isnan(known_m);
+    known_cells_ += is_new;
+    known_m = is_new || (measured && hits == 0) ? height_m : (known_m + height_m) / 2.0f;
+    if (measured && hits < std::numeric_limits<std::uint16_t>::max())
         ++hits;
-    note(slot, offset, height_m, line);
-}
-
-void HeightMap::fill(GridIndex cell, float height_m, LineNumber line) {
-    if (!std::isfinite(height_m))
-        return;
-    Slot& slot = slotFor(cell);
-    const std::size_t offset = offsetOf(cell);
-    if (slot.tile.hits[offset] > 0)
-        return;
-    float& known_m = slot.tile.height_m[offset];
-    if (std::isnan(known_m)) {
-        ++known_cells_;
-        known_m = height_m;
-    } else {
-        known_m = (known_m + height_m) / 2.0f;
-    }
-    note(slot, offset, height_m, line);
+    slot.tile.preview_m[offset] = height_m;
+    slot.tile.line[offset] = line.value;
+    if (!std::exchange(slot.changed, true))
+        changed_.push_back(slot.tile.index);
+    HeightRange::include(range_, height_m);
 }
 
 std::optional<float> HeightMap::height_m(GridIndex cell) const {
@@ -133,16 +123,14 @@ LineNumber HeightMap::line(GridIndex cell) const {
 }
 
 std::optional<CellBounds> HeightMap::bounds() const {
-    if (tiles_.empty())
+    std::optional<CellBounds> tiles;
+    for (const auto& [index, slot] : tiles_)
+        CellBounds::include(tiles, index);
+    if (!tiles)
         return std::nullopt;
-    GridIndex low = tiles_.begin()->first;
-    GridIndex high = low;
-    for (const auto& [index, slot] : tiles_) {
-        low = {std::min(low.column, index.column), std::min(low.row, index.row)};
-        high = {std::max(high.column, index.column), std::max(high.row, index.row)};
-    }
     constexpr std::int32_t side = HeightTile::side;
-    return CellBounds{{low.column * side, low.row * side}, {high.column * side + side - 1, high.row * side + side - 1}};
+    return CellBounds{{tiles->first.column * side, tiles->first.row * side},
+                      {tiles->last.column * side + side - 1, tiles->last.row * side + side - 1}};
 }
 
 std::size_t HeightMap::memoryBytes() const {

@@ -42,6 +42,9 @@ struct HeightRange {
     float minimum_m = 0.0f;
     float maximum_m = 0.0f;
     bool operator==(const HeightRange&) const = default;
+
+    /// Extends `range`, which may be nullopt, so that it includes the height.
+    static void include(std::optional<HeightRange>& range, float height_m);
 };
 
 /// A rectangle of cells that includes `last`.
@@ -50,6 +53,8 @@ struct CellBounds {
     GridIndex last;
     std::int64_t columns() const { return std::int64_t(last.column) - first.column + 1; }
     std::int64_t rows() const { return std::int64_t(last.row) - first.row + 1; }
+    /// Extends `bounds`, which may be nullopt, so that they include the cell.
+    static void include(std::optional<CellBounds>& bounds, GridIndex cell);
     bool operator==(const CellBounds&) const = default;
 };
 
@@ -68,10 +73,10 @@ public:
 
     /// Records a measured height. The preview takes the value; the array takes the value, or the mean of the old and
     /// the new one (thesis 4.2). A height that was only filled in is replaced. Ignores values that are not finite.
-    void write(GridIndex cell, float height_m, LineNumber line);
+    void write(GridIndex cell, float height_m, LineNumber line) { record(cell, height_m, line, true); }
     /// Records a height interpolated between measured ones, unless the cell has a measured height. Also takes the mean
     /// of the old and the new value. Ignores values that are not finite.
-    void fill(GridIndex cell, float height_m, LineNumber line);
+    void fill(GridIndex cell, float height_m, LineNumber line) { record(cell, height_m, line, false); }
 
     /// Values of a cell as in HeightTile; nullopt or 0 if the cell is unknown.
     std::optional<float> height_m(GridIndex cell) const;
@@ -103,8 +108,8 @@ private:
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
     /// sequence.
     Slot& slotFor(GridIndex cell);
-    /// Updates everything except the array: preview, provenance, list of changes and range.
-    void note(Slot& slot, std::size_t offset, float height_m, LineNumber line);
+    /// Records a height, measured or interpolated.
+    void record(GridIndex cell, float height_m, LineNumber line, bool measured);
 
     double cell_size_m_;
     std::map<GridIndex, std::unique_ptr<Slot>> tiles_;

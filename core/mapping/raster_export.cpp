@@ -21,26 +21,13 @@ std::int32_t middle(std::vector<std::int32_t> values) {
     return *half;
 }
 
-/// The bounding box, in tiles, of the tiles added so far.
-struct TileBounds {
-    std::int64_t first_column = std::numeric_limits<std::int32_t>::max();
-    std::int64_t last_column = std::numeric_limits<std::int32_t>::min();
-    std::int64_t first_row = first_column;
-    std::int64_t last_row = last_column;
-
-    void add(const GridIndex& index) {
-        first_column = std::min<std::int64_t>(first_column, index.column);
-        last_column = std::max<std::int64_t>(last_column, index.column);
-        first_row = std::min<std::int64_t>(first_row, index.row);
-        last_row = std::max<std::int64_t>(last_row, index.row);
-    }
-    bool fits(std::size_t tile_count) const {
-        const std::int64_t columns = (last_column - first_column + 1) * side;
-        const std::int64_t rows = (last_row - first_row + 1) * side;
-        const std::int64_t room = std::max(roomy_raster_cells, 4 * std::int64_t(tile_count) * side * side);
-        return columns <= maximum_raster_side && rows <= maximum_raster_side && columns * rows <= room;
-    }
-};
+/// True if one raster may hold `tile_count` tiles within these bounds, which count in tiles.
+bool fitInOne(const CellBounds& tiles, std::size_t tile_count) {
+    const std::int64_t columns = tiles.columns() * side;
+    const std::int64_t rows = tiles.rows() * side;
+    const std::int64_t room = std::max(roomy_raster_cells, 4 * std::int64_t(tile_count) * side * side);
+    return columns <= maximum_raster_side && rows <= maximum_raster_side && columns * rows <= room;
+}
 
 /// Removes from `indices`, which must not be empty, as many tiles as fit into one raster, nearest to the median tile
 /// first, and returns them.
@@ -55,11 +42,11 @@ std::vector<const HeightTile*> takeTilesForOne(const HeightMap& map, std::vector
         return std::max(std::abs(std::int64_t(index.column) - center.column),
                         std::abs(std::int64_t(index.row) - center.row));
     });
-    TileBounds bounds;
+    std::optional<CellBounds> bounds;
     std::size_t fitting = 1;
     for (std::size_t i = 0; i < indices.size(); ++i) {
-        bounds.add(indices[i]);
-        if (bounds.fits(i + 1))
+        CellBounds::include(bounds, indices[i]);
+        if (fitInOne(*bounds, i + 1))
             fitting = i + 1;
     }
     std::vector<const HeightTile*> tiles;
@@ -79,13 +66,8 @@ std::optional<CellBounds> knownBounds(const std::vector<const HeightTile*>& tile
     std::optional<CellBounds> bounds;
     for (const HeightTile* tile : tiles) {
         for (std::size_t i = 0; i < HeightTile::cell_count; ++i) {
-            if (std::isnan(tile->height_m[i]))
-                continue;
-            const GridIndex cell = cellOf(*tile, i);
-            if (!bounds)
-                bounds = CellBounds{cell, cell};
-            bounds->first = {std::min(bounds->first.column, cell.column), std::min(bounds->first.row, cell.row)};
-            bounds->last = {std::max(bounds->last.column, cell.column), std::max(bounds->last.row, cell.row)};
+            if (!std::isnan(tile->height_m[i]))
+                CellBounds::include(bounds, cellOf(*tile, i));
         }
     }
     return bounds;
@@ -121,12 +103,8 @@ Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>&
 std::optional<HeightRange> Raster::range() const {
     std::optional<HeightRange> range;
     for (const float height_m : heights_m) {
-        if (std::isnan(height_m))
-            continue;
-        if (!range)
-            range = HeightRange{height_m, height_m};
-        range->minimum_m = std::min(range->minimum_m, height_m);
-        range->maximum_m = std::max(range->maximum_m, height_m);
+        if (!std::isnan(height_m))
+            HeightRange::include(range, height_m);
     }
     return range;
 }

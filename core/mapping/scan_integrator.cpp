@@ -79,8 +79,6 @@ void computeHits(const Beams& beams, const Pose& scanner_in_map, std::vector<Vec
 
 } // namespace
 
-ScanIntegrator::ScanIntegrator(double gap_limit_m) : gap_limit_m_(gap_limit_m) {}
-
 void ScanIntegrator::integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map) {
     std::swap(hits_, previous_hits_);
     if (strip_broken_)
@@ -111,10 +109,6 @@ void ScanIntegrator::integrate(const Beams& beams, const Pose& scanner_in_map, L
             filler.joinInside(previous_hits_[k], previous_hits_[k + 1], hits_[k], hits_[k + 1]);
         joined_scans_at_k = joined_scans_at_next;
     }
-}
-
-void ScanIntegrator::breakStrip() {
-    strip_broken_ = true;
 }
 
 } // namespace usar::mapping

@@ -28,13 +28,13 @@ struct Beams {
 /// degrees off nadir, 1.1 m at 72). Each integrator is owned and called by one session.
 class ScanIntegrator {
 public:
-    explicit ScanIntegrator(double gap_limit_m = 1.5);
+    explicit ScanIntegrator(double gap_limit_m = 1.5) : gap_limit_m_(gap_limit_m) {}
 
     /// Writes the hits of one scan and fills the gaps. With a pose that is not finite, all beams are misses, so that
     /// the next scan is not joined to this one either. `line` is the number of the scan's info line.
     void integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map);
     /// Call it if the next scan does not continue the last one (transit, landing, another lane).
-    void breakStrip();
+    void breakStrip() { strip_broken_ = true; }
 
     /// Points hit by the last scan, in the map frame and in beam order; NaN for misses.
     const std::vector<Vec3>& lastHits() const { return hits_; }

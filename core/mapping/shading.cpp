@@ -1,6 +1,7 @@
 #include "core/mapping/shading.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // Converts heights to colors.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 

@@ -1,6 +1,5 @@
 #include "core/server/com_interface.h"
 
-#include <array>
 #include <optional>
 
 #include "core/base/numbers.h"
@@ -36,13 +35,11 @@ std::string writePoint(const Vec3& point_in_map_m) {
 } // namespace
 
 ComInterface::ComInterface(const sim::Simulation& simulation, RadioField& field, QObject* parent)
-    : QObject(parent)
+    : RequestServer("\r\n", "--cominterface-port", parent)
     , simulation_(simulation)
-    , field_(field)
-    , server_(
-          "\r\n", [this](int, std::string_view line) { return answer(line); }, this) {}
+    , field_(field) {}
 
-std::string ComInterface::answer(std::string_view line) {
+std::string ComInterface::answer(int, std::string_view line) {
     Diagnostics diagnostics;
     protocol::Segments segments;
     segments.read(line, diagnostics);

@@ -34,12 +34,10 @@ std::optional<quint16> readPort(const std::string& text) {
 } // namespace
 
 ComServer::ComServer(RadioRelay& relay, QObject* parent)
-    : QObject(parent)
-    , relay_(relay)
-    , server_(
-          ";", [this](int, std::string_view request) { return answer(request); }, this) {}
+    : RequestServer(";", "--comserver-port", parent)
+    , relay_(relay) {}
 
-std::string ComServer::answer(std::string_view request) {
+std::string ComServer::answer(int, std::string_view request) {
     const Words words = wordsOf(request);
     struct Method {
         const char* word;

@@ -8,9 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <QObject>
-
-#include "core/protocol/usual_values.h"
 #include "core/server/radio_relay.h"
 #include "core/server/request_server.h"
 
@@ -21,21 +18,14 @@ namespace usar::server {
 /// name outlives the connection that registered it, as in the game, where a robot may use a new connection for each
 /// request. Registered addresses are kept but not called, because all robots are on this machine. Runs in the
 /// simulator's thread; `relay` must outlive it.
-class ComServer : public QObject {
+class ComServer : public RequestServer {
     Q_OBJECT
 public:
-    static constexpr quint16 usual_port = protocol::usual_port::com_server;
-
     explicit ComServer(RadioRelay& relay, QObject* parent = nullptr);
-
-    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names
-    /// --comserver-port.
-    Result<quint16> listen(quint16 port) { return server_.listen(port, "--comserver-port"); }
-    quint16 port() const { return server_.port(); }
 
 private:
     using Words = std::vector<std::string>;
-    std::string answer(std::string_view request);
+    std::string answer(int client, std::string_view request) override;
     std::string registerRobot(const Words& words);
     std::string listenFor(const Words& words);
     std::string open(const Words& words);
@@ -45,7 +35,6 @@ private:
     bool makeRoom();
 
     RadioRelay& relay_;
-    RequestServer server_;
     std::map<std::string, std::string> addresses_;           ///< registered address, by robot
     std::vector<std::pair<std::string, quint16>> listening_; ///< robot and port, one entry per LISTEN
 };

@@ -1,8 +1,7 @@
 #include "core/server/image_server.h"
 
-#include <algorithm>
-
 #include "core/link/across_threads.h"
+#include "core/server/loopback.h"
 #include "core/server/picture_maker.h"
 
 namespace usar::server {
@@ -58,14 +57,7 @@ ImageServer::~ImageServer() {
 }
 
 Result<quint16> ImageServer::listen(quint16 port) {
-    if (!server_.listen(QHostAddress::LocalHost, port)) {
-        const std::string where = "127.0.0.1:" + std::to_string(port);
-        if (server_.serverError() == QAbstractSocket::AddressInUseError)
-            return failure("port " + std::to_string(port) + " is already in use", where,
-                           "Choose another one with --image-port, or end the program that listens there");
-        return failure(server_.errorString().toStdString(), where, "Choose another port with --image-port");
-    }
-    return server_.serverPort();
+    return listenOnLoopback(server_, port, "--image-port");
 }
 
 quint64 ImageServer::picturesMade() const {
@@ -75,8 +67,7 @@ quint64 ImageServer::picturesMade() const {
 void ImageServer::acceptAll() {
     while (QTcpSocket* const socket = server_.nextPendingConnection()) {
         if (viewers_.size() >= most_viewers) {
-            socket->abort();
-            socket->deleteLater();
+            refuse(socket);
             continue;
         }
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);

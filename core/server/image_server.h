@@ -2,8 +2,6 @@
 // 6.1).
 #pragma once
 
-#include <atomic>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>

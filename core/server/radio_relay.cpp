@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/numbers.h"
+#include "core/server/loopback.h"
 
 namespace usar::server {
 
@@ -49,8 +49,7 @@ void RadioRelay::takeCalls(const Way& way) {
     while (found != doors_.end() && found->second.server->hasPendingConnections()) {
         QTcpSocket* const call = found->second.server->nextPendingConnection();
         if (links_.size() >= most_links || !field_.reaches(from, to)) {
-            call->abort();
-            call->deleteLater();
+            refuse(call);
             continue;
         }
         add(new RelayedLink(from, to, call, callLoopback(to_port), LinkWords::None, this));

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <QHostAddress>
-#include <QNetworkProxy>
 #include <QTimer>
 
 namespace usar::server {
@@ -14,14 +12,6 @@ constexpr qint64 most_held_bytes = 64 << 10;
 constexpr int farewell_ms = 5000; ///< time that an end has to read the last bytes
 
 } // namespace
-
-QTcpSocket* callLoopback(quint16 port) {
-    auto* socket = new QTcpSocket;
-    socket->setProxy(QNetworkProxy::NoProxy);
-    socket->bind(QHostAddress::LocalHost, 0);
-    socket->connectToHost(QHostAddress::LocalHost, port);
-    return socket;
-}
 
 RelayedLink::RelayedLink(std::string from, std::string to, QTcpSocket* near_end, QTcpSocket* far_end, LinkWords words,
                          QObject* parent)

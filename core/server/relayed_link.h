@@ -51,8 +51,4 @@ private:
     bool ended_ = false;
 };
 
-/// Starts connecting to a port of this machine. The new socket's own port is known before the call is answered. The
-/// caller owns the socket.
-QTcpSocket* callLoopback(quint16 port);
-
 } // namespace usar::server

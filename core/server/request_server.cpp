@@ -16,10 +16,10 @@ constexpr qint64 most_unread_bytes = 64 << 10;
 
 } // namespace
 
-RequestServer::RequestServer(std::string ends, Answer answer, QObject* parent)
+RequestServer::RequestServer(std::string ends, std::string option, QObject* parent)
     : QObject(parent)
     , ends_(std::move(ends))
-    , answer_(std::move(answer))
+    , option_(std::move(option))
     , server_(this) {
     connect(&server_, &QTcpServer::newConnection, this, &RequestServer::acceptAll);
 }
@@ -29,21 +29,12 @@ RequestServer::~RequestServer() {
         client.socket->disconnect(this);
 }
 
-Result<quint16> RequestServer::listen(quint16 port, const std::string& option) {
-    if (server_.listen(QHostAddress::LocalHost, port))
-        return server_.serverPort();
-    const std::string where = "127.0.0.1:" + std::to_string(port);
-    if (server_.serverError() == QAbstractSocket::AddressInUseError)
-        return failure("port " + std::to_string(port) + " is already in use", where,
-                       "Choose another one with " + option + ", or end the program that listens there");
-    return failure(server_.errorString().toStdString(), where, "Choose another port with " + option);
-}
+void RequestServer::leave(int) {}
 
 void RequestServer::acceptAll() {
     while (QTcpSocket* const socket = server_.nextPendingConnection()) {
         if (clients_.size() >= most_clients_ && !makeRoom()) {
-            socket->abort();
-            socket->deleteLater();
+            refuse(socket);
             continue;
         }
         const int id = ++last_client_;
@@ -63,8 +54,7 @@ bool RequestServer::makeRoom() {
     if (silent == clients_.end())
         return false;
     silent->second.socket->disconnect(this);
-    silent->second.socket->abort();
-    silent->second.socket->deleteLater();
+    refuse(silent->second.socket);
     clients_.erase(silent);
     return true;
 }
@@ -119,7 +109,7 @@ void RequestServer::take(int id, std::string_view bytes) {
         if (std::exchange(client.dropping, false) || trimmed(request).empty())
             continue;
         client.has_asked = true;
-        const std::string reply = answer_(id, trimmed(request));
+        const std::string reply = answer(id, trimmed(request));
         client.socket->write(reply.data(), static_cast<qint64>(reply.size()));
     }
 }
@@ -131,8 +121,7 @@ void RequestServer::forget(int client) {
     serve(client); // Takes the last bytes that it sent.
     found->second.socket->deleteLater();
     clients_.erase(found);
-    if (gone_)
-        gone_(client);
+    leave(client);
 }
 
 } // namespace usar::server

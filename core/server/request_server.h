@@ -1,7 +1,6 @@
 // A loopback TCP server for short requests and short replies: the common part of the radio servers.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -10,7 +9,7 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 
-#include "core/base/result.h"
+#include "core/server/loopback.h"
 
 namespace usar::server {
 
@@ -20,21 +19,21 @@ namespace usar::server {
 class RequestServer : public QObject {
     Q_OBJECT
 public:
-    /// Returns the reply exactly as it is to be sent; may be empty. `request` is trimmed and never empty.
-    using Answer = std::function<std::string(int client, std::string_view request)>;
-
-    /// Each character of `ends` ends a request.
-    RequestServer(std::string ends, Answer answer, QObject* parent = nullptr);
     ~RequestServer() override;
 
-    /// Loopback only; port 0 chooses a free one. Returns the port. `option` is the command line option that an error
-    /// names as the remedy.
-    Result<quint16> listen(quint16 port, const std::string& option);
+    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names the option with
+    /// which to choose another.
+    Result<quint16> listen(quint16 port) { return listenOnLoopback(server_, port, option_); }
     quint16 port() const { return server_.serverPort(); }
-    /// `gone` is called when a client has disconnected, but not for one that was removed to make room.
-    void setGone(std::function<void(int client)> gone) { gone_ = std::move(gone); }
     void setMostClients(std::size_t count) { most_clients_ = count; }
-    std::size_t clients() const { return clients_.size(); }
+
+protected:
+    /// Each character of `ends` ends a request. `option` is the command line option for the port, for errors.
+    RequestServer(std::string ends, std::string option, QObject* parent);
+    /// Returns the reply exactly as it is to be sent; may be empty. `request` is trimmed and never empty.
+    virtual std::string answer(int client, std::string_view request) = 0;
+    /// Called when a client has disconnected, but not for one that was removed to make room.
+    virtual void leave(int client);
 
 private:
     struct Client {
@@ -54,8 +53,7 @@ private:
     void forget(int client);
 
     const std::string ends_;
-    Answer answer_;
-    std::function<void(int)> gone_;
+    const std::string option_;
     QTcpServer server_;
     std::map<int, Client> clients_;
     std::size_t most_clients_ = 256;

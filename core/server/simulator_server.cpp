@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/server/loopback.h"
 
 namespace usar::server {
 
@@ -40,16 +41,12 @@ SimulatorServer::~SimulatorServer() {
 }
 
 Result<quint16> SimulatorServer::listen(quint16 port) {
-    if (!server_.listen(QHostAddress::LocalHost, port)) {
-        const std::string where = "127.0.0.1:" + std::to_string(port);
-        if (server_.serverError() == QAbstractSocket::AddressInUseError)
-            return failure("port " + std::to_string(port) + " is already in use", where,
-                           "Choose another one with --port, or end the program that listens there");
-        return failure(server_.errorString().toStdString(), where, "Choose another port with --port");
+    const Result<quint16> listened = listenOnLoopback(server_, port, "--port");
+    if (listened) {
+        report_timer_.start(report_interval_ms);
+        advance();
     }
-    report_timer_.start(report_interval_ms);
-    advance();
-    return server_.serverPort();
+    return listened;
 }
 
 void SimulatorServer::setPace(Pace pace, double factor) {
@@ -153,7 +150,7 @@ void SimulatorServer::advanceFast() {
         tick();
         // Without lockstep, the clients must be able to read and to send commands between ticks.
         if (!simulation_->hasLockstepClients() || wall_.elapsed() > end_ms)
-            return arm(0);
+            return pace_timer_.start(0);
     }
 }
 
@@ -172,11 +169,7 @@ void SimulatorServer::advanceByClock() {
     const bool waiting = !simulation_->readyToStep();
     owed_ = std::min(owed_, (waiting ? 1.0 : most_ticks_owed) * tick_);
     if (!waiting || owed_ < tick_)
-        arm(static_cast<int>(std::ceil(std::max(0.0, (tick_ - owed_).count()) / factor_ * 1000.0)));
-}
-
-void SimulatorServer::arm(int milliseconds) {
-    pace_timer_.start(milliseconds);
+        pace_timer_.start(static_cast<int>(std::ceil(std::max(0.0, (tick_ - owed_).count()) / factor_ * 1000.0)));
 }
 
 void SimulatorServer::tick() {
@@ -199,7 +192,7 @@ void SimulatorServer::flush() {
         socket->write(bytes.data(), static_cast<qint64>(bytes.size()));
         socket->flush();
         if (socket->bytesToWrite() > unread_limit_bytes_) {
-            emit logged(tr("client %1: dropped, for it does not read: %2 MiB wait for it")
+            emit logged(tr("client %1: dropped because it does not read; %2 MiB wait for it")
                             .arg(client.value)
                             .arg(static_cast<double>(socket->bytesToWrite()) / (1 << 20), 0, 'f', 1));
             socket->abort();
@@ -236,8 +229,8 @@ void SimulatorServer::watchLockstep() {
         return;
     for (const sim::ClientId client : simulation_->awaited()) {
         simulation_->releaseFromLockstep(client);
-        emit logged(tr("client %1: taken out of lockstep, for it has said no STEP for %2 s while others waited; "
-                       "LOCKSTEP {On true} takes it in again")
+        emit logged(tr("client %1: taken out of lockstep because it has sent no STEP for %2 s while others waited; "
+                       "LOCKSTEP {On true} puts it back")
                         .arg(client.value)
                         .arg(static_cast<double>(held_up_.count()) / 1000.0, 0, 'f', 1));
     }

@@ -93,7 +93,6 @@ private:
     void advance();
     void advanceFast();
     void advanceByClock();
-    void arm(int milliseconds);
     void tick();
     void flush();
     void publishLog();

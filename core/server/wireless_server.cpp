@@ -42,14 +42,14 @@ std::optional<std::vector<quint16>> readPorts(std::string_view text) {
 } // namespace
 
 WirelessServer::WirelessServer(RadioRelay& relay, QObject* parent)
-    : QObject(parent)
-    , relay_(relay)
-    , server_(
-          "\r\n", [this](int client, std::string_view line) { return answer(client, line) + "\r\n"; }, this) {
-    server_.setGone([this](int client) { leave(client); });
-}
+    : RequestServer("\r\n", "--wireless-port", parent)
+    , relay_(relay) {}
 
 std::string WirelessServer::answer(int client, std::string_view line) {
+    return reply(client, line) + "\r\n";
+}
+
+std::string WirelessServer::reply(int client, std::string_view line) {
     Diagnostics diagnostics;
     protocol::Segments segments;
     segments.read(line, diagnostics);

@@ -7,9 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include <QObject>
-
-#include "core/protocol/usual_values.h"
 #include "core/server/radio_relay.h"
 #include "core/server/request_server.h"
 
@@ -20,18 +17,10 @@ namespace usar::server {
 /// instead of hanging up. In addition, for observers, `GETSS {Robot b} {From a}` is answered with `SS {Robot b} {From
 /// a} {Strength s}` for any two robots in the world, whoever asks. Runs in the simulator's thread; `relay` must outlive
 /// it.
-class WirelessServer : public QObject {
+class WirelessServer : public RequestServer {
     Q_OBJECT
 public:
-    static constexpr quint16 usual_port = protocol::usual_port::wireless;
-
     explicit WirelessServer(RadioRelay& relay, QObject* parent = nullptr);
-
-    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names
-    /// --wireless-port.
-    Result<quint16> listen(quint16 port) { return server_.listen(port, "--wireless-port"); }
-    quint16 port() const { return server_.port(); }
-    void setMostClients(std::size_t count) { server_.setMostClients(count); }
 
 private:
     /// A connection that has sent INIT.
@@ -40,17 +29,18 @@ private:
         std::vector<quint16> ports; ///< on which the robot listens
     };
 
-    std::string answer(int client, std::string_view line);
+    std::string answer(int client, std::string_view line) override;
+    /// The reply without its line end.
+    std::string reply(int client, std::string_view line);
     std::string init(int client, std::string_view robot, std::string_view ports);
     std::string strength(const std::string& own, const std::string& other);
     std::string strengthBetween(const std::string& from, const std::string& to);
     std::string door(const std::string& own, const std::string& other, std::string_view port);
     std::string caller(const std::string& own, std::string_view port);
     const Member* member(std::string_view robot) const;
-    void leave(int client);
+    void leave(int client) override;
 
     RadioRelay& relay_;
-    RequestServer server_;
     std::map<int, Member> members_; ///< by client id
 };
 

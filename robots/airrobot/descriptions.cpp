@@ -2,48 +2,25 @@
 
 #include "core/mapping/coverage_path.h"
 #include "robots/airrobot/survey_behavior.h"
-#include "robots/airrobot/survey_plan.h"
+#include "robots/airrobot/survey_body.h"
 
 namespace usar::airrobot {
 
-namespace {
-const char* const survey_id = "airrobot/cpp";
-const char* const planned_survey_id = "airrobot/posh";
-} // namespace
+extern const char survey_plan_text[]; // Contents of resources/plans/airrobot.lap
 
-agent::RobotDescription describeAirRobot() {
-    agent::BehaviorDescription survey;
-    survey.id = survey_id;
-    survey.name = "Terrain survey (C++)";
-    survey.help = "Maps the mission area in lanes, keeps its height over the terrain, goes round and over obstacles, "
-                  "charges at its base and lands there at the end.";
-    survey.needs_area = true;
-    survey.parameters = parameterSpecs();
-    agent::BehaviorDescription planned = survey;
-    planned.id = planned_survey_id;
-    planned.name = "Terrain survey (POSH)";
-    planned.help += " Decided by a POSH plan, which can be read and changed.";
-    const agent::PlanText plan = surveyPlan();
-    planned.plan_name = plan.name;
-    planned.plan_text = plan.text;
-    return {"USARBot.AirRobot",
-            "AirRobot",
-            {"INS", "GroundTruth", "RangeScanner", "Sonar"},
-            {std::move(survey), std::move(planned)},
-            surveyRegistry().descriptions()};
+AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "GroundTruth", "RangeScanner", "Sonar"}) {
+    add<SurveyBehavior>({.id = "airrobot/cpp",
+                         .name = "Terrain survey (C++)",
+                         .help = "Maps the mission area in lanes, keeps its height over the terrain, goes round and "
+                                 "over obstacles, charges at its base and lands there at the end.",
+                         .needs_area = true,
+                         .parameters = Settings::parameters.specs()});
+    addPlanned<SurveyBody>("airrobot/posh", "Terrain survey (POSH)", {"airrobot.lap", survey_plan_text},
+                           agent::registryOf<SurveyBody>({addSurveySenses, addSurveyActs}));
 }
 
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context) {
-    if (id == planned_survey_id)
-        return makePlannedSurvey(std::move(context));
-    if (id != survey_id)
-        return failure("the AirRobot has no such behavior", "behavior " + id,
-                       std::string("Use ") + survey_id + " or " + planned_survey_id);
-    return std::make_unique<SurveyBehavior>(std::move(context));
-}
-
-Result<agent::TaskPreview> previewSurvey(const agent::BehaviorContext& context) {
-    const Settings settings = settingsFrom(context.parameters);
+Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::BehaviorContext& context) const {
+    const Settings settings = Settings::parameters.settings(context.parameters);
     const Vec2 base_m = context.task.start_in_map.position_m.head<2>();
     const auto plan =
         mapping::planCoverage(context.task.area_in_map, base_m, {settings.lane_spacing_m, settings.quadrant_limit_m});

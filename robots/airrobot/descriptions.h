@@ -1,14 +1,17 @@
-// Description and behaviors of the AirRobot, separate from the plugin class so that tests can link them.
+// The AirRobot and its behaviors, separate from the plugin class so that tests can link them.
 #pragma once
 
-#include "core/agent/robot_plugin.h"
+#include "core/agent/listed_robot.h"
 
 namespace usar::airrobot {
 
-agent::RobotDescription describeAirRobot();
-/// Fails for an id that describeAirRobot does not list, and for a plan that cannot run on this robot.
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context);
-/// Returns the lanes of a survey and its duration without obstacles and charging. Fails if no lanes fit into the area.
-Result<agent::TaskPreview> previewSurvey(const agent::BehaviorContext& context);
+/// The behaviors "airrobot/cpp" and "airrobot/posh": the same SurveyFlight, controlled by C++ or by a plan.
+class AirRobot : public agent::ListedRobot {
+public:
+    AirRobot();
+    /// Returns the lanes of a survey and its duration without obstacles and charging. Fails if no lanes fit into the
+    /// area.
+    Result<agent::TaskPreview> preview(const std::string& id, const agent::BehaviorContext& context) const override;
+};
 
 } // namespace usar::airrobot

@@ -1,16 +1,14 @@
 // The settings of the AirRobot's flight, and the parameters through which the user sets them.
 #pragma once
 
-#include <vector>
-
-#include "core/agent/parameters.h"
+#include "core/agent/parameter_table.h"
 #include "core/base/geometry.h"
 
 namespace usar::airrobot {
 
 /// All values are in SI units. [T] marks values from the thesis (4.1, robots-and-worlds.md 3.1) and [SD] those from the
 /// later client built on it; the others were tuned in the world tall_test. Copied by value: new parameters take effect
-/// at the next tick. parameterSpecs has the limits and a help text for each.
+/// at the next tick.
 struct Settings {
     double scan_altitude_m = 6.0;    ///< [T] height over the ground below
     double floor_level_m = -25.0;    ///< [T] map z below which the robot never sinks, except to land
@@ -75,12 +73,10 @@ struct Settings {
     /// The risk ranges by ring (see ringOf), which must be 0 to 4.
     double lowRisk_m(std::size_t ring) const;
     double highRisk_m(std::size_t ring) const;
+
+    /// The parameters that the user can set, with their limits and help texts.
+    static const agent::ParameterTable<Settings> parameters;
     bool operator==(const Settings&) const = default;
 };
-
-/// The parameters that the user can set; their defaults are those of `Settings`.
-const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` must have been made from `parameterSpecs`.
-Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::airrobot

@@ -28,13 +28,9 @@ void addStep(SurveyPrimitives& primitives, std::string name, std::string help, D
     primitives.act(std::move(name), [act](SurveyBody& body) { body.with(act); }).describe(std::move(help));
 }
 
-/// Registers an act that runs in each cycle until `act` returns true.
-template <class Do>
-agent::PoshRegistry::Entry addTask(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
-    return primitives
-        .act(std::move(name),
-             [act](SurveyBody& body) { return body.with(act) ? ActResult::RunningOnce : ActResult::Running; })
-        .describe(std::move(help));
+/// The result of an act that runs in each cycle until it is done.
+ActResult until(bool done) {
+    return done ? ActResult::RunningOnce : ActResult::Running;
 }
 
 /// Registers an act that steps the launch checklist until `known(checklist)` holds.
@@ -48,20 +44,18 @@ void addQuery(SurveyPrimitives& primitives, std::string name, std::string help, 
                  });
                  if (state == LaunchState::Failed)
                      return ActResult::Failed;
-                 return known(body.flight().checklist()) ? ActResult::Finished : ActResult::Running;
+                 return std::invoke(known, body.flight().checklist()) ? ActResult::Finished : ActResult::Running;
              })
         .describe(std::move(help));
 }
 
 class ResetIns {
 public:
-    void init(SurveyBody& body, const PoshArguments&) {
-        body.with([](SurveyFlight& flight, agent::CommandPort&) { flight.beginReset(); });
-    }
+    void init(SurveyBody& body, const PoshArguments&) { body.with(&SurveyFlight::beginReset); }
     ActResult run(SurveyBody& body, const PoshArguments&) {
         const ResetState state = body.with(
             [&body](SurveyFlight& flight, agent::CommandPort& port) { return flight.stepReset(body.tick(), port); });
-        return state == ResetState::Done || state == ResetState::Failed ? ActResult::RunningOnce : ActResult::Running;
+        return until(state == ResetState::Done || state == ResetState::Failed);
     }
 };
 
@@ -73,36 +67,31 @@ public:
                 flight.beginLanding();
         });
     }
-    ActResult run(SurveyBody& body, const PoshArguments&) {
-        const bool down = body.with([](SurveyFlight& flight, agent::CommandPort& port) { return flight.land(port); });
-        return down ? ActResult::RunningOnce : ActResult::Running;
-    }
+    ActResult run(SurveyBody& body, const PoshArguments&) { return until(body.with(&SurveyFlight::land)); }
 };
 
 ActResult climbTo(SurveyBody& body, const PoshArguments& arguments) {
     const double asked_m = arguments.real("altitude");
     const double altitude_m = asked_m > 0.0 ? asked_m : body.flight().craft().settings.scan_altitude_m;
-    const bool there = body.with(
-        [altitude_m](SurveyFlight& flight, agent::CommandPort& port) { return flight.climb(altitude_m, port); });
-    return there ? ActResult::RunningOnce : ActResult::Running;
+    return until(body.with(
+        [altitude_m](SurveyFlight& flight, agent::CommandPort& port) { return flight.climb(altitude_m, port); }));
 }
 
 ActResult markLaunchReady(SurveyBody& body) {
     if (body.flight().paused())
         return ActResult::Running;
-    body.with([](SurveyFlight& flight, agent::CommandPort&) { flight.setOut(); });
+    body.with(&SurveyFlight::setOut);
     return ActResult::Finished;
 }
 
 void addLaunchActs(SurveyPrimitives& primitives) {
     addQuery(primitives, "QueryRobotConf", "Asks the server for the robot's configuration.",
-             [](const LaunchChecklist& list) { return list.configurationKnown(); });
+             &LaunchChecklist::configurationKnown);
     addQuery(primitives, "QuerySonarGeo", "Asks the server for geometry and limits of sonars and range scanner.",
-             [](const LaunchChecklist& list) { return list.geometryKnown(); });
+             &LaunchChecklist::geometryKnown);
     addQuery(primitives, "WaitForSensors", "Waits for a first reading of INS, sonars and range scanner.",
-             [](const LaunchChecklist& list) { return list.ready(); });
-    addNote(primitives, "InitPreview", "Plans the lanes over the area.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.planSurvey(port); });
+             &LaunchChecklist::ready);
+    addNote(primitives, "InitPreview", "Plans the lanes over the area.", &SurveyFlight::planSurvey);
     primitives.act<ResetIns>("ResetIns").describe("Rests, then sets the INS from ground truth.");
     primitives.act("MarkLaunchReady", markLaunchReady)
         .describe("Notes that the launch is complete; waits while the robot is paused.");
@@ -113,8 +102,7 @@ void addFlightActs(SurveyPrimitives& primitives) {
         .describe("Climbs straight up.")
         .takes(agent::PoshParameter::number("altitude", 0.0, "m", 0.0, 30.0,
                                             "Above where it stood; 0 for the scan altitude of the mission."));
-    addNote(primitives, "MarkAirborne", "Notes that the scan altitude is reached.",
-            [](SurveyFlight& flight, agent::CommandPort&) { flight.beginWork(); });
+    addNote(primitives, "MarkAirborne", "Notes that the scan altitude is reached.", &SurveyFlight::beginWork);
     const auto cruise = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Cruise, port); };
     const auto avoid = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Avoid, port); };
     addStep(primitives, "FlyToGoal", "Flies toward the present goal of the survey.", cruise);
@@ -123,49 +111,50 @@ void addFlightActs(SurveyPrimitives& primitives) {
     addStep(primitives, "EvadeOpposite", "A sudden move away from the greatest threat.", avoid);
     addNote(primitives, "PlotDiversion",
             "Chooses the greatest threat, sums the sonars to its left and right, and sets a point on the freer side.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.decide(port); });
+            &SurveyFlight::decide);
     addStep(primitives, "FollowDiversion", "Flies to the point set, or waits where there is no way.", avoid);
     addStep(primitives, "ClimbOver", "Backs away from the obstacle, climbs until the way is free, and crosses.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::ClimbOver, port); });
-    addStep(primitives, "HoldPlace", "Waits where it was when it was paused.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.holdPlace(port); });
+    addStep(primitives, "HoldPlace", "Waits where it was when it was paused.", &SurveyFlight::holdPlace);
     addStep(primitives, "WaitForData", "Stops, and gives up when a sensor stays silent for 15 s.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.awaitSensors(port); });
+            &SurveyFlight::awaitSensors);
     addStep(primitives, "Hover", "Stops for a cycle.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "hovering"); });
 }
 
 void addGoalActs(SurveyPrimitives& primitives) {
     addNote(primitives, "NextGoal", "Takes the next goal: along the lane, the next lane or quadrant, or home.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.nextGoal(port); });
-    addNote(primitives, "SkipGoal", "Declares the goal unreachable and takes the next.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.skipGoal(port); });
-    const auto return_home = [](SurveyFlight& flight, agent::CommandPort& port) { flight.returnToCharge(port); };
+            &SurveyFlight::nextGoal);
+    addNote(primitives, "SkipGoal", "Declares the goal unreachable and takes the next.", &SurveyFlight::skipGoal);
+    const auto return_home = &SurveyFlight::returnToCharge;
     addNote(primitives, "StoreGoalAndReturn", "Remembers where the lane was left, and makes the base the goal.",
             return_home);
     addNote(primitives, "StoreOuterGoalAndReturn",
-            "The same in a diversion, which is forgotten: the lane is the goal behind it.", return_home);
+            "The same during a diversion, which is forgotten; the lane is the next goal after it.", return_home);
     addNote(primitives, "AbortScan", "No more goals; the base is the goal, and the scan ends there.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.abortScan(port); });
+            &SurveyFlight::abortScan);
     addNote(primitives, "GiveUpAndReturn", "The robot's own battery runs out: home, and the scan ends there.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.obeyRobotBattery(port); });
+            &SurveyFlight::obeyRobotBattery);
     addNote(primitives, "LandHere", "The way home is blocked: the robot lands where it is, and the scan ends there.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.landHere(port); });
+            &SurveyFlight::landHere);
 }
 
 void addGroundActs(SurveyPrimitives& primitives) {
     primitives.act<LandAtBase>("LandAtBase")
         .describe("Sinks onto a free place at the base until it touches the ground.");
-    addTask(primitives, "HoldOnGround", "Stands for as long as charging takes, and while the robot is paused.",
-            [](SurveyFlight& flight, agent::CommandPort&) { return flight.charged() && !flight.paused(); });
-    addNote(primitives, "Recharge", "Fills the simulated battery.",
-            [](SurveyFlight& flight, agent::CommandPort&) { flight.recharge(); });
+    primitives
+        .act("HoldOnGround",
+             [](SurveyBody& body) {
+                 return until(body.with([](SurveyFlight& flight) { return flight.charged() && !flight.paused(); }));
+             })
+        .describe("Stands for as long as charging takes, and while the robot is paused.");
+    addNote(primitives, "Recharge", "Fills the simulated battery.", &SurveyFlight::recharge);
     addNote(primitives, "ResumeScan", "Takes the lane up where it was left, and allows the start.",
-            [](SurveyFlight& flight, agent::CommandPort&) { flight.setOut(); });
+            &SurveyFlight::setOut);
     addNote(primitives, "StopRotors", "Zero DRIVE.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "rotors off"); });
     addNote(primitives, "MarkFinished", "Says how the scan ended; its files are written then.",
-            [](SurveyFlight& flight, agent::CommandPort& port) { flight.conclude(port); });
+            &SurveyFlight::conclude);
 }
 
 } // namespace

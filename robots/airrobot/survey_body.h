@@ -1,7 +1,9 @@
 // The state that the senses and acts of a surveying AirRobot share: the flight and the current tick.
 #pragma once
 
-#include "core/agent/posh_registry.h"
+#include <functional>
+
+#include "core/agent/posh_primitives.h"
 #include "robots/airrobot/survey_flight.h"
 
 namespace usar::airrobot {
@@ -12,11 +14,15 @@ public:
     explicit SurveyBody(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
     const SurveyFlight& flight() const { return flight_; }
-    /// Calls `act(flight, port)` and passes on what the flight sends and publishes. Returns the result of `act`.
+    /// Calls `act` (a function or a member of SurveyFlight) as `act(flight)` or `act(flight, port)`, and passes on what
+    /// the flight sends and publishes. Returns the result of `act`.
     template <class Act>
-    auto with(Act&& act) {
+    auto with(const Act& act) {
         const Forward forward(*this);
-        return act(flight_, port_);
+        if constexpr (std::is_invocable_v<const Act&, SurveyFlight&>)
+            return std::invoke(act, flight_);
+        else
+            return std::invoke(act, flight_, port_);
     }
     /// The current tick; valid only between begin and end.
     const agent::Tick& tick() const { return *tick_; }

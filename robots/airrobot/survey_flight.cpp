@@ -34,11 +34,11 @@ Seconds longestSilence(const Senses& senses) {
 SurveyFlight::SurveyFlight(agent::BehaviorContext context)
     : task_(std::move(context.task))
     , base_in_map_(task_.start_in_map) {
-    craft_.settings = settingsFrom(context.parameters);
+    craft_.settings = Settings::parameters.settings(context.parameters);
 }
 
 void SurveyFlight::setParameters(const agent::ParameterSet& parameters) {
-    craft_.settings = settingsFrom(parameters);
+    craft_.settings = Settings::parameters.settings(parameters);
 }
 
 bool SurveyFlight::inTheAir() const {
@@ -133,17 +133,12 @@ void SurveyFlight::beginReset() {
 ResetState SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
     const ResetState before = ins_reset_.state();
     const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
-    if (reset != before)
-        onResetEnded(reset, port);
-    return reset;
-}
-
-void SurveyFlight::onResetEnded(ResetState reset, agent::CommandPort& port) const {
-    if (reset == ResetState::Failed)
+    if (reset != before && reset == ResetState::Failed)
         port.publish(
             agent::BehaviorEvent{Severity::Warning, "The INS could not be set; the flight goes on with its drift."});
-    if (reset == ResetState::Done)
+    if (reset != before && reset == ResetState::Done)
         port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
+    return reset;
 }
 
 void SurveyFlight::setOut() {

@@ -2,9 +2,6 @@
 // they do the same things with the same code (the thesis's Context, 4.3).
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "core/agent/robot_plugin.h"
 #include "robots/airrobot/flight/craft.h"
 #include "robots/airrobot/flight/ins_reset.h"
@@ -53,8 +50,7 @@ public:
     bool goalReached() const { return survey_.goalReached(craft_.senses.position2_m(), craft_.settings); }
     /// Whether no goals are left, or the survey was given up.
     bool scanOver() const { return errand_ == Errand::Done || errand_ == Errand::GivenUp; }
-    /// The share of the simulated battery that is left beyond the beeline home and the reserve; negative if it is too
-    /// late.
+    /// The share of the simulated battery beyond the beeline home and the reserve; negative if it is too late.
     double batteryMargin() const;
     /// Whether the robot's own battery, which the simulator cannot charge, lasts only for the way home.
     bool robotBatteryLow() const;
@@ -71,8 +67,7 @@ public:
     void planSurvey(agent::CommandPort& port);
     void beginReset();
     ResetState stepReset(const agent::Tick& tick, agent::CommandPort& port);
-    /// Starts from the ground, after the launch or a charge. Forgets all known places, which belong to the old
-    /// estimate.
+    /// Starts from the ground, after the launch or a charge. Forgets all places, which belong to the old estimate.
     void setOut();
 
     // In the air.
@@ -124,19 +119,16 @@ private:
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
     void endPause(const std::string& why, agent::CommandPort& port);
-    void onResetEnded(ResetState reset, agent::CommandPort& port) const;
     void markRecharge(agent::CommandPort& port) const;
     double beelineHome_m() const;
     std::string words() const;
     std::optional<Seconds> timeLeft() const;
-    double progress_pct() const;
 
     agent::Task task_;
     Craft craft_;
     LaunchChecklist checklist_;
     InsReset ins_reset_;
     Survey survey_;
-
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;

@@ -28,12 +28,6 @@ std::string SurveyFlight::words() const {
     return {};
 }
 
-double SurveyFlight::progress_pct() const {
-    if (survey_.laneCount() == 0)
-        return 0.0;
-    return 100.0 * survey_.doneLength_m() / survey_.totalLength_m();
-}
-
 std::optional<Seconds> SurveyFlight::timeLeft() const {
     if (survey_.laneCount() == 0)
         return std::nullopt;
@@ -57,7 +51,7 @@ agent::BehaviorStatus SurveyFlight::status() const {
     status.distance_to_goal_m = goal_distance_m_;
     status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
     status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
-    status.progress_pct = progress_pct();
+    status.progress_pct = planned() ? 100.0 * survey_.doneLength_m() / survey_.totalLength_m() : 0.0;
     status.time_left = timeLeft();
     status.distance_flown_m = craft_.battery.flown_m();
     status.charges = craft_.battery.charges();

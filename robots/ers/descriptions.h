@@ -1,12 +1,14 @@
-// Description and behaviors of the ERS, separate from the plugin class so that tests can link them.
+// The ERS and its behaviors, separate from the plugin class so that tests can link them.
 #pragma once
 
-#include "core/agent/robot_plugin.h"
+#include "core/agent/listed_robot.h"
 
 namespace usar::ers {
 
-agent::RobotDescription describeErs();
-/// Fails for an id that describeErs does not list.
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context);
+/// The behavior "ers/cpp": see KickerBehavior.
+class ErsRobot : public agent::ListedRobot {
+public:
+    ErsRobot();
+};
 
 } // namespace usar::ers

@@ -5,17 +5,10 @@
 
 namespace usar::ers {
 
-class ErsPlugin : public QObject, public agent::RobotPlugin {
+class ErsPlugin : public QObject, public ErsRobot {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/4" FILE "ers.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
-
-public:
-    agent::RobotDescription description() const override { return describeErs(); }
-    Result<std::unique_ptr<agent::Behavior>> createBehavior(const std::string& id,
-                                                            agent::BehaviorContext context) const override {
-        return makeBehavior(id, std::move(context));
-    }
 };
 
 } // namespace usar::ers

@@ -19,8 +19,6 @@ constexpr double way_step_m = 0.1; ///< shorter moves are only swaying and do no
 
 } // namespace
 
-Kicker::Kicker(agent::BehaviorContext context) : settings_(settingsFrom(context.parameters)) {}
-
 void Kicker::perceive(const agent::Tick& tick) {
     if (!run_.began)
         lost_at_ = tick.now;
@@ -118,10 +116,6 @@ Strides Kicker::circle() {
     run_.state = tight ? "looking around for the ball" : "looking for the ball";
     const double inner_m = settings_.stride_m * (tight ? settings_.tight_share_pct : settings_.wide_share_pct) / 100.0;
     return last_on_the_right_ ? Strides{settings_.stride_m, inner_m} : Strides{inner_m, settings_.stride_m};
-}
-
-agent::BehaviorStatus Kicker::status() const {
-    return run_.status(Seconds(settings_.play_time_s), way_m_);
 }
 
 } // namespace usar::ers

@@ -2,12 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "core/agent/robot_plugin.h"
-#include "core/agent/timed_run.h"
+#include "core/agent/timed_behavior.h"
 #include "core/modules/specific_sensor.h"
 #include "robots/ers/gait.h"
 #include "robots/ers/settings.h"
@@ -17,9 +13,9 @@ namespace usar::ers {
 /// The thesis's robot (3.5.2). Of its many sensors it uses only the ball finder, through the module for a specific
 /// sensor, and the INS, to notice that it lies on its side. Walks in circles until it sees the ball, walks to it, and
 /// kicks it by walking on. Owned by one behavior; times are those of the protocol clock.
-class Kicker {
+class Kicker : public agent::TimedDecider<Settings> {
 public:
-    explicit Kicker(agent::BehaviorContext context);
+    using TimedDecider::TimedDecider;
 
     void hear(const protocol::InfoLine& line) { ball_.take(line, run_.now); }
     /// Evaluates the newest readings. Call it once per tick, before the other functions.
@@ -30,18 +26,9 @@ public:
     /// Makes the gait start with standing up, because the robot is about to be righted.
     void standUpAgain() { gait_.reset(); }
 
-    void order(agent::Order order) { run_.order(order); }
-    void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
-    const Settings& settings() const { return settings_; }
-    /// The current activity, in words.
-    const std::string& state() const { return run_.state; }
-    agent::BehaviorStatus status() const;
+    agent::BehaviorStatus status() const { return run_.status(Seconds(settings_.play_time_s), way_m_); }
     /// The newest pose from the INS; nullopt before the first reading.
     const std::optional<Pose>& base_in_map() const { return base_in_map_; }
-    /// How the behavior ended; nullopt while it runs.
-    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
-    /// Returns the events since the last call.
-    std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
     /// The place of the ball in the camera's picture, as tangents of the angles to the right of and below its middle.
@@ -57,8 +44,6 @@ private:
     Strides circle();
     Strides steer(double turn_right) const;
 
-    agent::TimedRun run_;
-    Settings settings_;
     modules::SpecificSensor<protocol::BallReading> ball_;
     Gait gait_;
 
@@ -73,7 +58,6 @@ private:
     Vec2 way_from_m_ = Vec2::Zero();  ///< position up to which way_m_ counts
     double way_m_ = 0.0;              ///< distance walked
     bool fallen_ = false;
-    std::vector<agent::BehaviorEvent> events_;
 };
 
 } // namespace usar::ers

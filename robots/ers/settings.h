@@ -1,16 +1,12 @@
 // The settings of an ERS that follows a ball.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "core/agent/parameters.h"
+#include "core/agent/parameter_table.h"
 #include "core/base/geometry.h"
 
 namespace usar::ers {
 
-/// All values are in SI units. Copied by value: new parameters take effect at the next tick. parameterSpecs has the
-/// limits and a help text for each.
+/// All values are in SI units. Copied by value: new parameters take effect at the next tick.
 struct Settings {
     double stride_m = 0.05;
     double lift_m = 0.012;
@@ -23,12 +19,10 @@ struct Settings {
     bool trace = true;
     double trace_interval_s = 1.0;
     double play_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
+
+    /// The parameters that the user can set, with their limits and help texts.
+    static const agent::ParameterTable<Settings> parameters;
     bool operator==(const Settings&) const = default;
 };
-
-/// The parameters that the user can set; their defaults are those of `Settings`.
-const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` must have been made from `parameterSpecs`.
-Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::ers

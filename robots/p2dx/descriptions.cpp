@@ -1,43 +1,21 @@
 #include "robots/p2dx/descriptions.h"
 
 #include "robots/p2dx/explorer_behavior.h"
-#include "robots/p2dx/explorer_plan.h"
+#include "robots/p2dx/explorer_body.h"
 
 namespace usar::p2dx {
 
-namespace {
-const char* const coded_id = "p2dx/cpp";
-const char* const planned_id = "p2dx/posh";
-} // namespace
+extern const char explorer_plan_text[]; // Contents of resources/plans/p2dx.lap
 
-agent::RobotDescription describeP2dx() {
-    agent::BehaviorDescription coded;
-    coded.id = coded_id;
-    coded.name = "Most open direction (C++)";
-    coded.help = "Heads for the most open third of the laser's view, backs away and turns where something is too close "
-                 "ahead, and turns around where it gets no further. Stays in the area, if there is one.";
-    coded.parameters = parameterSpecs();
-    agent::BehaviorDescription planned = coded;
-    planned.id = planned_id;
-    planned.name = "Most open direction (POSH)";
-    planned.help += " Decided by a POSH plan, which can be read and changed.";
-    const agent::PlanText plan = explorerPlan();
-    planned.plan_name = plan.name;
-    planned.plan_text = plan.text;
-    return {"USARBot.P2DX",
-            "P2DX",
-            {"RangeScanner", "Sonar", "INS"},
-            {std::move(coded), std::move(planned)},
-            explorerRegistry().descriptions()};
-}
-
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context) {
-    if (id == planned_id)
-        return makePlannedExplorer(std::move(context));
-    if (id != coded_id)
-        return failure("the P2DX has no such behavior", "behavior " + id,
-                       std::string("Use ") + coded_id + " or " + planned_id);
-    return std::make_unique<ExplorerBehavior>(std::move(context));
+P2dxRobot::P2dxRobot() : ListedRobot("USARBot.P2DX", "P2DX", {"RangeScanner", "Sonar", "INS"}) {
+    add<ExplorerBehavior>({.id = "p2dx/cpp",
+                           .name = "Most open direction (C++)",
+                           .help = "Heads for the most open third of the laser's view, backs away and turns where "
+                                   "something is too close ahead, and turns around where it gets no further. Stays in "
+                                   "the area, if there is one.",
+                           .parameters = Settings::parameters.specs()});
+    addPlanned<ExplorerBody>("p2dx/posh", "Most open direction (POSH)", {"p2dx.lap", explorer_plan_text},
+                             agent::registryOf<ExplorerBody>({addExplorerSenses, addExplorerActs}));
 }
 
 } // namespace usar::p2dx

@@ -1,12 +1,14 @@
-// Description and behaviors of the P2DX, separate from the plugin class so that tests can link them.
+// The P2DX and its behaviors, separate from the plugin class so that tests can link them.
 #pragma once
 
-#include "core/agent/robot_plugin.h"
+#include "core/agent/listed_robot.h"
 
 namespace usar::p2dx {
 
-agent::RobotDescription describeP2dx();
-/// Fails for an id that describeP2dx does not list, and for a plan that cannot run on this robot.
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context);
+/// The behaviors "p2dx/cpp" and "p2dx/posh": the same senses and acts, used by C++ or by a plan.
+class P2dxRobot : public agent::ListedRobot {
+public:
+    P2dxRobot();
+};
 
 } // namespace usar::p2dx

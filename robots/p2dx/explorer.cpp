@@ -45,10 +45,6 @@ constexpr double scanner_reach_m = 20.0;
 
 } // namespace
 
-Explorer::Explorer(agent::BehaviorContext context)
-    : settings_(settingsFrom(context.parameters))
-    , area_in_map_(context.task.area_in_map) {}
-
 void Explorer::hear(const protocol::InfoLine& line) {
     if (const auto* scan = std::get_if<protocol::RangeScan>(&line.message)) {
         scan_ = *scan;
@@ -130,10 +126,6 @@ void Explorer::watchClock() {
 
 Seconds Explorer::scanAge() const {
     return scan_at_ && !frozen() ? run_.now - *scan_at_ : never;
-}
-
-bool Explorer::blind() const {
-    return scanAge() > blind_after;
 }
 
 bool Explorer::waiting() const {
@@ -276,10 +268,6 @@ void Explorer::escape() {
         beginBacking(escape_back_m);
     else
         beginTurn(escape_rad);
-}
-
-agent::BehaviorStatus Explorer::status() const {
-    return run_.status(Seconds(settings_.drive_time_s), track_.distance_m());
 }
 
 } // namespace usar::p2dx

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "core/agent/robot_plugin.h"
-#include "core/agent/timed_run.h"
+#include "core/agent/timed_behavior.h"
 #include "robots/p2dx/surroundings.h"
 #include "robots/p2dx/track.h"
 
 namespace usar::p2dx {
+
+/// If the newest scan is older than this, the robot stops.
+inline constexpr Seconds blind_after{2.0};
 
 /// Senses describe the situation and acts return the DRIVE command of a tick; call `perceive` once per tick before
 /// them. The robot roams until it is in danger. Then it backs away as far as it knows the ground there, turns away from
@@ -22,9 +22,11 @@ namespace usar::p2dx {
 /// noise, and on a plain there is no echo for a long way. The sonars do not help to tell, because low objects make them
 /// hear what no scan shows. In that case only the sonars turn the robot back from what is ahead, and it may touch what
 /// is beside it.
-class Explorer {
+class Explorer : public agent::TimedDecider<Settings> {
 public:
-    explicit Explorer(agent::BehaviorContext context);
+    explicit Explorer(const agent::BehaviorContext& context)
+        : TimedDecider(context)
+        , area_in_map_(context.task.area_in_map) {}
 
     /// Stores scan, sonar echoes and INS reading of an info line. As in the thesis, the robot does not use the modules.
     void hear(const protocol::InfoLine& line);
@@ -56,17 +58,8 @@ public:
     /// Begins to turn around; the second time in the same place it backs away first. Commands no wheels itself.
     void escape();
 
-    /// Always true: the order was handled.
-    bool order(agent::Order order) { return run_.order(order); }
-    void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
-    /// The current activity, in words.
-    const std::string& state() const { return run_.state; }
-    agent::BehaviorStatus status() const;
+    agent::BehaviorStatus status() const { return run_.status(Seconds(settings_.drive_time_s), track_.distance_m()); }
     agent::PoseEstimate pose() const { return {run_.now, track_.base_in_map()}; }
-    /// How the behavior ended; nullopt while it runs.
-    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
-    /// Returns the events since the last call.
-    std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
     enum class Maneuver { None, Backing, Turning };
@@ -79,7 +72,7 @@ private:
     void watchClock();
     void stepManeuver(Seconds dt);
     void stepTurn();
-    bool blind() const;
+    bool blind() const { return scanAge() > blind_after; }
     bool frozen() const;
     bool tooClose() const;
     bool wayIsFree() const;
@@ -90,8 +83,6 @@ private:
     double innerShare(double side_m) const;
     protocol::SkidDrive drive(double left_m_s, double right_m_s, Motion motion, const char* state);
 
-    agent::TimedRun run_;
-    Settings settings_;
     Rectangle area_in_map_;
 
     std::optional<protocol::RangeScan> scan_;
@@ -119,10 +110,6 @@ private:
 
     Motion motion_ = Motion::Standing;
     bool blind_told_ = false;
-    std::vector<agent::BehaviorEvent> events_;
 };
-
-/// If the newest scan is older than this, the robot stops.
-inline constexpr Seconds blind_after{2.0};
 
 } // namespace usar::p2dx

@@ -1,15 +1,12 @@
 // The settings of an exploring P2DX.
 #pragma once
 
-#include <vector>
-
-#include "core/agent/parameters.h"
+#include "core/agent/parameter_table.h"
 #include "core/base/geometry.h"
 
 namespace usar::p2dx {
 
-/// All values are in SI units. Copied by value: new parameters take effect at the next tick. parameterSpecs has the
-/// limits and a help text for each.
+/// All values are in SI units. Copied by value: new parameters take effect at the next tick.
 struct Settings {
     double cruise_speed_m_s = 0.5;
     double safety_distance_m = 0.6; ///< least free distance ahead, from the scanner, as in the thesis
@@ -25,12 +22,10 @@ struct Settings {
     double trap_radius_m = 0.8;
     double rest_time_s = 3.0;  ///< rest before the start, for the INS
     double drive_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
+
+    /// The parameters that the user can set, with their limits and help texts.
+    static const agent::ParameterTable<Settings> parameters;
     bool operator==(const Settings&) const = default;
 };
-
-/// The parameters that the user can set; their defaults are those of `Settings`.
-const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` must have been made from `parameterSpecs`.
-Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::p2dx

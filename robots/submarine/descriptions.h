@@ -1,12 +1,14 @@
-// Description and behaviors of the Submarine, separate from the plugin class so that tests can link them.
+// The Submarine and its behaviors, separate from the plugin class so that tests can link them.
 #pragma once
 
-#include "core/agent/robot_plugin.h"
+#include "core/agent/listed_robot.h"
 
 namespace usar::submarine {
 
-agent::RobotDescription describeSubmarine();
-/// Fails for an id that describeSubmarine does not list.
-Result<std::unique_ptr<agent::Behavior>> makeBehavior(const std::string& id, agent::BehaviorContext context);
+/// The behavior "submarine/cpp": see DiverBehavior.
+class SubmarineRobot : public agent::ListedRobot {
+public:
+    SubmarineRobot();
+};
 
 } // namespace usar::submarine

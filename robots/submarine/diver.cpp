@@ -31,8 +31,6 @@ constexpr double longest_way_back = 3.0; ///< multiple of the distance after whi
 
 } // namespace
 
-Diver::Diver(agent::BehaviorContext context) : settings_(settingsFrom(context.parameters)) {}
-
 void Diver::perceive(const agent::Tick& tick, const std::optional<Limits>& limits) {
     if (!run_.began)
         heard_at_ = tick.now;

@@ -3,11 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "core/agent/robot_plugin.h"
-#include "core/agent/timed_run.h"
+#include "core/agent/timed_behavior.h"
 #include "core/modules/queued_sensor.h"
 #include "robots/submarine/level_rule.h"
 #include "robots/submarine/limits.h"
@@ -20,9 +17,9 @@ namespace usar::submarine {
 /// planes and propeller the pitch of its hull, the slope of the bottom and the places where it could follow the bottom.
 /// It returns to such a place from a coast, from shallows, and where the bottom falls out of reach. It cannot see a
 /// wall in front of its nose. Owned by one behavior; times are those of the protocol clock.
-class Diver {
+class Diver : public agent::TimedDecider<Settings> {
 public:
-    explicit Diver(agent::BehaviorContext context);
+    using TimedDecider::TimedDecider;
 
     /// Keeps every reading of the ray until the next tick, because several can come between two ticks.
     void hear(const protocol::InfoLine& line) { readings_.take(line, run_.now); }
@@ -32,16 +29,7 @@ public:
     /// Returns the command for this tick; it brakes while the limits are unknown.
     protocol::NauticDrive decide();
 
-    void order(agent::Order order) { run_.order(order); }
-    void setParameters(const agent::ParameterSet& parameters) { settings_ = settingsFrom(parameters); }
-    const Settings& settings() const { return settings_; }
-    /// The current activity, in words.
-    const std::string& state() const { return run_.state; }
     agent::BehaviorStatus status() const;
-    /// How the behavior ended; nullopt while it runs.
-    const std::optional<agent::BehaviorFinished>& ending() const { return run_.ending; }
-    /// Returns the events since the last call.
-    std::vector<agent::BehaviorEvent> takeEvents() { return std::exchange(events_, {}); }
 
 private:
     enum class Maneuver { None, BackingOff, GoingBack };
@@ -70,8 +58,6 @@ private:
     static constexpr Seconds blind_after{2.0};
     static constexpr double unknown_m = 1e9;
 
-    agent::TimedRun run_;
-    Settings settings_;
     std::optional<Limits> limits_;
     modules::QueuedSensorModule readings_;
     PitchModel hull_;
@@ -96,7 +82,6 @@ private:
     double plane_now_rad_ = 0.0;        ///< angle of the stern planes in the newest STA
 
     bool blind_told_ = false;
-    std::vector<agent::BehaviorEvent> events_;
 };
 
 } // namespace usar::submarine

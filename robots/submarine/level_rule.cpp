@@ -1,5 +1,6 @@
 #include "robots/submarine/level_rule.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace usar::submarine {

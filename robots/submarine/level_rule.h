@@ -1,7 +1,6 @@
 // Rules for keeping the height over the bottom, based on the last two values of the belly ray.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "core/base/clock.h"

@@ -1,56 +1,46 @@
 #include "robots/submarine/settings.h"
 
-#include "core/agent/parameter_table.h"
-
 namespace usar::submarine {
 
 namespace {
 
 using S = Settings;
 
-const std::vector<agent::ParameterRow<Settings>>& rows() {
-    static const std::vector<agent::ParameterRow<Settings>> table{
-        {&S::height_m, "height_m", "Height", "Level", "m", 1, 15, "Height over the bottom of the sea that is kept."},
-        {&S::level_band_m, "level_band_m", "Level within", "Level", "m", 0.1, 3,
-         "So near that height the robot is level: it turns by the rudder instead."},
-        {&S::knows_slant, "knows_slant", "Knows its slant", "Level", "", 0, 0,
-         "The robot reckons by its fins how much its hull and its ray are inclined. Without that it takes the ray for "
-         "a plumb line, as the thesis does, dives with all its planes and hits the bottom behind a cliff."},
-        {&S::steepest_dive_rad, "steepest_dive_rad", "Steepest dive", "Level", "rad", radians(3), radians(40),
-         "How far the nose goes down at most, by the robot's own reckoning."},
-        {&S::steepest_climb_rad, "steepest_climb_rad", "Steepest climb", "Level", "rad", radians(3), radians(40),
-         "How far the nose goes up at most, by the robot's own reckoning."},
-        {&S::deepest_search_m, "deepest_search_m", "Deepest search", "Level", "m", 5, 500,
-         "How deep the robot dives without an echo before it takes the sea for bottomless and comes up."},
-        {&S::propeller_pct, "propeller_pct", "Propeller", "Driving", "%", 20, 100, "Of its highest speed."},
-        {&S::change_side_s, "change_side_s", "Other side after", "Driving", "s", 5, 3600,
-         "Time after which the robot turns to the other side, so that it does not go in a circle."},
-        {&S::dive_time_s, "dive_time_s", "Dive for", "Driving", "s", 0, 86400,
-         "The behavior ends after this time; 0: a person ends it."},
-        {&S::least_height_m, "least_height_m", "Least height", "Danger", "m", 0.2, 3,
-         "Nearer to the bottom the robot backs off."},
-        {&S::foresight_s, "foresight_s", "Foresight", "Danger", "s", 0, 10,
-         "It backs off as well where the bottom, rising as it does, would be that near after this time."},
-        {&S::back_off_m, "back_off_m", "Back for", "Danger", "m", 1, 60,
-         "How far the robot backs off, by its own reckoning."},
-        {&S::way_back_m, "way_back_m", "Way back", "Danger", "m", 15, 200,
-         "How far it then goes back to where it could follow the bottom, by its own reckoning; also from shallows, and "
-         "where the bottom falls out of reach."},
-        {&S::sweep_s, "sweep_s", "Sweep", "Camera", "s", 5, 600,
-         "Time in which the camera pans from one side to the other, or longer where its mount is slow."},
-    };
-    return table;
-}
+constexpr agent::ParameterRow<Settings> rows[]{
+    {&S::height_m, "height_m", "Height", "Level", "m", 1, 15,
+     "Height that the robot keeps over the bottom of the sea."},
+    {&S::level_band_m, "level_band_m", "Level within", "Level", "m", 0.1, 3,
+     "Within this distance of that height, the robot counts as level and turns with the rudder instead."},
+    {&S::knows_slant, "knows_slant", "Knows its slant", "Level", "", 0, 0,
+     "The robot reckons by its fins how much its hull and its ray are inclined. Without that it takes the ray for "
+     "a plumb line, as the thesis does, dives with all its planes and hits the bottom behind a cliff."},
+    {&S::steepest_dive_rad, "steepest_dive_rad", "Steepest dive", "Level", "rad", radians(3), radians(40),
+     "Steepest angle of the nose downward, by the robot's own estimate."},
+    {&S::steepest_climb_rad, "steepest_climb_rad", "Steepest climb", "Level", "rad", radians(3), radians(40),
+     "Steepest angle of the nose upward, by the robot's own estimate."},
+    {&S::deepest_search_m, "deepest_search_m", "Deepest search", "Level", "m", 5, 500,
+     "How deep the robot dives without an echo before it takes the sea for bottomless and comes up."},
+    {&S::propeller_pct, "propeller_pct", "Propeller", "Driving", "%", 20, 100,
+     "Speed of the propeller, as a share of its highest."},
+    {&S::change_side_s, "change_side_s", "Other side after", "Driving", "s", 5, 3600,
+     "Time after which the robot turns to the other side, so that it does not go in a circle."},
+    {&S::dive_time_s, "dive_time_s", "Dive for", "Driving", "s", 0, 86400,
+     "The behavior ends after this time; with 0, the user ends it."},
+    {&S::least_height_m, "least_height_m", "Least height", "Danger", "m", 0.2, 3,
+     "The robot backs off if it is nearer to the bottom than this."},
+    {&S::foresight_s, "foresight_s", "Foresight", "Danger", "s", 0, 10,
+     "It also backs off if the bottom, rising at its present rate, would be that near after this time."},
+    {&S::back_off_m, "back_off_m", "Back for", "Danger", "m", 1, 60,
+     "How far the robot backs off, by its own estimate."},
+    {&S::way_back_m, "way_back_m", "Way back", "Danger", "m", 15, 200,
+     "How far it then goes back to where it could follow the bottom, by its own reckoning; also from shallows, and "
+     "where the bottom falls out of reach."},
+    {&S::sweep_s, "sweep_s", "Sweep", "Camera", "s", 5, 600,
+     "Time in which the camera pans from one side to the other, or longer where its mount is slow."},
+};
 
 } // namespace
 
-const std::vector<agent::ParameterSpec>& parameterSpecs() {
-    static const std::vector<agent::ParameterSpec> specs = agent::specsOf(rows());
-    return specs;
-}
-
-Settings settingsFrom(const agent::ParameterSet& parameters) {
-    return agent::settingsOf(rows(), parameters);
-}
+constinit const agent::ParameterTable<Settings> Settings::parameters{rows};
 
 } // namespace usar::submarine

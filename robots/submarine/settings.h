@@ -1,15 +1,13 @@
 // The settings of a Submarine that follows the bottom.
 #pragma once
 
-#include <vector>
-
-#include "core/agent/parameters.h"
+#include "core/agent/parameter_table.h"
 #include "core/base/geometry.h"
 
 namespace usar::submarine {
 
 /// All values are in SI units; [T] marks values from the thesis (3.5.1). Copied by value: new parameters take effect at
-/// the next tick. parameterSpecs has the limits and a help text for each.
+/// the next tick.
 struct Settings {
     double height_m = 4.0;       ///< [T] height over the bottom
     double level_band_m = 0.6;   ///< the robot counts as level within this distance of the height
@@ -25,12 +23,10 @@ struct Settings {
     double way_back_m = 30.0;
     double sweep_s = 40.0;    ///< time of the camera from one side to the other
     double dive_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it
+
+    /// The parameters that the user can set, with their limits and help texts.
+    static const agent::ParameterTable<Settings> parameters;
     bool operator==(const Settings&) const = default;
 };
-
-/// The parameters that the user can set; their defaults are those of `Settings`.
-const std::vector<agent::ParameterSpec>& parameterSpecs();
-/// `parameters` must have been made from `parameterSpecs`.
-Settings settingsFrom(const agent::ParameterSet& parameters);
 
 } // namespace usar::submarine

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/agent/posh_registry.h"
+#include "core/agent/posh_primitives.h"
 
 namespace usar::test {
 

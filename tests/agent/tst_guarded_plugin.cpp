@@ -67,9 +67,8 @@ void tst_GuardedPlugin::whatAPluginThrowsIsAnErrorWithAMend() {
     const auto preview = previewTask(plugin, "test/idle", {});
     QVERIFY(!made && !preview);
     QCOMPARE(made.error(), preview.error());
-    QCOMPARE(
-        QString::fromStdString(made.error().text()),
-        QString("behavior test/idle: its plugin threw: no geometry. Choose another behavior, or mend its plugin."));
+    QCOMPARE(QString::fromStdString(made.error().text()),
+             QString("behavior test/idle: its plugin threw: no geometry. Choose another behavior, or fix its plugin."));
 }
 
 void tst_GuardedPlugin::aThrownThingOfAnyKindIsCaught() {

@@ -262,7 +262,7 @@ private slots:
         QVERIFY(there.answered());
         const auto hung = there.preview("slow/idle", area(40.0));
         QVERIFY(!hung);
-        QVERIFY2(hung.error().text().find("did not answer for 0.2 s while foretelling a task") != std::string::npos,
+        QVERIFY2(hung.error().text().find("did not answer for 0.2 s while previewing a task") != std::string::npos,
                  hung.error().text().c_str());
         QCOMPARE(there.preview("slow/idle", area(5.0))->summary, std::string("5 wide"));
     }

@@ -32,7 +32,7 @@ class tst_PluginLoader : public QObject {
     const QString host = QString(USAR_BINARY_DIR) + "/bin/usar-behavior-host";
 
     /// A refusal says what to do.
-    const QRegularExpression mends{"(Rebuild|Add|Remove|Mend|Build|Make|Give|Rename|Keep) [^.]+[.]$"};
+    const QRegularExpression mends{"(Rebuild|Add|Remove|Fix|Build|Make|Give|Rename|Keep) [^.]+[.]$"};
 
     /// A folder with these plugins only, copied under new names so that their order is known.
     static void fill(const QTemporaryDir& folder, const QStringList& sources) {
@@ -288,7 +288,7 @@ private slots:
         QVERIFY(!next->records().back().isolated); // its code is here already
         QCOMPARE(changes.size(), std::size_t(2));  // both claim one id, and the first of them has it from now on
 
-        overwrite(folder.filePath("0_crashes_in_the_program.so"), built + "twin.so"); // built anew, and well
+        overwrite(folder.filePath("0_crashes_in_the_program.so"), built + "twin.so"); // rebuilt, and without the fault
         QVERIFY(!scan({})->records().front().dangerous);
         QVERIFY(QDir(marks.path()).isEmpty());
     }

@@ -1,85 +1,12 @@
 // A plan as a behavior: what its acts send, and what happens when plan, acts or people want it otherwise.
 #include <QTest>
 
-#include "core/agent/behavior_host.h"
-#include "core/agent/posh/posh_behavior.h"
 #include "core/posh/trace/trace_file.h"
 #include "core/posh/trace/trace_text.h"
-#include "tests/agent/toy_rover.h"
+#include "tests/agent/posh_run.h"
 #include "tests/suite/suite.h"
 
 namespace tst_posh_behavior {
-
-using namespace usar;
-using namespace usar::agent;
-using usar::test::ToyRover;
-
-namespace {
-
-const std::string drive_on = "((DC rover (goal ((Arrived))) (drives ((danger (trigger ((Closer(0.5)))) Halt)) "
-                             "((work DriveFor(10))))))";
-
-/// A behavior in its host, fed with STA lines at 5 Hz.
-class Run {
-public:
-    explicit Run(const std::string& plan) {
-        auto body = std::make_unique<ToyRover>();
-        rover = body.get();
-        auto made = PoshBehavior::make({"rover.lap", plan, test::toyRegistry(), std::move(body), {}});
-        if (!made)
-            throw std::runtime_error(made.error().text());
-        behavior = made->get();
-        host = std::make_unique<BehaviorHost>(*std::move(made), "toy/posh");
-    }
-    BehaviorHost::Output tick() {
-        protocol::RobotState state;
-        state.time = Seconds(0.2 * static_cast<double>(++ticks_));
-        return host->receive({LineNumber{ticks_}, "", state, {}});
-    }
-
-    ToyRover* rover = nullptr;
-    PoshBehavior* behavior = nullptr;
-    std::unique_ptr<BehaviorHost> host;
-
-private:
-    std::uint64_t ticks_ = 0;
-};
-
-protocol::Command wheels(double left, double right) {
-    return protocol::SkidDrive{left, right};
-}
-
-template <class T>
-std::vector<T> published(const BehaviorHost::Output& output) {
-    std::vector<T> found;
-    for (const Published& value : output.published)
-        if (const auto* const one = std::get_if<T>(&value))
-            found.push_back(*one);
-    return found;
-}
-
-/// The only one of its kind.
-template <class T>
-T thePublished(const BehaviorHost::Output& output) {
-    const auto all = published<T>(output);
-    return all.size() == 1 ? all.front() : throw std::runtime_error("not one but " + std::to_string(all.size()));
-}
-
-PlanReplaced replacedBy(Run& run, const std::string& text) {
-    return thePublished<PlanReplaced>(run.host->control(ReplacePlan{{"new.lap", text}}));
-}
-
-SetBreakpoints breakBefore(const std::string& names) {
-    posh::Breakpoint breakpoint;
-    breakpoint.names = names;
-    return {{{7, breakpoint}}};
-}
-
-std::size_t count(const std::vector<std::string>& calls, const std::string& what) {
-    return static_cast<std::size_t>(std::ranges::count(calls, what));
-}
-
-} // namespace
 
 class tst_PoshBehavior : public QObject {
     Q_OBJECT

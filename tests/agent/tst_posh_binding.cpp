@@ -1,4 +1,4 @@
-// Plans are checked against a robot's senses and acts, all at once and with the mend.
+// Plans are checked against a robot's senses and acts, all at once, and each finding says what to write.
 #include <QTest>
 
 #include "core/agent/posh/posh_binding.h"

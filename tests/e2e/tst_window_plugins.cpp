@@ -429,7 +429,7 @@ void tst_WindowPlugins::aPreviewThatHangsIsToldOfWhileTheWindowGoesOn() {
     page.drawArea({{-25, -5}, {25, 5}});
     QTRY_VERIFY(summarized(page, "Asking the plugin's process"));
     QVERIFY(page.map().content().area.lanes_in_map_m.empty()); // they were of another area
-    QTRY_VERIFY_WITH_TIMEOUT(summarized(page, "did not answer for 1 s while foretelling"), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(summarized(page, "did not answer for 1 s while previewing"), soon_ms);
     page.pressKey(Qt::Key_A);
     page.drawArea({{50, 40}, {60, 50}}); // apart from the other one, which would be moved
     QTRY_VERIFY_WITH_TIMEOUT(summarized(page, " wide · "), soon_ms);

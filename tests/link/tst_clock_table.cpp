@@ -1,4 +1,4 @@
-// From the robot's clock to the moment of a recording: pauses, slow stretches, clocks that begin anew.
+// From the robot's clock to the moment of a recording: pauses, slow stretches, clocks that start again.
 #include <limits>
 
 #include <QTest>
@@ -54,10 +54,10 @@ void tst_ClockTable::theClocksMomentsAreFoundInTheRecording_data() {
     const Saying slow{{1s, 50.0}, {2s, 50.5}, {3s, 51.0}, {4s, 51.5}};
     QTest::newRow("at half the pace") << slow << 51.0 << 3.0;
     QTest::newRow("at half the pace, between two words") << slow << 51.2 << 3.2;
-    const Saying anew{{1s, 50.0}, {2s, 51.0}, {5s, 0.5}, {6s, 1.5}, {55s, 50.5}};
-    QTest::newRow("a clock that began anew") << anew << 1.0 << 5.5;
-    QTest::newRow("said by both, the later one") << anew << 50.5 << 55.0;
-    QTest::newRow("said by the first one alone") << anew << 50.9 << 2.0 - 0.1;
+    const Saying restarted{{1s, 50.0}, {2s, 51.0}, {5s, 0.5}, {6s, 1.5}, {55s, 50.5}};
+    QTest::newRow("a clock that started again") << restarted << 1.0 << 5.5;
+    QTest::newRow("said by both, the later one") << restarted << 50.5 << 55.0;
+    QTest::newRow("said by the first one alone") << restarted << 50.9 << 2.0 - 0.1;
 }
 
 void tst_ClockTable::theClocksMomentsAreFoundInTheRecording() {

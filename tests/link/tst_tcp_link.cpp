@@ -313,7 +313,7 @@ void tst_TcpLink::aServerThatReadsNoMoreIsLeftBeforeMemoryIsFull() {
     QVERIFY2(trouble.contains("reads no commands any more: 1."), qPrintable(trouble));
     QVERIFY(most_unsent < limits.most_unsent_bytes + 200'000);
     server_->setDeaf(false);
-    QTRY_COMPARE(link_->status().state, LinkState::Connected); // it tries anew
+    QTRY_COMPARE(link_->status().state, LinkState::Connected); // it tries again
 }
 
 USAR_TEST(tst_TcpLink)

@@ -1,8 +1,6 @@
 #include <QTest>
 
-#include <cmath>
 #include <limits>
-#include <set>
 
 #include "core/mapping/height_map.h"
 #include "tests/suite/suite.h"

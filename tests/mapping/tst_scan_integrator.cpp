@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/mapping/scan_integrator.h"
 #include "tests/suite/suite.h"

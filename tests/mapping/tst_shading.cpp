@@ -1,6 +1,5 @@
 #include <QTest>
 
-#include <cmath>
 #include <vector>
 
 #include "core/mapping/shading.h"

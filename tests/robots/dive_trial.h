@@ -65,8 +65,10 @@ inline Dive dive(const sim::World& world, const Pose& start_in_map, std::uint64_
     options.robots = doubles::shippedRobots();
     auto simulation = sim::Simulation::make(world, options);
     values.emplace("dive_time_s", duration.count());
-    const auto parameters = agent::ParameterSet::make(submarine::describeSubmarine().behaviors[0].parameters, values);
-    auto behavior = submarine::makeBehavior("submarine/cpp", {{"R1", start_in_map, {}}, parameters.value()});
+    const auto parameters =
+        agent::ParameterSet::make(submarine::SubmarineRobot().description().behaviors[0].parameters, values);
+    auto behavior =
+        submarine::SubmarineRobot().createBehavior("submarine/cpp", {{"R1", start_in_map, {}}, parameters.value()});
     SimulatedFlight flight(std::move(simulation.value()), std::move(behavior.value()), start_in_map,
                            "USARBot.Submarine");
     DiveJudge judge;

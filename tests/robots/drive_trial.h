@@ -1,8 +1,6 @@
 // One drive of a P2DX in the simulation, judged: what the loop test and the long campaign share.
 #pragma once
 
-#include <cmath>
-
 #include <QTest>
 
 #include "core/sim/worlds/tall_test.h"
@@ -33,10 +31,10 @@ inline void tryDrive(DriveWorld where, const std::string& behavior_id, std::uint
     options.robots = doubles::shippedRobots();
     auto simulation = sim::Simulation::make(world, options);
     QVERIFY(simulation);
-    const auto parameters =
-        agent::ParameterSet::make(p2dx::describeP2dx().behaviors[0].parameters, {{"drive_time_s", duration.count()}});
+    const auto parameters = agent::ParameterSet::make(p2dx::P2dxRobot().description().behaviors[0].parameters,
+                                                      {{"drive_time_s", duration.count()}});
     QVERIFY(parameters);
-    auto behavior = p2dx::makeBehavior(behavior_id, {{"R1", start_in_map, areaOf(where)}, *parameters});
+    auto behavior = p2dx::P2dxRobot().createBehavior(behavior_id, {{"R1", start_in_map, areaOf(where)}, *parameters});
     QVERIFY(behavior);
     SimulatedFlight drive(std::move(*simulation), std::move(*behavior), start_in_map, "USARBot.P2DX");
     drive.run(duration + Seconds(10.0));

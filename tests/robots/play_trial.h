@@ -26,9 +26,9 @@ inline Play play(std::uint64_t seed, Seconds duration) {
     options.battery_life = duration * 2.0;
     options.robots = doubles::shippedRobots();
     auto simulation = sim::Simulation::make(world, options);
-    const auto parameters =
-        agent::ParameterSet::make(ers::describeErs().behaviors[0].parameters, {{"play_time_s", duration.count()}});
-    auto behavior = ers::makeBehavior("ers/cpp", {{"R1", start.pose_in_map, {}}, parameters.value()});
+    const auto parameters = agent::ParameterSet::make(ers::ErsRobot().description().behaviors[0].parameters,
+                                                      {{"play_time_s", duration.count()}});
+    auto behavior = ers::ErsRobot().createBehavior("ers/cpp", {{"R1", start.pose_in_map, {}}, parameters.value()});
     SimulatedFlight flight(std::move(simulation.value()), std::move(behavior.value()), start.pose_in_map,
                            "USARBot.ERS");
     Play result;

@@ -1,8 +1,6 @@
 // Senses made by hand for the tests of the AirRobot's building blocks.
 #pragma once
 
-#include <cmath>
-
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/senses.h"
 

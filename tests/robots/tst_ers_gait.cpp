@@ -32,8 +32,10 @@ PawPlace pawOf(const protocol::MultiDrive& drive, const std::string& leg) {
 /// A behavior in its host, and a ball that it sees or not.
 struct Dog {
     agent::BehaviorHost host{
-        makeBehavior("ers/cpp",
-                     {{"R1", {}, {}}, agent::ParameterSet::make(describeErs().behaviors[0].parameters).value()})
+        ErsRobot()
+            .createBehavior(
+                "ers/cpp",
+                {{"R1", {}, {}}, agent::ParameterSet::make(ErsRobot().description().behaviors[0].parameters).value()})
             .value(),
         "ers/test"};
     protocol::Reader reader;

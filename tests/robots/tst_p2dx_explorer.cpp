@@ -20,9 +20,9 @@ std::string decider = "p2dx/cpp";
 
 ToyDrive driveIn(const ToyRoom& room, const Pose& start_in_map = {},
                  const std::map<std::string, ParameterValue>& values = {}, const Rectangle& area_in_map = {}) {
-    const auto parameters = ParameterSet::make(p2dx::describeP2dx().behaviors[0].parameters, values);
+    const auto parameters = ParameterSet::make(p2dx::P2dxRobot().description().behaviors[0].parameters, values);
     Q_ASSERT(parameters);
-    auto behavior = p2dx::makeBehavior(decider, {{"R1", start_in_map, area_in_map}, *parameters});
+    auto behavior = p2dx::P2dxRobot().createBehavior(decider, {{"R1", start_in_map, area_in_map}, *parameters});
     Q_ASSERT(behavior);
     return {ToyP2dx(room, start_in_map), std::move(*behavior)};
 }
@@ -272,8 +272,8 @@ private slots:
     }
 
     void takesNewParametersOnTheWay() {
-        const auto specs = p2dx::describeP2dx().behaviors[0].parameters;
-        auto behavior = p2dx::makeBehavior(decider, {{}, *ParameterSet::make(specs)});
+        const auto specs = p2dx::P2dxRobot().description().behaviors[0].parameters;
+        auto behavior = p2dx::P2dxRobot().createBehavior(decider, {{}, *ParameterSet::make(specs)});
         QVERIFY(behavior);
         Behavior& itself = **behavior;
         ToyDrive toy(ToyP2dx({}, {}), std::move(*behavior));
@@ -308,11 +308,11 @@ private slots:
     }
 
     void refusesABehaviorThatItHasNotAndAPlanThatDoesNotFit() {
-        const auto parameters = ParameterSet::make(p2dx::describeP2dx().behaviors[0].parameters);
-        const auto other = p2dx::makeBehavior("p2dx/dance", {{}, *parameters});
+        const auto parameters = ParameterSet::make(p2dx::P2dxRobot().description().behaviors[0].parameters);
+        const auto other = p2dx::P2dxRobot().createBehavior("p2dx/dance", {{}, *parameters});
         QVERIFY(!other && other.error().text().find("p2dx/posh") != std::string::npos);
         const PlanText wrong{"mine.lap", "((DC P2DX (drives ((a Revers)))))"};
-        const auto misspelt = p2dx::makeBehavior("p2dx/posh", {{}, *parameters, wrong});
+        const auto misspelt = p2dx::P2dxRobot().createBehavior("p2dx/posh", {{}, *parameters, wrong});
         QVERIFY(!misspelt);
         QVERIFY2(misspelt.error().text().find("Reverse") != std::string::npos, misspelt.error().text().c_str());
     }

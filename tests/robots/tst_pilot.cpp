@@ -104,7 +104,7 @@ private slots:
         pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 100.0), port, "test", settings);
         pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 130.0), port, "test", settings);
         QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.6 * settings.acceleration_m_s2) < 1e-9);
-        pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 3.0), port, "test", settings); // the server began anew
+        pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 3.0), port, "test", settings); // the server was restarted
         QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.8 * settings.acceleration_m_s2) < 1e-9);
     }
 

@@ -16,15 +16,15 @@ class tst_Settings : public QObject {
 private slots:
     void hasDefaultsThatItsOwnRangesAccept() {
         std::map<std::string, ParameterValue> defaults;
-        for (const ParameterSpec& spec : parameterSpecs())
+        for (const ParameterSpec& spec : Settings::parameters.specs())
             defaults[spec.id] = spec.default_value;
-        const auto set = ParameterSet::make(parameterSpecs(), defaults);
+        const auto set = ParameterSet::make(Settings::parameters.specs(), defaults);
         QVERIFY2(set, set ? "" : set.error().text().c_str());
-        QVERIFY(settingsFrom(*set) == Settings{});
+        QVERIFY(Settings::parameters.settings(*set) == Settings{});
     }
 
     void describesEveryParameterInFull() {
-        for (const ParameterSpec& spec : parameterSpecs()) {
+        for (const ParameterSpec& spec : Settings::parameters.specs()) {
             QVERIFY2(!spec.label.empty() && !spec.group.empty() && !spec.help.empty(), spec.id.c_str());
             QVERIFY2(spec.help.ends_with('.'), spec.id.c_str());
             if (!std::holds_alternative<bool>(spec.default_value))
@@ -36,19 +36,19 @@ private slots:
         const std::map<std::string, std::string> suffixes{{"m", "_m"},         {"m/s", "_m_s"}, {"s", "_s"},
                                                           {"rad/s", "_rad_s"}, {"rad", "_rad"}, {"%", "_pct"},
                                                           {"m/s²", "_m_s2"}};
-        for (const ParameterSpec& spec : parameterSpecs())
+        for (const ParameterSpec& spec : Settings::parameters.specs())
             if (!spec.unit.empty())
                 QVERIFY2(spec.id.ends_with(suffixes.at(spec.unit)), spec.id.c_str());
     }
 
     void putsEveryValueWhereItBelongs() {
-        const auto set = ParameterSet::make(parameterSpecs(), {{"scan_altitude_m", 7.5},
-                                                               {"calm_cycles", 9LL},
-                                                               {"climb_over", false},
-                                                               {"low_risk_3_m", 1.75},
-                                                               {"battery_range_m", 500.0}});
+        const auto set = ParameterSet::make(Settings::parameters.specs(), {{"scan_altitude_m", 7.5},
+                                                                           {"calm_cycles", 9LL},
+                                                                           {"climb_over", false},
+                                                                           {"low_risk_3_m", 1.75},
+                                                                           {"battery_range_m", 500.0}});
         QVERIFY(set);
-        const Settings settings = settingsFrom(*set);
+        const Settings settings = Settings::parameters.settings(*set);
         QCOMPARE(settings.scan_altitude_m, 7.5);
         QCOMPARE(settings.calm_cycles, 9);
         QCOMPARE(settings.climb_over, false);

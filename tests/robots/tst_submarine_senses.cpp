@@ -20,9 +20,11 @@ namespace {
 /// A behavior in its host, spoken to by lines.
 struct Sub {
     explicit Sub(const std::map<std::string, agent::ParameterValue>& values = {})
-        : host(makeBehavior("submarine/cpp",
-                            {{"R1", {}, {}},
-                             agent::ParameterSet::make(describeSubmarine().behaviors[0].parameters, values).value()})
+        : host(SubmarineRobot()
+                   .createBehavior("submarine/cpp", {{"R1", {}, {}},
+                                                     agent::ParameterSet::make(
+                                                         SubmarineRobot().description().behaviors[0].parameters, values)
+                                                         .value()})
                    .value(),
                "submarine/test") {}
 

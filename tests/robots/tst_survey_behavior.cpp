@@ -23,9 +23,9 @@ const Task field_task{"R1", Pose{}, {Vec2(5, 5), Vec2(45, 35)}};
 ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
                  const std::map<std::string, ParameterValue>& values = {}, ToyFaults faults = {},
                  Seconds battery = Seconds(1e5), std::optional<Pose> standing_in_map = {}) {
-    const auto parameters = ParameterSet::make(airrobot::describeAirRobot().behaviors[0].parameters, values);
+    const auto parameters = ParameterSet::make(airrobot::AirRobot().description().behaviors[0].parameters, values);
     Q_ASSERT(parameters);
-    auto behavior = airrobot::makeBehavior(decider, {task, *parameters});
+    auto behavior = airrobot::AirRobot().createBehavior(decider, {task, *parameters});
     Q_ASSERT(behavior);
     return {ToyAirRobot(world, standing_in_map.value_or(task.start_in_map), faults, battery), std::move(*behavior)};
 }

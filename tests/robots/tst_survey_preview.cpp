@@ -11,7 +11,7 @@ namespace {
 
 agent::BehaviorContext contextWith(const Rectangle& area,
                                    const std::map<std::string, agent::ParameterValue>& values = {}) {
-    const auto description = airrobot::describeAirRobot();
+    const auto description = airrobot::AirRobot().description();
     auto parameters = agent::ParameterSet::make(description.behaviors.front().parameters, values);
     return {{"R1", Pose{}, area}, *parameters};
 }
@@ -21,14 +21,15 @@ agent::BehaviorContext contextWith(const Rectangle& area,
 class tst_SurveyPreview : public QObject {
     Q_OBJECT
 private slots:
-    void foretellsLanesLengthAndTime();
+    void predictsLanesLengthAndTime();
     void narrowerLanesAreMoreLanes();
     void saysWhenTheAreaIsCutIntoParts();
     void refusesAnAreaWithoutSize();
 };
 
-void tst_SurveyPreview::foretellsLanesLengthAndTime() {
-    const auto preview = airrobot::previewSurvey(contextWith({{-30, -20}, {30, 20}}, {{"lane_spacing_m", 10.0}}));
+void tst_SurveyPreview::predictsLanesLengthAndTime() {
+    const auto preview =
+        airrobot::AirRobot().preview({}, contextWith({{-30, -20}, {30, 20}}, {{"lane_spacing_m", 10.0}}));
     QVERIFY(preview.has_value());
     QCOMPARE(preview->summary, std::string("4 lanes"));
     QCOMPARE(preview->path_in_map_m.size(), std::size_t(8));
@@ -40,19 +41,19 @@ void tst_SurveyPreview::foretellsLanesLengthAndTime() {
 
 void tst_SurveyPreview::narrowerLanesAreMoreLanes() {
     const Rectangle area{{0, 0}, {40, 40}};
-    const auto wide = airrobot::previewSurvey(contextWith(area, {{"lane_spacing_m", 10.0}}));
-    const auto narrow = airrobot::previewSurvey(contextWith(area, {{"lane_spacing_m", 5.0}}));
+    const auto wide = airrobot::AirRobot().preview({}, contextWith(area, {{"lane_spacing_m", 10.0}}));
+    const auto narrow = airrobot::AirRobot().preview({}, contextWith(area, {{"lane_spacing_m", 5.0}}));
     QCOMPARE(narrow->path_in_map_m.size(), 2 * wide->path_in_map_m.size());
     QVERIFY(narrow->duration > wide->duration);
 }
 
 void tst_SurveyPreview::saysWhenTheAreaIsCutIntoParts() {
-    const auto preview = airrobot::previewSurvey(contextWith({{-100, -100}, {100, 100}}));
+    const auto preview = airrobot::AirRobot().preview({}, contextWith({{-100, -100}, {100, 100}}));
     QVERIFY2(preview->summary.ends_with(" in 4 parts"), preview->summary.c_str());
 }
 
 void tst_SurveyPreview::refusesAnAreaWithoutSize() {
-    const auto preview = airrobot::previewSurvey(contextWith({{5, 5}, {5, 9}}));
+    const auto preview = airrobot::AirRobot().preview({}, contextWith({{5, 5}, {5, 9}}));
     QVERIFY(!preview.has_value());
     QVERIFY(!preview.error().text().empty());
 }

@@ -9,7 +9,6 @@
 namespace tst_com_interface {
 
 using namespace usar;
-using namespace usar::link;
 using namespace usar::server;
 
 class tst_ComInterface : public QObject {

@@ -9,7 +9,6 @@
 namespace tst_com_server {
 
 using namespace usar;
-using namespace usar::link;
 using namespace usar::server;
 
 class tst_ComServer : public QObject {

@@ -13,7 +13,6 @@
 namespace tst_radio_relay {
 
 using namespace usar;
-using namespace usar::link;
 using namespace usar::server;
 
 namespace {

@@ -130,7 +130,7 @@ private slots:
         Peer own(world.wireless_port), other(world.wireless_port);
         QCOMPARE(other.ask("INIT {Robot MissionControl} {Port 1}\r\n"), QByteArray("INITREPLY {Status OK}"));
         Asking asking(world.wireless_port, {"R1", "R2"});
-        QTRY_VERIFY(near(asking.between("R1", "R2"), -59.67)); // under another name, for the first is taken
+        QTRY_VERIFY(near(asking.between("R1", "R2"), -59.67)); // under another name, because the first is taken
         QCOMPARE(own.ask("INIT {Robot R1} {Port 5000}\r\n"), QByteArray("INITREPLY {Status OK}"));
     }
 

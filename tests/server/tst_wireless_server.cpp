@@ -10,7 +10,6 @@
 namespace tst_wireless_server {
 
 using namespace usar;
-using namespace usar::link;
 using namespace usar::server;
 
 class tst_WirelessServer : public QObject {

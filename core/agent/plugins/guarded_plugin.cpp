@@ -7,15 +7,16 @@ namespace usar::agent {
 
 namespace {
 
+constexpr const char* remedy = "Choose another behavior, or fix its plugin";
+
 template <class Call>
 auto guarded(const std::string& id, const Call& call) -> decltype(call()) {
-    const std::string mend = "Choose another behavior, or mend its plugin";
     try {
         return call();
     } catch (const std::exception& thrown) {
-        return failure(std::string("its plugin threw: ") + thrown.what(), "behavior " + id, mend);
+        return failure(std::string("its plugin threw: ") + thrown.what(), "behavior " + id, remedy);
     } catch (...) {
-        return failure("its plugin threw something that is no std::exception", "behavior " + id, mend);
+        return failure("its plugin threw something that is no std::exception", "behavior " + id, remedy);
     }
 }
 
@@ -26,8 +27,7 @@ Result<std::unique_ptr<Behavior>> makeBehavior(const RobotPlugin& plugin, const 
     return guarded(id, [&]() -> Result<std::unique_ptr<Behavior>> {
         auto made = plugin.createBehavior(id, std::move(context));
         if (made && !*made)
-            return failure("its plugin made none and did not say why", "behavior " + id,
-                           "Choose another behavior, or mend its plugin");
+            return failure("its plugin made none and did not say why", "behavior " + id, remedy);
         return made;
     });
 }

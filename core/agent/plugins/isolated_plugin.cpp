@@ -136,9 +136,9 @@ void IsolatedPlugin::lose(const std::string& what) {
     ending_ = false;
     if (doing_ == Doing::Nothing)
         return; // the next preview starts it again
-    fail({"it " + what + " while " + (doing_ == Doing::Loading ? "being loaded" : "foretelling a task") +
+    fail({"it " + what + " while " + (doing_ == Doing::Loading ? "being loaded" : "previewing a task") +
               " in a process of its own",
-          "plugin " + QFileInfo(file_).fileName().toStdString(), "Mend it and build it again"});
+          "plugin " + QFileInfo(file_).fileName().toStdString(), "Fix it and build it again"});
 }
 
 void IsolatedPlugin::fail(Error error) {

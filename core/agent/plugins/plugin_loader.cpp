@@ -158,9 +158,9 @@ void PluginLoader::Library::describe() {
     try {
         description = plugin->description();
     } catch (const std::exception& thrown) {
-        complaint = QString("It failed while describing itself: %1. Mend its description().").arg(thrown.what());
+        complaint = QString("It failed while describing itself: %1. Fix its description().").arg(thrown.what());
     } catch (...) {
-        complaint = "It failed while describing itself. Mend its description().";
+        complaint = "It failed while describing itself. Fix its description().";
     }
 }
 
@@ -172,7 +172,7 @@ QString PluginLoader::Library::load(const QString& path) {
     try {
         instance = loader->instance();
     } catch (...) {
-        return "It failed while it was being made. Mend the constructor of its plugin class.";
+        return "It failed while it was being made. Fix the constructor of its plugin class.";
     }
     if (!instance)
         return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";

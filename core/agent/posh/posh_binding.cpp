@@ -199,7 +199,7 @@ Error planRefusal(const std::string& plan_name, const posh::Findings& findings) 
     for (const posh::Finding& finding : findings)
         if (posh::severityOf(finding.code) == Severity::Error)
             list += (list.empty() ? "" : "; ") + posh::toText(finding);
-    return {"it cannot be used: " + list, "plan " + plan_name, "Mend the plan"};
+    return {"it cannot be used: " + list, "plan " + plan_name, "Fix the plan"};
 }
 
 } // namespace usar::agent

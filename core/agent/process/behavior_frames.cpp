@@ -1,6 +1,6 @@
 #include "core/agent/process/behavior_frames.h"
 
-#include <type_traits>
+#include <concepts>
 #include <utility>
 #include <vector>
 
@@ -15,299 +15,242 @@ namespace usar::agent::frames {
 
 namespace {
 
-// Each type has one list of fields for both directions: `Put` writes the fields, `Take` reads them.
+/// Satisfied by `Plain` and by `const Plain`, so that one list of fields serves writing and reading.
+template <class Of, class Plain>
+concept Field = std::same_as<std::remove_const_t<Of>, Plain>;
+
+/// The fields of each type in the order of the frame: `io` writes or reads them.
+struct FieldLists {
+    static void pass(auto&, Field<std::monostate> auto&) {}
+    static void pass(auto& io, Field<posh::Symbol> auto& symbol) { io(symbol.text); }
+    static void pass(auto& io, Field<LineNumber> auto& line) { io(line.value); }
+    static void pass(auto& io, Field<Vec2> auto& point) { io(point.x(), point.y()); }
+    static void pass(auto& io, Field<Vec3> auto& point) { io(point.x(), point.y(), point.z()); }
+    static void pass(auto& io, Field<Pose> auto& pose) {
+        io(pose.position_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad);
+    }
+    static void pass(auto& io, Field<Rectangle> auto& area) { io(area.min_m, area.max_m); }
+    static void pass(auto& io, Field<PlanText> auto& plan) { io(plan.name, plan.text); }
+    static void pass(auto& io, Field<Task> auto& task) { io(task.robot_name, task.start_in_map, task.area_in_map); }
+    static void pass(auto& io, Field<ReplacePlan> auto& asked) { io(asked.plan); }
+    static void pass(auto& io, Field<posh::Breakpoint> auto& one) {
+        io(one.path, one.names, one.on, one.result, one.key, one.condition, one.skip, one.once, one.enabled);
+    }
+    static void pass(auto& io, Field<PlanBreakpoint> auto& one) { io(one.id, one.what); }
+    static void pass(auto& io, Field<SetBreakpoints> auto& asked) { io(asked.breakpoints); }
+    static void pass(auto& io, Field<SensePin> auto& pin) { io(pin.call, pin.answer); }
+    static void pass(auto& io, Field<ActPin> auto& pin) { io(pin.call, pin.result); }
+    static void pass(auto& io, Field<DriveOff> auto& off) { io(off.path, off.names); }
+    static void pass(auto& io, Field<SetPins> auto& pins) { io(pins.senses, pins.acts, pins.drives_off); }
+    static void pass(auto& io, Field<Start> auto& start) {
+        io(start.plugin_file, start.behavior_id, start.task, start.parameters, start.plan);
+    }
+    static void pass(auto& io, Field<Line> auto& line) { io(line.number, line.text); }
+    static void pass(auto& io, Field<Cause> auto& cause) { io(cause.source, cause.trigger); }
+    static void pass(auto& io, Field<CausedCommand> auto& caused) { io(caused.command, caused.cause); }
+    static void pass(auto& io, Field<RunningBehavior::Output> auto& output) { io(output.commands, output.published); }
+    static void pass(auto& io, Field<Answer> auto& answer) {
+        io(answer.output, answer.safe, answer.halted, answer.finished, answer.broke);
+    }
+    static void pass(auto& io, Field<Refusal> auto& refusal) {
+        io(refusal.error.what, refusal.error.where, refusal.error.mend);
+    }
+    static void pass(auto& io, Field<Dying> auto& dying) { io(dying.signal); }
+    static void pass(auto& io, Field<ParameterSpec> auto& spec) {
+        io(spec.id, spec.label, spec.group, spec.unit, spec.default_value);
+        io(spec.minimum, spec.maximum, spec.help, spec.choices);
+    }
+    static void pass(auto& io, Field<BehaviorDescription> auto& behavior) {
+        io(behavior.id, behavior.name, behavior.help, behavior.needs_area);
+        io(behavior.parameters, behavior.plan_name, behavior.plan_text);
+    }
+    static void pass(auto& io, Field<PoshParameter> auto& parameter) {
+        io(parameter.name, parameter.default_value, parameter.unit);
+        io(parameter.minimum, parameter.maximum, parameter.choices, parameter.help);
+    }
+    static void pass(auto& io, Field<PrimitiveDescription> auto& primitive) {
+        io(primitive.name, primitive.kind, primitive.parameters, primitive.answer, primitive.unit, primitive.help);
+        io(primitive.needs, primitive.minimum, primitive.maximum, primitive.choices);
+    }
+    static void pass(auto& io, Field<Describe> auto& asked) { io(asked.plugin_file); }
+    static void pass(auto& io, Field<RobotDescription> auto& robot) {
+        io(robot.class_name, robot.name, robot.sensors_needed, robot.behaviors, robot.primitives);
+    }
+    static void pass(auto& io, Field<Description> auto& description) { io(description.robot); }
+    static void pass(auto& io, Field<Preview> auto& asked) {
+        io(asked.behavior_id, asked.task, asked.parameters, asked.plan);
+    }
+    static void pass(auto& io, Field<TaskPreview> auto& preview) {
+        io(preview.path_in_map_m, preview.length_m, preview.duration, preview.summary);
+    }
+
+    /// The last enumerator of each enumeration, beyond which a number is malformed.
+    static constexpr Order last(Order) { return Order::LandNow; }
+    static constexpr PlanStep last(PlanStep) { return PlanStep::Cycle; }
+    static constexpr posh::BreakOn last(posh::BreakOn) { return posh::BreakOn::Written; }
+    static constexpr posh::ActResult last(posh::ActResult) { return posh::ActResult::Failed; }
+    static constexpr PrimitiveKind last(PrimitiveKind) { return PrimitiveKind::Act; }
+    static constexpr AnswerType last(AnswerType) { return AnswerType::Symbol; }
+};
+
+/// The type as which QDataStream passes a number or flag: C++ has two 64-bit types where Qt has one.
+template <class Value>
+using OnWire = std::conditional_t<std::is_integral_v<Value> && sizeof(Value) == 8, qint64, Value>;
+
 class Put {
 public:
     explicit Put(QByteArray& bytes) : stream_(&bytes, QIODevice::WriteOnly) { stream_.setVersion(QDataStream::Qt_6_0); }
 
-    void operator()(const std::string& text) {
-        stream_ << QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size()));
-    }
-    void operator()(bool value) { stream_ << value; }
-    void operator()(int value) { stream_ << static_cast<qint32>(value); }
-    void operator()(quint32 value) { stream_ << value; }
-    void operator()(double value) { stream_ << value; }
-    void operator()(long long value) { stream_ << static_cast<qint64>(value); }
-    void operator()(std::int64_t value) { stream_ << static_cast<qint64>(value); }
-    void operator()(std::uint64_t value) { stream_ << static_cast<quint64>(value); }
-    bool fine() const { return true; }
+    void operator()(const auto&... fields) { (put(fields), ...); }
 
 private:
+    template <class Value>
+    void put(const Value& value) {
+        if constexpr (std::is_arithmetic_v<Value>)
+            stream_ << static_cast<OnWire<Value>>(value);
+        else if constexpr (std::is_enum_v<Value>)
+            put(static_cast<int>(value));
+        else
+            FieldLists::pass(*this, value);
+    }
+    void put(const std::string& text) {
+        stream_ << QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size()));
+    }
+    void put(Seconds span) { put(span.count()); }
+    template <class Value>
+    void put(const std::optional<Value>& value) {
+        put(value.has_value());
+        if (value)
+            put(*value);
+    }
+    template <class Value>
+    void put(const std::vector<Value>& values) {
+        put(static_cast<quint32>(values.size()));
+        for (const Value& value : values)
+            put(value);
+    }
+    void put(const std::map<std::string, ParameterValue>& values) {
+        put(static_cast<quint32>(values.size()));
+        for (const auto& [key, value] : values)
+            (*this)(key, value);
+    }
+    template <class... Types>
+    void put(const std::variant<Types...>& value) {
+        put(static_cast<quint32>(value.index()));
+        std::visit([this](const auto& one) { put(one); }, value);
+    }
+    /// Writes a command as a protocol line. A raw command stays raw, even if its words are those of a known command.
+    void put(const protocol::Command& command) {
+        const auto* const raw = std::get_if<protocol::RawCommand>(&command);
+        put(raw != nullptr);
+        put(raw ? raw->line : protocol::write(command));
+    }
+    void put(const Published& value) {
+        std::string text;
+        appendText(text, value);
+        put(text);
+    }
+
     QDataStream stream_;
 };
 
+/// After a field that is missing or malformed, `fine` stays false.
 class Take {
 public:
     explicit Take(const QByteArray& bytes) : stream_(bytes) { stream_.setVersion(QDataStream::Qt_6_0); }
 
-    void operator()(std::string& text) {
+    bool fine() const { return !wrong_ && stream_.status() == QDataStream::Ok; }
+    void operator()(auto&... fields) { (take(fields), ...); }
+
+private:
+    template <class Value>
+    void take(Value& value) {
+        if constexpr (std::is_arithmetic_v<Value>) {
+            OnWire<Value> wire{};
+            stream_ >> wire;
+            value = static_cast<Value>(wire);
+        } else if constexpr (std::is_enum_v<Value>) {
+            int number = 0;
+            take(number);
+            if (number < 0 || number > static_cast<int>(FieldLists::last(value)))
+                wrong_ = true;
+            else
+                value = static_cast<Value>(number);
+        } else {
+            FieldLists::pass(*this, value);
+        }
+    }
+    void take(std::string& text) {
         QByteArray bytes;
         stream_ >> bytes;
         text = bytes.toStdString();
     }
-    void operator()(bool& value) { stream_ >> value; }
-    void operator()(int& value) { as<qint32>(value); }
-    void operator()(quint32& value) { stream_ >> value; }
-    void operator()(double& value) { stream_ >> value; }
-    void operator()(long long& value) { as<qint64>(value); }
-    void operator()(std::int64_t& value) { as<qint64>(value); }
-    void operator()(std::uint64_t& value) { as<quint64>(value); }
-    bool fine() const { return !wrong_ && stream_.status() == QDataStream::Ok; }
-    void spoil() { wrong_ = true; }
-
-private:
-    template <class Wire, class Value>
-    void as(Value& value) {
-        Wire wire{};
-        stream_ >> wire;
-        value = static_cast<Value>(wire);
+    void take(Seconds& span) {
+        double count = 0.0;
+        take(count);
+        span = Seconds(count);
+    }
+    template <class Value>
+    void take(std::optional<Value>& value) {
+        bool there = false;
+        take(there);
+        if (there && fine())
+            take(value.emplace());
+    }
+    template <class Value>
+    void take(std::vector<Value>& values) {
+        quint32 count = 0;
+        take(count);
+        for (quint32 i = 0; i < count && fine(); ++i)
+            take(values.emplace_back());
+    }
+    void take(std::map<std::string, ParameterValue>& values) {
+        quint32 count = 0;
+        take(count);
+        for (quint32 i = 0; i < count && fine(); ++i) {
+            std::string key;
+            take(key);
+            take(values[key]);
+        }
+    }
+    template <class... Types>
+    void take(std::variant<Types...>& value) {
+        quint32 index = 0;
+        take(index);
+        quint32 number = 0;
+        const auto take_one = [&]<class One>(std::type_identity<One>) {
+            if (number++ == index && fine())
+                take(value.template emplace<One>());
+        };
+        (take_one(std::type_identity<Types>()), ...);
+        wrong_ = wrong_ || index >= sizeof...(Types);
+    }
+    void take(protocol::Command& command) {
+        bool raw = false;
+        std::string line;
+        (*this)(raw, line);
+        Diagnostics ours; // our own line has no problems
+        command = raw ? protocol::Command(protocol::RawCommand{line}) : protocol::readCommand(line, ours);
+    }
+    void take(Published& value) {
+        std::string text;
+        take(text);
+        auto read = readPublished(text);
+        wrong_ = wrong_ || !read;
+        if (read)
+            value = *std::move(read);
     }
 
     QDataStream stream_;
     bool wrong_ = false;
 };
 
-template <class Enum>
-void passEnum(Put& put, const Enum& value, Enum) {
-    put(static_cast<int>(value));
-}
-template <class Enum>
-void passEnum(Take& take, Enum& value, Enum last) {
-    int number = 0;
-    take(number);
-    if (number < 0 || number > static_cast<int>(last))
-        take.spoil();
-    else
-        value = static_cast<Enum>(number);
-}
-
-template <class Io, class Fields>
-requires std::is_invocable_v<Io&, Fields&>
-void pass(Io& io, Fields& field) {
-    io(field);
-}
-
-template <class Value>
-void pass(Put& put, const std::optional<Value>& value) {
-    put(value.has_value());
-    if (value)
-        pass(put, *value);
-}
-template <class Value>
-void pass(Take& take, std::optional<Value>& value) {
-    bool there = false;
-    take(there);
-    if (there && take.fine())
-        pass(take, value.emplace());
-}
-
-template <class Value>
-void pass(Put& put, const std::vector<Value>& values) {
-    put(static_cast<quint32>(values.size()));
-    for (const Value& value : values)
-        pass(put, value);
-}
-template <class Value>
-void pass(Take& take, std::vector<Value>& values) {
-    quint32 count = 0;
-    take(count);
-    for (quint32 i = 0; i < count && take.fine(); ++i)
-        pass(take, values.emplace_back());
-}
-
-template <class Value>
-void pass(Put& put, const std::map<std::string, Value>& values) {
-    put(static_cast<quint32>(values.size()));
-    for (const auto& [key, value] : values)
-        (pass(put, key), pass(put, value));
-}
-template <class Value>
-void pass(Take& take, std::map<std::string, Value>& values) {
-    quint32 count = 0;
-    take(count);
-    for (quint32 i = 0; i < count && take.fine(); ++i) {
-        std::string key;
-        pass(take, key);
-        pass(take, values[key]);
-    }
-}
-
-template <class... Types>
-void pass(Put& put, const std::variant<Types...>& value) {
-    put(static_cast<quint32>(value.index()));
-    std::visit([&](const auto& one) { pass(put, one); }, value);
-}
-template <class... Types>
-void pass(Take& take, std::variant<Types...>& value) {
-    quint32 index = 0;
-    take(index);
-    quint32 number = 0;
-    const auto taken = [&]<class One>(std::type_identity<One>) {
-        if (number++ == index && take.fine())
-            pass(take, value.template emplace<One>());
-    };
-    (taken(std::type_identity<Types>()), ...);
-    if (index >= sizeof...(Types))
-        take.spoil();
-}
-
-template <class Io>
-void pass(Io&, const std::monostate&) {}
-void pass(Put& put, const Order& order) {
-    passEnum(put, order, Order::LandNow);
-}
-void pass(Take& take, Order& order) {
-    passEnum(take, order, Order::LandNow);
-}
-void pass(Put& put, const PlanStep& step) {
-    passEnum(put, step, PlanStep::Cycle);
-}
-void pass(Take& take, PlanStep& step) {
-    passEnum(take, step, PlanStep::Cycle);
-}
-
-/// Satisfied by `Plain` and by `const Plain`: with it, one function serves reading and writing.
-template <class Of, class Plain>
-concept Either = std::is_same_v<std::remove_const_t<Of>, Plain>;
-
-void pass(auto& io, Either<posh::Symbol> auto& symbol) {
-    pass(io, symbol.text);
-}
-void pass(auto& io, Either<LineNumber> auto& line) {
-    pass(io, line.value);
-}
-void pass(auto& io, Either<Vec2> auto& point) {
-    (pass(io, point.x()), pass(io, point.y()));
-}
-void pass(auto& io, Either<Pose> auto& pose) {
-    (pass(io, pose.position_m.x()), pass(io, pose.position_m.y()), pass(io, pose.position_m.z()));
-    (pass(io, pose.roll_rad), pass(io, pose.pitch_rad), pass(io, pose.yaw_rad));
-}
-void pass(auto& io, Either<PlanText> auto& plan) {
-    (pass(io, plan.name), pass(io, plan.text));
-}
-void pass(auto& io, Either<Task> auto& task) {
-    (pass(io, task.robot_name), pass(io, task.start_in_map));
-    (pass(io, task.area_in_map.min_m), pass(io, task.area_in_map.max_m));
-}
-void pass(auto& io, Either<ReplacePlan> auto& asked) {
-    pass(io, asked.plan);
-}
-void pass(auto& io, Either<PlanBreakpoint> auto& one) {
-    (pass(io, one.id), pass(io, one.what.path), pass(io, one.what.names));
-    (passEnum(io, one.what.on, posh::BreakOn::Written), passEnum(io, one.what.result, posh::ActResult::Failed));
-    (pass(io, one.what.key), pass(io, one.what.condition), pass(io, one.what.skip), pass(io, one.what.once),
-     pass(io, one.what.enabled));
-}
-void pass(auto& io, Either<SetBreakpoints> auto& asked) {
-    pass(io, asked.breakpoints);
-}
-void pass(auto& io, Either<SensePin> auto& pin) {
-    (pass(io, pin.call), pass(io, pin.answer));
-}
-void pass(auto& io, Either<ActPin> auto& pin) {
-    (pass(io, pin.call), passEnum(io, pin.result, posh::ActResult::Failed));
-}
-void pass(auto& io, Either<DriveOff> auto& off) {
-    (pass(io, off.path), pass(io, off.names));
-}
-void pass(auto& io, Either<SetPins> auto& pins) {
-    (pass(io, pins.senses), pass(io, pins.acts), pass(io, pins.drives_off));
-}
-void pass(auto& io, Either<Start> auto& start) {
-    (pass(io, start.plugin_file), pass(io, start.behavior_id), pass(io, start.task));
-    (pass(io, start.parameters), pass(io, start.plan));
-}
-void pass(auto& io, Either<Line> auto& line) {
-    (pass(io, line.number), pass(io, line.text));
-}
-
-/// Passes a command as a protocol line. A raw command stays raw, even if its words are those of a known command.
-void pass(Put& put, const protocol::Command& command) {
-    const auto* const raw = std::get_if<protocol::RawCommand>(&command);
-    put(raw != nullptr);
-    put(raw ? raw->line : protocol::write(command));
-}
-void pass(Take& take, protocol::Command& command) {
-    bool raw = false;
-    std::string line;
-    (take(raw), take(line));
-    Diagnostics ours; // our own line has no problems
-    command = raw ? protocol::Command(protocol::RawCommand{line}) : protocol::readCommand(line, ours);
-}
-void pass(Put& put, const Published& value) {
-    std::string text;
-    appendText(text, value);
-    put(text);
-}
-void pass(Take& take, Published& value) {
-    std::string text;
-    take(text);
-    auto read = readPublished(text);
-    if (read)
-        value = *std::move(read);
-    else
-        take.spoil();
-}
-void pass(auto& io, Either<CausedCommand> auto& caused) {
-    (pass(io, caused.command), pass(io, caused.cause.source), pass(io, caused.cause.trigger));
-}
-void pass(auto& io, Either<Answer> auto& answer) {
-    (pass(io, answer.output.commands), pass(io, answer.output.published));
-    (pass(io, answer.safe), pass(io, answer.halted), pass(io, answer.finished), pass(io, answer.broke));
-}
-void pass(auto& io, Either<Refusal> auto& refusal) {
-    (pass(io, refusal.error.what), pass(io, refusal.error.where), pass(io, refusal.error.mend));
-}
-void pass(auto& io, Either<Dying> auto& dying) {
-    pass(io, dying.signal);
-}
-
-void pass(auto& io, Either<ParameterSpec> auto& spec) {
-    (pass(io, spec.id), pass(io, spec.label), pass(io, spec.group), pass(io, spec.unit), pass(io, spec.default_value));
-    (pass(io, spec.minimum), pass(io, spec.maximum), pass(io, spec.help), pass(io, spec.choices));
-}
-void pass(auto& io, Either<BehaviorDescription> auto& behavior) {
-    (pass(io, behavior.id), pass(io, behavior.name), pass(io, behavior.help), pass(io, behavior.needs_area));
-    (pass(io, behavior.parameters), pass(io, behavior.plan_name), pass(io, behavior.plan_text));
-}
-void pass(auto& io, Either<PoshParameter> auto& parameter) {
-    (pass(io, parameter.name), pass(io, parameter.default_value), pass(io, parameter.unit));
-    (pass(io, parameter.minimum), pass(io, parameter.maximum), pass(io, parameter.choices), pass(io, parameter.help));
-}
-void pass(auto& io, Either<PrimitiveDescription> auto& primitive) {
-    (pass(io, primitive.name), passEnum(io, primitive.kind, PrimitiveKind::Act), pass(io, primitive.parameters));
-    (passEnum(io, primitive.answer, AnswerType::Symbol), pass(io, primitive.unit), pass(io, primitive.help));
-    (pass(io, primitive.needs), pass(io, primitive.minimum), pass(io, primitive.maximum), pass(io, primitive.choices));
-}
-void pass(auto& io, Either<Describe> auto& asked) {
-    pass(io, asked.plugin_file);
-}
-void pass(auto& io, Either<Description> auto& description) {
-    auto& robot = description.robot;
-    (pass(io, robot.class_name), pass(io, robot.name), pass(io, robot.sensors_needed), pass(io, robot.behaviors));
-    pass(io, robot.primitives);
-}
-void pass(auto& io, Either<Preview> auto& asked) {
-    (pass(io, asked.behavior_id), pass(io, asked.task), pass(io, asked.parameters), pass(io, asked.plan));
-}
-void pass(auto& io, Either<Seconds> auto& span) {
-    double count = span.count();
-    pass(io, count);
-    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(span)>>)
-        span = Seconds(count);
-}
-void pass(auto& io, Either<TaskPreview> auto& preview) {
-    (pass(io, preview.path_in_map_m), pass(io, preview.length_m), pass(io, preview.duration));
-    pass(io, preview.summary);
-}
-
 template <class Frame>
 QByteArray written(const Frame& frame) {
     QByteArray bytes;
     Put put(bytes);
     put(version);
-    pass(put, frame);
+    put(frame);
     return bytes;
 }
 
@@ -319,7 +262,7 @@ std::optional<Frame> readAs(const QByteArray& bytes) {
     if (spoken != version)
         return std::nullopt;
     Frame frame;
-    pass(take, frame);
+    take(frame);
     return take.fine() ? std::optional(std::move(frame)) : std::nullopt;
 }
 

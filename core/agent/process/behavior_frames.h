@@ -9,8 +9,8 @@
 #include <QByteArray>
 
 #include "core/agent/plan_control.h"
+#include "core/agent/remote_behavior.h"
 #include "core/agent/robot_plugin.h"
-#include "core/agent/running_behavior.h"
 
 namespace usar::agent::frames {
 
@@ -48,13 +48,7 @@ struct Preview {
 using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Preview>;
 
 /// The reply to a request; the host sends one reply for each request, in the same order.
-struct Answer {
-    RunningBehavior::Output output; ///< empty for new parameters
-    protocol::Command safe;         ///< the behavior's safe command at this time
-    bool halted = false;            ///< as in RunningBehavior; so are the next two
-    bool finished = false;
-    bool broke = false;
-};
+using Answer = BehaviorAnswer;
 /// The reply to Describe. The reply to Preview is a TaskPreview.
 struct Description {
     RobotDescription robot;

@@ -165,7 +165,7 @@ int serveBehavior(int socket) {
             continue;
         }
         const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
-        frames::Answer answer;
+        RunningBehavior::Output output;
         if (!request || (start == nullptr) != service.has_value()) {
             channel.send(
                 frames::write(frames::Refusal{{"the program and its behavior host do not understand each other",
@@ -180,15 +180,11 @@ int serveBehavior(int socket) {
                 return 1;
             }
             service = *std::move(made);
-            answer.output = service->host->begin();
+            output = service->host->begin();
         } else {
-            answer.output = service->answer(*request);
+            output = service->answer(*request);
         }
-        answer.safe = service->host->safeCommand({}).command;
-        answer.halted = service->host->halted();
-        answer.finished = service->host->finished();
-        answer.broke = service->host->broke();
-        channel.send(frames::write(std::move(answer)), patience_to_answer);
+        channel.send(frames::write(answerOf(std::move(output), *service->host)), patience_to_answer);
     }
     return 0;
 }

@@ -16,14 +16,14 @@ constexpr std::size_t words_of_a_line = 60;
 } // namespace
 
 IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
-    : program_(std::move(program))
-    , start_(std::move(start))
-    , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
+    : RemoteBehavior(start.behavior_id)
+    , program_(std::move(program))
+    , start_(std::move(start)) {}
 
 IsolatedBehavior::~IsolatedBehavior() = default;
 
 RunningBehavior::Output IsolatedBehavior::begin() {
-    auto started = HostProcess::start(program_, "behavior " + start_.behavior_id);
+    auto started = HostProcess::start(program_, "behavior " + behavior_id_);
     if (!started)
         return end(started.error().text());
     host_ = *std::move(started);
@@ -50,10 +50,6 @@ void IsolatedBehavior::setParameters(const ParameterSet& parameters) {
     owed_ = ask(parameters.values(), patience_, "it took new parameters after line");
 }
 
-CausedCommand IsolatedBehavior::safeCommand(const std::string& source) const {
-    return {safe_, {source, last_line_}};
-}
-
 RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Seconds patience,
                                               const std::string& at_work) {
     if (finished_ || ending_ || !host_)
@@ -64,7 +60,7 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
         return die("hangs: it has not answered for " + fixed(patience.count(), 1) + " s and was ended", at_work);
     }
     if (reply && std::holds_alternative<frames::Answer>(*reply))
-        return take(std::get<frames::Answer>(*reply));
+        return note(std::get<frames::Answer>(*reply));
     if (reply && std::holds_alternative<frames::Refusal>(*reply))
         return end(std::get<frames::Refusal>(*reply).error.text());
     if (reply && std::holds_alternative<frames::Dying>(*reply))
@@ -72,19 +68,13 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
     return lose(at_work);
 }
 
-RunningBehavior::Output IsolatedBehavior::take(frames::Answer& answer) {
-    halted_ = answer.halted;
-    finished_ = answer.finished;
-    broke_ = answer.broke;
-    safe_ = std::move(answer.safe);
+RunningBehavior::Output IsolatedBehavior::note(frames::Answer& answer) {
     if (!answer.output.commands.empty())
         last_decision_ = answer.output.commands.back().cause.source;
     for (const Published& value : answer.output.published)
         if (const auto* const status = std::get_if<BehaviorStatus>(&value))
             last_state_ = status->state;
-    Output output = std::exchange(owed_, {});
-    output.append(std::move(answer.output));
-    return output;
+    return take(std::move(answer));
 }
 
 RunningBehavior::Output IsolatedBehavior::takeEnd() {
@@ -106,12 +96,12 @@ RunningBehavior::Output IsolatedBehavior::lose(const std::string& at_work) {
     halted_ = false;
     lost_at_work_ = at_work;
     host_->becomeDeaf(); // otherwise its handle would stay readable forever
-    owed_.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
+    owed_.commands = {safeCommand(behavior_id_ + ": its process has ended")};
     return std::exchange(owed_, {});
 }
 
 RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std::string& at_work) {
-    std::string reason = "The behavior " + start_.behavior_id + " " + how + ", while " + at_work;
+    std::string reason = "The behavior " + behavior_id_ + " " + how + ", while " + at_work;
     if (last_line_.value > 0)
         reason += " " + std::to_string(last_line_.value) + " (" + last_text_ + ")";
     if (!last_state_.empty())
@@ -123,15 +113,11 @@ RunningBehavior::Output IsolatedBehavior::die(const std::string& how, const std:
 }
 
 RunningBehavior::Output IsolatedBehavior::end(const std::string& reason) {
-    finished_ = true;
-    ending_ = halted_ = false;
+    ending_ = false;
     if (host_)
         host_->leave();
     host_.reset();
-    Output output = std::exchange(owed_, {});
-    output.commands = {safeCommand(start_.behavior_id + ": its process has ended")};
-    output.published.push_back(BehaviorFinished{false, reason});
-    return output;
+    return finish("its process has ended", reason);
 }
 
 } // namespace usar::agent

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <QString>
 
 #include "core/agent/process/behavior_frames.h"
 #include "core/agent/process/host_process.h"
-#include "core/agent/running_behavior.h"
+#include "core/agent/remote_behavior.h"
 
 namespace usar::agent {
 
@@ -17,7 +16,7 @@ namespace usar::agent {
 /// mission runs the same as without isolation. If the process or its end of the connection is gone, or if it does not
 /// answer within the patience (it is killed then), this returns the behavior's last safe command, and BehaviorFinished
 /// tells by which signal it died, in which state and at which line. The destructor ends the process.
-class IsolatedBehavior final : public RunningBehavior {
+class IsolatedBehavior final : public RemoteBehavior {
 public:
     /// `program` is the path of usar-behavior-host. `begin` starts the process.
     IsolatedBehavior(QString program, frames::Start start);
@@ -28,13 +27,7 @@ public:
     Output order(Order order) override;
     Output control(const PlanControl& control) override;
     void setParameters(const ParameterSet& parameters) override;
-    CausedCommand safeCommand(const std::string& source) const override;
-    bool halted() const override { return halted_; }
-    bool finished() const override { return finished_; }
     bool ending() const override { return ending_; }
-    bool broke() const override { return broke_; }
-    const std::string& behaviorId() const override { return start_.behavior_id; }
-    void setPatience(Seconds patience) override { patience_ = patience; }
     int endHandle() const override { return host_ ? host_->endHandle() : -1; }
     Output takeEnd() override;
 
@@ -45,8 +38,8 @@ private:
     /// Sends a request and waits for the answer. `at_work` describes the work for an error message: "it worked on
     /// line".
     Output ask(const frames::Request& request, Seconds patience, const std::string& at_work);
-    /// Takes over the state in an answer and returns its output, after the output owed from before.
-    Output take(frames::Answer& answer);
+    /// Notes the state and the decision in an answer, for `die`, and returns its output.
+    Output note(frames::Answer& answer);
     /// Handles the loss of the process: returns the safe command now and leaves the reason to `takeEnd`.
     Output lose(const std::string& at_work);
     /// Ends the behavior with a reason that includes its last line, state and decision.
@@ -57,18 +50,11 @@ private:
     QString program_;
     frames::Start start_;
     std::unique_ptr<HostProcess> host_;
-    protocol::Command safe_;
-    LineNumber last_line_;
-    std::string last_text_;     ///< text of that line, shortened
+    std::string last_text_;     ///< text of the last line, shortened
     std::string last_state_;    ///< newest state in a BehaviorStatus
     std::string last_decision_; ///< state or plan node that caused its newest command
     std::string lost_at_work_;  ///< its work when it was lost, for `takeEnd`
-    Output owed_;               ///< output of a call that returns none, for the next call to return
-    Seconds patience_{1.0};
-    bool halted_ = false;
     bool ending_ = false;
-    bool finished_ = false;
-    bool broke_ = false;
 };
 
 } // namespace usar::agent

@@ -1,7 +1,6 @@
 #include "robots/airrobot/flight/launch_checklist.h"
 
 #include <array>
-#include <functional>
 
 namespace usar::airrobot {
 

@@ -1,47 +1,16 @@
-#include "robots/p2dx/explorer_plan.h"
+#include <functional>
 
-#include <utility>
-
-#include "core/agent/posh/posh_behavior.h"
-#include "robots/p2dx/explorer.h"
+#include "robots/p2dx/explorer_body.h"
 
 namespace usar::p2dx {
 
-extern const char explorer_plan_text[]; // Contents of resources/plans/p2dx.lap
-
 namespace {
-
-/// The state that the senses and acts share: the explorer.
-class ExplorerBody final : public agent::PoshBody {
-public:
-    explicit ExplorerBody(agent::BehaviorContext context) : explorer_(std::move(context)) {}
-
-    const Explorer& explorer() const { return explorer_; }
-    Explorer& explorer() { return explorer_; }
-
-    void onInfo(const protocol::InfoLine& line) override { explorer_.hear(line); }
-    void begin(const agent::Tick& tick) override { explorer_.perceive(tick); }
-    void end(const agent::Tick&) override {
-        for (agent::BehaviorEvent& event : explorer_.takeEvents())
-            publish(std::move(event));
-        publish(explorer_.pose());
-    }
-    bool order(agent::Order order) override { return explorer_.order(order); }
-    void setParameters(const agent::ParameterSet& parameters) override { explorer_.setParameters(parameters); }
-    void describe(agent::BehaviorStatus& status) const override { status = explorer_.status(); }
-    std::optional<agent::BehaviorFinished> ended() const override { return explorer_.ending(); }
-    protocol::Command safeCommand() const override { return protocol::SkidDrive{0.0, 0.0}; }
-
-private:
-    Explorer explorer_;
-};
-
-using ExplorerPrimitives = agent::PoshPrimitives<ExplorerBody>;
 
 /// Registers a sense that answers `ask(explorer)`.
 template <class Ask>
 agent::PoshRegistry::Entry addSense(ExplorerPrimitives& primitives, std::string name, std::string help, Ask ask) {
-    return primitives.sense(std::move(name), [ask](const ExplorerBody& body) { return ask(body.explorer()); })
+    return primitives
+        .sense(std::move(name), [ask](const ExplorerBody& body) { return std::invoke(ask, body.explorer()); })
         .describe(std::move(help));
 }
 
@@ -58,25 +27,27 @@ void addDrive(ExplorerPrimitives& primitives, std::string name, std::string help
         .needs("DRIVE");
 }
 
-void addSenses(ExplorerPrimitives& primitives) {
+} // namespace
+
+void addExplorerSenses(ExplorerPrimitives& primitives) {
     addSense(primitives, "ScanAge", "Time since the newest message of the range scanner; large before the first.",
              [](const Explorer& explorer) { return explorer.scanAge().count(); })
         .unit("s")
         .needs("RangeScanner");
     addSense(primitives, "Waiting", "A person asked the robot to wait, or it has not rested enough to start.",
-             [](const Explorer& explorer) { return explorer.waiting(); });
+             &Explorer::waiting);
     addSense(
         primitives, "IsInDanger",
         "Something in the strip ahead is within the safety distance, or the ground falls too steeply, or the robot "
         "is still backing away from that.",
-        [](const Explorer& explorer) { return explorer.inDanger(); })
+        &Explorer::inDanger)
         .needs("RangeScanner")
         .needs("Sonar");
     addSense(primitives, "IsTrapped", "The robot has been in one place for longer than the settings allow.",
-             [](const Explorer& explorer) { return explorer.trapped(); })
+             &Explorer::trapped)
         .needs("INS");
     addSense(primitives, "MustTurn", "The robot has backed away, or is to turn around, and the way is not free yet.",
-             [](const Explorer& explorer) { return explorer.mustTurn(); });
+             &Explorer::mustTurn);
     addSense(primitives, "OpenLeft", "The left third of the scan has the greatest mean range.",
              [](const Explorer& explorer) { return explorer.open() == Third::Left; });
     addSense(primitives, "OpenAhead", "The middle third of the scan has the greatest mean range.",
@@ -85,7 +56,7 @@ void addSenses(ExplorerPrimitives& primitives) {
              [](const Explorer& explorer) { return explorer.open() == Third::Right; });
 }
 
-void addActs(ExplorerPrimitives& primitives) {
+void addExplorerActs(ExplorerPrimitives& primitives) {
     addDrive(primitives, "Halt", "Both wheels stand.", &Explorer::halt);
     addDrive(primitives, "Reverse",
              "Both wheels backward, unequal so that the robot turns away from the nearer side; as far as it knows the "
@@ -103,35 +74,6 @@ void addActs(ExplorerPrimitives& primitives) {
                  return posh::ActResult::Finished;
              })
         .describe("Has the robot turn around to the other side; where that did not help, back away first.");
-}
-
-} // namespace
-
-const agent::PoshRegistry& explorerRegistry() {
-    static const agent::PoshRegistry all = [] {
-        agent::PoshRegistry registry;
-        ExplorerPrimitives primitives(registry);
-        addSenses(primitives);
-        addActs(primitives);
-        return registry;
-    }();
-    return all;
-}
-
-agent::PlanText explorerPlan() {
-    return {"p2dx.lap", explorer_plan_text};
-}
-
-Result<std::unique_ptr<agent::Behavior>> makePlannedExplorer(agent::BehaviorContext context) {
-    agent::PlanText plan = context.plan ? *context.plan : explorerPlan();
-    auto made = agent::PoshBehavior::make({std::move(plan.name),
-                                           std::move(plan.text),
-                                           explorerRegistry(),
-                                           std::make_unique<ExplorerBody>(std::move(context)),
-                                           {}});
-    if (!made)
-        return tl::unexpected(made.error());
-    return *std::move(made);
 }
 
 } // namespace usar::p2dx
