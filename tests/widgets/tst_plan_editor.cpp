@@ -11,8 +11,8 @@
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/messages/completion_delegate.h"
-#include "widgets/plan/plan_editor.h"
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_editor.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
 

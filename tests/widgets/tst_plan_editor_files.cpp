@@ -11,7 +11,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 #include "widgets/style/theme.h"
 
 namespace tst_plan_editor_files {

@@ -10,7 +10,7 @@
 
 #include "core/posh/edit/plan_phrase.h"
 #include "tests/suite/suite.h"
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 
 namespace tst_plan_values {
 

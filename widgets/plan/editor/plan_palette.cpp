@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_palette.h"
+#include "widgets/plan/editor/plan_palette.h"
 
 #include <algorithm>
 

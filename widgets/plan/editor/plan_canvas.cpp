@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_canvas.h"
+#include "widgets/plan/editor/plan_canvas.h"
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/plan/editor/plan_palette.h"
 #include "widgets/plan/plan_painter.h"
-#include "widgets/plan/plan_palette.h"
 #include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 

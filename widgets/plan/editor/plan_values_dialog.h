@@ -10,7 +10,7 @@
 #include <QFormLayout>
 #include <QLabel>
 
-#include "widgets/plan/value_field.h"
+#include "widgets/plan/editor/value_field.h"
 
 namespace usar::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/plan/value_field.h"
+#include "widgets/plan/editor/value_field.h"
 
 #include <algorithm>
 #include <array>

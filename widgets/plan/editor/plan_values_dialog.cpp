@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_actions.h"
+#include "widgets/plan/editor/plan_actions.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include <QKeyEvent>
 
 #include "core/posh/edit/plan_templates.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 
 namespace usar::widgets {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "widgets/models/plan/plan_checker.h"
-#include "widgets/plan/plan_part_editor.h"
+#include "widgets/plan/editor/plan_part_editor.h"
 
 namespace usar::widgets {
 

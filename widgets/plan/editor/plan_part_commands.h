@@ -4,8 +4,8 @@
 #include <QMenu>
 #include <QObject>
 
-#include "widgets/plan/plan_actions.h"
-#include "widgets/plan/plan_part_editor.h"
+#include "widgets/plan/editor/plan_actions.h"
+#include "widgets/plan/editor/plan_part_editor.h"
 
 namespace usar::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_lists.h"
+#include "widgets/plan/editor/plan_lists.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_file.h"
+#include "widgets/plan/editor/plan_file.h"
 
 #include <QCryptographicHash>
 #include <QDir>

@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_offer_bar.h"
+#include "widgets/plan/editor/plan_offer_bar.h"
 
 #include <utility>
 

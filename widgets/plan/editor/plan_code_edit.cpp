@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_code_edit.h"
+#include "widgets/plan/editor/plan_code_edit.h"
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@
 
 #include "core/posh/edit/quick_fixes.h"
 #include "core/posh/model/finding.h"
-#include "widgets/plan/plan_code_edit.h"
+#include "widgets/plan/editor/plan_code_edit.h"
 
 namespace usar::widgets {
 

@@ -8,14 +8,14 @@
 #include <QTimer>
 
 #include "widgets/models/plan/plan_checker.h"
-#include "widgets/plan/plan_drawing_pane.h"
-#include "widgets/plan/plan_editor_head.h"
-#include "widgets/plan/plan_file.h"
-#include "widgets/plan/plan_lists.h"
-#include "widgets/plan/plan_offer_bar.h"
-#include "widgets/plan/plan_palette.h"
-#include "widgets/plan/plan_part_commands.h"
-#include "widgets/plan/plan_text_pane.h"
+#include "widgets/plan/editor/plan_drawing_pane.h"
+#include "widgets/plan/editor/plan_editor_head.h"
+#include "widgets/plan/editor/plan_file.h"
+#include "widgets/plan/editor/plan_lists.h"
+#include "widgets/plan/editor/plan_offer_bar.h"
+#include "widgets/plan/editor/plan_palette.h"
+#include "widgets/plan/editor/plan_part_commands.h"
+#include "widgets/plan/editor/plan_text_pane.h"
 
 namespace usar::widgets {
 

@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 
 #include <QResizeEvent>
 #include <QScopedValueRollback>

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/plan/plan_actions.h"
+#include "widgets/plan/editor/plan_actions.h"
 
 namespace usar::widgets {
 

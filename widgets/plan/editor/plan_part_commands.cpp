@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_part_commands.h"
+#include "widgets/plan/editor/plan_part_commands.h"
 
 namespace usar::widgets {
 

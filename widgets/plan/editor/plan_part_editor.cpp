@@ -1,10 +1,10 @@
-#include "widgets/plan/plan_part_editor.h"
+#include "widgets/plan/editor/plan_part_editor.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/posh/edit/plan_phrase.h"
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 
 namespace usar::widgets {
 

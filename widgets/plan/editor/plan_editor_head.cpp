@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_editor_head.h"
+#include "widgets/plan/editor/plan_editor_head.h"
 
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"

@@ -12,7 +12,7 @@
 #include "core/agent/posh/posh_primitive.h"
 #include "core/posh/model/plan.h"
 #include "widgets/models/plan/plan_gestures.h"
-#include "widgets/plan/plan_code_edit.h"
+#include "widgets/plan/editor/plan_code_edit.h"
 
 class QMimeData;
 

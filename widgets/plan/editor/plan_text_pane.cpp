@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_text_pane.h"
+#include "widgets/plan/editor/plan_text_pane.h"
 
 #include <algorithm>
 

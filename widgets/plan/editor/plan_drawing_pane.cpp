@@ -1,4 +1,4 @@
-#include "widgets/plan/plan_drawing_pane.h"
+#include "widgets/plan/editor/plan_drawing_pane.h"
 
 #include <algorithm>
 

@@ -10,8 +10,8 @@
 
 #include "core/agent/posh/posh_primitive.h"
 #include "core/posh/edit/plan_edits.h"
-#include "widgets/plan/plan_canvas.h"
-#include "widgets/plan/plan_code_edit.h"
+#include "widgets/plan/editor/plan_canvas.h"
+#include "widgets/plan/editor/plan_code_edit.h"
 
 namespace usar::widgets {
 
