@@ -5,8 +5,6 @@
 #include <QObject>
 #include <QStringList>
 
-#include "widgets/models/plan/plan_tree_builder.h"
-
 namespace usar::widgets {
 
 namespace {
@@ -43,10 +41,6 @@ QString planKindWord(PlanNodeKind kind) {
         break;
     }
     return QObject::tr("sense");
-}
-
-PlanTree::PlanTree(const posh::Plan& plan, PlanSharing sharing) {
-    PlanTreeBuilder(*this, plan, sharing).build();
 }
 
 std::span<const int> PlanTree::children(int node) const {
