@@ -215,7 +215,7 @@ void tst_PlanPanel::itsKeysAreItsOwnInAWindowThatHasThemToo() {
 
 void tst_PlanPanel::sharedPartsAreSwitched() {
     const int once = panel_->view().tree().size();
-    auto* shared = button(QStringLiteral("used at several places"));
+    auto* shared = button(QStringLiteral("shared parts in full"));
     shared->click();
     QVERIFY(panel_->view().tree().size() > once);
     shared->click();
@@ -229,7 +229,7 @@ void tst_PlanPanel::buttonsFoldAndUnfold() {
     QVERIFY(!view.layout().shown(grab));
     button(QStringLiteral("Unfolds everything"))->click();
     QVERIFY(view.layout().shown(grab));
-    button(QStringLiteral("Opens what runs"))->click();
+    button(QStringLiteral("Unfolds what is running"))->click();
     QVERIFY(!view.layout().shown(grab));
 }
 

@@ -135,10 +135,9 @@ void tst_PlanText::notesAreMarkedBesideTheirLine() {
     QVERIFY2(noted(edit.grab().toImage(), edit.gutterWidth()), "the circle beside the line");
     QVERIFY(edit.toolTipAt(1).isEmpty());
     QVERIFY2(edit.toolTipAt(2).startsWith(QStringLiteral("2:2: note N501: ")), qPrintable(edit.toolTipAt(2)));
-    QVERIFY(!edit.noteAtCursor());
+    QVERIFY(edit.wordsAtCursor().isEmpty());
     QTest::keyClick(&edit, Qt::Key_F8);
-    QVERIFY(edit.noteAtCursor());
-    QCOMPARE(edit.noteAtCursor()->words, edit.toolTipAt(2));
+    QCOMPARE(edit.wordsAtCursor(), edit.toolTipAt(2));
     edit.setFindings({});
     QVERIFY(edit.toolTipAt(2).isEmpty());
     QVERIFY(notesOf(posh::readPlan("((DC d (drives ((e a)))))").plan).empty());

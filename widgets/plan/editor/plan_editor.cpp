@@ -270,7 +270,7 @@ void PlanEditor::check() {
 
 void PlanEditor::showFindings() {
     lists_->showFindings(checker_.findings(), text_->notes());
-    text_pane_->showFinding(checker_.findings(), checker_.binds());
+    text_pane_->showFinding(checker_.binds());
 }
 
 void PlanEditor::draw() {
@@ -327,7 +327,7 @@ void PlanEditor::say(const QString& words, bool refused) {
 
 void PlanEditor::followCursor(int line, int column) {
     text_->showPlace({}); // Removes the mark of the part that was selected in the drawing.
-    text_pane_->showFinding(checker_.findings(), checker_.binds());
+    text_pane_->showFinding(checker_.binds());
     if (!parts_->isDrawn())
         return;
     const QScopedValueRollback from_text(from_text_, true);

@@ -1,11 +1,9 @@
 #include "widgets/plan/editor/plan_text_pane.h"
 
-#include <algorithm>
-
 #include <QMenu>
 #include <QTextDocument>
-#include <QVBoxLayout>
 
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -18,17 +16,14 @@ constexpr int lamp_after_ms = 300;
 } // namespace
 
 PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
+    auto* column = makeColumn(this);
     edit_ = new PlanCodeEdit(this);
     edit_->setMinimumSize(120, 80);
     edit_->setContextMenuPolicy(Qt::CustomContextMenu);
     column->addWidget(edit_, 1);
     auto* row = new QHBoxLayout;
     row->setSpacing(gap::tiny);
-    finding_ = new QLabel(this);
-    finding_->setWordWrap(true);
+    finding_ = makeLabel(this);
     finding_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     mend_ = makeToolButton(tr("What can be done about this (Alt+Return)"), this, QStringLiteral("lamp"));
     mend_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -43,20 +38,13 @@ PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
     connect(&lamp_timer_, &QTimer::timeout, this, &PlanTextPane::pausedAtFinding);
 }
 
-void PlanTextPane::showFinding(const posh::Findings& findings, bool fits_robot) {
-    const auto errors = std::ranges::count_if(
-        findings, [](const posh::Finding& finding) { return severityOf(finding.code) == Severity::Error; });
-    const auto warnings = std::ssize(findings) - errors;
-    if (const posh::Finding* const here = edit_->findingAtCursor())
-        finding_->setText(QString::fromStdString(posh::toText(*here)));
-    else if (const PlanNote* const note = edit_->noteAtCursor())
-        finding_->setText(note->words);
-    else if (!findings.empty())
-        finding_->setText(tr("Errors: %1, warnings: %2. F8 goes to the next.").arg(errors).arg(warnings));
-    else
-        finding_->setText((fits_robot ? tr("Nothing is wrong with the plan; it fits the robot.")
-                                      : tr("Nothing is wrong with the plan.")) +
-                          (edit_->notes().empty() ? QString() : tr(" F8 goes to a note.")));
+void PlanTextPane::showFinding(bool fits_robot) {
+    QString words = edit_->wordsAtCursor();
+    if (words.isEmpty())
+        words = (fits_robot ? tr("Nothing is wrong with the plan; it fits the robot.")
+                            : tr("Nothing is wrong with the plan.")) +
+                (edit_->notes().empty() ? QString() : tr(" F8 goes to a note."));
+    finding_->setText(words);
     mend_->hide();
     lamp_timer_.start();
 }

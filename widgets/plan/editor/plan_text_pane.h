@@ -9,7 +9,6 @@
 #include <QWidget>
 
 #include "core/posh/edit/quick_fixes.h"
-#include "core/posh/model/finding.h"
 #include "widgets/plan/editor/plan_code_edit.h"
 
 namespace usar::widgets {
@@ -23,7 +22,7 @@ public:
     PlanCodeEdit& edit() { return *edit_; }
     /// Shows the finding in the cursor's line, or the number of findings if that line has none. `fits_robot`: the plan
     /// was checked against a robot. The lamp is off until setFixable turns it on.
-    void showFinding(const posh::Findings& findings, bool fits_robot);
+    void showFinding(bool fits_robot);
     /// Lights the lamp and shows the button for fixes, or hides both.
     void setFixable(bool fixable);
     /// Opens a menu of fixes at the cursor; it must not be empty.

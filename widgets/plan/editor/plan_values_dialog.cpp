@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include <QPushButton>
-
 #include "core/posh/edit/plan_phrase.h"
 #include "core/posh/model/literal.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -63,14 +62,10 @@ PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& act, posh:
 void PlanValuesDialog::addHead() {
     setWindowTitle(tr("Values"));
     form_->setSpacing(gap::small);
-    auto* const title = new QLabel(QString::fromStdString(first_.call.name.text), this);
-    title->setProperty("role", "title");
-    form_->addRow(title);
+    form_->addRow(makeLabel(this, "title", QString::fromStdString(first_.call.name.text)));
     if (description_.help.empty())
         return;
-    auto* const help = new QLabel(QString::fromStdString(description_.help), this);
-    help->setProperty("role", "muted");
-    help->setWordWrap(true);
+    auto* const help = makeLabel(this, "muted", QString::fromStdString(description_.help));
     help->setMinimumWidth(340);
     form_->addRow(help);
 }
@@ -131,16 +126,12 @@ void PlanValuesDialog::addComparison() {
 }
 
 void PlanValuesDialog::addEnd() {
-    phrase_ = new QLabel(this);
-    phrase_->setWordWrap(true);
+    phrase_ = makeLabel(this);
     phrase_->setAccessibleName(tr("As the plan writes it"));
-    buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     form_->addRow(phrase_);
-    form_->addRow(buttons_);
+    ok_ = addDialogButtons(form_);
     for (const ArgumentRow& row : arguments_)
         connect(row.field, &ValueField::changed, this, &PlanValuesDialog::check);
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();
     if (operand_ && operand_->isEnabled())
         operand_->setFocus();
@@ -182,9 +173,9 @@ void PlanValuesDialog::check() {
         fine = fine && (!operand_->isEnabled() || (operand && std::holds_alternative<posh::Literal>(*operand)));
     }
     phrase_->setText(fine ? QString::fromStdString(posh::phraseOf(test()))
-                          : tr("This is no value of a plan. Write true, false, a number, 'a-symbol or \"a text\"."));
-    phrase_->setProperty("role", fine ? "muted" : "danger");
-    buttons_->button(QDialogButtonBox::Ok)->setEnabled(fine);
+                          : tr("This is not a value. Write true, false, a number, 'a-symbol or \"a text\"."));
+    changeRole(phrase_, fine ? "muted" : "danger");
+    ok_->setEnabled(fine);
 }
 
 } // namespace usar::widgets

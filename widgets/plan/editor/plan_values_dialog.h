@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 
 #include "widgets/plan/editor/value_field.h"
 
@@ -51,7 +51,7 @@ private:
     QComboBox* comparison_ = nullptr; ///< senses only
     ValueField* operand_ = nullptr;
     QLabel* phrase_ = nullptr;
-    QDialogButtonBox* buttons_ = nullptr;
+    QPushButton* ok_ = nullptr;
 };
 
 } // namespace usar::widgets
