@@ -499,13 +499,13 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
         return false;
     };
     QCOMPARE(sheet("No findings"), editor_->findings().empty());
-    QVERIFY(sheet("Nothing compared yet") && sheet("No usages asked for"));
+    QVERIFY(sheet("Nothing compared yet") && sheet("No usages listed"));
     editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
     run("compare_running");
     QVERIFY(!sheet("Nothing compared yet"));
     select(QStringLiteral("halt"));
     run("usages");
-    QVERIFY(!sheet("No usages asked for"));
+    QVERIFY(!sheet("No usages listed"));
     editor_->setText("((DC d (drives ((e Stop)))", QStringLiteral("a.lap"));
     QVERIFY(!editor_->findings().empty());
     QTRY_VERIFY(!sheet("No findings"));

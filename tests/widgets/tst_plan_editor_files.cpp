@@ -79,7 +79,7 @@ void tst_PlanEditorFiles::everyDropLeavesASoundPlanOrIsRefused() {
 void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
     editor_->setPrimitives(courierPrimitives());
     PlanPalette& palette = editor_->palette();
-    palette.setFilter(QStringLiteral("drives place"));
+    palette.findChild<QLineEdit*>()->setText(QStringLiteral("drives place"));
     auto* const list = palette.findChild<QTreeWidget*>();
     QStringList shown;
     for (QTreeWidgetItemIterator item(list); *item; ++item)
@@ -88,7 +88,7 @@ void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
     QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
     const QString help = helpText(courierPrimitives().back());
     QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
-    palette.setFilter({});
+    palette.findChild<QLineEdit*>()->clear();
     QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
     QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
              QStringLiteral("Distance 0.0 >"));

@@ -92,7 +92,7 @@ signals:
     void selectionChanged(int node);
     /// Double-click or Return on a part that is not a link.
     void activated(int node);
-    /// The user wants the context menu of a part, which is selected already, or of none (-1).
+    /// The user wants the context menu of a part, which is selected already, or of the background (-1).
     void menuRequested(int node, const QPoint& at_global);
     /// A snapshot was taken: states() changed.
     void refreshed();
@@ -114,13 +114,15 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
+    /// The node at that place, or its card if the scale is too small for sense rows; -1: none.
+    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
+
 private:
     void takeTree(const PlanTree& before);
     void takeNews();
     /// Lays out again if `change` returns true, and keeps the node in its place on the screen.
     void refold(int held, const std::function<bool(PlanFolds&)>& change);
     bool selectionIsHidden() { return selected() >= 0 && drawing_.hides(selected()); }
-    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
     bool onFoldMark(int node, const QPointF& on_screen);
     void bringIntoView(int node);
     void zoomAt(const QPointF& on_screen, double factor);

@@ -41,15 +41,6 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
     connect(this, &PlanView::selectionChanged, this, [this] { range_end_ = -1; });
 }
 
-int PlanCanvas::nodeUnder(const QPointF& on_screen) {
-    if (tree().empty())
-        return -1;
-    const int node = layout().nodeAt(tree(), toLayout(on_screen));
-    if (node < 0 || !tree()[node].in_card || planDetailAt(scale()) == PlanDetail::Full)
-        return node;
-    return tree()[node].parent;
-}
-
 /// False for the root, for the collection, and on a fold mark.
 bool PlanCanvas::canBeTaken(int node, const QPointF& on_screen) {
     if (node < 0 || tree()[node].kind == PlanNodeKind::Plan || tree()[node].kind == PlanNodeKind::Collection)
@@ -61,7 +52,7 @@ bool PlanCanvas::canBeTaken(int node, const QPointF& on_screen) {
 void PlanCanvas::mousePressEvent(QMouseEvent* event) {
     closeLine(true);
     taken_ = -1;
-    const int node = nodeUnder(event->position());
+    const int node = nodeAt(event->position());
     if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier && selected() >= 0 && node >= 0)
         return extendTo(node);
     if (event->button() == Qt::LeftButton && gestures_ && gestures_() && canBeTaken(node, event->position())) {
@@ -104,18 +95,16 @@ void PlanCanvas::startDrag(int node) {
     auto* mime = new QMimeData;
     mime->setData(QString::fromLatin1(node_mime_type), QByteArray::number(node));
     mime->setText(tree()[node].name);
-    dragged_ = node;
     QDrag drag(this);
     drag.setMimeData(mime);
     drag.exec(Qt::MoveAction | Qt::CopyAction, Qt::MoveAction);
-    dragged_ = -1;
     hover_.reset();
     update();
 }
 
 void PlanCanvas::contextMenuEvent(QContextMenuEvent* event) {
     const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
-    const int node = by_key ? selected() : nodeUnder(event->pos());
+    const int node = by_key ? selected() : nodeAt(event->pos());
     if (!by_key && node >= 0)
         select(node);
     QPoint at = event->globalPos();
@@ -137,7 +126,7 @@ std::optional<std::variant<PlanPiece, int>> PlanCanvas::sourceOf(const QMimeData
 PlanCanvas::Hover PlanCanvas::hoverAt(const std::variant<PlanPiece, int>& source, const QPointF& on_screen) {
     Hover hover;
     hover.at = on_screen;
-    hover.node = nodeUnder(on_screen);
+    hover.node = nodeAt(on_screen);
     if (hover.node >= 0) {
         const QRectF box = layout().box(tree(), hover.node);
         const double share = (toLayout(on_screen).y() - box.top()) / std::max(1.0, box.height());
@@ -225,33 +214,34 @@ void PlanCanvas::keyPressEvent(QKeyEvent* event) {
         extendTo(cards[static_cast<std::size_t>(here)]);
 }
 
+QRectF PlanCanvas::frameOf(int node) {
+    const QRectF box = layout().box(tree(), node);
+    return QRectF(toScreen(box.topLeft()), toScreen(box.bottomRight())).adjusted(-3, -3, 3, 3);
+}
+
 /// Paints the range over the drawing and, during a drag, the place of the drop and a note about its effect.
 void PlanCanvas::paintEvent(QPaintEvent* event) {
     PlanView::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(tokens().accent, 2.0, Qt::DashLine));
     if (range_end_ >= 0)
-        for (const int node : range()) {
-            const QRectF box = layout().box(tree(), node);
-            painter.setPen(QPen(tokens().accent, 2.0, Qt::DashLine));
-            painter.setBrush(Qt::NoBrush);
-            painter.drawRoundedRect(QRectF(toScreen(box.topLeft()), toScreen(box.bottomRight())).adjusted(-3, -3, 3, 3),
-                                    8, 8);
-        }
+        for (const int node : range())
+            painter.drawRoundedRect(frameOf(node), 8, 8);
     if (!hover_)
         return;
     if (hover_->node >= 0 && hover_->deed) {
-        const QRectF box = layout().box(tree(), hover_->node);
-        const QRectF card(toScreen(box.topLeft()), toScreen(box.bottomRight()));
+        const QRectF frame = frameOf(hover_->node);
         painter.setPen(QPen(tokens().accent, 3.0));
-        painter.setBrush(Qt::NoBrush);
         if (hover_->zone == DropZone::Onto)
-            painter.drawRoundedRect(card.adjusted(-3, -3, 3, 3), 8, 8);
-        const double y = hover_->zone == DropZone::Before ? card.top() - 3 : card.bottom() + 3;
-        if (hover_->zone != DropZone::Onto)
-            painter.drawLine(QPointF(card.left(), y), QPointF(card.right(), y));
+            painter.drawRoundedRect(frame, 8, 8);
+        else if (hover_->zone == DropZone::Before)
+            painter.drawLine(frame.topLeft() + QPointF(3, 0), frame.topRight() - QPointF(3, 0));
+        else
+            painter.drawLine(frame.bottomLeft() + QPointF(3, 0), frame.bottomRight() - QPointF(3, 0));
     }
-    const QString words = hover_->deed ? hover_->deed->words : tr("This means nothing here");
+    const QString words = hover_->deed ? hover_->deed->words : tr("It cannot be dropped here");
     QRectF note = QFontMetricsF(font()).boundingRect(words).adjusted(-gap::small, -gap::tiny, gap::small, gap::tiny);
     note.moveTopLeft(hover_->at + QPointF(16, 16));
     note.moveLeft(std::clamp(note.left(), 0.0, std::max(0.0, width() - note.width())));

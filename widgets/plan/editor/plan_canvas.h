@@ -48,8 +48,6 @@ signals:
     void wordsEntered(int node, const QString& words, int what);
     /// The end of the range changed.
     void rangeChanged();
-    /// `node` is -1 if the background was clicked.
-    void menuRequested(int node, const QPoint& global);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -74,8 +72,6 @@ private:
         QPointF at;
         std::optional<PlanDeed> deed;
     };
-    /// The node at that place, or its card if the scale is too small for sense rows; -1: none.
-    int nodeUnder(const QPointF& on_screen);
     /// True if the node can be dragged from that place.
     bool canBeTaken(int node, const QPointF& on_screen);
     void startDrag(int node);
@@ -88,6 +84,8 @@ private:
     void extendTo(int node);
     /// The card that contains the node, which may be a sense row.
     int cardOf(int node) const;
+    /// The frame of a node on the screen, with some distance from it.
+    QRectF frameOf(int node);
 
     Gestures gestures_;
     QLineEdit* line_;
@@ -95,7 +93,6 @@ private:
     int line_what_ = 0;
     int range_end_ = -1;
     int taken_ = -1; ///< pressed, but not dragged yet; -1: none
-    int dragged_ = -1;
     QPointF taken_at_;
     std::optional<Hover> hover_;
 };

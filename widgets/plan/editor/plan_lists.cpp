@@ -10,9 +10,12 @@ namespace usar::widgets {
 
 namespace {
 
+QIcon warningIcon() {
+    return icon(QStringLiteral("warning"), tokens().caution);
+}
+
 QIcon iconOf(posh::Code code) {
-    return severityOf(code) == Severity::Error ? icon(QStringLiteral("error"), tokens().danger)
-                                               : icon(QStringLiteral("warning"), tokens().caution);
+    return severityOf(code) == Severity::Error ? icon(QStringLiteral("error"), tokens().danger) : warningIcon();
 }
 
 QIcon iconOf(posh::ChangeKind kind) {
@@ -28,20 +31,9 @@ QIcon iconOf(posh::ChangeKind kind) {
     }
 }
 
-QListWidgetItem* addRow(QListWidget& list, const QString& words, const posh::Spot& at, const QIcon& mark = {}) {
+void addRow(QListWidget& list, const QString& words, const posh::Spot& at, const QIcon& mark = {}) {
     auto* item = new QListWidgetItem(mark, words, &list);
     item->setData(Qt::UserRole, QVariantList{at.line, at.column, at.offset, at.length});
-    return item;
-}
-
-/// Shows what the list will contain while it is empty.
-void explainEmpty(QListWidget* list, const QString& title, const QString& hint) {
-    auto* const sheet = new EmptyState(list);
-    sheet->setText(title, hint);
-    const auto show = [sheet, list] { sheet->setVisible(list->count() == 0); };
-    QObject::connect(list->model(), &QAbstractItemModel::rowsInserted, sheet, show);
-    QObject::connect(list->model(), &QAbstractItemModel::rowsRemoved, sheet, show);
-    QObject::connect(list->model(), &QAbstractItemModel::modelReset, sheet, show);
 }
 
 } // namespace
@@ -49,26 +41,28 @@ void explainEmpty(QListWidget* list, const QString& title, const QString& hint) 
 PlanLists::PlanLists(QWidget* parent) : QTabWidget(parent) {
     setDocumentMode(true);
     setMinimumHeight(64);
-    findings_ = makeList(tr("Findings"), tr("What is wrong with the plan; a click goes there"));
-    differences_ = makeList(tr("Differences"), tr("What was changed; a click goes there"));
-    usages_ = makeList(tr("Usages"), tr("Where it is used; a click goes there"));
-    explainEmpty(findings_, tr("No findings"), tr("What is wrong is listed while you type, with what to write."));
-    explainEmpty(differences_, tr("Nothing compared yet"),
-                 tr("Compare, above, lists what was changed since another version."));
-    explainEmpty(usages_, tr("No usages asked for"),
-                 tr("Select a part and press Shift+F12: all places that use it are listed."));
-    addTab(findings_, tr("Findings"));
-    addTab(differences_, tr("Differences"));
-    addTab(usages_, tr("Usages"));
+    findings_ = addList(tr("Findings"), tr("What is wrong with the plan; click to go there"), tr("No findings"),
+                        tr("What is wrong is listed here while you type, with what to write instead."));
+    differences_ = addList(tr("Differences"), tr("What has changed; click to go there"), tr("Nothing compared yet"),
+                           tr("Use Compare, above, to list what has changed since another version."));
+    usages_ = addList(tr("Usages"), tr("Where it is used; click to go there"), tr("No usages listed"),
+                      tr("Select a part and press Shift+F12 to list all places that use it."));
 }
 
-QListWidget* PlanLists::makeList(const QString& name, const QString& help) {
+QListWidget* PlanLists::addList(const QString& name, const QString& help, const QString& title, const QString& hint) {
     auto* list = new QListWidget(this);
     list->setAccessibleName(name);
     list->setToolTip(help);
     list->setWordWrap(true);
     list->setIconSize({14, 14});
     list->setFrameShape(QFrame::NoFrame);
+    addTab(list, name);
+    auto* const sheet = new EmptyState(list);
+    sheet->setText(title, hint);
+    const auto show = [sheet, list] { sheet->setVisible(list->count() == 0); };
+    connect(list->model(), &QAbstractItemModel::rowsInserted, sheet, show);
+    connect(list->model(), &QAbstractItemModel::rowsRemoved, sheet, show);
+    connect(list->model(), &QAbstractItemModel::modelReset, sheet, show);
     const auto go = [this](const QListWidgetItem* item) {
         const QVariantList place = item->data(Qt::UserRole).toList();
         if (place.size() == 4 && place[0].toUInt() > 0)
@@ -96,10 +90,9 @@ void PlanLists::showDifferences(const std::vector<posh::PlanChange>& changes, bo
     for (const posh::PlanChange& change : changes)
         addRow(*differences_, QString::fromStdString(change.line), change.after_at, iconOf(change.kind));
     if (changes.empty())
-        addRow(*differences_, tr("No difference but in layout and comments"), {});
+        addRow(*differences_, tr("No difference except in layout and comments"), {});
     if (is_partial)
-        addRow(*differences_, tr("Parts that cannot be read are left out"), {},
-               icon(QStringLiteral("warning"), tokens().caution));
+        addRow(*differences_, tr("Parts that cannot be read are left out"), {}, warningIcon());
     setTabText(1, tr("Differences (%1)").arg(changes.size()));
     setCurrentWidget(differences_);
 }
@@ -120,8 +113,7 @@ void PlanLists::showUsages(const posh::Plan& plan, const posh::PlanPart& part) {
 void PlanLists::showLosses(const std::vector<posh::Loss>& losses) {
     usages_->clear();
     for (const posh::Loss& loss : losses)
-        addRow(*usages_, QString::fromStdString(loss.message), loss.at,
-               icon(QStringLiteral("warning"), tokens().caution));
+        addRow(*usages_, QString::fromStdString(loss.message), loss.at, warningIcon());
     setTabText(2, tr("Lost in the export (%1)").arg(losses.size()));
     if (!losses.empty())
         setCurrentWidget(usages_);

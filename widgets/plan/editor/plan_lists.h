@@ -35,7 +35,8 @@ signals:
     void placeChosen(const usar::posh::Spot& at);
 
 private:
-    QListWidget* makeList(const QString& name, const QString& help);
+    /// Adds a tab with a list, which shows `title` and `hint` while it is empty.
+    QListWidget* addList(const QString& name, const QString& help, const QString& title, const QString& hint);
 
     QListWidget* findings_;
     QListWidget* differences_;

@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include <QMimeData>
-#include <QShortcut>
-#include <QVBoxLayout>
 
 #include "core/posh/model/literal.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -18,23 +16,11 @@ namespace {
 constexpr int help_role = Qt::UserRole;
 constexpr int words_role = Qt::UserRole + 1;
 constexpr int sense_role = Qt::UserRole + 2;
+constexpr std::size_t first_form_group = 2; ///< the groups from here on are in the order of posh::Form
 
 QString answerWord(agent::AnswerType type) {
-    switch (type) {
-    case agent::AnswerType::Boolean:
-        return QObject::tr("true or false");
-    case agent::AnswerType::Integer:
-        return QObject::tr("a whole number");
-    case agent::AnswerType::Real:
-        return QObject::tr("a number");
-    case agent::AnswerType::Text:
-        return QObject::tr("a text");
-    case agent::AnswerType::Symbol:
-        return QObject::tr("a symbol");
-    case agent::AnswerType::Any:
-        break;
-    }
-    return QObject::tr("anything");
+    constexpr std::array words{"anything", "true or false", "a whole number", "a number", "a text", "a symbol"};
+    return QObject::tr(words[static_cast<std::size_t>(type)]); // In the order of the types.
 }
 
 /// A list whose items can be dragged as pieces.
@@ -104,32 +90,23 @@ QString helpText(const agent::PrimitiveDescription& primitive) {
 
 QString firstTest(const agent::PrimitiveDescription& sense) {
     const QString name = QString::fromStdString(sense.name);
-    switch (sense.answer) {
-    case agent::AnswerType::Integer:
-        return name + QStringLiteral(" 0 >");
-    case agent::AnswerType::Real:
-        return name + QStringLiteral(" 0.0 >");
-    default:
-        return name;
-    }
+    return sense.answer == agent::AnswerType::Integer ? name + QStringLiteral(" 0 >")
+           : sense.answer == agent::AnswerType::Real  ? name + QStringLiteral(" 0.0 >")
+                                                      : name;
 }
 
 PlanPalette::PlanPalette(QWidget* parent)
     : QWidget(parent)
     , search_(makeSearchLine(tr("Find a piece"), tr("Names and descriptions; Return goes to the list"), this))
     , list_(new PieceList(this))
-    , help_(new QLabel(this)) {
+    , help_(makeLabel(this, "muted")) {
     setAccessibleName(tr("Pieces"));
     list_->setAccessibleName(tr("Senses, acts and forms"));
     list_->setToolTip(tr("Drag a piece into the drawing; Return or a double-click adds it at the selected part"));
-    help_->setWordWrap(true);
-    help_->setProperty("role", "muted");
     help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     help_->setMinimumHeight(3 * help_->fontMetrics().height());
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
+    auto* column = makeColumn(this);
     column->addWidget(search_);
     column->addWidget(list_, 1);
     column->addWidget(help_);
@@ -144,49 +121,40 @@ PlanPalette::PlanPalette(QWidget* parent)
 }
 
 void PlanPalette::setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives) {
-    senses_.clear();
-    acts_.clear();
+    auto& senses = groups_[0];
+    auto& acts = groups_[1];
+    senses.clear();
+    acts.clear();
     for (const agent::PrimitiveDescription& primitive : primitives) {
         const bool is_sense = primitive.kind == agent::PrimitiveKind::Sense;
         const QString name = QString::fromStdString(primitive.name);
-        (is_sense ? senses_ : acts_)
+        (is_sense ? senses : acts)
             .push_back({name, helpText(primitive), {is_sense, is_sense ? firstTest(primitive) : name}});
     }
-    const auto builtIn = [](const QString& name, bool is_sense, const QString& help) {
-        return Entry{name, help, {is_sense, name}};
-    };
-    senses_.push_back(builtIn(QStringLiteral("succeed"), true, tr("Always holds. Every robot has it.")));
-    senses_.push_back(builtIn(QStringLiteral("fail"), true, tr("Never holds. Every robot has it.")));
-    acts_.push_back(builtIn(QStringLiteral("doNothing"), false, tr("Does nothing, once. Every robot has it.")));
+    senses.push_back({"succeed", tr("Always holds. Every robot has it."), {true, "succeed"}});
+    senses.push_back({"fail", tr("Never holds. Every robot has it."), {true, "fail"}});
+    acts.push_back({"doNothing", tr("Does nothing, once. Every robot has it."), {false, "doNothing"}});
     rebuild();
 }
 
 void PlanPalette::setPlan(const posh::Plan& plan) {
-    std::vector<Entry> competences;
-    std::vector<Entry> patterns;
-    std::vector<Entry> adopts;
+    const std::array help{tr("A competence of this plan."), tr("An action pattern of this plan."),
+                          tr("An adopt of this plan.")};
+    auto groups = groups_;
+    for (std::size_t i = first_form_group; i < groups.size(); ++i)
+        groups[i].clear();
     for (const posh::Form& form : plan.forms) {
         const QString name = QString::fromStdString(posh::nameOf(form).text);
-        if (std::holds_alternative<posh::Competence>(form))
-            competences.push_back({name, tr("A competence of this plan."), {false, name}});
-        else if (std::holds_alternative<posh::Pattern>(form))
-            patterns.push_back({name, tr("An action pattern of this plan."), {false, name}});
-        else if (std::holds_alternative<posh::Adopt>(form))
-            adopts.push_back({name, tr("An adopt of this plan."), {false, name}});
+        if (!std::holds_alternative<posh::Collection>(form))
+            groups[first_form_group + form.index()].push_back({name, help[form.index()], {false, name}});
     }
-    const auto same = [](const std::vector<Entry>& a, const std::vector<Entry>& b) {
-        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                          [](const Entry& x, const Entry& y) { return x.name == y.name && x.help == y.help; });
-    };
-    if (same(competences, competences_) && same(patterns, patterns_) && same(adopts, adopts_))
+    if (groups == groups_)
         return;
-    competences_ = std::move(competences);
-    patterns_ = std::move(patterns);
-    adopts_ = std::move(adopts);
+    groups_ = std::move(groups);
     rebuild();
 }
 
-QTreeWidgetItem* PlanPalette::group(const QString& title, const char* icon_name, const std::vector<Entry>& entries) {
+void PlanPalette::addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries) {
     auto* head = new QTreeWidgetItem(list_, {title});
     head->setFlags(Qt::ItemIsEnabled);
     QFont font = list_->font();
@@ -202,20 +170,16 @@ QTreeWidgetItem* PlanPalette::group(const QString& title, const char* icon_name,
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
     }
     head->setExpanded(true);
-    return head;
 }
 
 void PlanPalette::rebuild() {
     const auto before = chosen();
     list_->clear();
-    group(tr("Senses"), "eye", senses_);
-    group(tr("Acts"), "play", acts_);
-    if (!competences_.empty())
-        group(tr("Competences"), "branches", competences_);
-    if (!patterns_.empty())
-        group(tr("Action patterns"), "step", patterns_);
-    if (!adopts_.empty())
-        group(tr("Adopts"), "reset", adopts_);
+    const std::array titles{tr("Senses"), tr("Acts"), tr("Competences"), tr("Action patterns"), tr("Adopts")};
+    constexpr std::array icons{"eye", "play", "branches", "step", "reset"};
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+        if (i < first_form_group || !groups_[i].empty())
+            addGroup(titles[i], icons[i], groups_[i]);
     applyFilter();
     for (QTreeWidgetItemIterator item(list_); before && *item; ++item)
         if ((*item)->data(0, words_role).toString() == before->words)
@@ -226,17 +190,13 @@ void PlanPalette::rebuild() {
 
 std::vector<PlanWord> PlanPalette::words() const {
     std::vector<PlanWord> all;
-    for (const auto* entries : {&senses_, &acts_, &competences_, &patterns_, &adopts_})
-        for (const Entry& entry : *entries)
+    for (const std::vector<Entry>& entries : groups_)
+        for (const Entry& entry : entries)
             all.push_back({entry.piece.is_sense, entry.name, entry.help.section(u'\n', 0, 0)});
     std::ranges::sort(all, [](const PlanWord& a, const PlanWord& b) {
         return QString::compare(a.name, b.name, Qt::CaseInsensitive) < 0;
     });
     return all;
-}
-
-void PlanPalette::setFilter(const QString& words) {
-    search_->setText(words);
 }
 
 void PlanPalette::applyFilter() {

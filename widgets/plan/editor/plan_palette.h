@@ -2,6 +2,7 @@
 // plan itself.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,8 +44,6 @@ public:
     void setPlan(const posh::Plan& plan);
     /// The names of all pieces, sorted, for completion.
     std::vector<PlanWord> words() const;
-    /// Shows only pieces whose name or help contains all these words.
-    void setFilter(const QString& words);
     /// The selected piece; nullopt: none.
     std::optional<PlanPiece> chosen() const;
 
@@ -61,8 +60,9 @@ private:
         QString name;
         QString help;
         PlanPiece piece;
+        bool operator==(const Entry&) const = default;
     };
-    QTreeWidgetItem* group(const QString& title, const char* icon_name, const std::vector<Entry>& entries);
+    void addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries);
     void rebuild();
     void applyFilter();
     void explain();
@@ -70,11 +70,7 @@ private:
     QLineEdit* search_;
     QTreeWidget* list_;
     QLabel* help_;
-    std::vector<Entry> senses_;
-    std::vector<Entry> acts_;
-    std::vector<Entry> competences_;
-    std::vector<Entry> patterns_;
-    std::vector<Entry> adopts_;
+    std::array<std::vector<Entry>, 5> groups_; ///< senses, acts, competences, action patterns, adopts
 };
 
 } // namespace usar::widgets
