@@ -21,10 +21,8 @@ struct PlanScene {
     const PlanFolds& folds;
     const PlanStates& states;
     const Tokens& colors;
-    /// By node: true if it matches the search; empty: no search.
-    std::vector<bool> found{};
-    /// -1: none.
-    int selected = -1;
+    std::vector<bool> found{};        ///< by node: true if it matches the search; empty: no search
+    int selected = -1;                ///< -1: none
     int hot = -1;                     ///< under the mouse; -1: none
     bool focused = false;             ///< the view has the keyboard focus
     const PlanMarks* marks = nullptr; ///< nullptr: no marks
@@ -51,11 +49,15 @@ public:
 
 private:
     void paintLines(const std::vector<int>& nodes, const QRectF& area);
-    void paintLine(int parent, int child, const QColor& color, double width);
+    void paintRunningLine(const QPointF& from, const QPointF& to);
+    /// The x of the vertical part of a line from a card to one of its children.
+    double trunkOf(const QPointF& from, const QPointF& to) const;
     void paintEquals(int node);
     void paintCard(int node);
     void paintBlockName(int node, const QRectF& box);
     void paintTitle(int node, const QRectF& row);
+    void paintNameAndDetail(const PlanNode& what, const QFont& name_font, const QRectF& room, double gap_px,
+                            double least_px);
     void paintKindMark(int node, const QRectF& place);
     /// The two return the right edge of the room that is left for the title.
     double paintCounters(int node, const QRectF& row, double right);
@@ -69,9 +71,10 @@ private:
     void paintStand(const QPointF& middle);
     void paintPin(const QPointF& middle);
     void paintOff(const QRectF& box);
-    void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
+    void frame(const QRectF& box, const QColor& color, Qt::PenStyle style);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
     QColor fillOf(int node) const;
+    QRectF boxOf(int node) const { return scene_.layout.box(scene_.tree, node); }
     /// Line width of at least one device pixel.
     double thin() const { return 1.0 / std::min(scale_, 1.0); }
     /// Scale of marks, which shrink less than cards do.

@@ -91,14 +91,6 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override { edit_->paintGutter(event); }
-    bool event(QEvent* event) override {
-        if (event->type() != QEvent::ToolTip)
-            return QWidget::event(event);
-        const auto* const help = static_cast<QHelpEvent*>(event);
-        const int line = edit_->cursorForPosition({0, help->pos().y()}).blockNumber() + 1;
-        QToolTip::showText(help->globalPos(), edit_->toolTipAt(line), this);
-        return true;
-    }
 
 private:
     PlanTextEdit* edit_;

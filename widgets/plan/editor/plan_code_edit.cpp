@@ -29,10 +29,6 @@ bool isNamePart(QChar c) {
     return c.isLetterOrNumber() || c == u'_' || c == u'-' || c == u'.' || c == u'$';
 }
 
-QString fromUtf8(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 } // namespace
 
 PlanCodeEdit::PlanCodeEdit(QWidget* parent)
@@ -89,7 +85,7 @@ void PlanCodeEdit::resetText(std::string_view text) {
 }
 
 int PlanCodeEdit::positionOf(std::size_t offset) const {
-    return static_cast<int>(fromUtf8(std::string_view(planText()).substr(0, offset)).size());
+    return static_cast<int>(QString::fromUtf8(std::string_view(planText()).substr(0, offset)).size());
 }
 
 std::size_t PlanCodeEdit::cursorOffset() const {
@@ -110,20 +106,15 @@ void PlanCodeEdit::applyText(std::string_view wanted) {
 }
 
 void PlanCodeEdit::applyEdits(const std::vector<posh::Splice>& edits) {
-    struct Piece {
-        int begin;
-        int end;
-        QString words;
-    };
-    std::vector<Piece> pieces;
+    std::vector<std::pair<int, int>> places;
     for (const posh::Splice& edit : edits)
-        pieces.push_back({positionOf(edit.begin), positionOf(edit.end), fromUtf8(edit.text)});
+        places.emplace_back(positionOf(edit.begin), positionOf(edit.end));
     QTextCursor cursor(document());
     cursor.beginEditBlock();
-    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
-        cursor.setPosition(piece->begin);
-        cursor.setPosition(piece->end, QTextCursor::KeepAnchor);
-        cursor.insertText(piece->words);
+    for (std::size_t i = edits.size(); i-- > 0;) { // Backward, so that the places before an edit stay right.
+        cursor.setPosition(places[i].first);
+        cursor.setPosition(places[i].second, QTextCursor::KeepAnchor);
+        cursor.insertText(QString::fromUtf8(edits[i].text));
     }
     cursor.endEditBlock();
 }
@@ -255,10 +246,8 @@ void PlanCodeEdit::matchParentheses() {
     matched_.clear();
     unmatched_.clear();
     const QTextCursor cursor = textCursor();
-    const QChar behind = document()->characterAt(cursor.position());
-    const QChar before = document()->characterAt(cursor.position() - 1);
-    const bool at_open = behind == u'(';
-    if (at_open || before == u')') {
+    const bool at_open = document()->characterAt(cursor.position()) == u'(';
+    if (at_open || document()->characterAt(cursor.position() - 1) == u')') {
         const posh::TokenList list = posh::tokenize(planText());
         const std::size_t offset = cursorOffset() - (at_open ? 0 : 1);
         std::vector<std::size_t> open;
@@ -276,7 +265,7 @@ void PlanCodeEdit::matchParentheses() {
             if (!open.empty())
                 open.pop_back();
         }
-        if (std::find(open.begin(), open.end(), offset) != open.end())
+        if (std::ranges::count(open, offset) > 0)
             unmatched_ = {positionOf(offset)};
     }
     mark();
@@ -300,8 +289,7 @@ void PlanCodeEdit::addMarks(QList<QTextEdit::ExtraSelection>& marks) const {
 
 void PlanCodeEdit::setLamp(bool on) {
     lamp_->setVisible(on);
-    if (on)
-        placeLamp();
+    placeLamp();
 }
 
 void PlanCodeEdit::placeLamp() {
@@ -314,14 +302,12 @@ void PlanCodeEdit::placeLamp() {
 
 void PlanCodeEdit::resizeEvent(QResizeEvent* event) {
     PlanTextEdit::resizeEvent(event);
-    if (lamp_->isVisible())
-        placeLamp();
+    placeLamp();
 }
 
 void PlanCodeEdit::scrollContentsBy(int dx, int dy) {
     PlanTextEdit::scrollContentsBy(dx, dy);
-    if (lamp_->isVisible())
-        placeLamp();
+    placeLamp();
 }
 
 } // namespace usar::widgets

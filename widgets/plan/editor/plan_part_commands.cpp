@@ -16,83 +16,73 @@ PlanPartCommands::PlanPartCommands(PlanActions& actions, PlanPartEditor& parts, 
     fillMenu();
 }
 
+void PlanPartCommands::add(const char* name, const QString& text, const QString& help, const char* icon,
+                           const QKeySequence& keys, std::function<void()> run) {
+    actions_.add({name, text, help, icon, keys, true}, std::move(run));
+}
+
 void PlanPartCommands::addChanges() {
-    actions_.add({"edit", tr("Change"), tr("Changes its name, call or sense where it stands"), "", Qt::Key_F2, true},
-                 [this] { parts_.editInPlace(InPlace::Words); });
-    actions_.add({"values", tr("Values…"), tr("Arguments, comparison and operand, each by its type and range"), "",
-                  Qt::Key_V, true},
-                 [this] { parts_.editValues(); });
-    actions_.add({"rename", tr("Rename everywhere"), tr("Changes its name and all that refers to it"), "",
+    const auto edits = [this](InPlace what) { return [this, what] { parts_.editInPlace(what); }; };
+    add("edit", tr("Edit"), tr("Edits its name, call or sense in place"), "", Qt::Key_F2, edits(InPlace::Words));
+    add("values", tr("Values…"), tr("Edits arguments, comparison and operand, each by its type and range"), "",
+        Qt::Key_V, [this] { parts_.editValues(); });
+    actions_.add({"rename", tr("Rename everywhere"), tr("Renames it and everything that refers to it"), "",
                   QKeySequence("Shift+F2")},
-                 [this] { parts_.editInPlace(InPlace::Rename); });
-    actions_.add(
-        {"trigger", tr("Trigger or goal"), tr("Changes when it may run, or when it is done"), "", Qt::Key_T, true},
-        [this] { parts_.editInPlace(InPlace::Trigger); });
-    actions_.add(
-        {"limit", tr("Limit"), tr("Changes how often it may start, or how long it may take"), "", Qt::Key_L, true},
-        [this] { parts_.editInPlace(InPlace::Limit); });
-    actions_.add({"comment", tr("Comment"), tr("Changes what is said about it"), "", Qt::Key_C, true},
-                 [this] { parts_.editInPlace(InPlace::Comment); });
+                 edits(InPlace::Rename));
+    add("trigger", tr("Trigger or goal"), tr("Edits when it may run, or when it is done"), "", Qt::Key_T,
+        edits(InPlace::Trigger));
+    add("limit", tr("Limit"), tr("Edits how often it may start, or how long it may take"), "", Qt::Key_L,
+        edits(InPlace::Limit));
+    add("comment", tr("Comment"), tr("Edits the comment about it"), "", Qt::Key_C, edits(InPlace::Comment));
 }
 
 void PlanPartCommands::addMoves() {
-    actions_.add(
-        {"move_up", tr("Move up"), tr("Makes it more important, or earlier"), "up", QKeySequence("Alt+Up"), true},
+    add("move_up", tr("Move up"), tr("Makes it more important, or earlier"), "up", QKeySequence("Alt+Up"),
         [this] { parts_.shift(-1); });
-    actions_.add(
-        {"move_down", tr("Move down"), tr("Makes it less important, or later"), "down", QKeySequence("Alt+Down"), true},
+    add("move_down", tr("Move down"), tr("Makes it less important, or later"), "down", QKeySequence("Alt+Down"),
         [this] { parts_.shift(1); });
-    actions_.add({"join_up", tr("Make equal with the one above"), tr("Both have one priority then"), "",
-                  QKeySequence("Alt+Shift+Up"), true},
-                 [this] { parts_.join(-1); });
-    actions_.add({"join_down", tr("Make equal with the one below"), tr("Both have one priority then"), "",
-                  QKeySequence("Alt+Shift+Down"), true},
-                 [this] { parts_.join(1); });
-    actions_.add(
-        {"add_before", tr("Add before"), tr("A new one like it, before it"), "", QKeySequence("Shift+Ins"), true},
+    add("join_up", tr("Make equal with the one above"), tr("Gives both the same priority"), "",
+        QKeySequence("Alt+Shift+Up"), [this] { parts_.join(-1); });
+    add("join_down", tr("Make equal with the one below"), tr("Gives both the same priority"), "",
+        QKeySequence("Alt+Shift+Down"), [this] { parts_.join(1); });
+    add("add_before", tr("Add before"), tr("Adds a new one of its kind before it"), "", QKeySequence("Shift+Ins"),
         [this] { parts_.addMember(true); });
-    actions_.add({"add_after", tr("Add behind"), tr("A new one like it, behind it"), "plus", QKeySequence("Ins"), true},
-                 [this] { parts_.addMember(false); });
-    actions_.add({"swap", tr("Swap with…"), tr("Remembers it; the next one you swap with changes places with it"), "",
-                  Qt::Key_X, true},
-                 [this] { parts_.swap(); });
-    actions_.add(
-        {"duplicate", tr("Duplicate"), tr("The same once more, under another name"), "", QKeySequence("Ctrl+D"), true},
+    add("add_after", tr("Add after"), tr("Adds a new one of its kind after it"), "plus", QKeySequence("Ins"),
+        [this] { parts_.addMember(false); });
+    add("swap", tr("Swap with…"), tr("Remembers it; then use this on another part to swap the two"), "", Qt::Key_X,
+        [this] { parts_.swap(); });
+    add("duplicate", tr("Duplicate"), tr("Adds a copy of it under another name"), "", QKeySequence("Ctrl+D"),
         [this] { parts_.duplicate(); });
-    actions_.add({"delete", tr("Delete"), tr("Takes it out of the plan"), "trash", QKeySequence::Delete, true},
-                 [this] { parts_.remove(); });
+    add("delete", tr("Delete"), tr("Removes it from the plan"), "trash", QKeySequence::Delete,
+        [this] { parts_.remove(); });
 }
 
 void PlanPartCommands::addWraps() {
-    actions_.add({"wrap_competence", tr("Wrap in a competence"),
-                  tr("A competence that does this takes its place; Shift+Down takes neighbors along"), "",
-                  QKeySequence("Ctrl+1"), true},
-                 [this] { parts_.wrap(posh::FormKind::C); });
-    actions_.add({"wrap_pattern", tr("Wrap in an action pattern"),
-                  tr("A pattern that does this takes its place; Shift+Down takes neighbors along"), "",
-                  QKeySequence("Ctrl+2"), true},
-                 [this] { parts_.wrap(posh::FormKind::Ap); });
-    actions_.add({"wrap_adopt", tr("Wrap in an adopt"), tr("An adopt that does this takes its place"), "",
-                  QKeySequence("Ctrl+3"), true},
-                 [this] { parts_.wrap(posh::FormKind::Ad); });
-    actions_.add({"inline", tr("Put in place of its call"), tr("What it does stands here then"), "",
-                  QKeySequence("Ctrl+0"), true},
-                 [this] { parts_.inlineSelected(); });
+    add("wrap_competence", tr("Wrap in a competence"),
+        tr("Puts a competence that does this in its place; Shift+Down includes its neighbors"), "",
+        QKeySequence("Ctrl+1"), [this] { parts_.wrap(posh::FormKind::C); });
+    add("wrap_pattern", tr("Wrap in an action pattern"),
+        tr("Puts a pattern that does this in its place; Shift+Down includes its neighbors"), "", QKeySequence("Ctrl+2"),
+        [this] { parts_.wrap(posh::FormKind::Ap); });
+    add("wrap_adopt", tr("Wrap in an adopt"), tr("Puts an adopt that does this in its place"), "",
+        QKeySequence("Ctrl+3"), [this] { parts_.wrap(posh::FormKind::Ad); });
+    add("inline", tr("Replace call by content"), tr("Puts what it does in place of its call"), "",
+        QKeySequence("Ctrl+0"), [this] { parts_.inlineSelected(); });
     actions_.add({"usages", tr("Find usages"), tr("Lists all places that use it"), "search", QKeySequence("Shift+F12")},
                  [this] { emit usagesRequested(); });
-    actions_.add({"show_text", tr("Show in the text"), tr("Goes to its place in the text"), "text", {}, true},
-                 [this] { emit textRequested(); });
+    add("show_text", tr("Show in the text"), tr("Goes to its place in the text"), "text", {},
+        [this] { emit textRequested(); });
 }
 
 void PlanPartCommands::addForms() {
-    const auto add = [this](const char* name, const QString& text, posh::FormKind kind, const std::string& base) {
-        actions_.add({name, text, tr("It does nothing at first; drag pieces into it")},
+    const auto addForm = [this](const char* name, const QString& text, posh::FormKind kind, const std::string& base) {
+        actions_.add({name, text, tr("Adds one that does nothing yet; drag pieces into it")},
                      [this, kind, base] { parts_.addForm(kind, base); });
     };
-    add("new_competence", tr("New competence"), posh::FormKind::C, "choose");
-    add("new_pattern", tr("New action pattern"), posh::FormKind::Ap, "steps");
-    add("new_adopt", tr("New adopt"), posh::FormKind::Ad, "keep");
-    add("new_collection", tr("New drive collection"), posh::FormKind::Dc, "life");
+    addForm("new_competence", tr("New competence"), posh::FormKind::C, "choose");
+    addForm("new_pattern", tr("New action pattern"), posh::FormKind::Ap, "steps");
+    addForm("new_adopt", tr("New adopt"), posh::FormKind::Ad, "keep");
+    addForm("new_collection", tr("New drive collection"), posh::FormKind::Dc, "life");
 }
 
 void PlanPartCommands::fillMenu() {

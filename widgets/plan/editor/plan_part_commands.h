@@ -26,6 +26,9 @@ signals:
     void textRequested();
 
 private:
+    /// Adds a command whose keys work in the drawing only.
+    void add(const char* name, const QString& text, const QString& help, const char* icon, const QKeySequence& keys,
+             std::function<void()> run);
     void addChanges();
     void addMoves();
     void addWraps();

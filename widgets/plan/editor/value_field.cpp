@@ -45,9 +45,8 @@ bool fitsShape(const ValueShape& shape, const posh::Value& value) {
     return shape.type == AnswerType::Boolean && type == AnswerType::Boolean;
 }
 
-posh::Literal literalOf(posh::Value value) {
-    std::string spelling = posh::spelled(value);
-    return {std::move(value), std::move(spelling), {}};
+PlanValue literalOf(const posh::Value& value) {
+    return posh::Literal{value, posh::spelled(value), {}};
 }
 
 QString spellingOf(const PlanValue& value) {
@@ -93,12 +92,16 @@ QWidget* ValueField::makeEditor(const ValueShape& shape) {
 }
 
 QWidget* ValueField::makeChoice(const std::vector<std::string>& choices, const std::string& chosen) {
-    choice_ = new QComboBox(this);
+    auto* const box = new QComboBox(this);
     for (const std::string& choice : choices)
-        choice_->addItem(QString::fromStdString(choice));
-    choice_->setCurrentText(QString::fromStdString(chosen));
-    connect(choice_, &QComboBox::currentIndexChanged, this, &ValueField::changed);
-    return choice_;
+        box->addItem(QString::fromStdString(choice));
+    box->setCurrentText(QString::fromStdString(chosen));
+    connect(box, &QComboBox::currentIndexChanged, this, &ValueField::changed);
+    edited_ = [this, box] {
+        return type_ == AnswerType::Boolean ? literalOf(box->currentIndex() == 0)
+                                            : literalOf(posh::Symbol{box->currentText().toStdString()});
+    };
+    return box;
 }
 
 QWidget* ValueField::makeNumber(const ValueShape& shape, double number) {
@@ -107,54 +110,45 @@ QWidget* ValueField::makeNumber(const ValueShape& shape, double number) {
     const double high = std::max(number, has_range ? shape.maximum : any_number);
     const QString suffix = shape.unit.isEmpty() ? QString() : QChar(0x00a0) + shape.unit;
     if (type_ == AnswerType::Integer) {
-        whole_ = new QSpinBox(this);
-        whole_->setRange(static_cast<int>(low), static_cast<int>(high));
-        whole_->setSuffix(suffix);
-        whole_->setValue(static_cast<int>(number));
-        connect(whole_, &QSpinBox::valueChanged, this, &ValueField::changed);
-        return whole_;
+        auto* const box = new QSpinBox(this);
+        box->setRange(static_cast<int>(low), static_cast<int>(high));
+        box->setSuffix(suffix);
+        box->setValue(static_cast<int>(number));
+        connect(box, &QSpinBox::valueChanged, this, &ValueField::changed);
+        edited_ = [box] { return literalOf(static_cast<std::int64_t>(box->value())); };
+        return box;
     }
-    number_ = new QuantityBox(this);
-    number_->setDecimals(plan_decimals);
-    number_->setRange(low, high);
-    number_->setSingleStep(has_range && high - low <= 2.0 ? 0.05 : 0.5);
-    number_->setSuffix(suffix);
-    number_->setValue(number);
-    connect(number_, &QDoubleSpinBox::valueChanged, this, &ValueField::changed);
-    return number_;
+    auto* const box = new QuantityBox(this);
+    box->setDecimals(plan_decimals);
+    box->setRange(low, high);
+    box->setSingleStep(has_range && high - low <= 2.0 ? 0.05 : 0.5);
+    box->setSuffix(suffix);
+    box->setValue(number);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &ValueField::changed);
+    edited_ = [this, box, number] { return number == box->value() ? first_ : literalOf(box->value()); };
+    return box;
 }
 
 QWidget* ValueField::makeWords() {
-    words_ = new QLineEdit(spellingOf(first_), this);
-    words_->setPlaceholderText(tr("true, 0.3, 'high, \"text\" or $parameter"));
-    connect(words_, &QLineEdit::textChanged, this, &ValueField::changed);
-    return words_;
-}
-
-std::optional<PlanValue> ValueField::edited() const {
-    if (choice_ && type_ == AnswerType::Boolean)
-        return literalOf(choice_->currentIndex() == 0);
-    if (choice_)
-        return literalOf(posh::Symbol{choice_->currentText().toStdString()});
-    if (whole_)
-        return literalOf(static_cast<std::int64_t>(whole_->value()));
-    if (number_)
-        return literalOf(number_->value());
-    const std::string words = words_->text().trimmed().toStdString();
-    if (words.starts_with('$') && words.size() > 1)
-        return posh::Variable{words.substr(1), {}};
-    if (auto value = posh::readValue(words))
-        return posh::Literal{*std::move(value), words, {}};
-    return std::nullopt;
+    auto* const line = new QLineEdit(spellingOf(first_), this);
+    line->setPlaceholderText(tr("true, 0.3, 'high, \"text\" or $parameter"));
+    connect(line, &QLineEdit::textChanged, this, &ValueField::changed);
+    edited_ = [line]() -> std::optional<PlanValue> {
+        const std::string words = line->text().trimmed().toStdString();
+        if (words.starts_with('$') && words.size() > 1)
+            return posh::Variable{words.substr(1), {}};
+        if (auto value = posh::readValue(words))
+            return posh::Literal{*std::move(value), words, {}};
+        return std::nullopt;
+    };
+    return line;
 }
 
 std::optional<PlanValue> ValueField::value() const {
-    std::optional<PlanValue> now = edited();
+    std::optional<PlanValue> now = edited_();
     const auto* const was = std::get_if<posh::Literal>(&first_);
     const auto* const is = now ? std::get_if<posh::Literal>(&*now) : nullptr;
-    const bool is_same =
-        was && is && (was->value == is->value || (number_ && planNumberIn(was->value) == number_->value()));
-    return is_same ? first_ : now;
+    return was && is && was->value == is->value ? first_ : now;
 }
 
 } // namespace usar::widgets

@@ -1,6 +1,7 @@
 // Editor for one value of a plan that depends on its type: a switch, a number with unit and range, a choice, or text.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -48,19 +49,15 @@ signals:
     void changed();
 
 private:
+    /// These make the editor and set `edited_`.
     QWidget* makeEditor(const ValueShape& shape);
     QWidget* makeChoice(const std::vector<std::string>& choices, const std::string& chosen);
     QWidget* makeNumber(const ValueShape& shape, double number);
     QWidget* makeWords();
-    std::optional<PlanValue> edited() const;
 
     PlanValue first_;
     agent::AnswerType type_;
-    /// Exactly one of these four is not null.
-    QComboBox* choice_ = nullptr;
-    QSpinBox* whole_ = nullptr;
-    QuantityBox* number_ = nullptr;
-    QLineEdit* words_ = nullptr;
+    std::function<std::optional<PlanValue>()> edited_; ///< reads the editor; nullopt while its text is not a value
 };
 
 } // namespace usar::widgets
