@@ -125,7 +125,7 @@ void tst_PlanEditorFiles::aChangeOnDiskIsOffered() {
     QToolButton* take = nullptr;
     QTRY_VERIFY([&] {
         for (QToolButton* const button : editor_->findChildren<QToolButton*>())
-            take = button->isVisible() && button->text() == u"Take its text" ? button : take;
+            take = button->isVisible() && button->text() == u"Use its text" ? button : take;
         return take != nullptr;
     }());
     take->click();

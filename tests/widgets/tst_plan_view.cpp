@@ -460,9 +460,9 @@ void tst_PlanView::textsAreForScreenReadersToo() {
          {"element grab", "at most 3 starts", "Priority 1", "only when near", "has not run yet", "Line 5"})
         QVERIFY2(text.contains(QLatin1String(part)), qPrintable(text));
     view_->selectPath(fetch + "/CE:1");
-    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Priority 2, with equals")));
+    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Priority 2, shared with others")));
     view_->setFolded(view_->selected(), true);
-    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("folded away")));
+    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Folded parts")));
 }
 
 void tst_PlanView::drawingIsPaintedWholeForPaper() {

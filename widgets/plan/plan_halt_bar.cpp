@@ -24,7 +24,7 @@ PlanHaltBar::PlanHaltBar(QWidget* parent)
     , text_(makeLabel(this, "title"))
     , buttons_(new QBoxLayout(QBoxLayout::LeftToRight)) {
     setProperty("role", "card");
-    setAccessibleName(tr("The plan stands still"));
+    setAccessibleName(tr("The plan is halted"));
     column_->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
     column_->setSpacing(gap::small);
     auto* words = new QHBoxLayout;

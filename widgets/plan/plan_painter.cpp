@@ -64,17 +64,14 @@ PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale
 
 void PlanPainter::paint(const QRectF& area) {
     painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
-    const std::vector<int> nodes = scene_.layout.nodesIn(scene_.tree, area);
+    std::vector<int> nodes = scene_.layout.nodesIn(scene_.tree, area);
     paintLines(nodes, area);
-    std::vector<int> framed;
+    std::erase_if(nodes, [&](int node) { return !boxOf(node).intersects(area); });
     for (const int node : nodes) {
-        if (!boxOf(node).intersects(area))
-            continue;
         paintEquals(node);
         paintCard(node);
-        framed.push_back(node);
     }
-    for (const int node : framed) {
+    for (const int node : nodes) {
         paintMarks(node);
         paintFrames(node);
     }
@@ -106,14 +103,13 @@ void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) 
     }
     painter_.setPen(QPen(colors_.line, thin()));
     painter_.drawLines(lines.data(), static_cast<int>(lines.size()));
-    for (const int node : running)
-        paintRunningLine(scene_.layout.exit(scene_.tree[node].parent), scene_.layout.entry(node));
-}
-
-void PlanPainter::paintRunningLine(const QPointF& from, const QPointF& to) {
-    const double x = trunkOf(from, to);
     painter_.setPen(QPen(colors_.accent, std::max(2.5, 2.0 * thin()), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    painter_.drawPolyline(QPolygonF({from, {x, from.y()}, {x, to.y()}, to}));
+    for (const int node : running) {
+        const QPointF from = scene_.layout.exit(scene_.tree[node].parent);
+        const QPointF to = scene_.layout.entry(node);
+        const double x = trunkOf(from, to);
+        painter_.drawPolyline(QPolygonF({from, {x, from.y()}, {x, to.y()}, to}));
+    }
 }
 
 double PlanPainter::trunkOf(const QPointF& from, const QPointF& to) const {

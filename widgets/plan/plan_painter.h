@@ -49,7 +49,6 @@ public:
 
 private:
     void paintLines(const std::vector<int>& nodes, const QRectF& area);
-    void paintRunningLine(const QPointF& from, const QPointF& to);
     /// The x of the vertical part of a line from a card to one of its children.
     double trunkOf(const QPointF& from, const QPointF& to) const;
     void paintEquals(int node);

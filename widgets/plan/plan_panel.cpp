@@ -87,9 +87,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     body_->addWidget(side_);
     body_->setStretchFactor(1, 1);
     body_->setHandleWidth(gap::small);
-    auto* column = new QVBoxLayout(this);
+    auto* column = makeColumn(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
     // By default the minimum width of the wide row would keep the panel from becoming narrow.
     column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addLayout(head_);

@@ -37,12 +37,12 @@ PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     , help_beside_(new CompletionDelegate(this))
     , senses_(new QStandardItemModel(this))
     , acts_(new QStandardItemModel(this))
-    , lamp_(makeToolButton(tr("What can be done about this (Alt+Return)"), this, QStringLiteral("lamp"))) {
+    , lamp_(makeToolButton(tr("Offers fixes for this (Alt+Return)"), this, QStringLiteral("lamp"))) {
     setReadOnly(false);
     setTextInteractionFlags(Qt::TextEditorInteraction);
     setTabChangesFocus(true);
     setAccessibleDescription(
-        tr("F8 goes to the next error or warning, Alt+Return offers mends, Ctrl+Space completes."));
+        tr("F8 goes to the next error or warning, Alt+Return offers fixes, Ctrl+Space completes."));
     completer_->setWidget(this);
     completer_->setCaseSensitivity(Qt::CaseInsensitive);
     completer_->setFilterMode(Qt::MatchContains);
@@ -50,7 +50,7 @@ PlanCodeEdit::PlanCodeEdit(QWidget* parent)
     connect(completer_, qOverload<const QString&>(&QCompleter::activated), this, &PlanCodeEdit::insertCompletion);
     lamp_->hide();
     lamp_->setFocusPolicy(Qt::NoFocus); // Alt+Return does the same.
-    connect(lamp_, &QToolButton::clicked, this, &PlanCodeEdit::mendsRequested);
+    connect(lamp_, &QToolButton::clicked, this, &PlanCodeEdit::fixesRequested);
     seen_revision_ = document()->revision();
     connect(document(), &QTextDocument::contentsChanged, this, &PlanCodeEdit::noticeChange);
     connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] {
@@ -225,7 +225,7 @@ void PlanCodeEdit::keyPressEvent(QKeyEvent* event) {
     if (choosing && (is_return || event->key() == Qt::Key_Tab || event->key() == Qt::Key_Escape))
         return event->ignore(); // The completion list handles it.
     if (is_return && event->modifiers() == Qt::AltModifier)
-        return emit mendsRequested();
+        return emit fixesRequested();
     if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier)
         return complete(true);
     if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier)

@@ -53,7 +53,7 @@ signals:
     /// Emitted after every change of the text, whoever made it.
     void textEdited();
     /// The user asked for fixes at the cursor, by Alt+Return or the lamp.
-    void mendsRequested();
+    void fixesRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
-#include <QVBoxLayout>
-
-#include "widgets/style/theme.h"
+#include "widgets/plan/plan_parts.h"
 
 namespace usar::widgets {
 
 PlanDrawingPane::PlanDrawingPane(const PlanCodeEdit& text, QWidget* editor) : QWidget(editor) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
-    stale_ = new QLabel(this);
-    stale_->setWordWrap(true);
-    stale_->setProperty("role", "caution");
+    auto* column = makeColumn(this);
+    stale_ = makeLabel(this, "caution");
     stale_->hide();
     canvas_ = new PlanCanvas(this);
     canvas_->setMinimumSize(120, 100);
@@ -31,8 +25,9 @@ bool PlanDrawingPane::draw(const PlanChecker& checked) {
     if (!readable) {
         const auto first =
             std::ranges::find_if(findings, [](const auto& finding) { return isUnreadable(finding.code); });
-        stale_->setText(keeps ? tr("The drawing shows the plan before the error in line %1.").arg(first->at.line)
-                              : tr("What can be read is drawn; there is an error in line %1.").arg(first->at.line));
+        stale_->setText(
+            keeps ? tr("The drawing shows the plan before the error in line %1.").arg(first->at.line)
+                  : tr("Only the readable parts are drawn; there is an error in line %1.").arg(first->at.line));
     }
     if (!keeps)
         parts_->draw(checked.plan(), readable);

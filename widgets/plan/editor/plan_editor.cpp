@@ -2,12 +2,11 @@
 
 #include <QResizeEvent>
 #include <QScopedValueRollback>
-#include <QStyle>
 #include <QTextBlock>
-#include <QVBoxLayout>
 
 #include "core/posh/edit/plan_templates.h"
 #include "widgets/models/plan/plan_places.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/plan/plan_picture.h"
 #include "widgets/style/theme.h"
 
@@ -57,14 +56,12 @@ void PlanEditor::addWidgets() {
     column_->addWidget(lists_);
     column_->setStretchFactor(0, 1);
     column_->setHandleWidth(gap::small);
-    state_ = new QLabel(this);
-    state_->setWordWrap(true);
+    state_ = makeLabel(this);
     state_->hide();
     head_ = new PlanEditorHead(actions_, {palette_, text_pane_, drawing_, lists_}, menus_, this);
     offer_ = new PlanOfferBar(this);
-    auto* column = new QVBoxLayout(this);
+    auto* column = makeColumn(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
     // By default the minimum width of the wide rows would keep the editor from becoming narrow.
     column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addWidget(head_);
@@ -101,8 +98,8 @@ void PlanEditor::connectAll() {
     connect(&check_timer_, &QTimer::timeout, this, &PlanEditor::check);
     connect(&draw_timer_, &QTimer::timeout, this, &PlanEditor::draw);
     connect(text_pane_, &PlanTextPane::pausedAtFinding, this,
-            [this] { text_pane_->setFixable(text().size() < long_text && !mends().empty()); });
-    connect(text_pane_, &PlanTextPane::fixesRequested, this, &PlanEditor::showMends);
+            [this] { text_pane_->setFixable(text().size() < long_text && !fixes().empty()); });
+    connect(text_pane_, &PlanTextPane::fixesRequested, this, &PlanEditor::showFixes);
     connect(text_pane_, &PlanTextPane::fixed, this, &PlanEditor::catchUp);
     connect(text_, &PlanCodeEdit::textEdited, this, &PlanEditor::edited);
     connect(text_, &PlanTextEdit::placeEntered, this, &PlanEditor::followCursor);
@@ -120,7 +117,7 @@ void PlanEditor::connectDrawing() {
     connect(canvas_, &PlanCanvas::rangeChanged, this, [this] {
         enableCommands();
         if (const auto count = canvas_->range().size(); count > 1)
-            say(tr("%1 parts are taken along; they can be wrapped in one.").arg(count));
+            say(tr("%1 parts are selected; they can be wrapped in one.").arg(count));
     });
     connect(canvas_, &PlanCanvas::menuRequested, this, [this](int, const QPoint& global) {
         enableCommands();
@@ -158,17 +155,17 @@ void PlanEditor::setRunningPlan(const QString& name, const std::string& text) {
 
 void PlanEditor::setText(const std::string& text, const QString& name) {
     file_.startNew(name, text);
-    offer_->hide();
-    text_->resetText(text);
-    showFromBeginning();
-    showState();
-    emit titleChanged();
+    startWith(text);
 }
 
-void PlanEditor::showFromBeginning() {
+void PlanEditor::startWith(const std::string& text) {
+    offer_->hide();
+    text_->resetText(text);
     catchUp();
     canvas_->select(-1);
     canvas_->showBeginning();
+    showState();
+    emit titleChanged();
 }
 
 void PlanEditor::setKeepingFolder(const QString& folder) {
@@ -178,7 +175,7 @@ void PlanEditor::setKeepingFolder(const QString& folder) {
 
 void PlanEditor::offerKept() {
     if (const auto kept = file_.kept(); kept && *kept != text_->planText())
-        offer_->offer(tr("%1 had changes that were not saved when the program ended.").arg(name()), tr("Restore them"),
+        offer_->offer(tr("%1 had unsaved changes when the program ended.").arg(name()), tr("Restore them"),
                       [this, text = *kept] {
                           text_->applyText(text);
                           catchUp();
@@ -189,7 +186,7 @@ void PlanEditor::takeChangeOnDisk(const std::string& text) {
     if (text == text_->planText())
         return text_->document()->setModified(false);
     text_->document()->setModified(true);
-    offer_->offer(tr("%1 was changed by another program.").arg(name()), tr("Take its text"), [this, text] {
+    offer_->offer(tr("%1 was changed by another program.").arg(name()), tr("Use its text"), [this, text] {
         text_->applyText(text);
         text_->document()->setModified(false);
         catchUp();
@@ -200,12 +197,8 @@ Result<void> PlanEditor::open(const QString& path) {
     const auto text = file_.open(path);
     if (!text)
         return tl::unexpected(text.error());
-    offer_->hide();
-    text_->resetText(*text);
-    showFromBeginning();
+    startWith(*text);
     offerKept();
-    showState();
-    emit titleChanged();
     return {};
 }
 
@@ -226,7 +219,7 @@ Result<void> PlanEditor::save(const QString& path) {
 Result<QStringList> PlanEditor::exportTo(const QString& path, posh::Dialect dialect) {
     catchUp();
     if (!isReadable(checker_.findings()))
-        return failure("the text cannot be read", name().toStdString(), "mend its errors first");
+        return failure("the text cannot be read", name().toStdString(), "fix its errors first");
     const posh::PlanExport made = posh::exportPlan(posh::readPlan(text_->planText()).plan, dialect);
     if (const auto written = PlanFile::write(path, QByteArray::fromStdString(made.text)); !written)
         return tl::unexpected(written.error());
@@ -234,8 +227,8 @@ Result<QStringList> PlanEditor::exportTo(const QString& path, posh::Dialect dial
     QStringList losses;
     for (const posh::Loss& loss : made.losses)
         losses << QString::fromStdString(loss.message);
-    say(losses.isEmpty() ? tr("Written as %1; nothing was lost.").arg(path)
-                         : tr("Written as %1; %2 things have no place in that dialect.").arg(path).arg(losses.size()));
+    say(losses.isEmpty() ? tr("Exported to %1; nothing was lost.").arg(path)
+                         : tr("Exported to %1; that dialect cannot express %2 things.").arg(path).arg(losses.size()));
     return losses;
 }
 
@@ -292,35 +285,32 @@ void PlanEditor::catchUp() {
     draw();
 }
 
-std::vector<posh::QuickFix> PlanEditor::mends() {
+std::vector<posh::QuickFix> PlanEditor::fixes() {
     if (findings().empty())
         return {};
     const posh::Finding* const finding = text_->findingAtCursor();
     return finding ? checker_.fixes(text_->planText(), *finding) : std::vector<posh::QuickFix>();
 }
 
-void PlanEditor::showMends() {
+void PlanEditor::showFixes() {
     check();
-    const std::vector<posh::QuickFix> all = mends();
+    const std::vector<posh::QuickFix> all = fixes();
     if (all.empty())
-        return say(text_->findingAtCursor()
-                       ? tr("Nothing is known that would mend this; the sentence says what to write.")
-                       : tr("There is no finding in this line. F8 goes to the next."));
+        return say(text_->findingAtCursor() ? tr("No fix is known for this; the message says what to write.")
+                                            : tr("There is no finding on this line. F8 goes to the next one."));
     text_pane_->showFixes(all);
 }
 
 /// Shows the title and whether the plan can be put into the robot.
 void PlanEditor::showState() {
     if (head_->setTitle(name() + (isModified() ? tr(" – not saved") : QString()),
-                        path().isEmpty() ? tr("It has no file yet") : path()))
+                        path().isEmpty() ? tr("Not saved to a file yet") : path()))
         emit titleChanged();
     head_->setRunnable(checker_.isRunnable());
 }
 
 void PlanEditor::say(const QString& words, bool refused) {
-    state_->setProperty("role", refused ? "danger" : "muted");
-    state_->style()->unpolish(state_);
-    state_->style()->polish(state_);
+    changeRole(state_, refused ? "danger" : "muted");
     state_->setText(words);
     state_->setVisible(!words.isEmpty());
 }
@@ -371,7 +361,7 @@ void PlanEditor::compareWith(const std::string& other, const QString& name) {
     const std::vector<posh::PlanChange> changes = posh::planDifference(before.plan, checker_.plan());
     lists_->showDifferences(changes, !isReadable(before.findings) || !isReadable(checker_.findings()));
     head_->showLists();
-    say(tr("Against %1: %2.").arg(name, QString::fromStdString(posh::summaryOf(changes))));
+    say(tr("Compared with %1: %2.").arg(name, QString::fromStdString(posh::summaryOf(changes))));
 }
 
 } // namespace usar::widgets

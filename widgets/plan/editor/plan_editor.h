@@ -59,7 +59,7 @@ public:
     /// The findings of the current text, including those of binding it to the robot.
     const posh::Findings& findings();
     /// The fixes known for the finding at the text's cursor.
-    std::vector<posh::QuickFix> mends();
+    std::vector<posh::QuickFix> fixes();
 
     PlanCanvas& canvas() { return *canvas_; }
     PlanCodeEdit& textEdit() { return *text_; }
@@ -107,14 +107,15 @@ private:
     void check();
     void draw();
     void showFindings();
-    void showMends();
+    void showFixes();
     void showState();
     void followCursor(int line, int column);
     void followSelection();
     void jumpTo(const posh::Spot& at);
     void apply(const posh::PlanEdit& edit);
     void compareWith(const std::string& other, const QString& name);
-    void showFromBeginning();
+    /// Shows another text from its beginning, with a history of its own.
+    void startWith(const std::string& text);
     void offerKept();
     void takeChangeOnDisk(const std::string& text);
     void say(const QString& words, bool refused = false);

@@ -33,21 +33,22 @@ void PlanEditor::addFileCommands() {
             const auto start = [this, &pattern] { setText(pattern.text, tr("new.lap")); };
             if (!isModified())
                 return start();
-            offer_->offer(tr("%1 has changes that are not saved.").arg(name()), tr("Leave them and begin anew"), start);
+            offer_->offer(tr("%1 has changes that are not saved.").arg(name()), tr("Discard them and start a new plan"),
+                          start);
         });
     }
     menus_.new_plan->setToolTipsVisible(true);
     actions_.add({"open", tr("Open…"), tr("Opens a plan"), "open", QKeySequence::Open},
                  [this] { emit openRequested(); });
-    actions_.add({"save", tr("Save"), tr("Saves the plan in its file"), "save", QKeySequence::Save}, [this] {
+    actions_.add({"save", tr("Save"), tr("Saves the plan to its file"), "save", QKeySequence::Save}, [this] {
         if (path().isEmpty())
             return emit saveAsRequested();
         if (const auto written = save(path()); !written)
             emit saveFailed(written.error());
     });
-    actions_.add({"save_as", tr("Save as…"), tr("Saves the plan in another file"), "", QKeySequence("Ctrl+Shift+S")},
+    actions_.add({"save_as", tr("Save as…"), tr("Saves the plan to another file"), "", QKeySequence("Ctrl+Shift+S")},
                  [this] { emit saveAsRequested(); });
-    actions_.add({"apply", tr("Put into the robot"), tr("The robot goes on with this plan"), "play",
+    actions_.add({"apply", tr("Put into the robot"), tr("Makes the robot continue with this plan"), "play",
                   QKeySequence("Ctrl+Return")},
                  [this] { emit applyRequested(text(), name()); });
 }
@@ -58,34 +59,35 @@ void PlanEditor::addExportCommands() {
     const auto exports = [this](const char* name, const QString& text, const QString& help, auto run) {
         menus_.save_as->addAction(actions_.add({name, text, help}, run));
     };
-    exports("export_classic", tr("For jyposh and POSH#…"), tr("Writes what the strict old dialect can express"),
+    exports("export_classic", tr("For jyposh and POSH#…"), tr("Exports what the strict old dialect can express"),
             [this] { emit exportRequested(posh::Dialect::Classic); });
-    exports("export_yaposh", tr("For yaPOSH…"), tr("Writes what Pogamut's dialect can express"),
+    exports("export_yaposh", tr("For yaPOSH…"), tr("Exports what Pogamut's dialect can express"),
             [this] { emit exportRequested(posh::Dialect::Yaposh); });
-    exports("export_picture", tr("Picture of the drawing…"), tr("As SVG, PDF or PNG"),
+    exports("export_picture", tr("Picture of the drawing…"), tr("Saves the drawing as SVG, PDF or PNG"),
             [this] { emit pictureRequested(); });
 }
 
 void PlanEditor::addEditCommands() {
     QAction* const undo = actions_.add(
-        {"undo", tr("Undo"), tr("Takes the last change back, in text or drawing"), "undo", QKeySequence::Undo},
+        {"undo", tr("Undo"), tr("Undoes the last change, in the text or the drawing"), "undo", QKeySequence::Undo},
         [this] { text_->undo(), catchUp(); });
-    QAction* const redo = actions_.add({"redo", tr("Redo"), tr("Makes it again"), "redo", QKeySequence("Ctrl+Shift+Z")},
-                                       [this] { text_->redo(), catchUp(); });
+    QAction* const redo =
+        actions_.add({"redo", tr("Redo"), tr("Makes the undone change again"), "redo", QKeySequence("Ctrl+Shift+Z")},
+                     [this] { text_->redo(), catchUp(); });
     undo->setEnabled(false);
     redo->setEnabled(false);
     connect(text_, &QPlainTextEdit::undoAvailable, undo, &QAction::setEnabled);
     connect(text_, &QPlainTextEdit::redoAvailable, redo, &QAction::setEnabled);
     menus_.compare = new QMenu(this);
     menus_.compare->addAction(
-        actions_.add({"compare_saved", tr("With the saved plan"), tr("Lists what was changed since")},
+        actions_.add({"compare_saved", tr("With the saved plan"), tr("Lists what has changed since then")},
                      [this] { compareWith(file_.savedText(), tr("the saved plan")); }));
     menus_.compare->addAction(
-        actions_.add({"compare_running", tr("With the running plan"), tr("Lists how they differ")},
+        actions_.add({"compare_running", tr("With the running plan"), tr("Lists the differences")},
                      [this] { compareWith(running_text_, running_name_); }));
-    actions_.add({"mend", tr("Mend…"), tr("What can be done about the finding at the cursor"), "lamp",
-                  QKeySequence("Alt+Return")},
-                 [this] { showMends(); });
+    actions_.add(
+        {"mend", tr("Fix…"), tr("Offers fixes for the finding at the cursor"), "lamp", QKeySequence("Alt+Return")},
+        [this] { showFixes(); });
     actions_.add({"next_finding", tr("Next finding"), tr("Goes to the next error or warning"), "", QKeySequence("F8")},
                  [this] { text_->setFocus(), text_->nextFinding(); });
 }

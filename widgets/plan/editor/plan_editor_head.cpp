@@ -28,7 +28,7 @@ PlanEditorHead::PlanEditorHead(const PlanActions& actions, const PlanEditorPanes
     rows_->addLayout(files, 1);
     auto* shown = new QHBoxLayout;
     shown->setSpacing(gap::tiny);
-    palette_shown_ = addToggle(shown, tr("Shows the pieces that plans are made of"), "pieces", panes.palette);
+    palette_shown_ = addToggle(shown, tr("Shows the pieces that a plan can be made of"), "pieces", panes.palette);
     text_shown_ = addToggle(shown, tr("Shows the text"), "text", panes.text);
     drawing_shown_ = addToggle(shown, tr("Shows the drawing"), "branches", panes.drawing);
     lists_shown_ = addToggle(shown, tr("Shows findings, differences and usages"), "warning", panes.lists);
@@ -90,7 +90,7 @@ void PlanEditorHead::showApply() {
     apply_action_->setEnabled(applicable_ && runnable_);
     apply_->setEnabled(apply_action_->isEnabled());
     apply_->setToolTip(!applicable_ ? why_not_applicable_
-                       : !runnable_ ? tr("The plan has errors; mend them first")
+                       : !runnable_ ? tr("The plan has errors; fix them first")
                                     : apply_action_->toolTip());
     apply_->setVisible(applicable_ || !why_not_applicable_.isEmpty());
 }

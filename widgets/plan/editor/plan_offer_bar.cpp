@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include <QHBoxLayout>
-
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -13,8 +12,7 @@ PlanOfferBar::PlanOfferBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "card");
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
-    words_ = new QLabel(this);
-    words_->setWordWrap(true);
+    words_ = makeLabel(this);
     row->addWidget(words_, 1);
     accept_ = makeToolButton(tr("Accept"), this);
     accept_->setAutoRaise(false);
@@ -24,7 +22,7 @@ PlanOfferBar::PlanOfferBar(QWidget* parent) : QFrame(parent) {
             run();
     });
     row->addWidget(accept_);
-    auto* no = makeToolButton(tr("No, go on"), this, QStringLiteral("clear"));
+    auto* no = makeToolButton(tr("Dismiss"), this, QStringLiteral("clear"));
     connect(no, &QToolButton::clicked, this, &QWidget::hide);
     row->addWidget(no);
     hide();

@@ -20,8 +20,8 @@ PlanPartEditor::PlanPartEditor(PlanCanvas& canvas, const PlanCodeEdit& text, QWi
     connect(&canvas_, &PlanCanvas::wordsEntered, this, &PlanPartEditor::enterWords);
     connect(&canvas_, &PlanCanvas::deedRequested, this, [this](const PlanDeed& deed) { perform(deed.edit()); });
     connect(&canvas_, &PlanCanvas::dropRefused, this, [this] {
-        emit said(gestures() ? tr("This means nothing there.")
-                             : tr("Mend the text first; then the drawing can be edited."),
+        emit said(gestures() ? tr("It cannot be dropped there.")
+                             : tr("Fix the text first; then you can edit the drawing."),
                   true);
     });
 }
@@ -59,7 +59,7 @@ void PlanPartEditor::perform(const Result<PlanEdit>& edit) {
 
 void PlanPartEditor::perform(const std::function<Result<PlanEdit>(const std::string&, const PlanPart&)>& edit) {
     if (!gestures())
-        return emit said(tr("Mend the text first; then the drawing can be edited."), true);
+        return emit said(tr("Fix the text first; then you can edit the drawing."), true);
     auto part = selectedPart();
     if (const auto call = selectedCall(); call && posh::isStep(plan_, *call))
         part = call; // If the part is a form called in a pattern, the step is meant.
@@ -89,7 +89,7 @@ void PlanPartEditor::addPiece(const PlanPiece& piece) {
     if (const auto deed = can ? can->add(piece, canvas_.selected()) : std::nullopt)
         perform(deed->edit());
     else
-        emit said(tr("Select a part in the drawing that this can be added to."), true);
+        emit said(tr("Select a part in the drawing to which this can be added."), true);
 }
 
 void PlanPartEditor::addForm(posh::FormKind kind, const std::string& base_name) {
@@ -204,7 +204,7 @@ void PlanPartEditor::editValues() {
     connect(dialog, &QDialog::accepted, this,
             [this, dialog, part = *part, is_sense = test != nullptr, text = drawn_text_] {
                 if (text != text_.planText())
-                    return emit said(tr("The text has changed meanwhile; nothing was done."), true);
+                    return emit said(tr("The text has changed in the meantime, so nothing was done."), true);
                 perform(is_sense ? posh::replaceSense(text, part, dialog->test())
                                  : posh::replaceCall(text, part, dialog->call()));
             });
@@ -239,8 +239,7 @@ void PlanPartEditor::swap() {
         return perform(posh::swapParts(drawn_text_, *std::exchange(swap_first_, std::nullopt), *part));
     swap_first_ = part;
     swap_text_ = drawn_text_;
-    emit said(tr("Now select what %1 is to change places with, and press X again.").arg(canvas_.tree()[node].name),
-              false);
+    emit said(tr("Now select the part to swap with %1, and press X again.").arg(canvas_.tree()[node].name), false);
 }
 
 } // namespace usar::widgets

@@ -25,16 +25,16 @@ PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
     row->setSpacing(gap::tiny);
     finding_ = makeLabel(this);
     finding_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    mend_ = makeToolButton(tr("What can be done about this (Alt+Return)"), this, QStringLiteral("lamp"));
-    mend_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    mend_->setText(tr("Mend"));
+    fix_ = makeToolButton(tr("Offers fixes for this (Alt+Return)"), this, QStringLiteral("lamp"));
+    fix_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fix_->setText(tr("Fix"));
     row->addWidget(finding_, 1);
-    row->addWidget(mend_, 0, Qt::AlignTop);
+    row->addWidget(fix_, 0, Qt::AlignTop);
     column->addLayout(row);
     lamp_timer_.setSingleShot(true);
     lamp_timer_.setInterval(lamp_after_ms);
-    connect(mend_, &QToolButton::clicked, this, &PlanTextPane::fixesRequested);
-    connect(edit_, &PlanCodeEdit::mendsRequested, this, &PlanTextPane::fixesRequested);
+    connect(fix_, &QToolButton::clicked, this, &PlanTextPane::fixesRequested);
+    connect(edit_, &PlanCodeEdit::fixesRequested, this, &PlanTextPane::fixesRequested);
     connect(&lamp_timer_, &QTimer::timeout, this, &PlanTextPane::pausedAtFinding);
 }
 
@@ -45,13 +45,13 @@ void PlanTextPane::showFinding(bool fits_robot) {
                             : tr("Nothing is wrong with the plan.")) +
                 (edit_->notes().empty() ? QString() : tr(" F8 goes to a note."));
     finding_->setText(words);
-    mend_->hide();
+    fix_->hide();
     lamp_timer_.start();
 }
 
 void PlanTextPane::setFixable(bool fixable) {
     edit_->setLamp(fixable);
-    mend_->setVisible(fixable);
+    fix_->setVisible(fixable);
 }
 
 void PlanTextPane::showFixes(const std::vector<posh::QuickFix>& fixes) {

@@ -39,7 +39,7 @@ signals:
 private:
     PlanCodeEdit* edit_;
     QLabel* finding_;
-    QToolButton* mend_;
+    QToolButton* fix_;
     QTimer lamp_timer_;
 };
 
