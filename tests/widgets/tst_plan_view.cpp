@@ -10,6 +10,7 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "tests/widgets/plan_samples.h"
+#include "widgets/models/plan/plan_node_text.h"
 #include "widgets/plan/plan_painter.h"
 #include "widgets/plan/plan_view.h"
 #include "widgets/style/empty_state.h"
@@ -435,11 +436,11 @@ void tst_PlanView::otherSharingKeepsSelectionAndNews() {
 void tst_PlanView::newsOfAnotherPlanIsSaid() {
     view_->setSnapshot(running({root, fetch}));
     QTRY_COMPARE(view_->newsTaken(), 1);
-    QVERIFY(view_->reservation().isEmpty());
+    QVERIFY(planReservation(view_->tree(), view_->states()).isEmpty());
     const QImage before = view_->grab().toImage();
     view_->setSnapshot(running({root, fetch, root + "/DE:9"}));
     QTRY_COMPARE(view_->newsTaken(), 2);
-    QVERIFY(view_->reservation().contains(QStringLiteral("not in this plan")));
+    QVERIFY(planReservation(view_->tree(), view_->states()).contains(QStringLiteral("not in this plan")));
     QVERIFY(view_->grab().toImage() != before);
 }
 

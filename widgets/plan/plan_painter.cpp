@@ -46,11 +46,10 @@ PlanMetrics planMetrics() {
 }
 
 QString shortCount(std::uint64_t count) {
-    if (count < 10'000)
-        return QString::number(count);
-    if (count < 1'000'000)
-        return QString::number(count / 1000) + u'k';
-    return count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M' : QStringLiteral("1G+");
+    return count < 10'000          ? QString::number(count)
+           : count < 1'000'000     ? QString::number(count / 1000) + u'k'
+           : count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M'
+                                   : QStringLiteral("1G+");
 }
 
 PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale)
@@ -166,9 +165,8 @@ void PlanPainter::paintCard(int node) {
 /// Uses a font as large as the block allows; blocks of the same height have the same size if their names fit.
 void PlanPainter::paintBlockName(int node, const QRectF& box) {
     const QString& name = scene_.tree[node].name;
-    const double height = std::min(box.height() * 0.7, 30.0);
-    const double fitting = box.width() * 1.7 / std::max<double>(1.0, double(name.size()));
-    const double size_px = std::min(height, fitting);
+    const double fitting_px = box.width() * 1.7 / std::max(1.0, double(name.size()));
+    const double size_px = std::min({box.height() * 0.7, 30.0, fitting_px});
     if (size_px * scale_ < readable_px)
         return;
     QFont font = text_font_;
@@ -245,10 +243,9 @@ double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
     if (state.started == 0 && state.failed == 0)
         return left;
     painter_.setFont(text_font_);
-    const QFontMetricsF metrics(text_font_);
     if (state.failed > 0) {
         const QString count = shortCount(state.failed);
-        const double width = metrics.horizontalAdvance(count) + 12.0;
+        const double width = QFontMetricsF(text_font_).horizontalAdvance(count) + 12.0;
         const QRectF place(right - width, row.top(), width, row.height());
         const double y = row.center().y();
         painter_.setPen(QPen(colors_.danger, 1.6));
@@ -401,13 +398,12 @@ void PlanPainter::paintBreakpoint(const PlanMark& mark, const QPointF& middle) {
 /// Paints an arrow at the part that the plan is halted before.
 void PlanPainter::paintStand(const QPointF& middle) {
     const double size = markSize();
-    const QPointF arrow[] = {middle + size * QPointF(-7, -3), middle + size * QPointF(0, -3),
-                             middle + size * QPointF(0, -7),  middle + size * QPointF(8, 0),
-                             middle + size * QPointF(0, 7),   middle + size * QPointF(0, 3),
-                             middle + size * QPointF(-7, 3)};
+    QPolygonF arrow({{-7, -3}, {0, -3}, {0, -7}, {8, 0}, {0, 7}, {0, 3}, {-7, 3}});
+    for (QPointF& corner : arrow)
+        corner = middle + size * corner;
     painter_.setPen(QPen(colors_.background, 1.2 * size));
     painter_.setBrush(colors_.caution);
-    painter_.drawPolygon(arrow, 7);
+    painter_.drawPolygon(arrow);
 }
 
 /// Paints a pin with its head.

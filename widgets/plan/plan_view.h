@@ -38,7 +38,7 @@ public:
     /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
     void setFlow(std::optional<PlanFlow> flow);
 
-    /// The present state of the drawing; node numbers are valid until the next plan or sharing.
+    /// Node numbers are valid until the next plan or sharing.
     const PlanTree& tree() const { return drawing_.tree(); }
     const PlanStates& states() const { return states_; }
     const PlanFolds& folds() const { return drawing_.folds(); }
@@ -66,8 +66,6 @@ public:
     void holdStill() { framing_ = Framing::Own; }
     /// Description of a node, as in its tooltip and for screen readers.
     QString nodeText(int node) const;
-    /// Says in which respect the drawing is incomplete; empty if it is complete.
-    QString reservation() const;
     /// Number of snapshots taken; stands still while the view is hidden.
     int newsTaken() const { return news_taken_; }
 

@@ -19,16 +19,11 @@ QIcon iconOf(posh::Code code) {
 }
 
 QIcon iconOf(posh::ChangeKind kind) {
-    switch (kind) {
-    case posh::ChangeKind::Added:
-        return icon(QStringLiteral("plus"), tokens().ok);
-    case posh::ChangeKind::Removed:
-        return icon(QStringLiteral("minus"), tokens().danger);
-    case posh::ChangeKind::Moved:
-        return icon(QStringLiteral("unfold"), tokens().accent);
-    default:
-        return icon(QStringLiteral("note"), tokens().caution);
-    }
+    using enum posh::ChangeKind;
+    return kind == Added     ? icon(QStringLiteral("plus"), tokens().ok)
+           : kind == Removed ? icon(QStringLiteral("minus"), tokens().danger)
+           : kind == Moved   ? icon(QStringLiteral("unfold"), tokens().accent)
+                             : icon(QStringLiteral("note"), tokens().caution);
 }
 
 void addRow(QListWidget& list, const QString& words, const posh::Spot& at, const QIcon& mark = {}) {

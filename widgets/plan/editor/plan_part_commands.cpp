@@ -37,14 +37,18 @@ void PlanPartCommands::addChanges() {
 }
 
 void PlanPartCommands::addMoves() {
+    const auto by = [this](auto edit, int steps) {
+        return
+            [=, this] { parts_.perform([=](const auto& text, const auto& part) { return edit(text, part, steps); }); };
+    };
     add("move_up", tr("Move up"), tr("Makes it more important, or earlier"), "up", QKeySequence("Alt+Up"),
-        [this] { parts_.shift(-1); });
+        by(posh::shiftPart, -1));
     add("move_down", tr("Move down"), tr("Makes it less important, or later"), "down", QKeySequence("Alt+Down"),
-        [this] { parts_.shift(1); });
+        by(posh::shiftPart, 1));
     add("join_up", tr("Make equal with the one above"), tr("Gives both the same priority"), "",
-        QKeySequence("Alt+Shift+Up"), [this] { parts_.join(-1); });
+        QKeySequence("Alt+Shift+Up"), by(posh::joinLevel, -1));
     add("join_down", tr("Make equal with the one below"), tr("Gives both the same priority"), "",
-        QKeySequence("Alt+Shift+Down"), [this] { parts_.join(1); });
+        QKeySequence("Alt+Shift+Down"), by(posh::joinLevel, 1));
     add("add_before", tr("Add before"), tr("Adds a new one of its kind before it"), "", QKeySequence("Shift+Ins"),
         [this] { parts_.addMember(true); });
     add("add_after", tr("Add after"), tr("Adds a new one of its kind after it"), "plus", QKeySequence("Ins"),
@@ -52,9 +56,9 @@ void PlanPartCommands::addMoves() {
     add("swap", tr("Swap with…"), tr("Remembers it; then use this on another part to swap the two"), "", Qt::Key_X,
         [this] { parts_.swap(); });
     add("duplicate", tr("Duplicate"), tr("Adds a copy of it under another name"), "", QKeySequence("Ctrl+D"),
-        [this] { parts_.duplicate(); });
+        [this] { parts_.perform(posh::duplicatePart); });
     add("delete", tr("Delete"), tr("Removes it from the plan"), "trash", QKeySequence::Delete,
-        [this] { parts_.remove(); });
+        [this] { parts_.perform(posh::removePart); });
 }
 
 void PlanPartCommands::addWraps() {

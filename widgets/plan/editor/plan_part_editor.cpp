@@ -62,26 +62,10 @@ void PlanPartEditor::perform(const std::function<Result<PlanEdit>(const std::str
         return emit said(tr("Fix the text first; then you can edit the drawing."), true);
     auto part = selectedPart();
     if (const auto call = selectedCall(); call && posh::isStep(plan_, *call))
-        part = call; // If the part is a form called in a pattern, the step is meant.
+        part = call;
     if (!part)
         return emit said(tr("Select a part in the drawing first."), true);
     perform(edit(drawn_text_, *part));
-}
-
-void PlanPartEditor::shift(int by) {
-    perform([by](const std::string& text, const PlanPart& part) { return posh::shiftPart(text, part, by); });
-}
-
-void PlanPartEditor::join(int by) {
-    perform([by](const std::string& text, const PlanPart& part) { return posh::joinLevel(text, part, by); });
-}
-
-void PlanPartEditor::duplicate() {
-    perform(posh::duplicatePart);
-}
-
-void PlanPartEditor::remove() {
-    perform(posh::removePart);
 }
 
 void PlanPartEditor::addPiece(const PlanPiece& piece) {

@@ -44,10 +44,9 @@ public:
     /// The selected call, or else the selected part.
     std::optional<posh::PlanPart> selectedCallOrPart() const;
 
-    void shift(int by);
-    void join(int by);
-    void duplicate();
-    void remove();
+    /// Edits the selected part by a function of plan_edits.h. If the part is a form called in a pattern, the step is
+    /// meant.
+    void perform(const std::function<Result<posh::PlanEdit>(const std::string&, const posh::PlanPart&)>& edit);
     /// Opens the line editor with a name, a call or a sense as the plan writes it, the trigger, a limit or a comment.
     void editInPlace(InPlace what);
     void editValues();
@@ -71,7 +70,6 @@ signals:
 
 private:
     void perform(const Result<posh::PlanEdit>& edit);
-    void perform(const std::function<Result<posh::PlanEdit>(const std::string&, const posh::PlanPart&)>& edit);
     void enterWords(int node, const QString& entered, int what);
     void wrapRange(posh::FormKind kind);
     agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;

@@ -109,9 +109,8 @@ void PlanValuesDialog::addComparison() {
     comparison_->setAccessibleName(tr("Its answer"));
     comparison_->addItem(description_.answer == AnswerType::Boolean ? tr("is true")
                                                                     : tr("holds (is not 0, not empty)"));
-    for (const char* const words :
-         {"=  (equals)", "≠  (differs from)", "<  (less than)", "≤  (at most)", ">  (more than)", "≥  (at least)"})
-        comparison_->addItem(QString::fromUtf8(words));
+    comparison_->addItems(
+        {"=  (equals)", "≠  (differs from)", "<  (less than)", "≤  (at most)", ">  (more than)", "≥  (at least)"});
     const ValueShape shape = shapeOf(description_);
     const posh::Literal operand = first_.operand.value_or(posh::Literal{firstOperand(shape), {}, {}});
     operand_ = new ValueField(shape, operand, tr("Value"), this);

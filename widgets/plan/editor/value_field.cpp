@@ -26,20 +26,11 @@ AnswerType planTypeOf(const posh::Value& value) {
     return types[value.index()];
 }
 
-double planNumberIn(const posh::Value& value) {
-    const auto* const whole = std::get_if<std::int64_t>(&value);
-    const auto* const real = std::get_if<double>(&value);
-    return real ? *real : whole ? static_cast<double>(*whole) : 0.0;
-}
-
 /// True if the editor for that shape can show the value.
 bool fitsShape(const ValueShape& shape, const posh::Value& value) {
     const AnswerType type = planTypeOf(value);
-    const bool is_number = type == AnswerType::Integer || type == AnswerType::Real;
-    if (shape.type == AnswerType::Real && is_number)
-        return std::abs(planNumberIn(value)) < any_number;
-    if (shape.type == AnswerType::Integer && type == AnswerType::Integer)
-        return std::abs(planNumberIn(value)) < any_number;
+    if (shape.type == AnswerType::Integer || shape.type == AnswerType::Real)
+        return (type == shape.type || type == AnswerType::Integer) && std::abs(posh::numberOf(value)) < any_number;
     if (shape.type == AnswerType::Symbol && type == AnswerType::Symbol)
         return std::ranges::count(shape.choices, std::get<posh::Symbol>(value).text) > 0;
     return shape.type == AnswerType::Boolean && type == AnswerType::Boolean;
@@ -88,7 +79,7 @@ QWidget* ValueField::makeEditor(const ValueShape& shape) {
         return makeChoice({"true", "false"}, std::get<bool>(literal->value) ? "true" : "false");
     if (type_ == AnswerType::Symbol)
         return makeChoice(shape.choices, std::get<posh::Symbol>(literal->value).text);
-    return makeNumber(shape, planNumberIn(literal->value));
+    return makeNumber(shape, posh::numberOf(literal->value));
 }
 
 QWidget* ValueField::makeChoice(const std::vector<std::string>& choices, const std::string& chosen) {
