@@ -50,6 +50,11 @@ std::optional<PlanPart> PlanPartEditor::selectedCallOrPart() const {
     return call ? call : selectedPart();
 }
 
+std::optional<PlanPart> PlanPartEditor::partMeant(int node) const {
+    const auto call = callOfNode(plan_, canvas_.tree(), node);
+    return call && posh::isStep(plan_, *call) ? call : partOfNode(plan_, canvas_.tree(), node);
+}
+
 void PlanPartEditor::perform(const Result<PlanEdit>& edit) {
     if (!edit)
         emit said(QString::fromStdString(edit.error().text()), true);
@@ -60,9 +65,7 @@ void PlanPartEditor::perform(const Result<PlanEdit>& edit) {
 void PlanPartEditor::perform(const std::function<Result<PlanEdit>(const std::string&, const PlanPart&)>& edit) {
     if (!gestures())
         return emit said(tr("Fix the text first; then you can edit the drawing."), true);
-    auto part = selectedPart();
-    if (const auto call = selectedCall(); call && posh::isStep(plan_, *call))
-        part = call;
+    const auto part = partMeant(canvas_.selected());
     if (!part)
         return emit said(tr("Select a part in the drawing first."), true);
     perform(edit(drawn_text_, *part));
@@ -92,13 +95,9 @@ void PlanPartEditor::wrap(posh::FormKind kind) {
 
 /// Wraps all parts of the range that is selected in the drawing.
 void PlanPartEditor::wrapRange(posh::FormKind kind) {
-    const auto partOf = [this](int node) {
-        const auto call = callOfNode(plan_, canvas_.tree(), node);
-        return call && posh::isStep(plan_, *call) ? call : partOfNode(plan_, canvas_.tree(), node);
-    };
     const std::vector<int> nodes = canvas_.range();
-    const auto first = gestures() ? partOf(nodes.front()) : std::nullopt;
-    const auto last = gestures() ? partOf(nodes.back()) : std::nullopt;
+    const auto first = gestures() ? partMeant(nodes.front()) : std::nullopt;
+    const auto last = gestures() ? partMeant(nodes.back()) : std::nullopt;
     if (first && last)
         perform(posh::wrapParts(drawn_text_, *first, *last, kind));
 }

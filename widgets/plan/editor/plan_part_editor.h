@@ -69,6 +69,9 @@ signals:
     void said(const QString& words, bool refused);
 
 private:
+    /// The part of a node; for a form called in a pattern, the step that calls it.
+    std::optional<posh::PlanPart> partMeant(int node) const;
+    /// Requests an edit, or says why it is impossible.
     void perform(const Result<posh::PlanEdit>& edit);
     void enterWords(int node, const QString& entered, int what);
     void wrapRange(posh::FormKind kind);
