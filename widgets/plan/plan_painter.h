@@ -48,6 +48,7 @@ public:
     void paint(const QRectF& area);
 
 private:
+    /// Paints the lines from these cards to their parents and children.
     void paintLines(const std::vector<int>& nodes, const QRectF& area);
     /// The x of the vertical part of a line from a card to one of its children.
     double trunkOf(const QPointF& from, const QPointF& to) const;
@@ -66,12 +67,14 @@ private:
     void paintVerdict(int sense, const QRectF& place);
     void paintFrames(int node);
     void paintMarks(int node);
+    /// These paint one mark each, centered on a point of the card's edge.
     void paintBreakpoint(const PlanMark& mark, const QPointF& middle);
     void paintStand(const QPointF& middle);
     void paintPin(const QPointF& middle);
     void paintOff(const QRectF& box);
     void frame(const QRectF& box, const QColor& color, Qt::PenStyle style);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
+    /// Background of a card: brighter under the mouse, tinted while it runs and for some time afterwards.
     QColor fillOf(int node) const;
     QRectF boxOf(int node) const { return scene_.layout.box(scene_.tree, node); }
     /// Line width of at least one device pixel.

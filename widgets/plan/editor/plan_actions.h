@@ -28,11 +28,13 @@ class PlanActions {
 public:
     explicit PlanActions(QWidget& owner) : owner_(owner) {}
 
+    /// Makes the action of a command; `run` is called whenever it is triggered.
     QAction* add(const PlanCommand& command, std::function<void()> run);
     /// An unknown name is a programming error (assertion).
     QAction* action(const QString& name) const;
     void enable(const char* name, bool on) { action(QString::fromLatin1(name))->setEnabled(on); }
     void enable(std::initializer_list<const char*> names, bool on);
+    /// Appends the actions to a menu, in this order.
     void fill(QMenu& menu, std::initializer_list<const char*> names) const;
     /// The action for these keys, which were pressed in the drawing or elsewhere; nullptr if there is none.
     QAction* actionOf(const QKeyEvent& event, bool in_drawing) const;

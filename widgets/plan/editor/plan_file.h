@@ -48,18 +48,19 @@ signals:
     void changedOnDisk(const std::string& text);
 
 private:
+    /// Path of the copy of unsaved text; it depends on the path of the file only.
     QString keptPath() const;
     void writeKept();
     /// Compares the file with the saved text after a change on disk.
     void look();
+    /// Watches the current file, and no other.
     void watch();
 
     QString path_;
     QString new_name_;
-    /// Line ends and byte-order mark of the file.
-    std::string saved_;
-    bool has_crlf_ = false;
-    bool has_mark_ = false;
+    std::string saved_;     ///< the text as it was last read or written
+    bool has_crlf_ = false; ///< line ends of the file
+    bool has_mark_ = false; ///< the file begins with a byte-order mark
     QString folder_;
     std::string to_keep_;
     QTimer keep_timer_;
