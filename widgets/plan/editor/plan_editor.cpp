@@ -25,7 +25,6 @@ PlanEditor::PlanEditor(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Plan editor"));
     addWidgets();
     connectAll();
-    connectDrawing();
     for (QWidget* const child : findChildren<QWidget*>())
         if (!qobject_cast<QLineEdit*>(child))
             child->installEventFilter(this);
@@ -43,7 +42,6 @@ void PlanEditor::addWidgets() {
     parts_ = &drawing_->parts();
     lists_ = new PlanLists(this);
     addFileCommands();
-    addExportCommands();
     addEditCommands();
     part_commands_ = new PlanPartCommands(actions_, *parts_, *canvas_, this);
     body_->addWidget(palette_);
@@ -110,9 +108,6 @@ void PlanEditor::connectAll() {
     connect(palette_, &PlanPalette::pieceRequested, parts_, &PlanPartEditor::addPiece);
     connect(&file_, &PlanFile::changedOnDisk, this, &PlanEditor::takeChangeOnDisk);
     text_->setWords(palette_->words());
-}
-
-void PlanEditor::connectDrawing() {
     connect(canvas_, &PlanView::selectionChanged, this, &PlanEditor::followSelection);
     connect(canvas_, &PlanCanvas::rangeChanged, this, [this] {
         enableCommands();

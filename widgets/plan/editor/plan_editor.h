@@ -95,16 +95,12 @@ protected:
 private:
     void addWidgets();
     void connectAll();
-    void connectDrawing();
 
     // In plan_editor_commands.cpp.
     void addFileCommands();
-    void addExportCommands();
     void addEditCommands();
-    /// Enables the commands that make sense for the present selection and text.
     void enableCommands();
     void showTextMenu(const QPoint& at);
-    /// Schedules checking and drawing, after every change of the text.
     void edited();
     void check();
     void draw();
@@ -114,13 +110,11 @@ private:
     /// Selects in the drawing what is at the cursor of the text, and marks in the text what is selected in the drawing.
     void followCursor(int line, int column);
     void followSelection();
-    /// Moves the cursor of the text to this place and gives it the focus.
     void jumpTo(const posh::Spot& at);
     void apply(const posh::PlanEdit& edit);
     void compareWith(const std::string& other, const QString& name);
     /// Shows another text from its beginning, with a history of its own.
     void startWith(const std::string& text);
-    /// Offers the copy of unsaved text that an earlier run of the program left.
     void offerKept();
     void takeChangeOnDisk(const std::string& text);
     /// Shows a line below the panes; empty hides it. `refused`: something was not done.

@@ -51,9 +51,6 @@ void PlanEditor::addFileCommands() {
     actions_.add({"apply", tr("Put into the robot"), tr("Makes the robot continue with this plan"), "play",
                   QKeySequence("Ctrl+Return")},
                  [this] { emit applyRequested(text(), name()); });
-}
-
-void PlanEditor::addExportCommands() {
     menus_.save_as = new QMenu(this);
     menus_.save_as->addAction(action("save_as"));
     const auto exports = [this](const char* name, const QString& text, const QString& help, auto run) {
