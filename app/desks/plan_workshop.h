@@ -11,7 +11,7 @@
 #include <QSettings>
 
 #include "app/desks/desk.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 
 namespace usar::app {
 

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/bench_application.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 
 using namespace usar;
 

@@ -4,9 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include "core/posh/run/breakpoints.h"
@@ -35,7 +35,7 @@ private:
     QSpinBox* from_hit_;
     QCheckBox* once_;
     QCheckBox* enabled_;
-    QDialogButtonBox* buttons_;
+    QPushButton* ok_;
 };
 
 } // namespace usar::widgets

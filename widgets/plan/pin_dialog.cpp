@@ -2,11 +2,9 @@
 
 #include <array>
 
-#include <QFormLayout>
-#include <QPushButton>
-
 #include "core/posh/language/plan_reader.h"
 #include "widgets/models/plan/breakpoint_list.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -20,56 +18,46 @@ constexpr std::array pinned_results{posh::ActResult::Failed, posh::ActResult::Ru
 
 PinDialog::PinDialog(const QString& call, const QString& question, QWidget* parent)
     : QDialog(parent)
-    , complaint_(new QLabel(this))
-    , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+    , complaint_(makeLabel(this, "danger")) {
     setWindowTitle(tr("Pin"));
     auto* form = new QFormLayout(this);
     form->setSpacing(gap::small);
-    auto* title = new QLabel(call, this);
-    title->setProperty("role", "title");
-    form->addRow(title);
-    auto* words = new QLabel(question, this);
-    words->setProperty("role", "muted");
-    words->setWordWrap(true);
+    form->addRow(makeLabel(this, "title", call));
+    auto* words = makeLabel(this, "muted", question);
     words->setMinimumWidth(320);
     form->addRow(words);
-    complaint_->setProperty("role", "danger");
-    complaint_->setWordWrap(true);
     complaint_->hide();
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-void PinDialog::add(const QString& label, QWidget* field) {
+void PinDialog::add(QWidget* field) {
     auto* form = static_cast<QFormLayout*>(layout());
-    form->addRow(label, field);
+    field->setAccessibleName(tr("Answer"));
+    form->addRow(tr("&Answer"), field);
     form->addRow(complaint_);
-    form->addRow(buttons_);
+    ok_ = addDialogButtons(form);
     field->setFocus();
 }
 
 PinDialog* PinDialog::forSense(const QString& call, const QString& answer, QWidget* parent) {
     auto* dialog =
-        new PinDialog(call, tr("Until it is released the plan gets this answer, whatever the robot senses."), parent);
+        new PinDialog(call, tr("Until you release it, the plan gets this answer, whatever the robot senses."), parent);
     dialog->answer_ = new QLineEdit(answer, dialog);
-    dialog->answer_->setAccessibleName(tr("Answer"));
     dialog->answer_->setPlaceholderText(tr("true, 0.3, 'high, \"text\" or nil"));
     dialog->answer_->selectAll();
     connect(dialog->answer_, &QLineEdit::textChanged, dialog, &PinDialog::check);
-    dialog->add(tr("&Answer"), dialog->answer_);
+    dialog->add(dialog->answer_);
     dialog->check();
     return dialog;
 }
 
 PinDialog* PinDialog::forAct(const QString& call, QWidget* parent) {
     auto* dialog = new PinDialog(
-        call, tr("Until it is released the robot does not do this and stands still; the plan gets this answer."),
+        call, tr("Until you release it, the robot does not do this and stands still; the plan gets this answer."),
         parent);
     dialog->result_ = new QComboBox(dialog);
-    dialog->result_->setAccessibleName(tr("Answer"));
     for (const posh::ActResult result : pinned_results)
         dialog->result_->addItem(resultText(result));
-    dialog->add(tr("&Answer"), dialog->result_);
+    dialog->add(dialog->result_);
     return dialog;
 }
 
@@ -83,11 +71,10 @@ posh::ActResult PinDialog::result() const {
 
 void PinDialog::check() {
     const bool fine = answer().has_value();
-    complaint_->setText(
-        fine ? QString()
-             : tr("This is no value of a plan. Write true, false, a number, 'a-symbol, \"a text\" or nil."));
+    complaint_->setText(fine ? QString()
+                             : tr("This is not a value. Write true, false, a number, 'a-symbol, \"a text\" or nil."));
     complaint_->setVisible(!fine);
-    buttons_->button(QDialogButtonBox::Ok)->setEnabled(fine);
+    ok_->setEnabled(fine);
 }
 
 } // namespace usar::widgets

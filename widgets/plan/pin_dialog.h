@@ -5,9 +5,9 @@
 
 #include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 
 #include "core/posh/run/host.h"
 
@@ -29,14 +29,15 @@ public:
 
 private:
     PinDialog(const QString& call, const QString& question, QWidget* parent);
-    void add(const QString& label, QWidget* field);
+    /// Adds the field for the answer, and what is below it.
+    void add(QWidget* field);
     /// Shows whether the typed answer is a value, and enables OK accordingly.
     void check();
 
     QLineEdit* answer_ = nullptr;
     QComboBox* result_ = nullptr;
     QLabel* complaint_;
-    QDialogButtonBox* buttons_;
+    QPushButton* ok_ = nullptr;
 };
 
 } // namespace usar::widgets

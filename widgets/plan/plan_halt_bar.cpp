@@ -3,8 +3,10 @@
 #include <QAction>
 #include <QEvent>
 
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
 
@@ -19,16 +21,14 @@ PlanHaltBar::PlanHaltBar(QWidget* parent)
     : QFrame(parent)
     , column_(new QBoxLayout(QBoxLayout::LeftToRight, this))
     , icon_(new QLabel(this))
-    , text_(new QLabel(this))
+    , text_(makeLabel(this, "title"))
     , buttons_(new QBoxLayout(QBoxLayout::LeftToRight)) {
     setProperty("role", "card");
-    setAccessibleName(tr("The plan stands still"));
+    setAccessibleName(tr("The plan is halted"));
     column_->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
     column_->setSpacing(gap::small);
     auto* words = new QHBoxLayout;
     words->setSpacing(gap::small);
-    text_->setWordWrap(true);
-    text_->setProperty("role", "title");
     words->addWidget(icon_, 0, Qt::AlignTop);
     words->addWidget(text_, 1);
     buttons_->setSpacing(gap::tiny);
@@ -40,12 +40,10 @@ PlanHaltBar::PlanHaltBar(QWidget* parent)
 
 void PlanHaltBar::setActions(const QList<QAction*>& actions) {
     for (QAction* action : actions) {
-        auto* button = new QToolButton(this);
+        QToolButton* const button = makeToolButton(action->text(), this);
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setAccessibleName(action->text());
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setMinimumHeight(minimum_target);
+        button->setAutoRaise(false);
         buttons_->addWidget(button);
     }
 }

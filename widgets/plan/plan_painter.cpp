@@ -1,6 +1,7 @@
 #include "widgets/plan/plan_painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -45,11 +46,10 @@ PlanMetrics planMetrics() {
 }
 
 QString shortCount(std::uint64_t count) {
-    if (count < 10'000)
-        return QString::number(count);
-    if (count < 1'000'000)
-        return QString::number(count / 1000) + u'k';
-    return count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M' : QStringLiteral("1G+");
+    return count < 10'000          ? QString::number(count)
+           : count < 1'000'000     ? QString::number(count / 1000) + u'k'
+           : count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M'
+                                   : QStringLiteral("1G+");
 }
 
 PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale)
@@ -63,17 +63,14 @@ PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale
 
 void PlanPainter::paint(const QRectF& area) {
     painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
-    const std::vector<int> nodes = scene_.layout.nodesIn(scene_.tree, area);
+    std::vector<int> nodes = scene_.layout.nodesIn(scene_.tree, area);
     paintLines(nodes, area);
-    std::vector<int> framed;
+    std::erase_if(nodes, [&](int node) { return !boxOf(node).intersects(area); });
     for (const int node : nodes) {
-        if (!scene_.layout.box(scene_.tree, node).intersects(area))
-            continue;
         paintEquals(node);
         paintCard(node);
-        framed.push_back(node);
     }
-    for (const int node : framed) {
+    for (const int node : nodes) {
         paintMarks(node);
         paintFrames(node);
     }
@@ -81,7 +78,6 @@ void PlanPainter::paint(const QRectF& area) {
 
 /// Draws one trunk per parent, however many children it has; lines to running nodes are drawn on top.
 void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) {
-    const bool across = scene_.layout.flow() == PlanFlow::Across;
     std::vector<QLineF> lines;
     std::vector<int> running;
     for (const int node : nodes) {
@@ -89,45 +85,45 @@ void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) 
             !children.empty() && scene_.layout.shown(children.back())) {
             const QPointF from = scene_.layout.exit(node);
             const QPointF first = scene_.layout.entry(children.front());
-            const double x = across ? (from.x() + first.x()) / 2.0 : from.x();
+            const double x = trunkOf(from, first);
             const double bottom = std::min(scene_.layout.entry(children.back()).y(), area.bottom());
             lines.emplace_back(x, std::max(from.y(), area.top()), x, bottom);
-            if (across)
+            if (scene_.layout.flow() == PlanFlow::Across)
                 lines.emplace_back(from, QPointF(x, from.y()));
             if (scene_.states[node].running) // The line to a running child outside the area may cross it.
-                std::copy_if(children.begin(), children.end(), std::back_inserter(running),
-                             [this](int child) { return scene_.states[child].running; });
+                std::ranges::copy_if(children, std::back_inserter(running),
+                                     [this](int child) { return scene_.states[child].running; });
         }
         if (const int parent = scene_.tree[node].parent; parent >= 0) {
             const QPointF from = scene_.layout.exit(parent);
             const QPointF to = scene_.layout.entry(node);
-            lines.emplace_back(across ? (from.x() + to.x()) / 2.0 : from.x(), to.y(), to.x(), to.y());
+            lines.emplace_back(trunkOf(from, to), to.y(), to.x(), to.y());
         }
     }
     painter_.setPen(QPen(colors_.line, thin()));
     painter_.drawLines(lines.data(), static_cast<int>(lines.size()));
-    for (const int node : running)
-        paintLine(scene_.tree[node].parent, node, colors_.accent, std::max(2.5, 2.0 * thin()));
+    painter_.setPen(QPen(colors_.accent, std::max(2.5, 2.0 * thin()), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    for (const int node : running) {
+        const QPointF from = scene_.layout.exit(scene_.tree[node].parent);
+        const QPointF to = scene_.layout.entry(node);
+        const double x = trunkOf(from, to);
+        painter_.drawPolyline(QPolygonF({from, {x, from.y()}, {x, to.y()}, to}));
+    }
 }
 
-void PlanPainter::paintLine(int parent, int child, const QColor& color, double width) {
-    const QPointF from = scene_.layout.exit(parent);
-    const QPointF to = scene_.layout.entry(child);
-    const double x = scene_.layout.flow() == PlanFlow::Across ? (from.x() + to.x()) / 2.0 : from.x();
-    painter_.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    const QPointF way[] = {from, {x, from.y()}, {x, to.y()}, to};
-    painter_.drawPolyline(way, 4);
+double PlanPainter::trunkOf(const QPointF& from, const QPointF& to) const {
+    return scene_.layout.flow() == PlanFlow::Across ? (from.x() + to.x()) / 2.0 : from.x();
 }
 
 /// Paints a bar beside the members of one level, which have equal priority.
 void PlanPainter::paintEquals(int node) {
     if (!scene_.tree[node].has_equals)
         return;
-    const QRectF box = scene_.layout.box(scene_.tree, node);
+    const QRectF box = boxOf(node);
     const int next = scene_.tree[node].end;
     const bool goes_on = next < scene_.tree.size() && scene_.tree[next].parent == scene_.tree[node].parent &&
                          scene_.tree[next].level == scene_.tree[node].level;
-    const double bottom = goes_on ? scene_.layout.box(scene_.tree, next).top() : box.bottom();
+    const double bottom = goes_on ? boxOf(next).top() : box.bottom();
     painter_.fillRect(QRectF(box.left() - 6.0, box.top(), std::max(3.0, thin()), bottom - box.top()),
                       colors_.text_muted);
 }
@@ -141,7 +137,7 @@ QColor PlanPainter::fillOf(int node) const {
 }
 
 void PlanPainter::paintCard(int node) {
-    const QRectF box = scene_.layout.box(scene_.tree, node);
+    const QRectF box = boxOf(node);
     const double glow = scene_.states.recency(node);
     const bool running = scene_.states[node].running;
     if (detail_ == PlanDetail::Full) {
@@ -169,9 +165,8 @@ void PlanPainter::paintCard(int node) {
 /// Uses a font as large as the block allows; blocks of the same height have the same size if their names fit.
 void PlanPainter::paintBlockName(int node, const QRectF& box) {
     const QString& name = scene_.tree[node].name;
-    const double height = std::min(box.height() * 0.7, 30.0);
-    const double fitting = box.width() * 1.7 / std::max<double>(1.0, double(name.size()));
-    const double size_px = std::min(height, fitting);
+    const double fitting_px = box.width() * 1.7 / std::max(1.0, double(name.size()));
+    const double size_px = std::min({box.height() * 0.7, 30.0, fitting_px});
     if (size_px * scale_ < readable_px)
         return;
     QFont font = text_font_;
@@ -187,16 +182,21 @@ void PlanPainter::paintTitle(int node, const QRectF& row) {
     paintKindMark(node, {row.left() + padding_px, row.top(), glyph_px, row.height()});
     double right = paintFoldMark(node, row, row.right() - padding_px);
     right = what.kind == PlanNodeKind::Sense ? paintAnswer(node, row) : paintCounters(node, row, right);
-    painter_.setFont(name_font_);
-    QRectF place(row.left() + padding_px + glyph_px, row.top(), 0.0, row.height());
-    const double name_px = QFontMetricsF(name_font_).horizontalAdvance(what.name);
-    place.setWidth(std::min(name_px + 1.0, right - place.left()));
+    const double left = row.left() + padding_px + glyph_px;
+    paintNameAndDetail(what, name_font_, {left, row.top(), right - left, row.height()}, padding_px, 16.0);
+}
+
+/// Paints the name, and the rest of its line after a gap if that has more room than `least_px`.
+void PlanPainter::paintNameAndDetail(const PlanNode& what, const QFont& name_font, const QRectF& room, double gap_px,
+                                     double least_px) {
+    painter_.setFont(name_font);
+    const double name_px = QFontMetricsF(name_font).horizontalAdvance(what.name);
+    QRectF place = room;
+    place.setWidth(std::min(name_px + 1.0, room.width()));
     text(place, what.name, colors_.text);
-    if (what.detail.isEmpty())
-        return;
+    place = QRectF(place.right() + gap_px, room.top(), room.right() - place.right() - gap_px, room.height());
     painter_.setFont(text_font_);
-    place = QRectF(place.right() + padding_px, row.top(), right - place.right() - padding_px, row.height());
-    if (place.width() > 16.0)
+    if (!what.detail.isEmpty() && place.width() > least_px)
         text(place, what.detail, colors_.text_muted);
 }
 
@@ -218,21 +218,15 @@ void PlanPainter::paintKindMark(int node, const QRectF& place) {
         painter_.drawEllipse(round);
         letters = QString::number(what.level + 1);
         break;
-    case PlanNodeKind::Act: {
-        const QPointF arrow[] = {middle + QPointF(-4, -5), middle + QPointF(5, 0), middle + QPointF(-4, 5)};
-        painter_.drawPolygon(arrow, 3);
+    case PlanNodeKind::Act:
+        painter_.drawPolygon(QPolygonF({middle + QPointF(-4, -5), middle + QPointF(5, 0), middle + QPointF(-4, 5)}));
         return;
-    }
     case PlanNodeKind::Sense:
-        paintVerdict(node, place);
-        return;
+        return paintVerdict(node, place);
     default:
+        constexpr std::array of_form{"P", "DC", "", "C", "", "AP", "AD"}; // In the order of the kinds.
         painter_.drawRoundedRect(round.adjusted(-1.0, 0.5, 1.0, -0.5), 3.0, 3.0);
-        letters = what.kind == PlanNodeKind::Competence   ? QStringLiteral("C")
-                  : what.kind == PlanNodeKind::Pattern    ? QStringLiteral("AP")
-                  : what.kind == PlanNodeKind::Adopt      ? QStringLiteral("AD")
-                  : what.kind == PlanNodeKind::Collection ? QStringLiteral("DC")
-                                                          : QStringLiteral("P");
+        letters = QString::fromLatin1(of_form[static_cast<std::size_t>(what.kind)]);
     }
     QFont font = text_font_;
     font.setPixelSize(letters.size() > 2 ? 8 : letters.size() > 1 ? 9 : 11);
@@ -249,10 +243,9 @@ double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
     if (state.started == 0 && state.failed == 0)
         return left;
     painter_.setFont(text_font_);
-    const QFontMetricsF metrics(text_font_);
     if (state.failed > 0) {
         const QString count = shortCount(state.failed);
-        const double width = metrics.horizontalAdvance(count) + 12.0;
+        const double width = QFontMetricsF(text_font_).horizontalAdvance(count) + 12.0;
         const QRectF place(right - width, row.top(), width, row.height());
         const double y = row.center().y();
         painter_.setPen(QPen(colors_.danger, 1.6));
@@ -269,25 +262,21 @@ double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
 /// Paints a chevron, the number of folded parts, or the arrow of a link; returns the right edge of the room before it.
 double PlanPainter::paintFoldMark(int node, const QRectF& row, double right) {
     const PlanNode& what = scene_.tree[node];
-    const bool folds = !scene_.tree.children(node).empty();
-    if (!folds && what.link < 0)
+    if (scene_.tree.children(node).empty() && what.link < 0)
         return right;
     const double y = row.center().y();
     painter_.setPen(QPen(colors_.text_muted, 1.6));
     painter_.setBrush(Qt::NoBrush);
     if (what.link >= 0) {
-        const QPointF shaft[] = {{right - 9.0, y + 4.0}, {right - 1.0, y - 4.0}};
-        const QPointF head[] = {{right - 7.0, y - 4.0}, {right - 1.0, y - 4.0}, {right - 1.0, y + 2.0}};
-        painter_.drawPolyline(shaft, 2);
-        painter_.drawPolyline(head, 3);
+        painter_.drawLine(QPointF(right - 9.0, y + 4.0), QPointF(right - 1.0, y - 4.0));
+        painter_.drawPolyline(QPolygonF({{right - 7.0, y - 4.0}, {right - 1.0, y - 4.0}, {right - 1.0, y + 2.0}}));
     } else if (scene_.folds.folded(scene_.tree, node)) {
         painter_.setFont(text_font_);
         text({right - plan_card::fold_px, row.top(), plan_card::fold_px, row.height()},
              u'+' + shortCount(static_cast<std::uint64_t>(what.end - node - 1 - what.senses)), colors_.accent,
              Qt::AlignRight);
     } else {
-        const QPointF chevron[] = {{right - 10.0, y - 2.0}, {right - 6.0, y + 2.0}, {right - 2.0, y - 2.0}};
-        painter_.drawPolyline(chevron, 3);
+        painter_.drawPolyline(QPolygonF({{right - 10.0, y - 2.0}, {right - 6.0, y + 2.0}, {right - 2.0, y - 2.0}}));
     }
     return right - plan_card::fold_px;
 }
@@ -295,24 +284,18 @@ double PlanPainter::paintFoldMark(int node, const QRectF& row, double right) {
 void PlanPainter::paintSenseRow(int sense) {
     using namespace plan_card;
     const PlanNode& what = scene_.tree[sense];
-    const QRectF row = scene_.layout.box(scene_.tree, sense);
+    const QRectF row = boxOf(sense);
     if (sense == scene_.hot)
         painter_.fillRect(row.adjusted(2.0, 0.0, -2.0, 0.0), mixed(fillOf(what.parent), colors_.text, 0.08));
     paintVerdict(sense, {row.left() + padding_px, row.top(), glyph_px, row.height()});
     const double right = paintAnswer(sense, row);
-    painter_.setFont(text_font_);
-    const QFontMetricsF metrics(text_font_);
-    QRectF place(row.left() + padding_px + glyph_px, row.top(), 0.0, row.height());
+    double left = row.left() + padding_px + glyph_px;
     if (what.of_goal) {
-        place.setWidth(goal_px);
-        text(place, QObject::tr("goal"), colors_.text_muted);
-        place.moveLeft(place.right());
+        painter_.setFont(text_font_);
+        text({left, row.top(), goal_px, row.height()}, QObject::tr("goal"), colors_.text_muted);
+        left += goal_px;
     }
-    place.setWidth(std::min(metrics.horizontalAdvance(what.name) + 1.0, right - place.left()));
-    text(place, what.name, colors_.text);
-    place = QRectF(place.right() + 5.0, row.top(), right - place.right() - 5.0, row.height());
-    if (!what.detail.isEmpty() && place.width() > 8.0)
-        text(place, what.detail, colors_.text_muted);
+    paintNameAndDetail(what, text_font_, {left, row.top(), right - left, row.height()}, 5.0, 8.0);
 }
 
 /// Paints the answer right-aligned, bold if it holds; returns the right edge of the room before it.
@@ -361,15 +344,12 @@ void PlanPainter::paintVerdict(int sense, const QRectF& place) {
 
 /// Paints the frames of search matches and of the selection, above all cards.
 void PlanPainter::paintFrames(int node) {
-    const auto box = [&](int what) { return scene_.layout.box(scene_.tree, what); };
-    const auto framesOf = [&](int what) {
+    for (int what = node; what <= node + scene_.tree[node].senses; ++what) {
         if (!scene_.found.empty() && scene_.found[static_cast<std::size_t>(what)])
-            frame(box(what), colors_.caution, 2.0, Qt::DotLine);
+            frame(boxOf(what), colors_.caution, Qt::DotLine);
         if (what == scene_.selected)
-            frame(box(what), scene_.focused ? colors_.text : colors_.text_muted, 2.0);
-    };
-    for (int what = node; what <= node + scene_.tree[node].senses; ++what)
-        framesOf(what);
+            frame(boxOf(what), scene_.focused ? colors_.text : colors_.text_muted, Qt::SolidLine);
+    }
 }
 
 /// Paints marks on the edges of a card, where nothing else is drawn.
@@ -382,7 +362,7 @@ void PlanPainter::paintMarks(int node) {
         if (!mark)
             continue;
         const bool rows = detail_ == PlanDetail::Full;
-        const QRectF box = scene_.layout.box(scene_.tree, rows ? what : node);
+        const QRectF box = boxOf(rows ? what : node);
         const double title_px = (box.height() - plan_card::padding_px) / (1 + scene_.tree[what].senses);
         const double y = rows && what == node ? box.top() + (plan_card::padding_px + title_px) / 2.0 : box.center().y();
         if (mark->switched_off)
@@ -418,13 +398,12 @@ void PlanPainter::paintBreakpoint(const PlanMark& mark, const QPointF& middle) {
 /// Paints an arrow at the part that the plan is halted before.
 void PlanPainter::paintStand(const QPointF& middle) {
     const double size = markSize();
-    const QPointF arrow[] = {middle + size * QPointF(-7, -3), middle + size * QPointF(0, -3),
-                             middle + size * QPointF(0, -7),  middle + size * QPointF(8, 0),
-                             middle + size * QPointF(0, 7),   middle + size * QPointF(0, 3),
-                             middle + size * QPointF(-7, 3)};
+    QPolygonF arrow({{-7, -3}, {0, -3}, {0, -7}, {8, 0}, {0, 7}, {0, 3}, {-7, 3}});
+    for (QPointF& corner : arrow)
+        corner = middle + size * corner;
     painter_.setPen(QPen(colors_.background, 1.2 * size));
     painter_.setBrush(colors_.caution);
-    painter_.drawPolygon(arrow, 7);
+    painter_.drawPolygon(arrow);
 }
 
 /// Paints a pin with its head.
@@ -446,8 +425,8 @@ void PlanPainter::paintOff(const QRectF& box) {
     painter_.drawLine(box.bottomLeft(), box.topRight());
 }
 
-void PlanPainter::frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style) {
-    painter_.setPen(QPen(color, std::max(width, 2.0 * thin()), style));
+void PlanPainter::frame(const QRectF& box, const QColor& color, Qt::PenStyle style) {
+    painter_.setPen(QPen(color, std::max(2.0, 2.0 * thin()), style));
     painter_.setBrush(Qt::NoBrush);
     painter_.drawRoundedRect(box.adjusted(-1.0, -1.0, 1.0, 1.0), corner_px, corner_px);
 }

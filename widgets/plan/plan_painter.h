@@ -21,10 +21,8 @@ struct PlanScene {
     const PlanFolds& folds;
     const PlanStates& states;
     const Tokens& colors;
-    /// By node: true if it matches the search; empty: no search.
-    std::vector<bool> found{};
-    /// -1: none.
-    int selected = -1;
+    std::vector<bool> found{};        ///< by node: true if it matches the search; empty: no search
+    int selected = -1;                ///< -1: none
     int hot = -1;                     ///< under the mouse; -1: none
     bool focused = false;             ///< the view has the keyboard focus
     const PlanMarks* marks = nullptr; ///< nullptr: no marks
@@ -50,12 +48,16 @@ public:
     void paint(const QRectF& area);
 
 private:
+    /// Paints the lines from these cards to their parents and children.
     void paintLines(const std::vector<int>& nodes, const QRectF& area);
-    void paintLine(int parent, int child, const QColor& color, double width);
+    /// The x of the vertical part of a line from a card to one of its children.
+    double trunkOf(const QPointF& from, const QPointF& to) const;
     void paintEquals(int node);
     void paintCard(int node);
     void paintBlockName(int node, const QRectF& box);
     void paintTitle(int node, const QRectF& row);
+    void paintNameAndDetail(const PlanNode& what, const QFont& name_font, const QRectF& room, double gap_px,
+                            double least_px);
     void paintKindMark(int node, const QRectF& place);
     /// The two return the right edge of the room that is left for the title.
     double paintCounters(int node, const QRectF& row, double right);
@@ -65,13 +67,16 @@ private:
     void paintVerdict(int sense, const QRectF& place);
     void paintFrames(int node);
     void paintMarks(int node);
+    /// These paint one mark each, centered on a point of the card's edge.
     void paintBreakpoint(const PlanMark& mark, const QPointF& middle);
     void paintStand(const QPointF& middle);
     void paintPin(const QPointF& middle);
     void paintOff(const QRectF& box);
-    void frame(const QRectF& box, const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine);
+    void frame(const QRectF& box, const QColor& color, Qt::PenStyle style);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
+    /// Background of a card: brighter under the mouse, tinted while it runs and for some time afterwards.
     QColor fillOf(int node) const;
+    QRectF boxOf(int node) const { return scene_.layout.box(scene_.tree, node); }
     /// Line width of at least one device pixel.
     double thin() const { return 1.0 / std::min(scale_, 1.0); }
     /// Scale of marks, which shrink less than cards do.

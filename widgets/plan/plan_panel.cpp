@@ -1,7 +1,6 @@
 #include "widgets/plan/plan_panel.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <QApplication>
@@ -10,11 +9,11 @@
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "core/posh/language/plan_reader.h"
 #include "widgets/models/plan/plan_places.h"
 #include "widgets/models/plan/plan_reasons.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
@@ -34,15 +33,19 @@ struct Row {
     int mark = 0; ///< rows with different marks differ even if their text is the same
 };
 
+/// Adds or removes items at the end; the others are reused, because one of them may be emitting a signal.
+void setItemCount(QListWidget& list, std::size_t count) {
+    while (list.count() > static_cast<int>(count))
+        delete list.takeItem(list.count() - 1);
+    while (list.count() < static_cast<int>(count))
+        new QListWidgetItem(&list);
+}
+
 /// Changes only the rows that differ, so that neither selection nor scroll position jumps at every tick.
 void fill(QListWidget& list, const std::vector<Row>& rows) {
-    const int count = static_cast<int>(rows.size());
-    while (list.count() > count)
-        delete list.takeItem(list.count() - 1);
-    for (int i = 0; i < count; ++i) {
+    setItemCount(list, rows.size());
+    for (int i = 0; i < list.count(); ++i) {
         const Row& row = rows[static_cast<std::size_t>(i)];
-        if (i == list.count())
-            list.addItem(new QListWidgetItem);
         QListWidgetItem* const item = list.item(i);
         if (item->text() != row.text)
             item->setText(row.text);
@@ -54,22 +57,14 @@ void fill(QListWidget& list, const std::vector<Row>& rows) {
 }
 
 QIcon verdictIcon(PlanVerdict verdict) {
-    switch (verdict) {
-    case PlanVerdict::Yes:
-        return icon(QStringLiteral("check"), tokens().ok);
-    case PlanVerdict::No:
-        return icon(QStringLiteral("clear"), tokens().danger);
-    case PlanVerdict::Open:
-        break;
-    }
-    return icon(QStringLiteral("help"), tokens().text_muted);
+    return verdict == PlanVerdict::Yes  ? icon(QStringLiteral("check"), tokens().ok)
+           : verdict == PlanVerdict::No ? icon(QStringLiteral("clear"), tokens().danger)
+                                        : icon(QStringLiteral("help"), tokens().text_muted);
 }
 
-QLabel* makeTitle(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "title");
-    label->setWordWrap(true);
-    return label;
+/// `run` is called when the key is pressed in the widget itself.
+void addKey(QWidget* widget, const QKeySequence& key, std::function<void()> run) {
+    new QShortcut(key, widget, widget, std::move(run), Qt::WidgetShortcut);
 }
 
 } // namespace
@@ -92,9 +87,8 @@ PlanPanel::PlanPanel(QWidget* parent)
     body_->addWidget(side_);
     body_->setStretchFactor(1, 1);
     body_->setHandleWidth(gap::small);
-    auto* column = new QVBoxLayout(this);
+    auto* column = makeColumn(this);
     column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::tiny);
     // By default the minimum width of the wide row would keep the panel from becoming narrow.
     column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addLayout(head_);
@@ -127,7 +121,7 @@ PlanPanel::PlanPanel(QWidget* parent)
 
 void PlanPanel::showTree() {
     const bool empty = view_->tree().empty();
-    if (empty && time_bar_->slider()->hasFocus()) { // or the search would have the keys until a plan comes
+    if (empty && time_bar_->slider()->hasFocus()) { // Otherwise the search would get the keys until a plan comes.
         slider_waits_ = true;
         view_->setFocus();
     }
@@ -135,7 +129,7 @@ void PlanPanel::showTree() {
     time_bar_->setVisible(!empty);
     if (!empty && std::exchange(slider_waits_, false) && view_->hasFocus()) {
         QSlider* const slider = time_bar_->slider();
-        slider->setEnabled(true); // it may not know the plan's moments yet, and a disabled one takes no focus
+        slider->setEnabled(true); // It may not know the plan's moments yet, and a disabled slider takes no focus.
         slider->setFocus();
     }
     showRunning();
@@ -153,69 +147,59 @@ QBoxLayout* PlanPanel::makeSearchRow() {
     found_ = new QLabel(this);
     found_->setProperty("role", "muted");
     row->addWidget(found_);
-    previous_ = addButton(row, QStringLiteral("up"), tr("Previous one found (Shift+Return)"));
-    next_ = addButton(row, QStringLiteral("down"), tr("Next one found (Return)"));
-    connect(previous_, &QToolButton::clicked, this, [this] { view_->findNext(true); });
-    connect(next_, &QToolButton::clicked, this, [this] { view_->findNext(); });
+    const auto goBack = [this] { view_->findNext(true); };
+    const auto goOn = [this] { view_->findNext(); };
+    previous_ = addButton(row, "up", tr("Previous match (Shift+Return)"), goBack);
+    next_ = addButton(row, "down", tr("Next match (Return)"), goOn);
     connect(search_, &QLineEdit::textChanged, this, &PlanPanel::search);
-    auto* next = new QShortcut(Qt::Key_Return, search_, nullptr, nullptr, Qt::WidgetShortcut);
-    auto* previous = new QShortcut(Qt::SHIFT | Qt::Key_Return, search_, nullptr, nullptr, Qt::WidgetShortcut);
-    auto* done = new QShortcut(Qt::Key_Escape, search_, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(next, &QShortcut::activated, this, [this] { view_->findNext(); });
-    connect(previous, &QShortcut::activated, this, [this] { view_->findNext(true); });
-    connect(done, &QShortcut::activated, this, [this] {
+    addKey(search_, Qt::Key_Return, goOn);
+    addKey(search_, Qt::SHIFT | Qt::Key_Return, goBack);
+    addKey(search_, Qt::Key_Escape, [this] {
         search_->clear();
         view_->setFocus(Qt::OtherFocusReason);
     });
     return row;
 }
 
-QToolButton* PlanPanel::addButton(QBoxLayout* row, const QString& icon_name, const QString& help) {
-    auto* button = makeToolButton(help, this, icon_name);
+QToolButton* PlanPanel::addButton(QBoxLayout* row, const char* icon_name, const QString& help,
+                                  const std::function<void()>& clicked) {
+    auto* button = makeToolButton(help, this, QString::fromLatin1(icon_name));
     row->addWidget(button);
+    if (clicked)
+        connect(button, &QToolButton::clicked, this, clicked);
     return button;
 }
 
 QBoxLayout* PlanPanel::makeButtonRow() {
     auto* row = new QHBoxLayout;
     row->setSpacing(gap::tiny);
-    text_shown_ = addButton(row, QStringLiteral("text"), tr("Shows the plan's text beside the drawing"));
+    text_shown_ = addButton(row, "text", tr("Shows the plan's text beside the drawing"));
     text_shown_->setCheckable(true);
     text_shown_->setEnabled(false);
-    expanded_ = addButton(row, QStringLiteral("branches"),
-                          tr("Draws parts that are used at several places at each of them; else once, with links"));
-    expanded_->setCheckable(true);
-    expanded_->setAccessibleName(tr("Shared parts everywhere"));
-    connect(expanded_, &QToolButton::toggled, this, [this](bool expanded) {
-        view_->setSharing(expanded ? PlanSharing::Expanded : PlanSharing::Once);
+    QToolButton* const expanded =
+        addButton(row, "branches", tr("Draws shared parts in full wherever they are used; otherwise once, with links"));
+    expanded->setCheckable(true);
+    expanded->setAccessibleName(tr("Draw shared parts everywhere"));
+    connect(expanded, &QToolButton::toggled, this, [this](bool on) {
+        view_->setSharing(on ? PlanSharing::Expanded : PlanSharing::Once);
         view_->showBeginning();
     });
-    auto* running = addButton(row, QStringLiteral("follow"), tr("Opens what runs now and folds the rest"));
-    connect(running, &QToolButton::clicked, view_, &PlanView::showRunning);
-    auto* unfold = addButton(row, QStringLiteral("unfold"), tr("Unfolds everything"));
-    connect(unfold, &QToolButton::clicked, view_, &PlanView::unfoldAll);
-    auto* fold = addButton(row, QStringLiteral("fold"), tr("Folds everything (Space folds the selected part)"));
-    connect(fold, &QToolButton::clicked, view_, &PlanView::foldAll);
-    auto* larger = addButton(row, QStringLiteral("plus"), tr("Larger (+, or the wheel)"));
-    connect(larger, &QToolButton::clicked, view_, &PlanView::zoomIn);
-    auto* smaller = addButton(row, QStringLiteral("minus"), tr("Smaller (-)"));
-    connect(smaller, &QToolButton::clicked, view_, &PlanView::zoomOut);
-    auto* fit = addButton(row, QStringLiteral("fit"), tr("Shows all of the plan (F)"));
-    connect(fit, &QToolButton::clicked, view_, &PlanView::fit);
-    auto* save = addButton(row, QStringLiteral("export"), tr("Saves the drawing as a picture"));
-    connect(save, &QToolButton::clicked, this, &PlanPanel::exportRequested);
+    addButton(row, "follow", tr("Unfolds what is running and folds the rest"), [this] { view_->showRunning(); });
+    addButton(row, "unfold", tr("Unfolds everything"), [this] { view_->unfoldAll(); });
+    addButton(row, "fold", tr("Folds everything (Space folds the selected part)"), [this] { view_->foldAll(); });
+    addButton(row, "plus", tr("Zooms in (+, or the wheel)"), [this] { view_->zoomIn(); });
+    addButton(row, "minus", tr("Zooms out (-)"), [this] { view_->zoomOut(); });
+    addButton(row, "fit", tr("Shows the whole plan (F)"), [this] { view_->fit(); });
+    addButton(row, "export", tr("Saves the drawing as a picture"), [this] { emit exportRequested(); });
     row->addStretch(1);
     return row;
 }
 
 QWidget* PlanPanel::makeText() {
     auto* pane = new QWidget(this);
-    auto* column = new QVBoxLayout(pane);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
+    auto* column = makeColumn(pane);
     text_ = new PlanTextEdit(pane);
-    finding_ = new QLabel(pane);
-    finding_->setWordWrap(true);
+    finding_ = makeLabel(pane);
     finding_->hide();
     column->addWidget(text_, 1);
     column->addWidget(finding_);
@@ -231,25 +215,24 @@ QWidget* PlanPanel::makeText() {
 }
 
 void PlanPanel::fillSide() {
-    running_title_ = makeTitle(tr("Running now"), side_);
-    running_ = makeList(tr("Running now"), tr("What runs now, from the root on; a click goes there"));
+    running_title_ = makeLabel(side_, "title", tr("Running now"));
+    running_ = makeList(tr("Running now"), tr("What is running, from the root down; click to select"));
     side_->add(running_title_, running_, tr("Running"), 2);
-    verdict_ = makeTitle({}, side_);
-    reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what does not; a click goes there"));
+    verdict_ = makeLabel(side_, "title");
+    reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what prevents it; click to select"));
     reasons_->setWordWrap(true);
     side_->add(verdict_, reasons_, tr("Why?"), 3);
     side_->setTitleKept(reasons_, true); // It is the answer.
-    addBoard();
-    addBreakpointList();
-}
-
-/// Adds the list of values that the plan's acts have written; hidden while there are none.
-void PlanPanel::addBoard() {
     board_ = makeList(tr("Blackboard"), {});
-    side_->add(makeTitle(tr("Blackboard"), side_), board_, tr("Board"), 2);
+    side_->add(makeLabel(side_, "title", tr("Blackboard")), board_, tr("Board"), 2);
     connect(board_, &QListWidget::currentRowChanged, this, &PlanPanel::keySelected);
     connect(board_, &QListWidget::itemActivated, this, &PlanPanel::keyActivated);
     showBoard();
+    breakpoints_ = makeList(tr("Breakpoints"), tr("The check mark turns one on or off; click to select its part, "
+                                                  "double-click to edit it, Delete to remove it"));
+    side_->add(makeLabel(side_, "title", tr("Breakpoints")), breakpoints_, tr("Breakpoints"), 2);
+    connectBreakpoints();
+    setBreakpoints({});
 }
 
 void PlanPanel::setSnapshot(PlanSnapshot snapshot) {
@@ -281,36 +264,26 @@ void PlanPanel::showBoard() {
     fill(*board_, rows);
     for (int i = 0; i < board_->count(); ++i)
         board_->item(i)->setToolTip(board_values_[static_cast<std::size_t>(i)].history + '\n' +
-                                    tr("A double-click stops the plan whenever this is written; once more: no more."));
+                                    tr("Double-click to stop the plan whenever this is written, or to end that."));
 }
 
-void PlanPanel::addBreakpointList() {
-    breakpoints_ = makeList(
-        tr("Breakpoints"),
-        tr("The tick switches one on and off, a click goes there, a double-click changes it, Delete takes it away"));
-    side_->add(makeTitle(tr("Breakpoints"), side_), breakpoints_, tr("Breakpoints"), 2);
+void PlanPanel::connectBreakpoints() {
     connect(breakpoints_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         emit breakpointSwitched(item->data(breakpoint_role).toInt(), item->checkState() == Qt::Checked);
     });
     connect(breakpoints_, &QListWidget::itemDoubleClicked, this,
             [this](const QListWidgetItem* item) { emit breakpointEditRequested(item->data(breakpoint_role).toInt()); });
-    auto* away = new QShortcut(QKeySequence::Delete, breakpoints_, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(away, &QShortcut::activated, this, [this] {
+    addKey(breakpoints_, QKeySequence::Delete, [this] {
         if (const QListWidgetItem* const item = breakpoints_->currentItem())
             emit breakpointRemoved(item->data(breakpoint_role).toInt());
     });
-    setBreakpoints({});
 }
 
 void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
     side_->setSectionShown(breakpoints_, !rows.empty());
     const QSignalBlocker quiet(breakpoints_);
-    const int count = static_cast<int>(rows.size());
-    while (breakpoints_->count() > count)
-        delete breakpoints_->takeItem(breakpoints_->count() - 1);
-    while (breakpoints_->count() < count) // Items are reused, because one of them may be emitting a signal.
-        new QListWidgetItem(breakpoints_);
-    for (int i = 0; i < count; ++i) {
+    setItemCount(*breakpoints_, rows.size());
+    for (int i = 0; i < breakpoints_->count(); ++i) {
         const BreakpointRow& row = rows[static_cast<std::size_t>(i)];
         QListWidgetItem* const item = breakpoints_->item(i);
         item->setText(row.text);
@@ -368,21 +341,9 @@ void PlanPanel::showRunningLines() {
     text_->setRunningLines(lines);
 }
 
-/// Shows the finding in the cursor's line, else the number of findings.
 void PlanPanel::showFinding() {
-    const posh::Findings& all = text_->findings();
-    const auto errors = std::count_if(all.begin(), all.end(), [](const posh::Finding& finding) {
-        return severityOf(finding.code) == Severity::Error;
-    });
-    const auto warnings = std::ssize(all) - errors;
-    const PlanNote* const note = text_->noteAtCursor();
-    finding_->setVisible(!all.empty() || note);
-    if (const posh::Finding* const finding = text_->findingAtCursor())
-        finding_->setText(QString::fromStdString(posh::toText(*finding)));
-    else if (note)
-        finding_->setText(note->words);
-    else
-        finding_->setText(tr("Errors: %1, warnings: %2. F8 in the text goes to the next.").arg(errors).arg(warnings));
+    finding_->setText(text_->wordsAtCursor());
+    finding_->setVisible(!finding_->text().isEmpty());
 }
 
 void PlanPanel::search(const QString& words) {
@@ -395,7 +356,7 @@ void PlanPanel::showFound() {
     const bool any = !found.empty();
     previous_->setEnabled(any);
     next_->setEnabled(any);
-    const auto at = std::find(found.begin(), found.end(), view_->selected());
+    const auto at = std::ranges::find(found, view_->selected());
     found_->setVisible(!search_->text().trimmed().isEmpty());
     found_->setText(!any                ? tr("none")
                     : at == found.end() ? tr("%1 found").arg(found.size())
@@ -418,7 +379,8 @@ void PlanPanel::showReasons() {
     if (node < 0) {
         verdict_->setText(tr("Why?"));
         fill(*reasons_,
-             {{view_->tree().empty() ? QString() : tr("Select a part of the plan to see why it runs, or why not.")}});
+             {{view_->tree().empty() ? QString()
+                                     : tr("Select a part of the plan to see why it runs or does not run.")}});
         return;
     }
     verdict_->setText(planVerdict(view_->tree(), view_->states(), node));
@@ -433,7 +395,9 @@ void PlanPanel::jumpTo(const QListWidgetItem* item) {
         view_->select(node);
 }
 
-void PlanPanel::arrange() {
+/// Switches between the narrow and the wide layout.
+void PlanPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
     const int narrow = width() < narrow_panel_px ? 1 : 0;
     if (narrow == narrow_)
         return;
@@ -442,11 +406,6 @@ void PlanPanel::arrange() {
     body_->setOrientation(narrow ? Qt::Vertical : Qt::Horizontal);
     body_->setSizes(narrow ? QList<int>{height() / 3, height() * 2 / 3, height() / 3}
                            : QList<int>{width() / 3, width() - 280, 280});
-}
-
-void PlanPanel::resizeEvent(QResizeEvent* event) {
-    arrange();
-    QWidget::resizeEvent(event);
 }
 
 /// The window may use the same key for something else; inside the panel it starts the panel's search.

@@ -1,6 +1,8 @@
 // The plan of a robot with its tools: search, list of what is running, and why a part runs or does not.
 #pragma once
 
+#include <functional>
+
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -84,13 +86,11 @@ private:
     QWidget* makeText();
     /// Fills the side with the lists: running, reasons, blackboard, breakpoints.
     void fillSide();
-    void addBreakpointList();
-    void addBoard();
+    void connectBreakpoints();
     void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
-    QToolButton* addButton(QBoxLayout* row, const QString& icon_name, const QString& help);
-    /// Switches between the narrow and the wide layout.
-    void arrange();
+    QToolButton* addButton(QBoxLayout* row, const char* icon_name, const QString& help,
+                           const std::function<void()>& clicked = {});
     void showTree();
     void search(const QString& words);
     void showFound();
@@ -110,7 +110,6 @@ private:
     QToolButton* previous_;
     QToolButton* next_;
     QToolButton* text_shown_;
-    QToolButton* expanded_;
     QBoxLayout* head_;
     QSplitter* body_;
     PlanTextEdit* text_;

@@ -91,14 +91,6 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override { edit_->paintGutter(event); }
-    bool event(QEvent* event) override {
-        if (event->type() != QEvent::ToolTip)
-            return QWidget::event(event);
-        const auto* const help = static_cast<QHelpEvent*>(event);
-        const int line = edit_->cursorForPosition({0, help->pos().y()}).blockNumber() + 1;
-        QToolTip::showText(help->globalPos(), edit_->toolTipAt(line), this);
-        return true;
-    }
 
 private:
     PlanTextEdit* edit_;
@@ -140,13 +132,17 @@ void PlanTextEdit::setPlanText(std::string_view text, const posh::Findings& find
 void PlanTextEdit::setFindings(const posh::Findings& findings, std::vector<PlanNote> notes) {
     findings_ = findings;
     notes_ = std::move(notes);
-    error_lines_.clear();
-    warning_lines_.clear();
-    for (const posh::Finding& finding : findings)
-        (isError(finding) ? error_lines_ : warning_lines_).insert(static_cast<int>(finding.at.line));
-    note_lines_.clear();
+    remarks_.clear();
     for (const PlanNote& note : notes_)
-        note_lines_.insert(static_cast<int>(note.at.line));
+        remarks_.push_back({Kind::Note, note.at, note.words});
+    for (const posh::Finding& finding : findings_)
+        remarks_.push_back({isError(finding) ? Kind::Error : Kind::Warning, finding.at,
+                            QString::fromStdString(posh::toText(finding))});
+    remark_lines_.clear();
+    for (const Remark& remark : remarks_) {
+        Kind& worst = remark_lines_[static_cast<int>(remark.at.line)];
+        worst = std::max(worst, remark.kind);
+    }
     setViewportMargins(gutterWidth(), 0, 0, 0);
     mark();
 }
@@ -196,17 +192,14 @@ void PlanTextEdit::mark() {
             format.setProperty(QTextFormat::FullWidthSelection, true);
             marks.append({QTextCursor(block), format});
         }
-    for (const PlanNote& note : notes_) {
+    for (const Remark& remark : remarks_) {
         QTextCharFormat format;
-        format.setUnderlineStyle(QTextCharFormat::DotLine);
-        format.setUnderlineColor(tokens().accent);
-        marks.append({cursorAt(note.at), format});
-    }
-    for (const posh::Finding& finding : findings_) {
-        QTextCharFormat format;
-        format.setUnderlineStyle(isError(finding) ? QTextCharFormat::WaveUnderline : QTextCharFormat::DotLine);
-        format.setUnderlineColor(isError(finding) ? tokens().danger : tokens().caution);
-        marks.append({cursorAt(finding.at), format});
+        format.setUnderlineStyle(remark.kind == Kind::Error ? QTextCharFormat::WaveUnderline
+                                                            : QTextCharFormat::DotLine);
+        format.setUnderlineColor(remark.kind == Kind::Error     ? tokens().danger
+                                 : remark.kind == Kind::Warning ? tokens().caution
+                                                                : tokens().accent);
+        marks.append({cursorAt(remark.at), format});
     }
     if (shown_.line > 0) {
         QTextCharFormat format;
@@ -220,13 +213,11 @@ void PlanTextEdit::mark() {
 }
 
 void PlanTextEdit::nextFinding(bool backward) {
-    if (findings_.empty() && notes_.empty())
+    if (remarks_.empty())
         return;
     std::set<std::pair<int, int>> places;
-    for (const PlanNote& note : notes_)
-        places.emplace(static_cast<int>(note.at.line), cursorAt(note.at).selectionStart());
-    for (const posh::Finding& finding : findings_)
-        places.emplace(static_cast<int>(finding.at.line), cursorAt(finding.at).selectionStart());
+    for (const Remark& remark : remarks_)
+        places.emplace(static_cast<int>(remark.at.line), cursorAt(remark.at).selectionStart());
     const std::pair here(textCursor().blockNumber() + 1, textCursor().position());
     const auto after = places.upper_bound(here);
     const auto from = places.lower_bound(here);
@@ -247,21 +238,28 @@ const posh::Finding* PlanTextEdit::findingAtCursor() const {
     return found;
 }
 
-const PlanNote* PlanTextEdit::noteAtCursor() const {
+QString PlanTextEdit::wordsAtCursor() const {
+    if (const posh::Finding* const finding = findingAtCursor())
+        return QString::fromStdString(posh::toText(*finding));
     const auto line = static_cast<std::uint32_t>(textCursor().blockNumber() + 1);
-    const auto note = std::ranges::find(notes_, line, [](const PlanNote& one) { return one.at.line; });
-    return note == notes_.end() ? nullptr : &*note;
+    for (const PlanNote& note : notes_)
+        if (note.at.line == line)
+            return note.words;
+    if (findings_.empty())
+        return {};
+    const auto errors = std::ranges::count_if(findings_, isError);
+    return tr("Errors: %1, warnings: %2. F8 in the text goes to the next one.")
+        .arg(errors)
+        .arg(std::ssize(findings_) - errors);
 }
 
 QString PlanTextEdit::toolTipAt(int line) const {
-    QStringList lines;
-    for (const posh::Finding& finding : findings_)
-        if (static_cast<int>(finding.at.line) == line)
-            lines << QString::fromStdString(posh::toText(finding));
-    for (const PlanNote& note : notes_)
-        if (static_cast<int>(note.at.line) == line)
-            lines << note.words;
-    return lines.join(u'\n');
+    QStringList findings;
+    QStringList notes;
+    for (const Remark& remark : remarks_)
+        if (static_cast<int>(remark.at.line) == line)
+            (remark.kind == Kind::Note ? notes : findings) << remark.words;
+    return (findings + notes).join(u'\n');
 }
 
 int PlanTextEdit::gutterWidth() const {
@@ -281,25 +279,26 @@ void PlanTextEdit::paintGutter(QPaintEvent* event) {
         const int line = block.blockNumber() + 1;
         if (running_lines_.contains(line))
             painter.fillRect(QRectF(0.0, row.top(), 4.0, row.height()), tokens().accent);
-        paintFindingMark(painter, {3.0, row.top(), mark_px, row.height()}, line);
+        if (const auto remark = remark_lines_.find(line); remark != remark_lines_.end())
+            paintRemarkMark(painter, {3.0, row.top(), mark_px, row.height()}, remark->second);
         painter.setPen(tokens().text_muted);
         painter.drawText(QRectF(0.0, row.top(), gutter_->width() - gap::tiny, row.height()),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(line));
     }
 }
 
-void PlanTextEdit::paintFindingMark(QPainter& painter, const QRectF& place, int line) const {
+void PlanTextEdit::paintRemarkMark(QPainter& painter, const QRectF& place, Kind kind) const {
     const QPointF middle = place.center();
     painter.setBrush(Qt::NoBrush);
-    if (error_lines_.contains(line)) {
+    if (kind == Kind::Error) {
         painter.setPen(QPen(tokens().danger, 2.0));
         painter.drawLine(middle + QPointF(-4, -4), middle + QPointF(4, 4));
         painter.drawLine(middle + QPointF(-4, 4), middle + QPointF(4, -4));
-    } else if (warning_lines_.contains(line)) {
+    } else if (kind == Kind::Warning) {
         painter.setPen(QPen(tokens().caution, 1.5));
         const QPointF corners[] = {middle + QPointF(0, -5), middle + QPointF(5, 4), middle + QPointF(-5, 4)};
         painter.drawPolygon(corners, 3);
-    } else if (note_lines_.contains(line)) {
+    } else {
         painter.setPen(QPen(tokens().accent, 1.5));
         painter.drawEllipse(middle, 5.0, 5.0);
         painter.drawLine(middle + QPointF(0, -0.5), middle + QPointF(0, 2.5));

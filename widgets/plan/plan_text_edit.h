@@ -1,6 +1,7 @@
 // Read-only view of the text of a plan: line numbers, colors, and marks for what is wrong with it.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -33,8 +34,9 @@ public:
     void nextFinding(bool backward = false);
     /// The finding in the cursor's line, errors first; nullptr if there is none.
     const posh::Finding* findingAtCursor() const;
-    /// The note in the cursor's line; nullptr if there is none.
-    const PlanNote* noteAtCursor() const;
+    /// The finding or note in the cursor's line in words; else how many errors and warnings there are, or nothing if
+    /// there are none.
+    QString wordsAtCursor() const;
     /// The findings and notes of a line, counted from 1; empty if there are none.
     QString toolTipAt(int line) const;
     /// Width of the strip with line numbers, in pixels.
@@ -61,17 +63,22 @@ protected:
     bool& quiet() { return quiet_; }
 
 private:
+    enum class Kind { Note, Warning, Error };
+    /// A note or a finding, as it is shown.
+    struct Remark {
+        Kind kind;
+        posh::Spot at;
+        QString words;
+    };
     void scrollToShown();
-    void paintFindingMark(QPainter& painter, const QRectF& place, int line) const;
+    void paintRemarkMark(QPainter& painter, const QRectF& place, Kind kind) const;
 
     posh::Findings findings_;
     std::vector<PlanNote> notes_;
-    std::set<int> error_lines_;
-    std::set<int> warning_lines_;
-    std::set<int> note_lines_;
+    std::vector<Remark> remarks_;      ///< notes, then findings, which are marked over them
+    std::map<int, Kind> remark_lines_; ///< the worst remark of each line that has any
     std::set<int> running_lines_;
-    /// The spot set by showPlace.
-    posh::Spot shown_;
+    posh::Spot shown_; ///< the spot set by showPlace
     QWidget* gutter_;
     bool quiet_ = false; ///< the program moves the cursor
 };

@@ -6,11 +6,12 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QStyle>
 
 #include "widgets/models/figures.h"
+#include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/time_slider.h"
+#include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
 
@@ -33,52 +34,36 @@ QString planTimeText(const PlanTime& time) {
 
 PlanTimeBar::PlanTimeBar(QWidget* parent)
     : QWidget(parent)
-    , halt_(new QToolButton(this))
-    , back_(new QToolButton(this))
-    , forward_(new QToolButton(this))
-    , look_back_(new QToolButton(this))
-    , live_(new QToolButton(this))
+    , halt_(makeToolButton(tr("Halt or continue"), this))
+    , back_(makeToolButton(tr("One cycle back"), this))
+    , forward_(makeToolButton(tr("One cycle forward"), this))
+    , look_back_(makeToolButton(tr("Replay from here"), this))
+    , live_(makeToolButton(tr("Back to now"), this))
     , slider_(new TimeSlider(this))
     , words_(new QLabel(this)) {
     setAccessibleName(tr("Moment of the run"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap::tiny);
-    const std::initializer_list<std::pair<QToolButton*, QString>> names{{halt_, tr("Halt or go on")},
-                                                                        {back_, tr("One cycle back")},
-                                                                        {forward_, tr("One cycle forward")},
-                                                                        {look_back_, tr("Replay from here")},
-                                                                        {live_, tr("Back to now")}};
-    for (const auto& [button, name] : names) {
-        button->setAccessibleName(name);
-        button->setToolTip(name);
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setMinimumSize(minimum_target, minimum_target);
-    }
     slider_->setRange(0, run_steps);
     slider_->setPageStep(run_steps / 20);
     slider_->setAccessibleName(tr("Moment of the plan's run"));
-    slider_->setToolTip(tr("Click or drag to what the plan did at another moment"));
+    slider_->setToolTip(tr("Click or drag to see what the plan did at another moment"));
     slider_->setMinimumHeight(minimum_target);
     words_->setAccessibleName(tr("Shown moment of the run"));
-    words_->setToolTip(tr("Since the plan began, by the robot's clock"));
+    words_->setToolTip(tr("Time since the start of the plan, by the robot's clock"));
     words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(QStringLiteral("at 0000.0 s of 0000.0 s")));
-    row->addWidget(halt_);
-    row->addWidget(back_);
-    row->addWidget(forward_);
-    row->addWidget(slider_, 1);
-    row->addWidget(words_);
-    row->addWidget(look_back_);
-    row->addWidget(live_);
+    for (QWidget* const part :
+         std::initializer_list<QWidget*>{halt_, back_, forward_, slider_, words_, look_back_, live_})
+        row->addWidget(part, part == slider_ ? 1 : 0);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
     connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // Keys and wheel.
         if (action == QAbstractSlider::SliderMove || time_.cycle == 0)
             return;
-        const bool is_step =
-            action == QAbstractSlider::SliderSingleStepAdd || action == QAbstractSlider::SliderSingleStepSub;
-        const QToolButton* const button = action == QAbstractSlider::SliderSingleStepAdd ? forward_ : back_;
-        if (!is_step)
+        const QToolButton* const button = action == QAbstractSlider::SliderSingleStepAdd   ? forward_
+                                          : action == QAbstractSlider::SliderSingleStepSub ? back_
+                                                                                           : nullptr;
+        if (!button)
             emit timeWanted(timeOf(slider_->sliderPosition()));
         // In a short run a step of the slider is less than a cycle, so it triggers the button instead.
         else if (button->defaultAction())
@@ -123,12 +108,7 @@ void PlanTimeBar::setTime(const PlanTime& time) {
     // A focused slider stays enabled; otherwise its keys would go to a neighbor in the meantime.
     slider_->setEnabled(time.cycle != 0 || slider_->hasFocus());
     arrange();
-    const QString role = time.live ? QStringLiteral("ok") : QStringLiteral("caution");
-    if (words_->property("role") != role) {
-        words_->setProperty("role", role);
-        words_->style()->unpolish(words_); // Otherwise the color of the previous role would stay.
-        words_->style()->polish(words_);
-    }
+    changeRole(words_, time.live ? QStringLiteral("ok") : QStringLiteral("caution"));
     words_->setText(planTimeText(time));
     if (slider_->isSliderDown())
         return;

@@ -214,10 +214,6 @@ QString PlanView::nodeText(int node) const {
     return planNodeText(tree(), states_, folds(), marks_, node);
 }
 
-QString PlanView::reservation() const {
-    return planReservation(tree(), states_);
-}
-
 void PlanView::describe() {
     setAccessibleDescription(
         selected() >= 0 ? nodeText(selected())
@@ -257,7 +253,7 @@ void PlanView::paintEvent(QPaintEvent* event) {
                           .marks = &marks_};
     PlanPainter(painter, scene, scale()).paint(area.adjusted(-8.0, -8.0, 8.0, 8.0));
     painter.resetTransform();
-    if (const QString note = reservation(); !note.isEmpty())
+    if (const QString note = planReservation(tree(), states_); !note.isEmpty())
         paintSheetNote(painter, {double(gap::small), double(height() - gap::small)}, note);
     if (hasFocus()) {
         painter.setPen(QPen(tokens().accent, 1.0));

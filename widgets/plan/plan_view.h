@@ -38,7 +38,7 @@ public:
     /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
     void setFlow(std::optional<PlanFlow> flow);
 
-    /// The present state of the drawing; node numbers are valid until the next plan or sharing.
+    /// Node numbers are valid until the next plan or sharing.
     const PlanTree& tree() const { return drawing_.tree(); }
     const PlanStates& states() const { return states_; }
     const PlanFolds& folds() const { return drawing_.folds(); }
@@ -66,8 +66,6 @@ public:
     void holdStill() { framing_ = Framing::Own; }
     /// Description of a node, as in its tooltip and for screen readers.
     QString nodeText(int node) const;
-    /// Says in which respect the drawing is incomplete; empty if it is complete.
-    QString reservation() const;
     /// Number of snapshots taken; stands still while the view is hidden.
     int newsTaken() const { return news_taken_; }
 
@@ -92,7 +90,7 @@ signals:
     void selectionChanged(int node);
     /// Double-click or Return on a part that is not a link.
     void activated(int node);
-    /// The user wants the context menu of a part, which is selected already, or of none (-1).
+    /// The user wants the context menu of a part, which is selected already, or of the background (-1).
     void menuRequested(int node, const QPoint& at_global);
     /// A snapshot was taken: states() changed.
     void refreshed();
@@ -114,13 +112,15 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
+    /// The node at that place, or its card if the scale is too small for sense rows; -1: none.
+    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
+
 private:
     void takeTree(const PlanTree& before);
     void takeNews();
     /// Lays out again if `change` returns true, and keeps the node in its place on the screen.
     void refold(int held, const std::function<bool(PlanFolds&)>& change);
     bool selectionIsHidden() { return selected() >= 0 && drawing_.hides(selected()); }
-    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
     bool onFoldMark(int node, const QPointF& on_screen);
     void bringIntoView(int node);
     void zoomAt(const QPointF& on_screen, double factor);

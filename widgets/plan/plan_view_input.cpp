@@ -1,3 +1,5 @@
+#include <array>
+
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -15,42 +17,25 @@ namespace {
 
 /// Returns the step that Ctrl with an arrow key makes; nullopt for other keys.
 std::optional<PlanStep> stepOf(const QKeyEvent& event) {
-    if (!(event.modifiers() & Qt::ControlModifier))
+    constexpr std::array steps{PlanStep::Out, PlanStep::Before, PlanStep::In, PlanStep::After}; // Left, Up, Right, Down
+    const int arrow = event.key() - Qt::Key_Left;
+    if (!(event.modifiers() & Qt::ControlModifier) || arrow < 0 || arrow >= std::ssize(steps))
         return std::nullopt;
-    switch (event.key()) {
-    case Qt::Key_Left:
-        return PlanStep::Out;
-    case Qt::Key_Right:
-        return PlanStep::In;
-    case Qt::Key_Up:
-        return PlanStep::Before;
-    case Qt::Key_Down:
-        return PlanStep::After;
-    default:
-        return std::nullopt;
-    }
+    return steps[static_cast<std::size_t>(arrow)];
 }
 
 /// Returns by how much a key moves the drawing in a view of this size, in pixels; nullopt for keys that do not pan.
 std::optional<QPointF> panOf(const QKeyEvent& event, const QSizeF& view) {
-    const QSizeF page = 0.8 * view;
-    const QSizeF step = event.modifiers() & Qt::ShiftModifier ? page : QSizeF(64.0, 64.0);
-    switch (event.key()) {
-    case Qt::Key_Left:
-        return QPointF(step.width(), 0.0);
-    case Qt::Key_Right:
-        return QPointF(-step.width(), 0.0);
-    case Qt::Key_Up:
-        return QPointF(0.0, step.height());
-    case Qt::Key_Down:
-        return QPointF(0.0, -step.height());
-    case Qt::Key_PageUp:
-        return QPointF(0.0, page.height());
-    case Qt::Key_PageDown:
-        return QPointF(0.0, -page.height());
-    default:
+    const int key = event.key();
+    const bool by_page = key == Qt::Key_PageUp || key == Qt::Key_PageDown || event.modifiers() & Qt::ShiftModifier;
+    const QSizeF step = by_page ? 0.8 * view : QSizeF(64.0, 64.0);
+    const int right = key == Qt::Key_Left ? 1 : key == Qt::Key_Right ? -1 : 0;
+    const int down = key == Qt::Key_Up || key == Qt::Key_PageUp       ? 1
+                     : key == Qt::Key_Down || key == Qt::Key_PageDown ? -1
+                                                                      : 0;
+    if (right == 0 && down == 0)
         return std::nullopt;
-    }
+    return QPointF(right * step.width(), down * step.height());
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include <QTimer>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 
 namespace usar::gallery {
 

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/plan/plan_actions.h"
+#include "widgets/plan/editor/plan_actions.h"
 
 namespace tst_plan_actions {
 

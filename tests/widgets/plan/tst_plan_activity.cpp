@@ -156,13 +156,14 @@ void tst_PlanActivity::reasons_data() {
     row("a sense that holds is no reason", fetch + "/CE:0",
         "grab does not run, for one reason:", "yes grab: Loaded = false – yes, it is false, for 90 s");
     row("something more important runs", root + "/DE:2",
-        "rest does not run, for one reason:", "no work runs now and goes before rest");
+        "rest does not run, for one reason:", "no work is running now and has priority over rest");
     row("it runs", fetch + "/CE:1", "near runs now", "yes near: Distance < 2.0 – yes, it is 0.9, for 8.0 s");
-    row("an equal runs", fetch + "/CE:2", "beep does not run, for one reason:", "no near, its equal, runs now");
+    row("an equal runs", fetch + "/CE:2",
+        "beep does not run, for one reason:", "no near, which has the same priority, is running now");
     row("held back", root + "/DE:0",
         "safety does not run, for 2 reasons:", "no safety is held back by its frequency: 1.2 s left");
     row("a step before it runs", fetch + "/CE:1/A:0/AP:0/A:1",
-        "Distance does not run, for one reason:", "no Slow comes before it and runs now");
+        "Distance does not run, for one reason:", "no Slow comes before it and is running now");
     row("never asked", root + "/S:0", "Delivered has not been asked yet", "");
     row("a goal that does not hold is no news", fetch, "fetch runs now",
         "yes work: Battery > 0.2 – yes, it is 0.8, for 2 min");

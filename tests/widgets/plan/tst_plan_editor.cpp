@@ -11,8 +11,8 @@
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
 #include "widgets/messages/completion_delegate.h"
-#include "widgets/plan/plan_editor.h"
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_editor.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
 
@@ -39,7 +39,7 @@ private slots:
     void neighborsAreWrappedTogether();
     void whatFailsIsSaid();
     void bindingIsCheckedAgainstTheRobot();
-    void aMendIsAppliedFromTheMenu();
+    void aFixIsAppliedFromTheMenu();
     void piecesAreAddedFromThePalette();
     void dropsSwapAndInsert_data();
     void dropsSwapAndInsert();
@@ -52,7 +52,7 @@ private slots:
     void emptyListsSayHowTheyAreFilled();
     void keysOfAWindowAroundItDoNotGetInTheWay();
     void twoAreSwappedByKeys();
-    void aLampShowsThatThereAreMends();
+    void aLampShowsThatThereAreFixes();
     void noRunOfEditsEndsInErrors();
 
 private:
@@ -147,7 +147,7 @@ void tst_PlanEditor::oneHistoryForTextAndDrawing() {
     const std::string second = editor_->text();
     QVERIFY(second != first);
     QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("work")));
-    editor_->textEdit().setCursorOffset(2); // behind the first parentheses
+    editor_->textEdit().setCursorOffset(2); // after the first parentheses
     QTest::keyClicks(&editor_->textEdit(), QStringLiteral("; x"));
     const std::string third = editor_->text();
     select(QStringLiteral("rest"));
@@ -330,14 +330,14 @@ void tst_PlanEditor::bindingIsCheckedAgainstTheRobot() {
     QCOMPARE(std::size_t(rows), editor_->findings().size());
 }
 
-void tst_PlanEditor::aMendIsAppliedFromTheMenu() {
+void tst_PlanEditor::aFixIsAppliedFromTheMenu() {
     editor_->setPrimitives(courierPrimitives());
     std::string other(courier_plan);
     other.replace(other.find("Brake"), 5, "Broke");
     editor_->textEdit().applyText(other);
     editor_->textEdit().setCursorOffset(other.find("Broke"));
     editor_->textEdit().setFocus();
-    QVERIFY(!editor_->mends().empty());
+    QVERIFY(!editor_->fixes().empty());
     QTest::keyClick(&editor_->textEdit(), Qt::Key_Return, Qt::AltModifier);
     QMenu* menu = nullptr;
     for (QMenu* const candidate : editor_->textEdit().findChildren<QMenu*>())
@@ -373,16 +373,16 @@ void tst_PlanEditor::dropsSwapAndInsert_data() {
                                            << "work" << 0.05 << "((Beep   (trigger ((fail))) Beep))\n      ((work";
     QTest::newRow("an act on a drive") << "Beep"
                                        << "work" << 0.5 << "(Bumped false))) Beep)";
-    QTest::newRow("an act behind a step") << "Beep"
-                                          << "Stop" << 0.95 << "(AP halt (Stop Beep Brake))";
+    QTest::newRow("an act after a step") << "Beep"
+                                         << "Stop" << 0.95 << "(AP halt (Stop Beep Brake))";
     QTest::newRow("an act in place of a step") << "Beep"
                                                << "Stop" << 0.5 << "(AP halt (Beep Brake))";
     QTest::newRow("a sense on an element") << "sense:Bumped"
                                            << "go" << 0.5 << "(go (trigger ((Bumped))) DriveTo";
     QTest::newRow("a sense in place of one") << "sense:Loaded"
                                              << "Bumped" << 0.5 << "(safety (trigger ((Loaded))) halt";
-    QTest::newRow("a drive behind another") << "node:safety"
-                                            << "work" << 0.95 << "(Bumped false))) fetch))\n      ((safety";
+    QTest::newRow("a drive after another") << "node:safety"
+                                           << "work" << 0.95 << "(Bumped false))) fetch))\n      ((safety";
     QTest::newRow("two drives") << "node:safety"
                                 << "work" << 0.5 << "(Bumped false))) fetch))\n      ((safety";
     QTest::newRow("two acts") << "node:Stop"
@@ -499,13 +499,13 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
         return false;
     };
     QCOMPARE(sheet("No findings"), editor_->findings().empty());
-    QVERIFY(sheet("Nothing compared yet") && sheet("No usages asked for"));
+    QVERIFY(sheet("Nothing compared yet") && sheet("No usages listed"));
     editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
     run("compare_running");
     QVERIFY(!sheet("Nothing compared yet"));
     select(QStringLiteral("halt"));
     run("usages");
-    QVERIFY(!sheet("No usages asked for"));
+    QVERIFY(!sheet("No usages listed"));
     editor_->setText("((DC d (drives ((e Stop)))", QStringLiteral("a.lap"));
     QVERIFY(!editor_->findings().empty());
     QTRY_VERIFY(!sheet("No findings"));
@@ -559,7 +559,7 @@ void tst_PlanEditor::twoAreSwappedByKeys() {
     QVERIFY2(editor_->text().find("(AP halt (CloseGripper Brake))") != std::string::npos, editor_->text().c_str());
 }
 
-void tst_PlanEditor::aLampShowsThatThereAreMends() {
+void tst_PlanEditor::aLampShowsThatThereAreFixes() {
     PlanCodeEdit& text = editor_->textEdit();
     std::string other(courier_plan);
     other.replace(other.find("(trigger ((Bumped)))"), 8, "(triger");

@@ -11,7 +11,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_editor_samples.h"
-#include "widgets/plan/plan_editor.h"
+#include "widgets/plan/editor/plan_editor.h"
 #include "widgets/style/theme.h"
 
 namespace tst_plan_editor_files {
@@ -79,7 +79,7 @@ void tst_PlanEditorFiles::everyDropLeavesASoundPlanOrIsRefused() {
 void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
     editor_->setPrimitives(courierPrimitives());
     PlanPalette& palette = editor_->palette();
-    palette.setFilter(QStringLiteral("drives place"));
+    palette.findChild<QLineEdit*>()->setText(QStringLiteral("drives place"));
     auto* const list = palette.findChild<QTreeWidget*>();
     QStringList shown;
     for (QTreeWidgetItemIterator item(list); *item; ++item)
@@ -88,7 +88,7 @@ void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
     QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
     const QString help = helpText(courierPrimitives().back());
     QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
-    palette.setFilter({});
+    palette.findChild<QLineEdit*>()->clear();
     QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
     QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
              QStringLiteral("Distance 0.0 >"));
@@ -125,7 +125,7 @@ void tst_PlanEditorFiles::aChangeOnDiskIsOffered() {
     QToolButton* take = nullptr;
     QTRY_VERIFY([&] {
         for (QToolButton* const button : editor_->findChildren<QToolButton*>())
-            take = button->isVisible() && button->text() == u"Take its text" ? button : take;
+            take = button->isVisible() && button->text() == u"Use its text" ? button : take;
         return take != nullptr;
     }());
     take->click();

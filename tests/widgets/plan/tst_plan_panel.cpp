@@ -171,7 +171,7 @@ void tst_PlanPanel::nothingSelectedSaysWhatToDo() {
 
 void tst_PlanPanel::searchCountsAndSteps() {
     auto* line = panel_->findChild<QLineEdit*>();
-    QVERIFY(!button(QStringLiteral("Next one"))->isEnabled());
+    QVERIFY(!button(QStringLiteral("Next match"))->isEnabled());
     QTest::keyClicks(line, QStringLiteral("distance"));
     const auto says = [&](const char* words) {
         for (const QLabel* label : panel_->findChildren<QLabel*>())
@@ -180,9 +180,9 @@ void tst_PlanPanel::searchCountsAndSteps() {
         return false;
     };
     QVERIFY(says("1 of 3"));
-    button(QStringLiteral("Next one"))->click();
+    button(QStringLiteral("Next match"))->click();
     QVERIFY(says("2 of 3"));
-    button(QStringLiteral("Previous one"))->click();
+    button(QStringLiteral("Previous match"))->click();
     QVERIFY(says("1 of 3"));
     QTest::keyClicks(line, QStringLiteral("zebra"));
     QVERIFY(says("none"));
@@ -215,7 +215,7 @@ void tst_PlanPanel::itsKeysAreItsOwnInAWindowThatHasThemToo() {
 
 void tst_PlanPanel::sharedPartsAreSwitched() {
     const int once = panel_->view().tree().size();
-    auto* shared = button(QStringLiteral("used at several places"));
+    auto* shared = button(QStringLiteral("shared parts in full"));
     shared->click();
     QVERIFY(panel_->view().tree().size() > once);
     shared->click();
@@ -229,7 +229,7 @@ void tst_PlanPanel::buttonsFoldAndUnfold() {
     QVERIFY(!view.layout().shown(grab));
     button(QStringLiteral("Unfolds everything"))->click();
     QVERIFY(view.layout().shown(grab));
-    button(QStringLiteral("Opens what runs"))->click();
+    button(QStringLiteral("Unfolds what is running"))->click();
     QVERIFY(!view.layout().shown(grab));
 }
 

@@ -117,7 +117,7 @@ void tst_PlanPins::pinsAreMarkedWhereverTheCallIsMade() {
     QVERIFY(markOf(marks, run.spot("d ▸ work").path)->halted);
     QCOMPARE(marks.size(), std::size_t(4));
     QCOMPARE(markOf(marks, run.spot("d ▸ work").path)->words,
-             (QStringList{"Switched off by hand", "The plan stands still here"}));
+             (QStringList{"Switched off by the user", "The plan is halted here"}));
 }
 
 void tst_PlanPins::breakpointsAreMarkedAtTheirPlaces() {

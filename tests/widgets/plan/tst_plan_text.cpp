@@ -57,12 +57,12 @@ void tst_PlanText::spotsBecomeRanges_data() {
     QTest::addColumn<int>("start");
     QTest::addColumn<int>("length");
     QTest::newRow("plain") << QStringLiteral("(C fetch") << 4 << 5 << 3 << 5;
-    QTest::newRow("behind an umlaut") << QStringLiteral("\"ü\" fetch") << 5 << 5 << 4 << 5;
-    QTest::newRow("behind two units") << QStringLiteral("\U0001F600 fetch") << 3 << 5 << 3 << 5;
+    QTest::newRow("after an umlaut") << QStringLiteral("\"ü\" fetch") << 5 << 5 << 4 << 5;
+    QTest::newRow("after two units") << QStringLiteral("\U0001F600 fetch") << 3 << 5 << 3 << 5;
     QTest::newRow("of three bytes") << QStringLiteral("a \u20ac b") << 3 << 3 << 2 << 1;
     QTest::newRow("no length marks one") << QStringLiteral("(C") << 1 << 0 << 0 << 1;
     QTest::newRow("over the end of the line") << QStringLiteral("(C ab") << 4 << 50 << 3 << 2;
-    QTest::newRow("behind the last character") << QStringLiteral("(C") << 9 << 1 << 1 << 1;
+    QTest::newRow("after the last character") << QStringLiteral("(C") << 9 << 1 << 1 << 1;
     QTest::newRow("empty line") << QString() << 1 << 1 << 0 << 0;
 }
 
@@ -92,7 +92,7 @@ void tst_PlanText::placesLeadToParts_data() {
     QTest::newRow("on an act") << 5 << 60 << QStringLiteral("CloseGripper");
     QTest::newRow("between lines: what began last") << 12 << 1 << QStringLiteral("Delivered");
     QTest::newRow("before everything") << 1 << 1 << QString();
-    QTest::newRow("behind everything") << 99 << 1 << QStringLiteral("rest");
+    QTest::newRow("after everything") << 99 << 1 << QStringLiteral("rest");
 }
 
 void tst_PlanText::placesLeadToParts() {
@@ -135,10 +135,9 @@ void tst_PlanText::notesAreMarkedBesideTheirLine() {
     QVERIFY2(noted(edit.grab().toImage(), edit.gutterWidth()), "the circle beside the line");
     QVERIFY(edit.toolTipAt(1).isEmpty());
     QVERIFY2(edit.toolTipAt(2).startsWith(QStringLiteral("2:2: note N501: ")), qPrintable(edit.toolTipAt(2)));
-    QVERIFY(!edit.noteAtCursor());
+    QVERIFY(edit.wordsAtCursor().isEmpty());
     QTest::keyClick(&edit, Qt::Key_F8);
-    QVERIFY(edit.noteAtCursor());
-    QCOMPARE(edit.noteAtCursor()->words, edit.toolTipAt(2));
+    QCOMPARE(edit.wordsAtCursor(), edit.toolTipAt(2));
     edit.setFindings({});
     QVERIFY(edit.toolTipAt(2).isEmpty());
     QVERIFY(notesOf(posh::readPlan("((DC d (drives ((e a)))))").plan).empty());

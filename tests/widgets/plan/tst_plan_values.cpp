@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -10,7 +11,7 @@
 
 #include "core/posh/edit/plan_phrase.h"
 #include "tests/suite/suite.h"
-#include "widgets/plan/plan_values_dialog.h"
+#include "widgets/plan/editor/plan_values_dialog.h"
 
 namespace tst_plan_values {
 

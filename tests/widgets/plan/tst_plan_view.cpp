@@ -10,6 +10,7 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "tests/widgets/plan_samples.h"
+#include "widgets/models/plan/plan_node_text.h"
 #include "widgets/plan/plan_painter.h"
 #include "widgets/plan/plan_view.h"
 #include "widgets/style/empty_state.h"
@@ -435,11 +436,11 @@ void tst_PlanView::otherSharingKeepsSelectionAndNews() {
 void tst_PlanView::newsOfAnotherPlanIsSaid() {
     view_->setSnapshot(running({root, fetch}));
     QTRY_COMPARE(view_->newsTaken(), 1);
-    QVERIFY(view_->reservation().isEmpty());
+    QVERIFY(planReservation(view_->tree(), view_->states()).isEmpty());
     const QImage before = view_->grab().toImage();
     view_->setSnapshot(running({root, fetch, root + "/DE:9"}));
     QTRY_COMPARE(view_->newsTaken(), 2);
-    QVERIFY(view_->reservation().contains(QStringLiteral("not in this plan")));
+    QVERIFY(planReservation(view_->tree(), view_->states()).contains(QStringLiteral("not in this plan")));
     QVERIFY(view_->grab().toImage() != before);
 }
 
@@ -460,9 +461,9 @@ void tst_PlanView::textsAreForScreenReadersToo() {
          {"element grab", "at most 3 starts", "Priority 1", "only when near", "has not run yet", "Line 5"})
         QVERIFY2(text.contains(QLatin1String(part)), qPrintable(text));
     view_->selectPath(fetch + "/CE:1");
-    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Priority 2, with equals")));
+    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Priority 2, shared with others")));
     view_->setFolded(view_->selected(), true);
-    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("folded away")));
+    QVERIFY(view_->accessibleDescription().contains(QStringLiteral("Folded parts")));
 }
 
 void tst_PlanView::drawingIsPaintedWholeForPaper() {

@@ -163,10 +163,10 @@ void tst_PlanWalk::nodeTextTellsAll() {
     for (const char* part :
          {"element grab", "at most 3 starts", "Priority 1", "only when near", "has not run yet", "Line 5"})
         QVERIFY2(grab.contains(QLatin1String(part)), qPrintable(grab));
-    QVERIFY(!grab.contains(QStringLiteral("folded away")));
+    QVERIFY(!grab.contains(QStringLiteral("Folded parts")));
     folds.set(tree, tree.find(fetch + "/CE:0"), true);
-    QVERIFY(text(fetch + "/CE:0").contains(QStringLiteral("1 parts are folded away")));
-    QVERIFY(text(fetch + "/CE:1").contains(QStringLiteral("Priority 2, with equals")));
+    QVERIFY(text(fetch + "/CE:0").contains(QStringLiteral("Folded parts: 1")));
+    QVERIFY(text(fetch + "/CE:1").contains(QStringLiteral("Priority 2, shared with others")));
     QVERIFY(text(pinned.path).contains(QStringLiteral("Not asked yet\nPinned to true")));
     QVERIFY(text(fetch + "/CE:1/A:0/AP:0/A:2/AP:1").contains(QStringLiteral("Drawn in full elsewhere")));
 }

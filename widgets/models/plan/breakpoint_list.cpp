@@ -29,8 +29,7 @@ constexpr std::array on_words{std::pair{BreakOn::Before, "before"},
 constexpr std::array results{ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed};
 
 QString resultWord(ActResult result) {
-    const std::string_view word = posh::toText(result);
-    return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
+    return QString::fromLatin1(posh::toText(result));
 }
 
 QJsonObject jsonOf(const Breakpoint& breakpoint) {
@@ -81,6 +80,16 @@ std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
 bool isOfPlan(const Breakpoint& breakpoint, std::string_view name) {
     const std::string_view names = breakpoint.names;
     return names.starts_with(name) && (names.size() == name.size() || names.substr(name.size()).starts_with(" ▸ "));
+}
+
+/// Returns the ids of the breakpoints of a plan for which `fits` is true.
+template <class Fits>
+std::vector<int> idsOf(const std::vector<agent::PlanBreakpoint>& all, std::string_view plan_name, Fits fits) {
+    std::vector<int> ids;
+    for (const auto& [id, what] : all)
+        if (isOfPlan(what, plan_name) && fits(what))
+            ids.push_back(id);
+    return ids;
 }
 
 } // namespace
@@ -140,27 +149,17 @@ void BreakpointList::toggleEnabled(const std::vector<int>& ids) {
 }
 
 std::vector<int> BreakpointList::ofPlan(std::string_view name) const {
-    std::vector<int> ids;
-    for (const auto& [id, what] : all_)
-        if (isOfPlan(what, name))
-            ids.push_back(id);
-    return ids;
+    return idsOf(all_, name, [](const Breakpoint&) { return true; });
 }
 
 std::vector<int> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
-    std::vector<int> ids;
-    for (const auto& [id, what] : all_)
-        if (what.on == BreakOn::Written && what.key == key && isOfPlan(what, plan_name))
-            ids.push_back(id);
-    return ids;
+    return idsOf(all_, plan_name,
+                 [key](const Breakpoint& what) { return what.on == BreakOn::Written && what.key == key; });
 }
 
 std::vector<int> BreakpointList::atPath(std::string_view plan_name, std::string_view path) const {
-    std::vector<int> ids;
-    for (const auto& [id, what] : all_)
-        if (what.path == path && what.on != BreakOn::Written && isOfPlan(what, plan_name))
-            ids.push_back(id);
-    return ids;
+    return idsOf(all_, plan_name,
+                 [path](const Breakpoint& what) { return what.on != BreakOn::Written && what.path == path; });
 }
 
 std::vector<int> BreakpointList::atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
@@ -198,35 +197,19 @@ BreakpointList BreakpointList::fromJson(const QByteArray& json) {
 }
 
 QString resultText(ActResult result) {
-    switch (result) {
-    case ActResult::Finished:
-        return QObject::tr("finished, in no time");
-    case ActResult::RunningOnce:
-        return QObject::tr("finished");
-    case ActResult::Running:
-        return QObject::tr("goes on");
-    case ActResult::Failed:
-        break;
-    }
-    return QObject::tr("failed");
+    constexpr std::array words{"finished at once", "finished", "still running", "failed"}; // In their order.
+    return QObject::tr(words[static_cast<std::size_t>(result)]);
 }
 
 QString breakOnText(const Breakpoint& breakpoint) {
-    switch (breakpoint.on) {
-    case BreakOn::Before:
-        return QObject::tr("before");
-    case BreakOn::After:
-        return QObject::tr("after");
-    case BreakOn::Result:
+    if (breakpoint.on == BreakOn::Result)
         return QObject::tr("when it answers: %1").arg(resultText(breakpoint.result));
-    case BreakOn::VerdictChange:
-        return QObject::tr("when its verdict changes");
-    case BreakOn::Written:
+    if (breakpoint.on == BreakOn::Written)
         return QObject::tr("when %1 is written").arg(QString::fromStdString(breakpoint.key));
-    case BreakOn::Interruption:
-        break;
-    }
-    return QObject::tr("when it is interrupted");
+    return breakpoint.on == BreakOn::Before          ? QObject::tr("before")
+           : breakpoint.on == BreakOn::After         ? QObject::tr("after")
+           : breakpoint.on == BreakOn::VerdictChange ? QObject::tr("when its verdict changes")
+                                                     : QObject::tr("when it is interrupted");
 }
 
 QString breakpointText(const Breakpoint& breakpoint) {

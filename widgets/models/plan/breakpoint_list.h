@@ -60,7 +60,7 @@ private:
 QString breakOnText(const posh::Breakpoint& breakpoint);
 /// "work, before, if (distance 0.3 <), from hit 4 on, once": for lists and tooltips.
 QString breakpointText(const posh::Breakpoint& breakpoint);
-/// "finished", "goes on": an act's answer as the user reads it.
+/// "finished", "still running": an act's answer as the user reads it.
 QString resultText(posh::ActResult result);
 
 } // namespace usar::widgets

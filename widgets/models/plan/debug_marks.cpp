@@ -42,21 +42,21 @@ void markPins(const agent::SetPins& pins, const posh::Program& program, const st
             continue;
         PlanMark& mark = markAt(marks, paths[place]);
         mark.pinned = true;
-        mark.words << (is_act ? QObject::tr("Pinned, the robot does not do it: %1").arg(resultText(act->result))
+        mark.words << (is_act ? QObject::tr("Pinned, so the robot does not do it: %1").arg(resultText(act->result))
                               : QObject::tr("Pinned: %1").arg(QString::fromStdString(posh::spelled(sense->answer))));
     }
     for (const agent::DriveOff& off : pins.drives_off)
         if (const posh::Index place = posh::findPlace(program, off.path, off.names); place < paths.size()) {
             PlanMark& mark = markAt(marks, paths[place]);
             mark.switched_off = true;
-            mark.words << QObject::tr("Switched off by hand");
+            mark.words << QObject::tr("Switched off by the user");
         }
 }
 
 void markHalt(const std::string& path, std::vector<PlanMark>& marks) {
     PlanMark& mark = markAt(marks, path);
     mark.halted = true;
-    mark.words << QObject::tr("The plan stands still here");
+    mark.words << QObject::tr("The plan is halted here");
 }
 
 } // namespace usar::widgets

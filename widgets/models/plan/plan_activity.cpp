@@ -37,7 +37,7 @@ void PlanStates::take(const PlanTree& tree, const PlanSnapshot& snapshot) {
         if (paths_)
             for (const std::string& path : *paths_)
                 node_of_path_.push_back(tree.find(path));
-        strangers_ = static_cast<int>(std::count(node_of_path_.begin(), node_of_path_.end(), -1));
+        strangers_ = static_cast<int>(std::ranges::count(node_of_path_, -1));
     }
     now_ = snapshot.now;
     states_.assign(static_cast<std::size_t>(tree.size()), {});

@@ -31,8 +31,7 @@ bool PlanChecker::isRunnable() const {
 }
 
 std::vector<posh::QuickFix> PlanChecker::fixes(std::string_view text, const posh::Finding& finding) const {
-    return posh::quickFixes(text, finding, vocabulary_,
-                            [this](std::string_view other) { return read(other).findings; });
+    return posh::quickFixes(text, finding, vocabulary_, [this](auto other) { return read(other).findings; });
 }
 
 posh::PlanReading PlanChecker::read(std::string_view text) const {

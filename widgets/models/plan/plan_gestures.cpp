@@ -25,15 +25,23 @@ std::optional<std::size_t> stepNumber(const std::string& segment) {
     return number;
 }
 
-std::size_t levelsOf(const Form& form) {
-    std::size_t levels = 0;
+/// Returns the number of members on each level of a form; empty for a pattern or an adopt.
+std::vector<std::size_t> levelSizes(const Form& form) {
+    std::vector<std::size_t> sizes;
     std::visit(
-        [&levels](const auto& any) {
+        [&sizes](const auto& any) {
             if constexpr (requires { any.levels; })
-                levels = any.levels.size();
+                for (const auto& level : any.levels)
+                    sizes.push_back(level.size());
         },
         form);
-    return levels;
+    return sizes;
+}
+
+/// Returns the deed that calls `edit(text, arguments...)`, one of the edits in plan_edits.h.
+template <class Edit, class... Arguments>
+PlanDeed deedOf(const QString& words, Edit edit, const std::string& text, const Arguments&... arguments) {
+    return {words, [=] { return edit(text, arguments...); }};
 }
 
 bool hasMembers(const Form& form) {
@@ -89,6 +97,7 @@ struct PlanGestures::Dragged {
     Call call;
     std::optional<PlanPart> from;
     QString name;
+    Step step() const { return kind == PartKind::Sense ? Step(sense) : Step(call); }
 };
 
 /// The part that something is dropped on.
@@ -103,18 +112,13 @@ struct PlanGestures::Target {
 std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, int>& source) const {
     Dragged what;
     if (const auto* const piece = std::get_if<PlanPiece>(&source)) {
-        what.kind = piece->is_sense ? PartKind::Sense : PartKind::Action;
-        what.name = piece->words.section(QLatin1Char(' '), 0, 0).section(QLatin1Char('('), 0, 0);
         const std::string words = piece->words.toStdString();
-        if (auto sense = piece->is_sense ? readSensePhrase(words) : Result<SenseTest>())
-            what.sense = *std::move(sense);
-        else
+        const auto sense = piece->is_sense ? readSensePhrase(words) : Result<SenseTest>();
+        const auto call = piece->is_sense ? Result<Call>() : readCallPhrase(words);
+        if (!sense || !call)
             return std::nullopt;
-        if (auto call = piece->is_sense ? Result<Call>() : readCallPhrase(words))
-            what.call = *std::move(call);
-        else
-            return std::nullopt;
-        return what;
+        return Dragged{piece->is_sense ? PartKind::Sense : PartKind::Action, *sense, *call, std::nullopt,
+                       piece->words.section(u' ', 0, 0).section(u'(', 0, 0)};
     }
     const int node = std::get<int>(source);
     const auto part = partOfNode(plan_, tree_, node);
@@ -148,29 +152,22 @@ PlanGestures::Target PlanGestures::targetAt(int node, DropZone zone) const {
 }
 
 PlanDeed PlanGestures::swap(const Dragged& what, const PlanPart& with) const {
-    return {QObject::tr("Swap %1 with %2").arg(what.name, nameText(plan_, with)),
-            [text = text_, a = *what.from, b = with] { return swapParts(text, a, b); }};
+    return deedOf(QObject::tr("Swap %1 with %2").arg(what.name, nameText(plan_, with)), swapParts, text_, *what.from,
+                  with);
 }
 
 /// For a target that is alone in its level: a new level before or after it. Among equals: another member of that level.
 MemberPlace PlanGestures::placeAt(const Target& to) const {
     const PlanPart& part = *to.part;
-    const std::size_t behind = to.zone == DropZone::After ? 1 : 0;
-    bool has_equals = false;
-    std::visit(
-        [&](const auto& form) {
-            if constexpr (requires { form.levels; })
-                has_equals = form.levels[part.level].size() > 1;
-        },
-        plan_.forms[part.form]);
-    if (has_equals)
-        return {part.form, part.level, part.member + behind};
-    return {part.form, part.level + behind};
+    const std::size_t after = to.zone == DropZone::After ? 1 : 0;
+    if (levelSizes(plan_.forms[part.form])[part.level] > 1)
+        return {part.form, part.level, part.member + after};
+    return {part.form, part.level + after};
 }
 
 /// Before a last member that is always ready, because nothing after it would ever be reached.
 MemberPlace PlanGestures::endOf(std::size_t form) const {
-    std::size_t level = levelsOf(plan_.forms[form]);
+    std::size_t level = levelSizes(plan_.forms[form]).size();
     std::visit(
         [&](const auto& any) {
             if constexpr (requires { any.levels; })
@@ -182,7 +179,7 @@ MemberPlace PlanGestures::endOf(std::size_t form) const {
 }
 
 Senses PlanGestures::firstTrigger(const MemberPlace& place) const {
-    if (place.level >= levelsOf(plan_.forms[place.form]))
+    if (place.level >= levelSizes(plan_.forms[place.form]).size())
         return {};
     return {SenseTest{Call{{"fail", {}}, {}}, std::nullopt, std::nullopt}};
 }
@@ -232,8 +229,8 @@ std::optional<PlanDeed> PlanGestures::dropSense(const Dragged& what, const Targe
     if (to.part->kind == PartKind::Sense && to.zone == DropZone::Onto) {
         if (what.from)
             return swap(what, *to.part);
-        return PlanDeed{QObject::tr("Ask %1 in place of %2").arg(what.name, to.name),
-                        [text = text_, part = *to.part, test = what.sense] { return replaceSense(text, part, test); }};
+        return deedOf(QObject::tr("Ask %1 in place of %2").arg(what.name, to.name), replaceSense, text_, *to.part,
+                      what.sense);
     }
     PlanPart owner =
         to.part->kind == PartKind::Whole || to.part->kind == PartKind::Member ? *to.part : ownerOf(*to.part);
@@ -245,8 +242,7 @@ std::optional<PlanDeed> PlanGestures::dropSense(const Dragged& what, const Targe
                               ? QObject::tr("Ask %1 for %2").arg(what.name, nameText(plan_, owner))
                               : QObject::tr("Make %1 the goal of %2").arg(what.name, nameText(plan_, owner));
     if (what.from && ownerOf(*what.from) == owner && !isStep(plan_, *what.from))
-        return PlanDeed{QObject::tr("Ask %1 at another place").arg(what.name),
-                        [text = text_, a = *what.from, b = *to.part] { return swapParts(text, a, b); }};
+        return deedOf(QObject::tr("Ask %1 at another place").arg(what.name), swapParts, text_, *what.from, *to.part);
     return PlanDeed{words, [text = text_, owner, test = what.sense, from = what.from]() -> Result<PlanEdit> {
                         auto added = addSense(text, owner, test);
                         if (!added || !from)
@@ -261,16 +257,15 @@ std::optional<PlanDeed> PlanGestures::dropSense(const Dragged& what, const Targe
 std::optional<PlanDeed> PlanGestures::dropMember(const Dragged& what, const Target& to) const {
     const PlanPart from = *what.from;
     if (to.part->kind == PartKind::Whole && hasMembers(plan_.forms[to.part->form]))
-        return PlanDeed{QObject::tr("Move %1 to %2").arg(what.name, to.name),
-                        [text = text_, from, place = endOf(to.part->form)] { return moveMember(text, from, place); }};
+        return deedOf(QObject::tr("Move %1 to %2").arg(what.name, to.name), moveMember, text_, from,
+                      endOf(to.part->form));
     if (to.part->kind != PartKind::Member)
         return std::nullopt;
     if (to.zone == DropZone::Onto)
         return swap(what, *to.part);
     const QString words =
-        to.zone == DropZone::Before ? QObject::tr("Move %1 before %2") : QObject::tr("Move %1 behind %2");
-    return PlanDeed{words.arg(what.name, to.name),
-                    [text = text_, from, place = placeAt(to)] { return moveMember(text, from, place); }};
+        to.zone == DropZone::Before ? QObject::tr("Move %1 before %2") : QObject::tr("Move %1 after %2");
+    return deedOf(words.arg(what.name, to.name), moveMember, text_, from, placeAt(to));
 }
 
 std::optional<PlanDeed> PlanGestures::dropOnStep(const Dragged& what, const Target& to) const {
@@ -280,18 +275,15 @@ std::optional<PlanDeed> PlanGestures::dropOnStep(const Dragged& what, const Targ
         if (from_step || (what.from && what.kind == PartKind::Action && step.kind == PartKind::Action))
             return swap(what, step);
         if (what.kind == PartKind::Action && step.kind == PartKind::Action && !what.from)
-            return PlanDeed{QObject::tr("Do %1 in place of %2").arg(what.name, to.name),
-                            [text = text_, step, call = what.call] { return replaceCall(text, step, call); }};
+            return deedOf(QObject::tr("Do %1 in place of %2").arg(what.name, to.name), replaceCall, text_, step,
+                          what.call);
     }
     const std::size_t index = step.index + (to.zone == DropZone::After ? 1 : 0);
-    const QString words = to.zone == DropZone::After ? QObject::tr("%1 behind %2") : QObject::tr("%1 before %2");
+    const QString words =
+        (to.zone == DropZone::After ? QObject::tr("%1 after %2") : QObject::tr("%1 before %2")).arg(what.name, to.name);
     if (from_step)
-        return PlanDeed{words.arg(what.name, to.name), [text = text_, from = *what.from, form = step.form, index] {
-                            return moveStep(text, from, form, index);
-                        }};
-    const Step made = what.kind == PartKind::Sense ? Step(what.sense) : Step(what.call);
-    return PlanDeed{words.arg(what.name, to.name),
-                    [text = text_, form = step.form, index, made] { return addStep(text, form, index, made); }};
+        return deedOf(words, moveStep, text_, *what.from, step.form, index);
+    return deedOf(words, addStep, text_, step.form, index, what.step());
 }
 
 std::optional<PlanDeed> PlanGestures::dropCall(const Dragged& what, const Target& to) const {
@@ -303,11 +295,9 @@ std::optional<PlanDeed> PlanGestures::dropCall(const Dragged& what, const Target
     if (part.kind == PartKind::Member && to.zone != DropZone::Onto) {
         const MemberPlace place = placeAt(to);
         const QString words =
-            to.zone == DropZone::Before ? QObject::tr("New %1 before %2") : QObject::tr("New %1 behind %2");
-        return PlanDeed{words.arg(what.name, to.name),
-                        [text = text_, place, call = what.call, trigger = firstTrigger(place)] {
-                            return addMember(text, place, call, trigger);
-                        }};
+            to.zone == DropZone::Before ? QObject::tr("New %1 before %2") : QObject::tr("New %1 after %2");
+        return deedOf(words.arg(what.name, to.name), addMember, text_, place, what.call, firstTrigger(place),
+                      std::string());
     }
     const PlanPart place = part.kind == PartKind::Member ? actionPart(part.form, part.level, part.member)
                            : to.call                     ? *to.call
@@ -316,29 +306,21 @@ std::optional<PlanDeed> PlanGestures::dropCall(const Dragged& what, const Target
         return std::nullopt;
     if (what.from)
         return swap(what, place);
-    return PlanDeed{QObject::tr("Do %1 in place of %2").arg(what.name, nameText(plan_, place)),
-                    [text = text_, place, call = what.call] { return replaceCall(text, place, call); }};
+    return deedOf(QObject::tr("Do %1 in place of %2").arg(what.name, nameText(plan_, place)), replaceCall, text_, place,
+                  what.call);
 }
 
 /// Appends to the form.
 std::optional<PlanDeed> PlanGestures::putInto(const Dragged& what, std::size_t form) const {
     const QString words = QObject::tr("Put %1 into %2").arg(what.name, nameText(plan_, formPart(form)));
-    if (const auto* const pattern = std::get_if<Pattern>(&plan_.forms[form])) {
-        const Step made = what.kind == PartKind::Sense ? Step(what.sense) : Step(what.call);
-        return PlanDeed{words, [text = text_, form, index = pattern->steps.size(), made] {
-                            return addStep(text, form, index, made);
-                        }};
-    }
+    if (const auto* const pattern = std::get_if<Pattern>(&plan_.forms[form]))
+        return deedOf(words, addStep, text_, form, pattern->steps.size(), what.step());
     if (what.kind != PartKind::Action)
         return std::nullopt;
     if (std::holds_alternative<Adopt>(plan_.forms[form]))
-        return PlanDeed{words, [text = text_, form, call = what.call] {
-                            return replaceCall(text, {PartKind::Action, form}, call);
-                        }};
+        return deedOf(words, replaceCall, text_, PlanPart{PartKind::Action, form}, what.call);
     const MemberPlace place = endOf(form);
-    return PlanDeed{words, [text = text_, place, call = what.call, trigger = firstTrigger(place)] {
-                        return addMember(text, place, call, trigger);
-                    }};
+    return deedOf(words, addMember, text_, place, what.call, firstTrigger(place), std::string());
 }
 
 } // namespace usar::widgets

@@ -146,10 +146,9 @@ std::size_t PlanLayout::firstBelow(std::span<const int> children, double top) co
 
 int PlanLayout::nodeAt(const PlanTree& tree, const QPointF& point) const {
     int found = -1;
-    forEachIn(tree, QRectF(point - QPointF(0.25, 0.25), QSizeF(0.5, 0.5)), [&](int node) {
+    for (const int node : nodesIn(tree, QRectF(point - QPointF(0.25, 0.25), QSizeF(0.5, 0.5))))
         if (boxes_[at(node)].contains(point))
             found = node;
-    });
     if (found < 0)
         return -1;
     const int senses = tree[found].senses;
@@ -161,7 +160,21 @@ int PlanLayout::nodeAt(const PlanTree& tree, const QPointF& point) const {
 
 std::vector<int> PlanLayout::nodesIn(const PlanTree& tree, const QRectF& area) const {
     std::vector<int> nodes;
-    forEachIn(tree, area, [&](int node) { nodes.push_back(node); });
+    std::vector<int> open(roots_.rbegin(), roots_.rend());
+    while (!open.empty()) {
+        const int node = open.back();
+        open.pop_back();
+        if (!shown(node) || !bands_[at(node)].intersects(area))
+            continue;
+        nodes.push_back(node);
+        const std::span<const int> children = tree.children(node);
+        const std::size_t first = firstBelow(children, area.top());
+        std::size_t end = first;
+        while (end < children.size() && bands_[at(children[end])].top() <= area.bottom() && shown(children[end]))
+            ++end;
+        for (std::size_t i = end; i-- > first;)
+            open.push_back(children[i]);
+    }
     return nodes;
 }
 

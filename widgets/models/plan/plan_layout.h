@@ -62,11 +62,8 @@ public:
 
     /// The sense row or card at that point; -1 if there is none. Logarithmic in the number of siblings.
     int nodeAt(const PlanTree& tree, const QPointF& point) const;
-    /// Calls `visit(node)` for the cards whose subtree touches the rectangle, in the order of the tree; this includes
-    /// cards that only have lines to children in it. The cost is proportional to the number of cards found.
-    template <class Visit>
-    void forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const;
-    /// The same as a list.
+    /// The cards whose subtree touches the rectangle, in the order of the tree; this includes cards that only have
+    /// lines to children in it. The cost is proportional to the number of cards found.
     std::vector<int> nodesIn(const PlanTree& tree, const QRectF& area) const;
 
 private:
@@ -90,25 +87,5 @@ private:
     std::vector<int> roots_;
     QRectF bounds_;
 };
-
-template <class Visit>
-void PlanLayout::forEachIn(const PlanTree& tree, const QRectF& area, Visit&& visit) const {
-    std::vector<int> open(roots_.rbegin(), roots_.rend());
-    while (!open.empty()) {
-        const int node = open.back();
-        open.pop_back();
-        if (!shown(node) || !bands_[static_cast<std::size_t>(node)].intersects(area))
-            continue;
-        visit(node);
-        const std::span<const int> children = tree.children(node);
-        const std::size_t first = firstBelow(children, area.top());
-        std::size_t end = first;
-        while (end < children.size() && bands_[static_cast<std::size_t>(children[end])].top() <= area.bottom() &&
-               shown(children[end]))
-            ++end;
-        for (std::size_t i = end; i-- > first;)
-            open.push_back(children[i]);
-    }
-}
 
 } // namespace usar::widgets

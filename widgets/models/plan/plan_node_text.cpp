@@ -14,7 +14,7 @@ QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanF
     QStringList lines{planKindWord(what.kind) + u' ' + what.name +
                       (what.detail.isEmpty() ? QString() : QStringLiteral(", ") + what.detail)};
     if (what.level >= 0)
-        lines << (what.has_equals ? QObject::tr("Priority %1, with equals").arg(what.level + 1)
+        lines << (what.has_equals ? QObject::tr("Priority %1, shared with others").arg(what.level + 1)
                                   : QObject::tr("Priority %1").arg(what.level + 1));
     if (!what.comment.isEmpty())
         lines << what.comment;
@@ -28,10 +28,10 @@ QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanF
     if (const PlanMark* const mark = marks.at(node))
         lines << mark->words;
     if (what.link >= 0)
-        lines << (what.recursive ? QObject::tr("Leads back to where it stands; the plan cannot run so")
-                                 : QObject::tr("Drawn in full elsewhere; Return goes there"));
+        lines << (what.recursive ? QObject::tr("Leads back to a part that contains it, so the plan cannot run")
+                                 : QObject::tr("Drawn in full elsewhere; press Return to go there"));
     if (folds.folded(tree, node))
-        lines << QObject::tr("%1 parts are folded away").arg(what.end - node - 1 - what.senses);
+        lines << QObject::tr("Folded parts: %1").arg(what.end - node - 1 - what.senses);
     if (what.at.line > 0)
         lines << QObject::tr("Line %1, column %2").arg(what.at.line).arg(what.at.column);
     return lines.join(u'\n');
@@ -39,10 +39,9 @@ QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanF
 
 QString planReservation(const PlanTree& tree, const PlanStates& states) {
     if (states.strangers() > 0)
-        return QObject::tr("Parts of what runs that are not in this plan: %1. Load the plan anew")
-            .arg(states.strangers());
+        return QObject::tr("Running parts that are not in this plan: %1. Load the plan again").arg(states.strangers());
     if (tree.truncated())
-        return QObject::tr("More than %1 parts: some shared ones are links").arg(PlanTree::most_nodes);
+        return QObject::tr("More than %1 parts: some shared parts are drawn as links").arg(PlanTree::most_nodes);
     return {};
 }
 

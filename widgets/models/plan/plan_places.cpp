@@ -18,7 +18,7 @@ std::pair<int, int> sizesAt(const QString& line, int position) {
 } // namespace
 
 QString editorText(std::string_view plan_text) {
-    QString text = QString::fromUtf8(plan_text.data(), static_cast<qsizetype>(plan_text.size()));
+    QString text = QString::fromUtf8(plan_text);
     text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
     for (QChar& c : text)
         if (c == u'\r' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator)

@@ -53,13 +53,14 @@ private:
             if (tree_[node].level < 0)
                 say(sibling < node ? PlanVerdict::No : PlanVerdict::Open, sibling,
                     sibling < node
-                        ? QObject::tr("%1 comes before it and runs now").arg(tree_[sibling].name)
-                        : QObject::tr("It is over: %1 comes after it and runs now").arg(tree_[sibling].name));
+                        ? QObject::tr("%1 comes before it and is running now").arg(tree_[sibling].name)
+                        : QObject::tr("It has ended: %1 comes after it and is running now").arg(tree_[sibling].name));
             else if (tree_[sibling].level <= tree_[node].level)
                 say(PlanVerdict::No, sibling,
                     tree_[sibling].level == tree_[node].level
-                        ? QObject::tr("%1, its equal, runs now").arg(tree_[sibling].name)
-                        : QObject::tr("%1 runs now and goes before %2").arg(tree_[sibling].name, tree_[node].name));
+                        ? QObject::tr("%1, which has the same priority, is running now").arg(tree_[sibling].name)
+                        : QObject::tr("%1 is running now and has priority over %2")
+                              .arg(tree_[sibling].name, tree_[node].name));
         }
     }
 

@@ -1,11 +1,10 @@
 #include "widgets/models/plan/plan_tree.h"
 
 #include <algorithm>
+#include <array>
 
 #include <QObject>
 #include <QStringList>
-
-#include "widgets/models/plan/plan_tree_builder.h"
 
 namespace usar::widgets {
 
@@ -13,7 +12,7 @@ namespace {
 
 bool fits(const PlanNode& node, const QStringList& words) {
     const QString kind = u' ' + planKindWord(node.kind);
-    return std::all_of(words.begin(), words.end(), [&](const QString& word) {
+    return std::ranges::all_of(words, [&](const QString& word) {
         return kind.contains(u' ' + word, Qt::CaseInsensitive) || node.name.contains(word, Qt::CaseInsensitive) ||
                node.detail.contains(word, Qt::CaseInsensitive);
     });
@@ -22,31 +21,10 @@ bool fits(const PlanNode& node, const QStringList& words) {
 } // namespace
 
 QString planKindWord(PlanNodeKind kind) {
-    switch (kind) {
-    case PlanNodeKind::Plan:
-        return QObject::tr("plan");
-    case PlanNodeKind::Collection:
-        return QObject::tr("drive collection");
-    case PlanNodeKind::Drive:
-        return QObject::tr("drive");
-    case PlanNodeKind::Competence:
-        return QObject::tr("competence");
-    case PlanNodeKind::Element:
-        return QObject::tr("element");
-    case PlanNodeKind::Pattern:
-        return QObject::tr("action pattern");
-    case PlanNodeKind::Adopt:
-        return QObject::tr("adopt");
-    case PlanNodeKind::Act:
-        return QObject::tr("act");
-    case PlanNodeKind::Sense:
-        break;
-    }
-    return QObject::tr("sense");
-}
-
-PlanTree::PlanTree(const posh::Plan& plan, PlanSharing sharing) {
-    PlanTreeBuilder(*this, plan, sharing).build();
+    constexpr std::array words{"plan",    "drive collection", "drive", "competence",
+                               "element", "action pattern",   "adopt", "act",
+                               "sense"}; // In the order of the kinds.
+    return QObject::tr(words[static_cast<std::size_t>(kind)]);
 }
 
 std::span<const int> PlanTree::children(int node) const {
@@ -92,8 +70,7 @@ QString PlanTree::trail(int node) const {
 }
 
 int PlanTree::findKey(std::uint64_t key) const {
-    const auto found =
-        std::find_if(nodes_.begin(), nodes_.end(), [&](const PlanNode& node) { return node.key == key; });
+    const auto found = std::ranges::find(nodes_, key, &PlanNode::key);
     return found == nodes_.end() ? -1 : static_cast<int>(found - nodes_.begin());
 }
 

@@ -39,11 +39,11 @@ struct PlanNode {
     int link = -1;           ///< the node that draws this form; a link has nothing below it
     bool recursive = false;  ///< the link leads back to a node that contains it (the checks refuse such plans)
     std::uint64_t key = 0;   ///< hash of the names on the path to it: the same part of an edited plan has the same key
-    std::string segment;     ///< end of its path, after the path of its parent: "/DE:1", "/A:0/C:2"
-    QString name;            ///< for senses and acts with their arguments
-    QString detail;          ///< the rest of its line: "< 0.3", "every 2 s", "at most 3 starts", "$altitude=6.0"
-    QString comment;         ///< the string at its end, without quotes
-    posh::Spot at;           ///< place of its name in the text; line 0: none
+    std::string segment{};   ///< end of its path, after the path of its parent: "/DE:1", "/A:0/C:2"
+    QString name{};          ///< for senses and acts with their arguments
+    QString detail{};        ///< the rest of its line: "< 0.3", "every 2 s", "at most 3 starts", "$altitude=6.0"
+    QString comment{};       ///< the string at its end, without quotes
+    posh::Spot at{};         ///< place of its name in the text; line 0: none
 };
 
 /// Immutable after construction. Nothing is left out: forms that no drive reaches are drawn beside the collection.

@@ -1,8 +1,11 @@
-#include "widgets/models/plan/plan_tree_builder.h"
+// Builds the tree of a plan from its forms.
+#include "widgets/models/plan/plan_tree.h"
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <functional>
+#include <iterator>
+#include <numeric>
 
 #include <QObject>
 
@@ -15,375 +18,352 @@ namespace {
 
 using namespace usar::posh;
 
-QString fromText(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QString spelled(const Literal& literal) {
     std::string text;
     appendLiteral(text, literal);
-    return fromText(text);
+    return QString::fromUtf8(text);
 }
 
 QString textOf(const Call& call) {
     std::string text;
     appendCall(text, call);
-    return fromText(text);
+    return QString::fromUtf8(text);
 }
 
 /// Returns the text of a call after the name of the form.
 QString argumentsOf(const Call& call) {
-    return textOf(call).mid(fromText(call.name.text).size());
+    return textOf(call).mid(QString::fromUtf8(call.name.text).size());
 }
 
 QString comparison(const SenseTest& test) {
     if (!test.operand)
         return {};
-    const QString sign = test.predicate ? fromText(toText(*test.predicate)) : QStringLiteral("==");
+    const QString sign = test.predicate ? QString::fromUtf8(toText(*test.predicate)) : QStringLiteral("==");
     return (sign == u"==" ? QStringLiteral("=") : sign) + u' ' + spelled(*test.operand);
 }
 
-QString frequencyText(const std::optional<Interval>& frequency) {
-    if (!frequency)
+/// Returns "2 s" or "0.5 Hz"; empty for an interval that limits nothing.
+QString amountText(const std::optional<Interval>& interval) {
+    constexpr std::array units{"h", "min", "s", "ms", "Hz", "a minute", "cycles"}; // In the order of Unit.
+    if (!interval || (interval->unit == Unit::None && numberOf(interval->amount.value) <= 0.0))
         return {};
-    const QString amount = spelled(frequency->amount);
-    switch (frequency->unit) {
-    case Unit::Hz:
-        return QObject::tr("at most %1 Hz").arg(amount);
-    case Unit::PerMinute:
-        return QObject::tr("at most %1 a minute").arg(amount);
-    case Unit::Ticks:
-        return QObject::tr("every %1 cycles").arg(amount);
-    case Unit::None:
-        return numberOf(frequency->amount.value) > 0.0 ? QObject::tr("every %1 ms").arg(amount) : QString();
-    case Unit::Hours:
-        return QObject::tr("every %1 h").arg(amount);
-    case Unit::Minutes:
-        return QObject::tr("every %1 min").arg(amount);
-    case Unit::Seconds:
-        break;
-    }
-    return QObject::tr("every %1 s").arg(amount);
+    return spelled(interval->amount) + u' ' + QObject::tr(units[static_cast<std::size_t>(interval->unit)]);
 }
 
-QString limitText(const std::optional<Interval>& limit) {
-    if (!limit || (limit->unit == Unit::None && numberOf(limit->amount.value) <= 0.0))
+/// These return the rest of the line of a drive, an element or a form, after its name; empty if there is none.
+QString driveDetail(const std::optional<Interval>& frequency) {
+    const QString amount = amountText(frequency);
+    if (amount.isEmpty())
         return {};
-    const QString unit = limit->unit == Unit::Hours     ? QStringLiteral("h")
-                         : limit->unit == Unit::Minutes ? QStringLiteral("min")
-                         : limit->unit == Unit::Seconds ? QStringLiteral("s")
-                                                        : QStringLiteral("ms");
-    return QObject::tr("%1 %2 at most").arg(spelled(limit->amount), unit);
+    const bool is_rate = frequency->unit == Unit::Hz || frequency->unit == Unit::PerMinute;
+    return (is_rate ? QObject::tr("at most %1") : QObject::tr("every %1")).arg(amount);
 }
 
-QString joined(const QString& first, const QString& second) {
-    return first.isEmpty() || second.isEmpty() ? first + second : first + QStringLiteral(" · ") + second;
-}
-
-QString commentText(const std::optional<Literal>& comment) {
-    const auto* const text = comment ? std::get_if<std::string>(&comment->value) : nullptr;
-    return text ? fromText(*text) : QString();
-}
-
-PlanNodeKind kindOf(const Form& form) {
-    constexpr std::array kinds{PlanNodeKind::Competence, PlanNodeKind::Pattern, PlanNodeKind::Adopt,
-                               PlanNodeKind::Collection};
-    return kinds[form.index()];
-}
-
-std::string letterOf(const Form& form) {
-    constexpr std::array<const char*, 4> letters{"/C:", "/AP:", "/AD:", "/DC:"};
-    return letters[form.index()];
-}
-
-QString formDetail(const Form& form) {
-    return std::visit(
-        [](const auto& any) {
-            if constexpr (requires { any.time_limit; })
-                return limitText(any.time_limit);
-            else
-                return QString();
-        },
-        form);
-}
-
-QString formComment(const Form& form) {
-    return std::visit(
-        [](const auto& any) {
-            if constexpr (requires { any.comment; })
-                return commentText(any.comment);
-            else
-                return QString();
-        },
-        form);
-}
-
-QString retryText(const posh::Member& element) {
+QString elementDetail(const posh::Member& element) {
     const auto limit = retryLimit(element);
     return !limit        ? QString()
            : *limit == 1 ? QObject::tr("at most 1 start")
                          : QObject::tr("at most %1 starts").arg(*limit);
 }
 
+template <class AnyForm>
+QString detailOf(const AnyForm& form) {
+    QString limit;
+    if constexpr (requires { form.time_limit; })
+        limit = amountText(form.time_limit);
+    return limit.isEmpty() ? limit : QObject::tr("%1 at most").arg(limit);
+}
+
+QString joined(const QString& first, const QString& second) {
+    return first.isEmpty() || second.isEmpty() ? first + second : first + QStringLiteral(" · ") + second;
+}
+
+QString textOf(const std::optional<Literal>& comment) {
+    const auto* const text = comment ? std::get_if<std::string>(&comment->value) : nullptr;
+    return text ? QString::fromStdString(*text) : QString();
+}
+
+/// Returns an empty text also for parts that have no comments.
+template <class Part>
+QString commentOf(const Part& part) {
+    if constexpr (requires { part.comment; })
+        return textOf(part.comment);
+    else
+        return {};
+}
+
 } // namespace
 
-PlanTreeBuilder::PlanTreeBuilder(PlanTree& tree, const Plan& plan, PlanSharing sharing)
-    : tree_(tree)
-    , plan_(plan)
-    , sharing_(sharing)
-    , drawn_at_(plan.forms.size(), -1)
-    , open_at_(plan.forms.size(), -1) {
-    indexForms();
-}
+/// For a single use. Works with its own stack, so the depth of a plan is not limited.
+class PlanTreeBuilder {
+public:
+    PlanTreeBuilder(PlanTree& tree, const Plan& plan, PlanSharing sharing)
+        : tree_(tree)
+        , plan_(plan)
+        , sharing_(sharing)
+        , drawn_at_(plan.forms.size(), -1)
+        , open_at_(plan.forms.size(), -1) {
+        std::array<int, 4> count{};
+        for (std::size_t i = 0; i < plan.forms.size(); ++i) {
+            number_of_form_.push_back(count[plan.forms[i].index()]++);
+            if (!isCollection(i))
+                form_of_name_.emplace(nameOf(plan.forms[i]).text, i);
+        }
+    }
 
-void PlanTreeBuilder::indexForms() {
-    std::array<int, 4> count{};
-    for (std::size_t i = 0; i < plan_.forms.size(); ++i) {
-        const Form& form = plan_.forms[i];
-        number_of_form_.push_back(count[form.index()]++);
-        if (!std::holds_alternative<Collection>(form))
-            form_of_name_.emplace(nameOf(form).text, i);
-    }
-}
-
-void PlanTreeBuilder::build() {
-    if (plan_.forms.empty())
-        return;
-    const std::vector<std::size_t> unreached = unreachedForms();
-    std::vector<std::size_t> roots = unreached;
-    for (std::size_t i = 0; i < plan_.forms.size(); ++i)
-        if (std::holds_alternative<Collection>(plan_.forms[i]))
-            roots.insert(roots.begin(), i);
-    int parent = -1;
-    if (!unreached.empty()) {
-        PlanNode plan;
-        plan.segment = "/P:0";
-        plan.name = plan_.documentation ? commentText(plan_.documentation->title) : QObject::tr("Plan");
-        plan.detail = collectionOf(plan_) ? QObject::tr("with unused parts") : QObject::tr("no drive collection");
-        parent = add(plan);
-    }
-    for (const std::size_t root : roots)
-        later(parent, Root{root});
-    pushComing();
-    while (!stack_.empty()) {
-        const Task task = std::move(stack_.back());
-        stack_.pop_back();
-        run(task);
-        pushComing();
-    }
-    finish();
-}
-
-/// Returns the forms that no collection leads to, without their descendants: first those that no form names, then one
-/// form of each circle that only names itself.
-std::vector<std::size_t> PlanTreeBuilder::unreachedForms() const {
-    std::vector<bool> reached(plan_.forms.size(), false);
-    std::vector<bool> named(plan_.forms.size(), false);
-    for (std::size_t i = 0; i < plan_.forms.size(); ++i) {
-        if (std::holds_alternative<Collection>(plan_.forms[i]))
-            markReachable(i, reached);
-        forEachCall(plan_.forms[i], [&](const Call& call, bool is_sense) {
-            const auto known = form_of_name_.find(call.name.text);
-            if (!is_sense && known != form_of_name_.end())
-                named[known->second] = true;
-        });
-    }
-    std::vector<std::size_t> roots;
-    for (const bool only_unnamed : {true, false})
+    /// Fills the tree.
+    void build() {
+        if (plan_.forms.empty())
+            return;
+        std::vector<std::size_t> roots = unreachedForms();
+        const int parent = roots.empty() ? -1 : addPlan();
         for (std::size_t i = 0; i < plan_.forms.size(); ++i)
-            if (!reached[i] && !(only_unnamed && named[i])) {
-                roots.push_back(i);
-                markReachable(i, reached);
-            }
-    return roots;
-}
+            if (isCollection(i))
+                roots.insert(roots.begin(), i);
+        for (const std::size_t root : roots)
+            later([=, this] { addForm(parent, root, parent < 0 ? "/P:0" : ""); });
+        for (pushComing(); !stack_.empty(); pushComing()) {
+            const auto task = std::move(stack_.back());
+            stack_.pop_back();
+            task();
+        }
+        finish();
+    }
 
-void PlanTreeBuilder::markReachable(std::size_t form, std::vector<bool>& reached) const {
-    std::vector<std::size_t> open{form};
-    reached[form] = true;
-    while (!open.empty()) {
-        const std::size_t at = open.back();
-        open.pop_back();
-        forEachCall(plan_.forms[at], [&](const Call& call, bool is_sense) {
-            const auto known = form_of_name_.find(call.name.text);
-            if (is_sense || known == form_of_name_.end() || reached[known->second])
-                return;
-            reached[known->second] = true;
-            open.push_back(known->second);
+private:
+    bool isCollection(std::size_t form) const { return std::holds_alternative<Collection>(plan_.forms[form]); }
+    PlanNode& nodeAt(int number) { return tree_.nodes_[static_cast<std::size_t>(number)]; }
+
+    /// Returns the indices of the forms that a form calls.
+    std::vector<std::size_t> formsCalledBy(std::size_t form) const {
+        std::vector<std::size_t> called;
+        forEachCall(plan_.forms[form], [&](const Call& call, bool is_sense) {
+            if (const auto known = form_of_name_.find(call.name.text); !is_sense && known != form_of_name_.end())
+                called.push_back(known->second);
         });
+        return called;
     }
-}
 
-void PlanTreeBuilder::pushComing() {
-    for (auto task = coming_.rbegin(); task != coming_.rend(); ++task)
-        stack_.push_back(std::move(*task));
-    coming_.clear();
-}
-
-void PlanTreeBuilder::run(const Task& task) {
-    if (const auto* const reference = std::get_if<Reference>(&task.what))
-        addReference(task.parent, *reference);
-    else if (const auto* const member = std::get_if<Member>(&task.what))
-        addMember(task.parent, *member);
-    else if (const auto* const step = std::get_if<SenseStep>(&task.what))
-        addSenseStep(task.parent, *step);
-    else if (const auto* const root = std::get_if<Root>(&task.what))
-        addForm(task.parent, root->form, task.parent < 0 ? "/P:0" : "");
-    else
-        open_at_[std::get<Close>(task.what).form] = -1;
-}
-
-int PlanTreeBuilder::add(PlanNode node) {
-    const bool is_root = node.parent < 0;
-    const auto parent = static_cast<std::size_t>(node.parent);
-    node.depth = is_root ? 0 : tree_.nodes_[parent].depth + 1;
-    const std::uint64_t name_key =
-        planHash(is_root ? plan_hash_start : tree_.nodes_[parent].key, "/" + node.name.toStdString());
-    const int namesakes = seen_keys_[name_key]++;
-    node.key = namesakes == 0 ? name_key : planHash(name_key, "#" + std::to_string(namesakes));
-    const std::uint64_t hash = planHash(is_root ? plan_hash_start : path_hash_[parent], node.segment);
-    const int number = tree_.size();
-    tree_.by_path_.emplace(hash, number);
-    path_hash_.push_back(hash);
-    tree_.nodes_.push_back(std::move(node));
-    return number;
-}
-
-void PlanTreeBuilder::addReference(int parent, const Reference& reference) {
-    const auto known = form_of_name_.find(reference.call->name.text);
-    if (known != form_of_name_.end()) {
-        const int before = tree_.size();
-        addForm(parent, known->second, reference.segment);
-        PlanNode& form = tree_.nodes_[static_cast<std::size_t>(before)];
-        form.detail = joined(argumentsOf(*reference.call), form.detail);
-        tree_.by_reference_.emplace(planHash(path_hash_[static_cast<std::size_t>(parent)], reference.segment), before);
-        return;
-    }
-    PlanNode act;
-    act.kind = PlanNodeKind::Act;
-    act.parent = parent;
-    act.segment = reference.segment;
-    act.name = textOf(*reference.call);
-    act.at = reference.call->name.at;
-    add(std::move(act));
-}
-
-void PlanTreeBuilder::addForm(int parent, std::size_t form, const std::string& before) {
-    const Form& what = plan_.forms[form];
-    PlanNode node;
-    node.kind = kindOf(what);
-    node.parent = parent;
-    node.segment = before + letterOf(what) + std::to_string(number_of_form_[form]);
-    node.name = fromText(nameOf(what).text);
-    node.detail = formDetail(what);
-    node.comment = formComment(what);
-    node.at = nameOf(what).at;
-    node.recursive = open_at_[form] >= 0;
-    const bool too_many = tree_.size() >= PlanTree::most_nodes && drawn_at_[form] >= 0;
-    tree_.truncated_ = tree_.truncated_ || (too_many && sharing_ == PlanSharing::Expanded);
-    if (node.recursive)
-        node.link = open_at_[form];
-    else if (too_many || sharing_ == PlanSharing::Once)
-        node.link = drawn_at_[form];
-    const bool is_link = node.link >= 0;
-    const int number = add(std::move(node));
-    if (!is_link)
-        openForm(number, form);
-}
-
-void PlanTreeBuilder::openForm(int node, std::size_t form) {
-    if (drawn_at_[form] < 0)
-        drawn_at_[form] = node;
-    open_at_[form] = node;
-    std::visit(
-        [&](const auto& any) {
-            if constexpr (requires { any.goal; })
-                addSenses(node, any.goal, true);
-            int number = 0;
-            if constexpr (requires { any.levels; })
-                for (std::size_t level = 0; level < any.levels.size(); ++level)
-                    for (const auto& member : any.levels[level])
-                        later(node, Member{&member, static_cast<int>(level), any.levels[level].size() > 1, number++});
-            if constexpr (requires { any.adopted; })
-                later(node, Reference{&any.adopted, "/A:0"});
-            if constexpr (requires { any.steps; })
-                for (const Step& step : any.steps) {
-                    if (const auto* const test = std::get_if<SenseTest>(&step))
-                        later(node, SenseStep{test, number++});
-                    else
-                        later(node, Reference{&std::get<Call>(step), "/A:" + std::to_string(number++)});
+    /// Returns the forms that no collection leads to, without their descendants: first those that no form names, then
+    /// one form of each circle that only names itself.
+    std::vector<std::size_t> unreachedForms() const {
+        std::vector<bool> reached(plan_.forms.size(), false);
+        std::vector<bool> named(plan_.forms.size(), false);
+        for (std::size_t i = 0; i < plan_.forms.size(); ++i) {
+            if (isCollection(i))
+                markReachable(i, reached);
+            for (const std::size_t called : formsCalledBy(i))
+                named[called] = true;
+        }
+        std::vector<std::size_t> roots;
+        for (const bool only_unnamed : {true, false})
+            for (std::size_t i = 0; i < plan_.forms.size(); ++i)
+                if (!reached[i] && !(only_unnamed && named[i])) {
+                    roots.push_back(i);
+                    markReachable(i, reached);
                 }
-        },
-        plan_.forms[form]);
-    later(node, Close{form});
-}
-
-void PlanTreeBuilder::addMember(int parent, const Member& member) {
-    PlanNode node;
-    node.parent = parent;
-    node.level = member.level;
-    node.has_equals = member.has_equals;
-    node.name = fromText(member.part->name.text);
-    node.comment = commentText(member.part->comment);
-    node.at = member.part->name.at;
-    const bool is_drive = tree_[parent].kind == PlanNodeKind::Collection;
-    node.kind = is_drive ? PlanNodeKind::Drive : PlanNodeKind::Element;
-    node.segment = (is_drive ? "/DE:" : "/CE:") + std::to_string(member.number);
-    node.detail = is_drive ? frequencyText(member.part->frequency) : retryText(*member.part);
-    const int number = add(std::move(node));
-    addSenses(number, member.part->trigger, false);
-    later(number, Reference{&member.part->action, "/A:0"});
-}
-
-void PlanTreeBuilder::addSenses(int parent, const Senses& senses, bool of_goal) {
-    for (std::size_t i = 0; i < senses.size(); ++i) {
-        PlanNode sense;
-        sense.kind = PlanNodeKind::Sense;
-        sense.parent = parent;
-        sense.in_card = true;
-        sense.of_goal = of_goal;
-        sense.segment = "/S:" + std::to_string(i);
-        sense.name = textOf(senses[i].call);
-        sense.detail = comparison(senses[i]);
-        sense.at = senses[i].call.name.at;
-        add(std::move(sense));
+        return roots;
     }
-    tree_.nodes_[static_cast<std::size_t>(parent)].senses = static_cast<int>(senses.size());
-}
 
-void PlanTreeBuilder::addSenseStep(int parent, const SenseStep& step) {
-    PlanNode sense;
-    sense.kind = PlanNodeKind::Sense;
-    sense.parent = parent;
-    sense.segment = "/A:" + std::to_string(step.number);
-    sense.name = textOf(step.test->call);
-    sense.detail = comparison(*step.test);
-    sense.at = step.test->call.name.at;
-    add(std::move(sense));
-}
-
-/// Sets the end of each subtree and the list of cards below each card.
-void PlanTreeBuilder::finish() {
-    auto& nodes = tree_.nodes_;
-    std::vector<int> count(nodes.size() + 1, 0);
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-        nodes[i].end = std::max(nodes[i].end, static_cast<int>(i) + 1);
-        if (nodes[i].parent < 0)
-            continue;
-        auto& parent = nodes[static_cast<std::size_t>(nodes[i].parent)];
-        parent.end = std::max(parent.end, nodes[i].end);
-        if (!nodes[i].in_card)
-            ++count[static_cast<std::size_t>(nodes[i].parent)];
+    /// Marks this form and every form that it leads to.
+    void markReachable(std::size_t form, std::vector<bool>& reached) const {
+        std::vector<std::size_t> open{form};
+        while (!open.empty()) {
+            const std::size_t at = open.back();
+            open.pop_back();
+            if (!reached[at])
+                std::ranges::copy(formsCalledBy(at), std::back_inserter(open));
+            reached[at] = true;
+        }
     }
-    tree_.first_child_.assign(nodes.size() + 1, 0);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        tree_.first_child_[i + 1] = tree_.first_child_[i] + count[i];
-    tree_.children_.resize(static_cast<std::size_t>(tree_.first_child_.back()));
-    std::vector<int> next = tree_.first_child_;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].parent >= 0 && !nodes[i].in_card)
-            tree_.children_[static_cast<std::size_t>(next[static_cast<std::size_t>(nodes[i].parent)]++)] =
-                static_cast<int>(i);
+
+    /// Schedules a task; tasks run depth-first in the order in which they were scheduled.
+    void later(std::function<void()> task) { coming_.push_back(std::move(task)); }
+
+    /// Moves the scheduled tasks to the stack, so that they run before older ones.
+    void pushComing() {
+        std::move(coming_.rbegin(), coming_.rend(), std::back_inserter(stack_));
+        coming_.clear();
+    }
+
+    /// Appends a node and sets its depth, key and path; returns its number.
+    int add(PlanNode node) {
+        const bool is_root = node.parent < 0;
+        const auto parent = static_cast<std::size_t>(node.parent);
+        node.depth = is_root ? 0 : tree_.nodes_[parent].depth + 1;
+        const std::uint64_t name_key =
+            planHash(is_root ? plan_hash_start : tree_.nodes_[parent].key, "/" + node.name.toStdString());
+        const int namesakes = seen_keys_[name_key]++;
+        node.key = namesakes == 0 ? name_key : planHash(name_key, "#" + std::to_string(namesakes));
+        path_hash_.push_back(planHash(is_root ? plan_hash_start : path_hash_[parent], node.segment));
+        const int number = tree_.size();
+        tree_.by_path_.emplace(path_hash_.back(), number);
+        tree_.nodes_.push_back(std::move(node));
+        return number;
+    }
+
+    /// Adds the common root of several forms.
+    int addPlan() {
+        return add(
+            {.segment = "/P:0",
+             .name = plan_.documentation ? textOf(plan_.documentation->title) : QObject::tr("Plan"),
+             .detail = collectionOf(plan_) ? QObject::tr("with unused parts") : QObject::tr("no drive collection")});
+    }
+
+    /// Adds what a call leads to: a form with the arguments of the call, or an act.
+    void addCall(int parent, const Call& call, const std::string& segment) {
+        const auto known = form_of_name_.find(call.name.text);
+        if (known == form_of_name_.end()) {
+            add({.kind = PlanNodeKind::Act,
+                 .parent = parent,
+                 .segment = segment,
+                 .name = textOf(call),
+                 .at = call.name.at});
+            return;
+        }
+        const int number = tree_.size();
+        addForm(parent, known->second, segment);
+        PlanNode& form = nodeAt(number);
+        form.detail = joined(argumentsOf(call), form.detail);
+        tree_.by_reference_.emplace(planHash(path_hash_[static_cast<std::size_t>(parent)], segment), number);
+    }
+
+    /// Adds the node of a form, or a link to it; `before` is the part of its path before the form's own segment.
+    void addForm(int parent, std::size_t form, const std::string& before) {
+        constexpr std::array kinds{PlanNodeKind::Competence, PlanNodeKind::Pattern, PlanNodeKind::Adopt,
+                                   PlanNodeKind::Collection};
+        constexpr std::array letters{"/C:", "/AP:", "/AD:", "/DC:"};
+        const Form& what = plan_.forms[form];
+        const bool too_many = tree_.size() >= PlanTree::most_nodes && drawn_at_[form] >= 0;
+        tree_.truncated_ = tree_.truncated_ || (too_many && sharing_ == PlanSharing::Expanded);
+        const bool recursive = open_at_[form] >= 0;
+        const int link = recursive ? open_at_[form] : too_many || sharing_ == PlanSharing::Once ? drawn_at_[form] : -1;
+        const int number = add({.kind = kinds[what.index()],
+                                .parent = parent,
+                                .link = link,
+                                .recursive = recursive,
+                                .segment = before + letters[what.index()] + std::to_string(number_of_form_[form]),
+                                .name = QString::fromStdString(nameOf(what).text),
+                                .detail = std::visit([](const auto& any) { return detailOf(any); }, what),
+                                .comment = std::visit([](const auto& any) { return commentOf(any); }, what),
+                                .at = nameOf(what).at});
+        if (link < 0)
+            openForm(number, form);
+    }
+
+    /// Schedules the contents of a form.
+    void openForm(int card, std::size_t form) {
+        if (drawn_at_[form] < 0)
+            drawn_at_[form] = card;
+        open_at_[form] = card;
+        std::visit(
+            [&](const auto& any) {
+                if constexpr (requires { any.goal; })
+                    addSenses(card, any.goal, true);
+                if constexpr (requires { any.levels; })
+                    scheduleMembers(card, any.levels);
+                if constexpr (requires { any.adopted; })
+                    later([=, this, &any] { addCall(card, any.adopted, "/A:0"); });
+                if constexpr (requires { any.steps; })
+                    for (std::size_t i = 0; i < any.steps.size(); ++i)
+                        later([=, this, &any] { addStep(card, any.steps[i], "/A:" + std::to_string(i)); });
+            },
+            plan_.forms[form]);
+        later([=, this] { open_at_[form] = -1; });
+    }
+
+    void scheduleMembers(int card, const posh::Levels& levels) {
+        int number = 0; // Counts all members of the form.
+        for (std::size_t level = 0; level < levels.size(); ++level)
+            for (const auto& member : levels[level]) {
+                later([=, this, &levels, &member] {
+                    addMember(card, member, static_cast<int>(level), levels[level].size() > 1, number);
+                });
+                ++number;
+            }
+    }
+
+    /// Adds a drive of a collection or an element of a competence.
+    void addMember(int parent, const posh::Member& part, int level, bool has_equals, int number) {
+        const bool is_drive = nodeAt(parent).kind == PlanNodeKind::Collection;
+        const int card = add({.kind = is_drive ? PlanNodeKind::Drive : PlanNodeKind::Element,
+                              .parent = parent,
+                              .level = level,
+                              .has_equals = has_equals,
+                              .segment = (is_drive ? "/DE:" : "/CE:") + std::to_string(number),
+                              .name = QString::fromStdString(part.name.text),
+                              .detail = is_drive ? driveDetail(part.frequency) : elementDetail(part),
+                              .comment = commentOf(part),
+                              .at = part.name.at});
+        addSenses(card, part.trigger, false);
+        later([=, this, &part] { addCall(card, part.action, "/A:0"); });
+    }
+
+    void addStep(int parent, const Step& step, const std::string& segment) {
+        if (const auto* const test = std::get_if<SenseTest>(&step))
+            add(senseNode(parent, *test, segment));
+        else
+            addCall(parent, std::get<Call>(step), segment);
+    }
+
+    /// Adds the senses of a trigger or goal to the card of `parent`.
+    void addSenses(int parent, const Senses& senses, bool of_goal) {
+        for (std::size_t i = 0; i < senses.size(); ++i) {
+            PlanNode sense = senseNode(parent, senses[i], "/S:" + std::to_string(i));
+            sense.in_card = true;
+            sense.of_goal = of_goal;
+            add(std::move(sense));
+        }
+        nodeAt(parent).senses = static_cast<int>(senses.size());
+    }
+
+    static PlanNode senseNode(int parent, const SenseTest& test, const std::string& segment) {
+        return {.kind = PlanNodeKind::Sense,
+                .parent = parent,
+                .segment = segment,
+                .name = textOf(test.call),
+                .detail = comparison(test),
+                .at = test.call.name.at};
+    }
+
+    /// Sets the end of each subtree and the list of cards below each card.
+    void finish() {
+        auto& nodes = tree_.nodes_;
+        auto& first_child = tree_.first_child_;
+        first_child.assign(nodes.size() + 1, 0);
+        for (std::size_t i = nodes.size(); i-- > 0;) {
+            nodes[i].end = std::max(nodes[i].end, static_cast<int>(i) + 1);
+            if (nodes[i].parent < 0)
+                continue;
+            PlanNode& parent = nodeAt(nodes[i].parent);
+            parent.end = std::max(parent.end, nodes[i].end);
+            if (!nodes[i].in_card)
+                ++first_child[static_cast<std::size_t>(nodes[i].parent) + 1];
+        }
+        std::partial_sum(first_child.begin(), first_child.end(), first_child.begin());
+        tree_.children_.resize(static_cast<std::size_t>(first_child.back()));
+        std::vector<int> next = first_child;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (nodes[i].parent >= 0 && !nodes[i].in_card)
+                tree_.children_[static_cast<std::size_t>(next[static_cast<std::size_t>(nodes[i].parent)]++)] =
+                    static_cast<int>(i);
+    }
+
+    PlanTree& tree_;
+    const Plan& plan_;
+    PlanSharing sharing_;
+    std::unordered_map<std::string, std::size_t> form_of_name_;
+    std::vector<int> number_of_form_; ///< by form: its number among forms of its kind
+    std::vector<int> drawn_at_;       ///< by form: the node that draws it, or -1
+    std::vector<int> open_at_;        ///< by form: the node that is being expanded now, or -1
+    std::vector<std::uint64_t> path_hash_;
+    std::vector<std::function<void()>> stack_;
+    std::vector<std::function<void()>> coming_;        ///< scheduled by the running task, in order
+    std::unordered_map<std::uint64_t, int> seen_keys_; ///< number of nodes so far by key of their names
+};
+
+PlanTree::PlanTree(const Plan& plan, PlanSharing sharing) {
+    PlanTreeBuilder(*this, plan, sharing).build();
 }
 
 } // namespace usar::widgets

@@ -34,6 +34,7 @@ public:
 
     /// The change in what is shown. Plan: another plan, or another text of the same plan.
     enum class News { None, Activity, Plan };
+    /// Returns what has changed; while an earlier moment is shown, new data changes only the time.
     News take(const Update& update);
     /// Takes the trace of the run that a replay is about to repeat, so that every moment can be shown from the start.
     void expect(const PlanWatch& flown) { expected_ = flown.history_.bytes(); }
@@ -54,6 +55,7 @@ public:
     const posh::RunStatistics& statistics() const { return activity().statistics(); }
     /// True while it follows the run.
     bool live() const { return !moment_; }
+    /// Follows the run again. This and the following return what has changed.
     News goLive();
     /// Goes to the cycle that was the newest at that time of the protocol clock.
     News goTo(Seconds time);
@@ -68,8 +70,11 @@ public:
 
 private:
     const posh::RunActivity& activity() const { return moment_ || !all_heard_ ? shown_ : history_.newest(); }
+    /// Takes the next piece of the trace.
     void hear(const std::string& piece);
+    /// Forgets the known run and starts again with this trace.
     void startWith(const std::string& trace);
+    /// Computes what is shown at the present moment, and reads its plan if it is another one.
     News refresh();
     /// Index of the newest moment heard so far (a replay may have been rewound); nullopt before the first.
     std::optional<std::size_t> heardMoment() const;

@@ -1,0 +1,100 @@
+// The drawing of a plan for editing: pieces are dropped on it, parts are dragged within it, and text is edited in
+// place.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QLineEdit>
+
+#include "widgets/models/plan/plan_gestures.h"
+#include "widgets/plan/plan_view.h"
+
+class QMimeData;
+
+namespace usar::widgets {
+
+/// Turns gestures into edits and reports them by signals; changes nothing itself. A card is dragged with the left
+/// button and dropped on the upper part of another card (before it), its lower part (after it) or its middle (swap, or
+/// put into); a note beside the mouse says what would happen. Dragging the background pans. Shows an outline unless it
+/// is very wide. GUI thread.
+class PlanCanvas : public PlanView {
+    Q_OBJECT
+public:
+    explicit PlanCanvas(QWidget* parent = nullptr);
+
+    /// Returns the possible edits of the drawn plan; called at each gesture. Returns nullptr while nothing can be
+    /// edited.
+    using Gestures = std::function<const PlanGestures*()>;
+    void setGestures(Gestures gestures) { gestures_ = std::move(gestures); }
+
+    /// End of a range of siblings that starts at the selection, set with Shift and a click, Up or Down; -1: only the
+    /// selected node. Any other change of the selection resets it.
+    int rangeEnd() const { return range_end_; }
+    /// The nodes of the range in the order of the drawing, or the selected node alone; empty without a selection.
+    std::vector<int> range() const;
+
+    /// Opens a line editor with these words over the node; `what` is passed through to wordsEntered.
+    void editInPlace(int node, const QString& words, int what);
+    /// The open line editor; nullptr if there is none.
+    QLineEdit* openLine() const { return line_->isVisible() ? line_ : nullptr; }
+
+signals:
+    /// The user dropped something; the owner should perform this edit.
+    void deedRequested(const usar::widgets::PlanDeed& deed);
+    /// Something was dropped where it has no meaning.
+    void dropRefused();
+    /// The user changed the words of the line editor and closed it with Return, or by leaving it.
+    void wordsEntered(int node, const QString& words, int what);
+    /// The end of the range changed.
+    void rangeChanged();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    /// A drag over the canvas and the edit that a drop would make.
+    struct Hover {
+        int node = -1;
+        DropZone zone = DropZone::Onto;
+        QPointF at;
+        std::optional<PlanDeed> deed;
+    };
+    /// True if the node can be dragged from that place.
+    bool canBeTaken(int node, const QPointF& on_screen);
+    void startDrag(int node);
+    /// The dragged piece or node number; nullopt if the data is neither.
+    std::optional<std::variant<PlanPiece, int>> sourceOf(const QMimeData& mime) const;
+    Hover hoverAt(const std::variant<PlanPiece, int>& source, const QPointF& on_screen);
+    /// Closes the line editor; reports changed words if `keep`.
+    void closeLine(bool keep);
+    /// Sets the end of the range if the node is a sibling of the selection.
+    void extendTo(int node);
+    /// The card that contains the node, which may be a sense row.
+    int cardOf(int node) const;
+    /// The frame of a node on the screen, with some distance from it.
+    QRectF frameOf(int node);
+
+    Gestures gestures_;
+    QLineEdit* line_;
+    int line_node_ = -1;
+    int line_what_ = 0;
+    int range_end_ = -1;
+    int taken_ = -1; ///< pressed, but not dragged yet; -1: none
+    QPointF taken_at_;
+    std::optional<Hover> hover_;
+};
+
+} // namespace usar::widgets

@@ -1,0 +1,180 @@
+#include "widgets/plan/editor/plan_values_dialog.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/posh/edit/plan_phrase.h"
+#include "core/posh/model/literal.h"
+#include "widgets/plan/plan_parts.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+using agent::AnswerType;
+using posh::Predicate;
+
+namespace {
+
+constexpr std::array compared_by{Predicate::Equal,       Predicate::NotEqual, Predicate::Less,
+                                 Predicate::LessOrEqual, Predicate::Greater,  Predicate::GreaterOrEqual};
+
+/// Returns the initial operand of a new comparison.
+posh::Value firstOperand(const ValueShape& shape) {
+    switch (shape.type) {
+    case AnswerType::Boolean:
+        return true;
+    case AnswerType::Integer:
+        return static_cast<std::int64_t>(shape.minimum);
+    case AnswerType::Text:
+        return std::string();
+    case AnswerType::Symbol:
+        return posh::Symbol{shape.choices.empty() ? "value" : shape.choices.front()};
+    default:
+        return shape.minimum;
+    }
+}
+
+} // namespace
+
+PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& sense, posh::SenseTest test, QWidget* parent)
+    : QDialog(parent)
+    , description_(sense)
+    , first_(std::move(test))
+    , form_(new QFormLayout(this)) {
+    addHead();
+    addArguments();
+    addComparison();
+    addEnd();
+}
+
+PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& act, posh::Call call, QWidget* parent)
+    : QDialog(parent)
+    , description_(act)
+    , first_{std::move(call), {}, {}}
+    , form_(new QFormLayout(this)) {
+    addHead();
+    addArguments();
+    if (arguments_.empty())
+        form_->addRow(new QLabel(tr("It takes no values."), this));
+    addEnd();
+}
+
+void PlanValuesDialog::addHead() {
+    setWindowTitle(tr("Values"));
+    form_->setSpacing(gap::small);
+    form_->addRow(makeLabel(this, "title", QString::fromStdString(first_.call.name.text)));
+    if (description_.help.empty())
+        return;
+    auto* const help = makeLabel(this, "muted", QString::fromStdString(description_.help));
+    help->setMinimumWidth(340);
+    form_->addRow(help);
+}
+
+/// Adds the declared parameters in their order, then the other arguments of the call.
+void PlanValuesDialog::addArguments() {
+    const std::vector<posh::Argument>& given = first_.call.arguments;
+    std::vector<bool> is_shown(given.size(), false);
+    for (std::size_t i = 0; i < description_.parameters.size(); ++i) {
+        const agent::PoshParameter& parameter = description_.parameters[i];
+        ArgumentRow row{.argument = std::nullopt, .parameter = &parameter};
+        for (std::size_t k = 0; k < given.size(); ++k)
+            if (given[k].name.empty() ? k == i : given[k].name == parameter.name)
+                row.argument = k;
+        if (row.argument)
+            is_shown[*row.argument] = true;
+        const PlanValue value =
+            row.argument ? given[*row.argument].value : posh::Literal{parameter.default_value, {}, {}};
+        const QString name = QString::fromStdString(parameter.name);
+        row.field = new ValueField(shapeOf(parameter), value, name, this);
+        row.field->setToolTip(QString::fromStdString(parameter.help + (parameter.help.empty() ? "" : " ") + '(' +
+                                                     agent::typeText(parameter) + ')'));
+        form_->addRow(name, row.field);
+        arguments_.push_back(row);
+    }
+    for (std::size_t k = 0; k < given.size(); ++k)
+        if (!is_shown[k])
+            addUndeclared(k);
+}
+
+void PlanValuesDialog::addUndeclared(std::size_t argument) {
+    const posh::Argument& given = first_.call.arguments[argument];
+    const QString name = given.name.empty() ? tr("Argument %1").arg(argument + 1) : QString::fromStdString(given.name);
+    auto* const field = new ValueField({}, given.value, name, this);
+    form_->addRow(name, field);
+    arguments_.push_back({argument, nullptr, field});
+}
+
+void PlanValuesDialog::addComparison() {
+    comparison_ = new QComboBox(this);
+    comparison_->setAccessibleName(tr("Its answer"));
+    comparison_->addItem(description_.answer == AnswerType::Boolean ? tr("is true")
+                                                                    : tr("holds (is not 0, not empty)"));
+    comparison_->addItems(
+        {"=  (equals)", "≠  (differs from)", "<  (less than)", "≤  (at most)", ">  (more than)", "≥  (at least)"});
+    const ValueShape shape = shapeOf(description_);
+    const posh::Literal operand = first_.operand.value_or(posh::Literal{firstOperand(shape), {}, {}});
+    operand_ = new ValueField(shape, operand, tr("Value"), this);
+    if (first_.operand) {
+        const auto found = std::ranges::find(compared_by, first_.predicate.value_or(Predicate::Equal));
+        comparison_->setCurrentIndex(static_cast<int>(found - compared_by.begin()) + 1);
+    }
+    form_->addRow(tr("Its &answer"), comparison_);
+    form_->addRow(tr("&Value"), operand_);
+    connect(comparison_, &QComboBox::currentIndexChanged, this, &PlanValuesDialog::check);
+    connect(operand_, &ValueField::changed, this, &PlanValuesDialog::check);
+}
+
+void PlanValuesDialog::addEnd() {
+    phrase_ = makeLabel(this);
+    phrase_->setAccessibleName(tr("As the plan writes it"));
+    form_->addRow(phrase_);
+    ok_ = addDialogButtons(form_);
+    for (const ArgumentRow& row : arguments_)
+        connect(row.field, &ValueField::changed, this, &PlanValuesDialog::check);
+    check();
+    if (operand_ && operand_->isEnabled())
+        operand_->setFocus();
+}
+
+posh::SenseTest PlanValuesDialog::test() const {
+    posh::SenseTest test = first_;
+    for (const ArgumentRow& row : arguments_) {
+        const auto value = row.field->value();
+        if (!value)
+            continue;
+        if (row.argument)
+            test.call.arguments[*row.argument].value = *value;
+        else if (*value != PlanValue(posh::Literal{row.parameter->default_value, {}, {}}))
+            test.call.arguments.push_back({row.parameter->name, *value, {}});
+    }
+    if (!comparison_)
+        return test;
+    const int chosen = comparison_->currentIndex();
+    const auto operand = operand_->value();
+    const auto* const literal = operand ? std::get_if<posh::Literal>(&*operand) : nullptr;
+    if (chosen == 0)
+        test.operand.reset();
+    else if (literal)
+        test.operand = *literal;
+    const bool stays_bare = first_.operand && !first_.predicate && chosen == 1;
+    test.predicate =
+        chosen == 0 || stays_bare ? std::nullopt : std::optional(compared_by[static_cast<std::size_t>(chosen) - 1]);
+    return test;
+}
+
+void PlanValuesDialog::check() {
+    bool fine = true;
+    for (const ArgumentRow& row : arguments_)
+        fine = fine && row.field->value();
+    if (comparison_) {
+        operand_->setEnabled(comparison_->currentIndex() > 0);
+        const auto operand = operand_->value();
+        fine = fine && (!operand_->isEnabled() || (operand && std::holds_alternative<posh::Literal>(*operand)));
+    }
+    phrase_->setText(fine ? QString::fromStdString(posh::phraseOf(test()))
+                          : tr("This is not a value. Write true, false, a number, 'a-symbol or \"a text\"."));
+    changeRole(phrase_, fine ? "muted" : "danger");
+    ok_->setEnabled(fine);
+}
+
+} // namespace usar::widgets
