@@ -62,7 +62,7 @@ void tst_CommandGrammar::offersWhatMayStandAtTheCursor_data() {
     row("segments behind a segment", "TRACE {On true} ", "{Interval,{Color");
     row("segments right behind a brace", "TRACE {On true}{Color Red}", "{Interval");
     row("keys behind a brace", "TRACE {", "On,Interval,Color");
-    row("keys begun", "DRIVE {r", "Right,RearSteer,RotationalVelocity,RollAngle,Rudder");
+    row("keys begun", "DRIVE {r", "RotationalVelocity,RollAngle,Right,RearSteer,Rudder");
     row("keys of the second segment", "MOVE {Action New} {", "Type,Location,Pathnode");
     row("words behind a key", "LOCKSTEP {On ", "true,false");
     row("words begun", "CONTROL {Type Kill", "Kill,KillAll");

@@ -1,0 +1,42 @@
+#include "core/protocol/command_kinds.h"
+
+#include "core/protocol/commands/line_rules.h"
+
+namespace usar::protocol {
+
+namespace {
+
+template <class T>
+Command read(LineIn& line) {
+    T value = blank<T>();
+    T::segments(line, value);
+    return value;
+}
+
+template <class T>
+CommandKind kind() {
+    LineRules rules;
+    T::segments(rules, blank<T>());
+    CommandKind kind{T::word, std::move(rules.segments), std::move(rules.marks), {}, {}, read<T>};
+    if constexpr (requires { T::signs; })
+        kind.signs = T::signs;
+    if constexpr (requires { T::weak_signs; })
+        kind.weak_signs = T::weak_signs;
+    return kind;
+}
+
+template <class... Commands>
+std::vector<CommandKind> kindsOf(const std::variant<RawCommand, Commands...>*) {
+    std::vector<CommandKind> kinds;
+    (kinds.push_back(kind<Commands>()), ...);
+    return kinds;
+}
+
+} // namespace
+
+std::span<const CommandKind> commandKinds() {
+    static const std::vector<CommandKind> kinds = kindsOf(static_cast<const CommandVariant*>(nullptr));
+    return kinds;
+}
+
+} // namespace usar::protocol
