@@ -16,7 +16,8 @@ Command read(LineIn& line) {
 template <class T>
 CommandKind kind() {
     LineRules rules;
-    T::segments(rules, blank<T>());
+    const T any = blank<T>();
+    T::segments(rules, any);
     CommandKind kind{T::word, std::move(rules.segments), std::move(rules.marks), {}, {}, read<T>};
     if constexpr (requires { T::signs; })
         kind.signs = T::signs;

@@ -16,7 +16,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 namespace usar::protocol {
 
@@ -61,10 +60,6 @@ struct NumberForm {
     bool or_zero = false; ///< written as 0 if it is absent
     bool keyless = false; ///< also understood without its key: {0.5}
 };
-
-/// The command as `io` sees it: only LineIn changes it.
-template <class Io, class T>
-using Ref = std::conditional_t<Io::reading, T&, const T&>;
 
 /// A word on the wire and the value that it stands for.
 template <class Value>

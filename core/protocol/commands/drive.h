@@ -24,8 +24,7 @@ struct DriveSwitches {
 
     static constexpr auto& word = drive_word;
     static constexpr auto weak_signs = texts("Light", "Flip", "");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, DriveSwitches> switches) {
+    static void segments(auto& io, auto& switches) {
         io.flag({"Light", "head lights"}, switches.light_on);
         io.flag({"Flip", "true rights the robot (UT2004)"}, switches.flip);
     }
@@ -44,8 +43,7 @@ struct SkidDrive {
 
     static constexpr auto& word = drive_word;
     static constexpr auto signs = texts("Left", "Right");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SkidDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.beginScale(drive.normalized);
         io.number({"Left", "wheel spin of the left side, rad/s or percent"}, drive.left_rad_s, {.scaled = true});
         io.number({"Right", "wheel spin of the right side, rad/s or percent"}, drive.right_rad_s, {.scaled = true});
@@ -68,8 +66,7 @@ struct AckermannDrive {
 
     static constexpr auto& word = drive_word;
     static constexpr auto signs = texts("Speed", "FrontSteer", "RearSteer");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, AckermannDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         const bool udk = io.dialect() == Dialect::Udk;
         io.beginScale(drive.normalized);
         io.number({"Speed", "wheel spin of a steered car, rad/s or percent"}, drive.speed_rad_s,
@@ -89,8 +86,7 @@ struct WheelDrive {
     std::optional<double> steer_rad{}; ///< counterclockwise positive
     bool operator==(const WheelDrive&) const = default;
 
-    template <class Io>
-    static void segments(Io& io, Ref<Io, WheelDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.number({"WheelNumber", "the wheel that WheelSpeed and WheelSteer mean, from 0"}, drive.wheel);
         io.number({"WheelSpeed", "spin of that wheel, rad/s"}, drive.spin_rad_s);
         io.number({"WheelSteer", "steering angle of that wheel, rad"}, drive.steer_rad, {.turned = true});
@@ -106,8 +102,7 @@ struct OmniDrive {
 
     static constexpr auto& word = drive_word;
     static constexpr auto signs = texts("WheelNumber");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, OmniDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.groups("WheelNumber", drive.wheels);
         io.beginScale(drive.normalized);
         io.endScale();

@@ -25,8 +25,7 @@ struct AerialDrive {
     static constexpr auto signs =
         texts("AltitudeVelocity", "LinearVelocity", "LateralVelocity", "RotationalVelocity", "PitchAngle", "RollAngle");
     static constexpr auto weak_signs = texts("Normalized");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, AerialDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.beginScale(drive.normalized);
         io.number({"AltitudeVelocity", "climb, m/s; up is positive"}, drive.climb_m_s, {.scaled = true});
         io.number({"LinearVelocity", "forward, m/s"}, drive.forward_m_s, {.scaled = true});
@@ -54,8 +53,7 @@ struct NauticDrive {
 
     static constexpr auto& word = drive_word;
     static constexpr auto signs = texts("Propeller", "Rudder", "SternPlane");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, NauticDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.beginScale(drive.normalized);
         io.number({"Propeller", "propeller speed, or percent"}, drive.propeller_rad_s, {.scaled = true});
         io.number({"Rudder", "rudder angle, rad"}, drive.rudder_rad);

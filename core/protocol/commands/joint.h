@@ -46,8 +46,7 @@ struct JointDrive {
 
     static constexpr auto& word = drive_word;
     static constexpr auto signs = texts("Name");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, JointDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.text({"Name", "a joint, spelled exactly"}, drive.joint);
         io.choice({"Order", "0 angle, 1 speed, 2 torque, 3 brake; 10, 11, 12 relative"}, drive.order);
         io.beginScale(drive.normalized);
@@ -79,10 +78,7 @@ struct MultiDrive {
         Key{"FRFlipper", "front right flipper, rad"}, Key{"FLFlipper", "front left flipper, rad"},
         Key{"RRFlipper", "rear right flipper, rad"}, Key{"RLFlipper", "rear left flipper, rad"},
         Key{"<joint>", "any joint by its name, rad"}};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, MultiDrive> drive) {
-        io.joints(usual_joints, drive.joints);
-    }
+    static void segments(auto& io, auto& drive) { io.joints(usual_joints, drive.joints); }
 };
 
 /// The quantity that a SET of a joint changes. UDK knows only Angle and Stiffness.
@@ -113,8 +109,7 @@ struct SetJoint {
     bool operator==(const SetJoint&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SetJoint> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Joint");
         io.text(set_name, set.joint);
         io.choice(set_opcode, set.opcode);

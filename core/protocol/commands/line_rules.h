@@ -82,7 +82,8 @@ public:
     template <class Element>
     void groups(const Key&, const std::vector<Element>&) {
         const std::size_t before = segments.size();
-        Element::segments(*this, Element{});
+        const Element any;
+        Element::segments(*this, any);
         for (SegmentRule& rule : std::span(segments).subspan(before))
             rule.repeats = true;
     }

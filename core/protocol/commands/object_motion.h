@@ -18,10 +18,8 @@ struct PlaceObject {
     bool operator==(const PlaceObject&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, PlaceObject> place) {
-        io.mark(control_type, "AbsMove");
-        io.text(object_key, place.object_name);
+    static void segments(auto& io, auto& place) {
+        controlSegments(io, "AbsMove", place.object_name);
         io.pose(place.object_in_map);
     }
 };
@@ -33,10 +31,8 @@ struct ShiftObject {
     bool operator==(const ShiftObject&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ShiftObject> shift) {
-        io.mark(control_type, "RelMove");
-        io.text(object_key, shift.object_name);
+    static void segments(auto& io, auto& shift) {
+        controlSegments(io, "RelMove", shift.object_name);
         io.pose(shift.shift);
     }
 };
@@ -48,10 +44,8 @@ struct SpinObject {
     bool operator==(const SpinObject&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SpinObject> spin) {
-        io.mark(control_type, "Rotate");
-        io.text(object_key, spin.object_name);
+    static void segments(auto& io, auto& spin) {
+        controlSegments(io, "Rotate", spin.object_name);
         io.position(control_speed, spin.rates_rad_s);
     }
 };
@@ -63,10 +57,8 @@ struct RunConveyor {
     bool operator==(const RunConveyor&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, RunConveyor> conveyor) {
-        io.mark(control_type, "Conveyor");
-        io.text(object_key, conveyor.object_name);
+    static void segments(auto& io, auto& conveyor) {
+        controlSegments(io, "Conveyor", conveyor.object_name);
         io.number(control_speed, conveyor.speed_m_s);
     }
 };
@@ -79,10 +71,8 @@ struct AddWaypoints {
     bool operator==(const AddWaypoints&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, AddWaypoints> add) {
-        io.mark(control_type, "AddWP");
-        io.text(object_key, add.object_name);
+    static void segments(auto& io, auto& add) {
+        controlSegments(io, "AddWP", add.object_name);
         io.points({"WP", "way points x,y,z;x,y,z in meters"}, add.points_in_map_m);
     }
 };
@@ -93,11 +83,7 @@ struct ClearWaypoints {
     bool operator==(const ClearWaypoints&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ClearWaypoints> clear) {
-        io.mark(control_type, "ClearWP");
-        io.text(object_key, clear.object_name);
-    }
+    static void segments(auto& io, auto& clear) { controlSegments(io, "ClearWP", clear.object_name); }
 };
 struct WaypointSpeed {
     double speed_m_s = 0.0;
@@ -114,10 +100,8 @@ struct FollowWaypoints {
     bool operator==(const FollowWaypoints&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, FollowWaypoints> follow) {
-        io.mark(control_type, "SetWP");
-        io.text(object_key, follow.object_name);
+    static void segments(auto& io, auto& follow) {
+        controlSegments(io, "SetWP", follow.object_name);
         io.pace(control_speed, {"Time", "seconds for the whole way"}, follow.pace);
         io.flag({"Loop", "goes round for ever"}, follow.loop);
         io.flag({"ResetOnClear", "back to its place when the way is cleared"}, follow.reset_on_clear);

@@ -33,8 +33,7 @@ struct LinkTarget {
     LinkOrder order = LinkOrder::Angle;
     bool operator==(const LinkTarget&) const = default;
 
-    template <class Io>
-    static void segments(Io& io, Ref<Io, LinkTarget> target) {
+    static void segments(auto& io, auto& target) {
         io.number(link_key, target.link);
         io.number({"Value", "rad, m, rad/s or N m by Order"}, target.value);
         io.choice(package_order, target.order);
@@ -51,8 +50,7 @@ struct PackageDrive {
     bool operator==(const PackageDrive&) const = default;
 
     static constexpr auto& word = package_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, PackageDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.text(package_name, drive.package);
         io.groups(link_key, drive.links);
         io.number({"Seq", "a stored sequence (UDK)"}, drive.sequence);
@@ -72,7 +70,7 @@ struct PackageRotation {
     static constexpr auto& word = package_word;
     static constexpr auto signs = texts("Rotation");
     template <class Io>
-    static void segments(Io& io, Ref<Io, PackageRotation> rotation) {
+    static void segments(Io& io, auto& rotation) {
         io.text(package_name, rotation.package);
         Vec3 angles(0.0, rotation.tilt_rad, rotation.pan_rad);
         io.vector({"Rotation", "0,tilt,pan in radians: the old way to turn a camera"}, angles);
@@ -90,8 +88,7 @@ struct LinkValue {
     double value = 0.0;
     bool operator==(const LinkValue&) const = default;
 
-    template <class Io>
-    static void segments(Io& io, Ref<Io, LinkValue> target) {
+    static void segments(auto& io, auto& target) {
         io.number(link_key, target.link);
         io.number({"Value", "rad or m"}, target.value);
     }
@@ -107,8 +104,7 @@ struct ActuatorDrive {
     bool operator==(const ActuatorDrive&) const = default;
 
     static constexpr CommandWord word{"ACT", "moves an actuator (UDK)", "ACT {Name KR60Arm} {Link 2} {Value 0.7854}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ActuatorDrive> drive) {
+    static void segments(auto& io, auto& drive) {
         io.text({"Name", "the actuator"}, drive.actuator);
         io.groups(link_key, drive.links);
         io.digit(gripper_key, drive.gripper_closed);

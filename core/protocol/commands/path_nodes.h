@@ -14,8 +14,7 @@ struct GetPathNodes {
     bool operator==(const GetPathNodes&) const = default;
 
     static constexpr CommandWord word{"GETPATHNODES", "asks for the path nodes (UDK)", "GETPATHNODES"};
-    template <class Io>
-    static void segments(Io&, Ref<Io, GetPathNodes>) {}
+    static void segments(auto&, auto&) {}
 };
 /// GETCLOSESTPATHNODE; the answer is ClosestPathNode.
 /// On the wire: `GETCLOSESTPATHNODE {Location 3,4,0}`.
@@ -25,10 +24,7 @@ struct GetClosestPathNode {
 
     static constexpr CommandWord word{"GETCLOSESTPATHNODE", "asks for the path node next to a place (UDK)",
                                       "GETCLOSESTPATHNODE {Location 3,4,0}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, GetClosestPathNode> get) {
-        io.position(location_key, get.point_in_map_m);
-    }
+    static void segments(auto& io, auto& get) { io.position(location_key, get.point_in_map_m); }
 };
 
 /// GOTO: sends an avatar to a path node.
@@ -38,10 +34,7 @@ struct GoToNode {
     bool operator==(const GoToNode&) const = default;
 
     static constexpr CommandWord word{"GOTO", "sends an avatar to a path node (UDK)", "GOTO {Name PathNode_3}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, GoToNode> go) {
-        io.text({"Name", "the path node"}, go.node_name);
-    }
+    static void segments(auto& io, auto& go) { io.text({"Name", "the path node"}, go.node_name); }
 };
 
 enum class Gait { WalkForward, WalkBackward, Run };
@@ -63,8 +56,7 @@ struct WalkTo {
     bool operator==(const WalkTo&) const = default;
 
     static constexpr auto& word = move_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, WalkTo> walk) {
+    static void segments(auto& io, auto& walk) {
         io.mark(move_action, walk.append, std::array{WireWord{"New", false}, WireWord{"Append", true}});
         io.choice({"Type", "the gait"}, walk.gait);
         io.goal({"Location", "x,y in meters"}, {"Pathnode", "a path node, instead of Location"}, walk.goal);
@@ -75,20 +67,14 @@ struct PauseWalk {
     bool operator==(const PauseWalk&) const = default;
 
     static constexpr auto& word = move_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, PauseWalk>) {
-        io.mark(move_action, "Pause");
-    }
+    static void segments(auto& io, auto&) { io.mark(move_action, "Pause"); }
 };
 /// MOVE with the action Resume.
 struct ResumeWalk {
     bool operator==(const ResumeWalk&) const = default;
 
     static constexpr auto& word = move_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ResumeWalk>) {
-        io.mark(move_action, "Resume");
-    }
+    static void segments(auto& io, auto&) { io.mark(move_action, "Resume"); }
 };
 
 } // namespace usar::protocol

@@ -47,10 +47,7 @@ struct GetGeometry {
     bool operator==(const GetGeometry&) const = default;
 
     static constexpr CommandWord word{"GETGEO", "asks for sizes and places", "GETGEO {Type Sonar}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, GetGeometry> get) {
-        questionSegments(io, get);
-    }
+    static void segments(auto& io, auto& get) { questionSegments(io, get); }
 };
 /// GETCONF: asks for limits and settings in the same way; the answer is ConfigurationInfo.
 /// On the wire: `GETCONF {Type Camera} {Name Cam}`.
@@ -60,10 +57,7 @@ struct GetConfiguration {
     bool operator==(const GetConfiguration&) const = default;
 
     static constexpr CommandWord word{"GETCONF", "asks for limits and settings", "GETCONF {Type Robot}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, GetConfiguration> get) {
-        questionSegments(io, get);
-    }
+    static void segments(auto& io, auto& get) { questionSegments(io, get); }
 };
 
 } // namespace usar::protocol

@@ -16,11 +16,8 @@ struct SetInsPose {
     bool operator==(const SetInsPose&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SetInsPose> set) {
-        io.mark(set_type, "INS");
-        io.text(set_name, set.sensor_name);
-        io.mark(set_opcode, "POSE");
+    static void segments(auto& io, auto& set) {
+        setSegments(io, "INS", set.sensor_name, "POSE");
         io.sixNumbers({"Params", "INS: x,y,z,roll,pitch,yaw"}, set.base_in_map);
     }
 };
@@ -34,8 +31,7 @@ struct ResetSensor {
 
     static constexpr auto& word = set_word;
     static constexpr auto usual_types = texts("Odometry", "Encoder");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ResetSensor> set) {
+    static void segments(auto& io, auto& set) {
         io.text({"Type", set_type.help, usual_types}, set.type);
         io.text(set_name, set.sensor_name);
         io.mark(set_opcode, "RESET");
@@ -52,8 +48,7 @@ struct ScanNow {
 
     static constexpr auto& word = set_word;
     static constexpr auto usual_types = texts("RangeScanner", "RangeImager", "IRScanner", "Acoustic");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ScanNow> set) {
+    static void segments(auto& io, auto& set) {
         io.text({"Type", set_type.help, usual_types}, set.type);
         io.text(set_name, set.sensor_name);
         io.mark(set_opcode, "SCAN");
@@ -74,7 +69,7 @@ struct UseGripper {
 
     static constexpr auto& word = set_word;
     template <class Io>
-    static void segments(Io& io, Ref<Io, UseGripper> set) {
+    static void segments(Io& io, auto& set) {
         io.mark(set_type, "Gripper");
         io.text(set_name, set.gripper_name);
         io.mark(set_opcode, set.action, wire_words<GripperAction>);
@@ -98,8 +93,7 @@ struct UseToolChanger {
     bool operator==(const UseToolChanger&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, UseToolChanger> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "ToolChanger");
         io.text(set_name, set.changer_name);
         io.mark(set_opcode, set.open, std::array{WireWord{"OPEN", true}, WireWord{"CLOSE", false}});
@@ -117,8 +111,7 @@ struct SetItem {
 
     static constexpr auto& word = set_word;
     static constexpr auto signs = texts("Opcode");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SetItem> set) {
+    static void segments(auto& io, auto& set) {
         io.text(set_type, set.type);
         io.text(set_name, set.item_name);
         io.text(set_opcode, set.opcode);

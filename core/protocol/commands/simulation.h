@@ -14,8 +14,7 @@ struct Lockstep {
 
     static constexpr CommandWord word{"LOCKSTEP", "our server only: time stands still until STEP",
                                       "LOCKSTEP {On true}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, Lockstep> lockstep) {
+    static void segments(auto& io, auto& lockstep) {
         io.neededFlag({"On", "whether the server waits for STEP"}, lockstep.on);
     }
 };
@@ -24,8 +23,7 @@ struct Step {
     bool operator==(const Step&) const = default;
 
     static constexpr CommandWord word{"STEP", "our server only: the next tick may come", "STEP"};
-    template <class Io>
-    static void segments(Io&, Ref<Io, Step>) {}
+    static void segments(auto&, auto&) {}
 };
 
 /// TEST, known from a single client; no server is known to react to it.
@@ -33,8 +31,7 @@ struct Test {
     bool operator==(const Test&) const = default;
 
     static constexpr CommandWord word{"TEST", "does nothing", "TEST"};
-    template <class Io>
-    static void segments(Io&, Ref<Io, Test>) {}
+    static void segments(auto&, auto&) {}
 };
 /// PAUSE, likewise known from a single client only.
 struct Pause {
@@ -42,10 +39,7 @@ struct Pause {
     bool operator==(const Pause&) const = default;
 
     static constexpr CommandWord word{"PAUSE", "known from one client only", "PAUSE {Time 10}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, Pause> pause) {
-        io.number({"Time", "seconds"}, pause.time);
-    }
+    static void segments(auto& io, auto& pause) { io.number({"Time", "seconds"}, pause.time); }
 };
 
 } // namespace usar::protocol

@@ -58,8 +58,7 @@ struct Init {
         texts("USARBot.P2DX", "USARBot.P2AT", "USARBot.P3AT", "USARBot.AirRobot", "USARBot.Kenaf", "USARBot.TeleMax",
               "USARBot.ATRVJr", "USARBot.Zerg", "USARBot.Hummer", "USARBot.Submarine", "USARBot.QRIO", "USARBot.ERS",
               "USARBot.ComStation", "USARBot.WorldController");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, Init> init) {
+    static void segments(auto& io, auto& init) {
         io.text({"ClassName", "the robot's class, Package.Class", usual_classes}, init.class_name);
         io.text({"Name", "the robot's name; without it the server invents one"}, init.robot_name);
         io.start({"Start", "a start pose by name, instead of Location and Rotation (UDK)"}, init.start,
@@ -73,8 +72,7 @@ struct GetStartPoses {
     bool operator==(const GetStartPoses&) const = default;
 
     static constexpr CommandWord word{"GETSTARTPOSES", "asks where robots may start", "GETSTARTPOSES", "STARTPOSES"};
-    template <class Io>
-    static void segments(Io&, Ref<Io, GetStartPoses>) {}
+    static void segments(auto&, auto&) {}
 };
 
 } // namespace usar::protocol

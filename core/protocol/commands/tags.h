@@ -14,11 +14,8 @@ struct ReadTag {
     bool operator==(const ReadTag&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ReadTag> set) {
-        io.mark(set_type, "RFID");
-        io.text(set_name, set.reader_name);
-        io.mark(set_opcode, "Read");
+    static void segments(auto& io, auto& set) {
+        setSegments(io, "RFID", set.reader_name, "Read");
         io.text({"Params", "RFID: id and text"}, set.tag_id);
     }
 };
@@ -31,11 +28,8 @@ struct WriteTag {
     bool operator==(const WriteTag&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, WriteTag> set) {
-        io.mark(set_type, "RFID");
-        io.text(set_name, set.reader_name);
-        io.mark(set_opcode, "Write");
+    static void segments(auto& io, auto& set) {
+        setSegments(io, "RFID", set.reader_name, "Write");
         io.tagAndText({"Params", "RFID: id and text"}, set.tag_id, set.memory);
     }
 };
@@ -46,12 +40,7 @@ struct ReleaseTag {
     bool operator==(const ReleaseTag&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ReleaseTag> set) {
-        io.mark(set_type, "RFIDReleaser");
-        io.text(set_name, set.releaser_name);
-        io.mark(set_opcode, "Release");
-    }
+    static void segments(auto& io, auto& set) { setSegments(io, "RFIDReleaser", set.releaser_name, "Release"); }
 };
 /// TagsRemaining of an RFIDReleaser: asks how many tags are left.
 /// On the wire: `SET {Type RFIDReleaser} {Name Gun} {Opcode TagsRemaining}`.
@@ -60,12 +49,7 @@ struct CountTags {
     bool operator==(const CountTags&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, CountTags> set) {
-        io.mark(set_type, "RFIDReleaser");
-        io.text(set_name, set.releaser_name);
-        io.mark(set_opcode, "TagsRemaining");
-    }
+    static void segments(auto& io, auto& set) { setSegments(io, "RFIDReleaser", set.releaser_name, "TagsRemaining"); }
 };
 
 } // namespace usar::protocol

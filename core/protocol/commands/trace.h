@@ -25,8 +25,7 @@ struct Trace {
 
     static constexpr CommandWord word{"TRACE", "leaves marks where the robot has been (UT2004)",
                                       "TRACE {On true} {Interval 0.5} {Color Red}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, Trace> trace) {
+    static void segments(auto& io, auto& trace) {
         io.flag({"On", "whether to leave marks"}, trace.on);
         io.number({"Interval", "seconds between marks"}, trace.interval);
         io.choice({"Color", "color of the marks"}, trace.color);

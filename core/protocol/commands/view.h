@@ -16,8 +16,7 @@ struct ZoomCamera {
     bool operator==(const ZoomCamera&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, ZoomCamera> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Camera");
         io.text(set_name, set.camera_name);
         io.mark(set_opcode, "Zoom", "FOV");
@@ -37,8 +36,7 @@ struct AttachCamera {
 
     static constexpr auto& word = set_word;
     static constexpr auto signs = texts("Robot");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, AttachCamera> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Camera");
         io.text({"Robot", "the robot whose camera to show"}, set.robot_name);
         io.text(set_name, set.camera_name);
@@ -53,8 +51,7 @@ struct DetachCamera {
 
     static constexpr auto& word = set_word;
     static constexpr auto signs = texts("Client");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, DetachCamera> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Camera");
         io.text(viewer_key, set.client_address);
     }
@@ -76,8 +73,7 @@ struct SetViewports {
     static constexpr auto& word = set_word;
     static constexpr auto signs = texts("Config");
     static constexpr auto usual_views = texts("Disabled", "None");
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SetViewports> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Viewports");
         io.choice({"Config", "how the screen is cut (UT2004)"}, set.layout);
         constexpr std::array keys = {"Viewport1", "Viewport2", "Viewport3", "Viewport4"};

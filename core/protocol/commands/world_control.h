@@ -25,6 +25,12 @@ inline constexpr Key object_key{"Name", "the object"};
 inline constexpr Key object_class{"ClassName", "its class"};
 inline constexpr Key control_speed{"Speed", "m/s, or x,y,z in rad/s for Rotate"};
 
+/// Passes Type and Name, with which almost every CONTROL begins.
+void controlSegments(auto& io, std::string_view type, auto& object_name) {
+    io.mark(control_type, type);
+    io.text(object_key, object_name);
+}
+
 /// Create; absent and empty values leave the choice to the server.
 /// On the wire: `CONTROL {Type Create} {ClassName Box} {Name B1} {Location 1,2,1.5} {Rotation 0,0,0.5} {Scale 1,1,2}`.
 struct CreateObject {
@@ -39,8 +45,7 @@ struct CreateObject {
     bool operator==(const CreateObject&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, CreateObject> create) {
+    static void segments(auto& io, auto& create) {
         io.mark(control_type, "Create");
         io.text(object_class, create.class_name);
         io.text(object_key, create.object_name);
@@ -59,11 +64,7 @@ struct KillObject {
     bool operator==(const KillObject&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, KillObject> kill) {
-        io.mark(control_type, "Kill");
-        io.text(object_key, kill.object_name);
-    }
+    static void segments(auto& io, auto& kill) { controlSegments(io, "Kill", kill.object_name); }
 };
 /// An axis-aligned box in the map frame.
 struct Box {
@@ -82,8 +83,7 @@ struct KillAllObjects {
     bool operator==(const KillAllObjects&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, KillAllObjects> kill) {
+    static void segments(auto& io, auto& kill) {
         io.mark(control_type, "KillAll");
         io.box({"MinPos", "x,y,z: a corner of the box to clear"}, {"MaxPos", "x,y,z: the opposite corner"},
                kill.within);
@@ -99,10 +99,8 @@ struct GetObjectStates {
     bool operator==(const GetObjectStates&) const = default;
 
     static constexpr auto& word = control_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, GetObjectStates> get) {
-        io.mark(control_type, "GetSTA");
-        io.text(object_key, get.object_name);
+    static void segments(auto& io, auto& get) {
+        controlSegments(io, "GetSTA", get.object_name);
         io.text(object_class, get.class_name);
     }
 };

@@ -22,8 +22,7 @@ struct SoundHorn {
     bool operator==(const SoundHorn&) const = default;
 
     static constexpr CommandWord word{"HORN", "sounds the horn", "HORN {Tune Alarm}"};
-    template <class Io>
-    static void segments(Io& io, Ref<Io, SoundHorn> horn) {
+    static void segments(auto& io, auto& horn) {
         io.choice({"Tune", "the tune to play"}, horn.tune);
         io.number({"Pitch", "Hz"}, horn.pitch_hz);
         io.number({"Aim", "rad; clockwise is positive"}, horn.aim_rad, {.turned = true});
@@ -37,8 +36,7 @@ struct LiftHatch {
     bool operator==(const LiftHatch&) const = default;
 
     static constexpr auto& word = set_word;
-    template <class Io>
-    static void segments(Io& io, Ref<Io, LiftHatch> set) {
+    static void segments(auto& io, auto& set) {
         io.mark(set_type, "Hatch");
         io.text(set_name, set.hatch_name);
         io.mark(set_opcode, "LIFT");
