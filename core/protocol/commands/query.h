@@ -26,14 +26,13 @@ std::span<const std::string_view> askedTypes();
 /// them case-sensitively.
 template <class Io, class Question>
 void questionSegments(Io& io, Question& question) {
-    const Key type{"Type", "Robot, MisPkg, Actuator or a type of sensor", askedTypes()};
     if constexpr (Io::writing) {
         constexpr auto exact = texts("Robot", "MisPkg", "Actuator");
         const auto found =
             std::ranges::find_if(exact, [&](std::string_view word) { return sameWord(word, question.type.text()); });
-        io.mark(type, found == exact.end() ? std::string_view(question.type) : *found);
+        io.mark("Type", found == exact.end() ? std::string_view(question.type) : *found);
     } else {
-        io.text(type, question.type);
+        io.text({"Type", "Robot, MisPkg, Actuator or a type of sensor", askedTypes()}, question.type);
     }
     io.text({"Name", "one item; without it all of the type"}, question.name);
 }
