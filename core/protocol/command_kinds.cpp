@@ -7,18 +7,18 @@ namespace usar::protocol {
 namespace {
 
 template <class T>
-Command read(LineIn& line) {
+Command readAs(LineIn& line) {
     T value = blank<T>();
     T::segments(line, value);
     return value;
 }
 
 template <class T>
-CommandKind kind() {
+CommandKind describe() {
     LineRules rules;
     const T any = blank<T>();
     T::segments(rules, any);
-    CommandKind kind{T::word, std::move(rules.segments), std::move(rules.marks), {}, {}, read<T>};
+    CommandKind kind{T::word, std::move(rules.segments), std::move(rules.marks), {}, {}, readAs<T>};
     if constexpr (requires { T::signs; })
         kind.signs = T::signs;
     if constexpr (requires { T::weak_signs; })
@@ -29,7 +29,7 @@ CommandKind kind() {
 template <class... Commands>
 std::vector<CommandKind> kindsOf(const std::variant<RawCommand, Commands...>*) {
     std::vector<CommandKind> kinds;
-    (kinds.push_back(kind<Commands>()), ...);
+    (kinds.push_back(describe<Commands>()), ...);
     return kinds;
 }
 

@@ -12,7 +12,7 @@ bool isOn(const Segments& line, std::string_view sign) {
     return sign.empty() ? line.all().empty() : line.find(sign) != nullptr;
 }
 
-bool hasWord(const Segments& line, const CommandWord& word) {
+bool hasCommandWord(const Segments& line, const CommandWord& word) {
     return sameWord(word.word, line.typeWord()) ||
            (!word.other_word.empty() && sameWord(word.other_word, line.typeWord()));
 }
@@ -33,7 +33,7 @@ Command readCommand(std::string_view line, Diagnostics& diagnostics, Dialect dia
     bool word_is_known = false;
     const CommandKind* best = nullptr;
     for (const CommandKind& kind : commandKinds()) {
-        if (!hasWord(segments, kind.word))
+        if (!hasCommandWord(segments, kind.word))
             continue;
         word_is_known = true;
         if (!std::ranges::all_of(kind.marks, has_mark))

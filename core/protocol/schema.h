@@ -94,6 +94,16 @@ constexpr std::string_view firstType(std::string_view wire_types) {
     return wire_types.substr(0, wire_types.find('|'));
 }
 
+/// Calls `use(word)` for each of the words.
+template <class Use>
+constexpr void forEachType(std::string_view wire_types, Use&& use) {
+    while (!wire_types.empty()) {
+        const std::string_view word = firstType(wire_types);
+        use(word);
+        wire_types.remove_prefix(word.size() + (word.size() < wire_types.size() ? 1 : 0));
+    }
+}
+
 /// The value of the Type segment with which the sensor's message was received or will be sent.
 template <class Sensor>
 constexpr std::string_view wireTypeOf(const Sensor& sensor) {
