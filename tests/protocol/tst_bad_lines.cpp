@@ -29,8 +29,8 @@ QByteArray joined(const GenericMessage& message) {
 class tst_BadLines : public QObject {
     Q_OBJECT
 private slots:
-    void malformedSegmentsAreMended_data();
-    void malformedSegmentsAreMended();
+    void malformedSegmentsAreRepaired_data();
+    void malformedSegmentsAreRepaired();
     void numbersInAllSpellings_data();
     void numbersInAllSpellings();
     void neverInventsAPose_data();
@@ -40,7 +40,7 @@ private slots:
     void anEndlessLineIsDroppedAndReadingGoesOn();
 };
 
-void tst_BadLines::malformedSegmentsAreMended_data() {
+void tst_BadLines::malformedSegmentsAreRepaired_data() {
     QTest::addColumn<QByteArray>("line");
     QTest::addColumn<QByteArray>("segments");
     QTest::addColumn<int>("diagnostics");
@@ -62,7 +62,7 @@ void tst_BadLines::malformedSegmentsAreMended_data() {
     row("bytes above 127", "X {Mem caf\xe9}", "X|Mem=caf\xe9", 0);
 }
 
-void tst_BadLines::malformedSegmentsAreMended() {
+void tst_BadLines::malformedSegmentsAreRepaired() {
     QFETCH(QByteArray, line);
     QFETCH(QByteArray, segments);
     QFETCH(int, diagnostics);
@@ -88,7 +88,7 @@ void tst_BadLines::numbersInAllSpellings_data() {
     row("leading dot", ".4", 0.4, true);
     row("leading zeros", "020", 20.0, true);
     row("decimal comma", "1,00", 1.0, false);
-    row("junk behind", "5m", 5.0, false);
+    row("junk after the number", "5m", 5.0, false);
     row("a word", "abc", none, false);
     row("nan", "nan", none, false);
     row("INF", "INF", none, false);
@@ -154,7 +154,7 @@ void tst_BadLines::neverInventsAPose_data() {
     row("a number too many", "SEN {Type INS} {Name I} {Location 1,2,3,4} {Orientation 0,0,0}");
     row("not a number", "SEN {Type GroundTruth} {Name G} {Location 1,nan,3} {Orientation 0,0,0}");
     row("infinite", "SEN {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,1.#INF}");
-    row("junk behind a number", "SEN {Type GroundTruth} {Name G} {Location 1,2x,3} {Orientation 0,0,0}");
+    row("junk after a number", "SEN {Type GroundTruth} {Name G} {Location 1,2x,3} {Orientation 0,0,0}");
     row("no orientation", "SEN {Type INS} {Name I} {Location 1,2,3}");
     row("no location", "SEN {Type GroundTruth} {Name I} {Orientation 1,2,3}");
     row("a word", "SEN {Type Odometry} {Name O} {Pose here}");

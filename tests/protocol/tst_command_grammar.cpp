@@ -58,13 +58,13 @@ void tst_CommandGrammar::offersWhatMayStandAtTheCursor_data() {
     row("a command begun", "GETC", "GETCONF,GETCLOSESTPATHNODE");
     row("a command begun in lower case", "mul", "MULTIDRIVE");
     row("a whole command word", "STEP", "STEP");
-    row("segments behind a command word", "TRACE ", "{On,{Interval,{Color");
-    row("segments behind a segment", "TRACE {On true} ", "{Interval,{Color");
-    row("segments right behind a brace", "TRACE {On true}{Color Red}", "{Interval");
-    row("keys behind a brace", "TRACE {", "On,Interval,Color");
+    row("segments after a command word", "TRACE ", "{On,{Interval,{Color");
+    row("segments after a segment", "TRACE {On true} ", "{Interval,{Color");
+    row("segments right after a brace", "TRACE {On true}{Color Red}", "{Interval");
+    row("keys after a brace", "TRACE {", "On,Interval,Color");
     row("keys begun", "DRIVE {r", "RotationalVelocity,RollAngle,Right,RearSteer,Rudder");
     row("keys of the second segment", "MOVE {Action New} {", "Type,Location,Pathnode");
-    row("words behind a key", "LOCKSTEP {On ", "true,false");
+    row("words after a key", "LOCKSTEP {On ", "true,false");
     row("words begun", "CONTROL {Type Kill", "Kill,KillAll");
     row("words begun in another case", "DRIVE {Left 1} {NORMALIZED T", "true");
     row("no words for a free value", "DRIVE {Left ", "");

@@ -145,7 +145,7 @@ private slots:
     void degreesKeepEveryBitOfTheRadians();
     void appendsToWhatIsThere();
     void whatIsNoNumberIsZero();
-    void perCentEndAtAHundred();
+    void percentEndAtAHundred();
     void noTextCanBreakTheLine_data();
     void noTextCanBreakTheLine();
     void factoriesMakeWhatTheyAreNamedAfter();
@@ -183,7 +183,7 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
 
 void tst_CommandWriter::spellsLinesAsStrictServersWantThem() {
     QFETCH(QByteArray, line);
-    // Compared where the row is made, for the command is no meta type; here: what we send we take.
+    // row() has compared the text, because a command is no meta type. Here our reader takes what our writer sends.
     Diagnostics diagnostics;
     QCOMPARE(QByteArray::fromStdString(write(readCommand(line.toStdString(), diagnostics))), line);
 }
@@ -196,7 +196,7 @@ void tst_CommandWriter::udkHasItsOwnSpelling_data() {
     };
     row("degrees per second", AerialDrive{.yaw_rate_rad_s = -pi / 2},
         "DRIVE {RotationalVelocity 90} {Normalized false}");
-    row("per cent stay per cent", AerialDrive{.yaw_rate_rad_s = -50.0, .normalized = true},
+    row("percent stay percent", AerialDrive{.yaw_rate_rad_s = -50.0, .normalized = true},
         "DRIVE {RotationalVelocity 50} {Normalized true}");
     row("attitude in degrees", AerialDrive{.pitch_rad = -pi / 9, .roll_rad = -pi / 9},
         "DRIVE {Normalized false} {PitchAngle 20} {RollAngle -20}");
@@ -233,7 +233,7 @@ void tst_CommandWriter::appendsToWhatIsThere() {
     QCOMPARE(out, std::string("STEP\r\nGETSTARTPOSES"));
 }
 
-/// As a server would read it; and no zero has a sign.
+/// A server would read it so. No zero has a sign.
 void tst_CommandWriter::whatIsNoNumberIsZero() {
     constexpr double endless = std::numeric_limits<double>::infinity();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -245,7 +245,7 @@ void tst_CommandWriter::whatIsNoNumberIsZero() {
     QCOMPARE(write(Pause{Seconds(endless)}), std::string("PAUSE {Time 0}"));
 }
 
-void tst_CommandWriter::perCentEndAtAHundred() {
+void tst_CommandWriter::percentEndAtAHundred() {
     QCOMPARE(write(SkidDrive{250.0, -250.0, true}), std::string("DRIVE {Left 100} {Right -100} {Normalized true}"));
     QCOMPARE(write(SkidDrive{250.0, -250.0, false}), std::string("DRIVE {Left 250} {Right -250} {Normalized false}"));
     Diagnostics diagnostics;
@@ -264,7 +264,7 @@ void tst_CommandWriter::noTextCanBreakTheLine_data() {
     QTest::newRow("nothing") << QByteArray() << false << true << true;
     QTest::newRow("two words") << QByteArray("my robot") << false << false << true;
     QTest::newRow("a space before") << QByteArray(" R1") << false << false << false;
-    QTest::newRow("a space behind") << QByteArray("R1 ") << false << false << false;
+    QTest::newRow("a space after it") << QByteArray("R1 ") << false << false << false;
     QTest::newRow("an opening brace") << QByteArray("R{1") << false << false << false;
     QTest::newRow("a closing brace") << QByteArray("R}1") << false << false << false;
     QTest::newRow("a line end") << QByteArray("R1}\r\nDRIVE {Left 9") << false << false << false;
