@@ -6,7 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
-#include "core/protocol/command_kinds.h"
+#include "core/protocol/commands/command_kinds.h"
 #include "core/protocol/segments.h"
 
 namespace usar::protocol {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/protocol/command_kinds.h"
+#include "core/protocol/commands/command_kinds.h"
 
 namespace usar::protocol {
 

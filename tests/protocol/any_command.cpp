@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "core/protocol/command_kinds.h"
+#include "core/protocol/commands/command_kinds.h"
 
 using namespace usar;
 using namespace usar::protocol;

@@ -1,4 +1,4 @@
-#include "core/protocol/command_kinds.h"
+#include "core/protocol/commands/command_kinds.h"
 
 #include "core/protocol/commands/line_rules.h"
 
