@@ -1,23 +1,18 @@
 #include "core/base/quoted_text.h"
 
-#include "core/base/text.h"
+#include <charconv>
 
 namespace usar {
 
 namespace {
 
-int hexDigit(char c) {
-    if (c >= '0' && c <= '9')
-        return c - '0';
-    const char lower = lowerCase(c);
-    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
+/// The bytes that are written as a backslash and a letter.
+constexpr std::string_view letters = "nrt\\\"";
+constexpr std::string_view meanings = "\n\r\t\\\"";
 
 /// Decodes the escape sequence after a backslash, appends its byte and removes the sequence from `rest`. False if the
 /// sequence is invalid.
 bool takeEscaped(std::string_view& rest, std::string& bytes) {
-    constexpr std::string_view letters = "nrt\\\"";
-    constexpr std::string_view meanings = "\n\r\t\\\"";
     if (rest.empty())
         return false;
     if (const auto letter = letters.find(rest.front()); letter != std::string_view::npos) {
@@ -25,9 +20,10 @@ bool takeEscaped(std::string_view& rest, std::string& bytes) {
         rest.remove_prefix(1);
         return true;
     }
-    if (rest.size() < 3 || rest.front() != 'x' || hexDigit(rest[1]) < 0 || hexDigit(rest[2]) < 0)
+    unsigned char byte = 0;
+    if (rest.size() < 3 || rest.front() != 'x' || std::from_chars(&rest[1], &rest[1] + 2, byte, 16).ptr != &rest[1] + 2)
         return false;
-    bytes += static_cast<char>(hexDigit(rest[1]) * 16 + hexDigit(rest[2]));
+    bytes += static_cast<char>(byte);
     rest.remove_prefix(3);
     return true;
 }
@@ -39,16 +35,10 @@ void appendQuoted(std::string& text, std::string_view bytes) {
     text += '"';
     for (const char c : bytes) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '\n')
-            text += "\\n";
-        else if (c == '\r')
-            text += "\\r";
-        else if (c == '\t')
-            text += "\\t";
-        else if (c == '\\' || c == '"')
-            (text += '\\') += c;
-        else if (byte >= 0x20 && byte < 0x7F)
+        if (byte >= 0x20 && byte < 0x7F && c != '\\' && c != '"')
             text += c;
+        else if (const auto letter = meanings.find(c); letter != std::string_view::npos)
+            (text += '\\') += letters[letter];
         else
             ((text += "\\x") += digits[byte >> 4]) += digits[byte & 15];
     }

@@ -29,7 +29,7 @@ public:
     }
     /// The same for a sensor of unknown type; an empty type or name matches any.
     std::vector<Stamped<protocol::GenericMessage>> takeAllGeneric(const std::string& type, const std::string& name) {
-        return emptied(generic_.find(name, type));
+        return emptied(stores_.of<protocol::GenericMessage>().find(name, type));
     }
     /// Number of readings lost, of all sensors: dropped from full queues, or of sensors beyond the limit.
     std::uint64_t overflowCount() const { return overflow_count_; }
@@ -48,7 +48,6 @@ private:
     }
 
     SensorStores<Queue, protocol::SensorTypes> stores_;
-    SensorPlaces<Queue<protocol::GenericMessage>> generic_;
     std::uint64_t overflow_count_ = 0;
 };
 

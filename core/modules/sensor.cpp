@@ -22,17 +22,11 @@ void SensorModule::take(const protocol::InfoLine& line, Seconds now) {
     const Seconds time = protocol::timeOf(line.message).value_or(now);
     forEachSensorReading(line.message, [&]<class Sensor>(std::string_view type, const std::string& name,
                                                          const auto& reading, const Sensor*) {
-        const auto file = [&](auto& places) {
-            if (auto* const place = places.findOrMake(type, name)) {
-                place->value = reading;
-                place->time = time;
-                place->line = line.number;
-            }
-        };
-        if constexpr (std::is_same_v<Sensor, protocol::GenericMessage>)
-            file(generic_);
-        else
-            file(stores_.of<Sensor>());
+        if (auto* const place = stores_.of<Sensor>().findOrMake(type, name)) {
+            place->value = reading;
+            place->time = time;
+            place->line = line.number;
+        }
     });
 }
 
@@ -61,7 +55,7 @@ const Stamped<protocol::EncoderTicks>* SensorModule::encoder(const std::string& 
 }
 
 const Stamped<protocol::GenericMessage>* SensorModule::generic(const std::string& type, const std::string& name) const {
-    return generic_.find(name, type);
+    return stores_.of<protocol::GenericMessage>().find(name, type);
 }
 
 } // namespace usar::modules

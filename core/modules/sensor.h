@@ -43,7 +43,6 @@ public:
 
 private:
     SensorStores<Stamped, protocol::SensorTypes> stores_;
-    SensorPlaces<Stamped<protocol::GenericMessage>> generic_;
 };
 
 } // namespace usar::modules

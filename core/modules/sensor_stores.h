@@ -70,15 +70,17 @@ struct SensorStore {
     SensorPlaces<Content<protocol::ReadingOf<Sensor>>> places;
 };
 
-/// A store for each row of the sensor table. `Content<Value>` is the type kept for each sensor. Uses base classes
-/// because a tuple of forty elements costs half a second of compile time in every file that includes it.
+/// A store for each row of the sensor table and one for GenericMessage. `Content<Value>` is the type kept for each
+/// sensor. Uses base classes because a tuple of forty elements costs half a second of compile time in every file that
+/// includes it.
 template <template <class> class Content, class Sensors>
 class SensorStores;
 
 template <template <class> class Content, class... Sensors>
-class SensorStores<Content, protocol::TypeList<Sensors...>> : private SensorStore<Content, Sensors>... {
+class SensorStores<Content, protocol::TypeList<Sensors...>> : private SensorStore<Content, Sensors>...,
+                                                              private SensorStore<Content, protocol::GenericMessage> {
 public:
-    /// The SensorPlaces for one message type of the table.
+    /// The SensorPlaces for one message type.
     template <class Sensor>
     const auto& of() const {
         return static_cast<const SensorStore<Content, Sensor>&>(*this).places;

@@ -4,18 +4,13 @@
 
 namespace usar::protocol {
 
-namespace {
-
-template <class T, class... Kinds>
-constexpr bool is_one_of = (std::is_same_v<T, Kinds> || ...);
-
-} // namespace
-
 bool isDrive(const Command& command) {
     return std::visit(
         []<class T>(const T&) {
-            return is_one_of<T, SkidDrive, AckermannDrive, OmniDrive, AerialDrive, NauticDrive, JointDrive, MultiDrive,
-                             DriveSwitches>;
+            if constexpr (requires { T::word; })
+                return T::word.drives;
+            else
+                return false;
         },
         command);
 }

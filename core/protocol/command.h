@@ -1,20 +1,23 @@
-// Everything a client can ask of a server, as one variant of small structs in our frame and in SI units.
+// Everything a client can ask of a server, as one variant of small structs in our frame and in SI units. A new command
+// takes a struct in the folder commands, which describes itself (commands/description.h), and an entry here; reading,
+// writing, completion, checks and help follow from it.
 #pragma once
 
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "core/base/sealed.h"
 #include "core/protocol/commands/drive.h"
+#include "core/protocol/commands/flight.h"
 #include "core/protocol/commands/joint.h"
+#include "core/protocol/commands/object_motion.h"
 #include "core/protocol/commands/package.h"
 #include "core/protocol/commands/path_nodes.h"
 #include "core/protocol/commands/query.h"
 #include "core/protocol/commands/set.h"
 #include "core/protocol/commands/simulation.h"
 #include "core/protocol/commands/spawn.h"
+#include "core/protocol/commands/tags.h"
 #include "core/protocol/commands/trace.h"
 #include "core/protocol/commands/view.h"
 #include "core/protocol/commands/world_control.h"
@@ -28,14 +31,17 @@ struct RawCommand {
     bool operator==(const RawCommand&) const = default;
 };
 
+/// All commands, in the order in which help lists them. Of several commands with one word the reader takes the first
+/// that fits (commands/description.h): aerial drives come before the others because Iridium's stop button sends the
+/// keys of all vehicles at once.
 using CommandVariant =
     std::variant<RawCommand, Init, GetStartPoses, AerialDrive, SkidDrive, AckermannDrive, OmniDrive, NauticDrive,
-                 JointDrive, MultiDrive, DriveSwitches, GetGeometry, GetConfiguration, SetInsPose, ResetSensor, ScanNow,
-                 ReadTag, WriteTag, ReleaseTag, CountTags, UseGripper, UseToolChanger, SetItem, SetJoint, ZoomCamera,
-                 AttachCamera, DetachCamera, SetViewports, PackageDrive, PackageRotation, ActuatorDrive, Trace,
+                 JointDrive, DriveSwitches, MultiDrive, GetGeometry, GetConfiguration, SetInsPose, SetJoint, ZoomCamera,
+                 ReadTag, WriteTag, ReleaseTag, CountTags, UseGripper, UseToolChanger, ResetSensor, ScanNow, SetItem,
+                 AttachCamera, DetachCamera, SetViewports, PackageRotation, PackageDrive, ActuatorDrive, Trace,
                  CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject, RunConveyor,
                  AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates, GetPathNodes, GetClosestPathNode,
-                 GoToNode, WalkTo, PauseWalk, ResumeWalk, Lockstep, Step, Test, Pause>;
+                 GoToNode, WalkTo, PauseWalk, ResumeWalk, Test, Pause, Lockstep, Step>;
 
 /// A command; a variant of all of them.
 using Command = Sealed<CommandVariant>;

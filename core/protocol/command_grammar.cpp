@@ -6,11 +6,45 @@
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
+#include "core/protocol/commands/command_kinds.h"
 #include "core/protocol/segments.h"
 
 namespace usar::protocol {
 
 namespace {
+
+bool isNumeric(ValueForm form) {
+    return form == ValueForm::Number || form == ValueForm::Numbers;
+}
+
+/// Adds what one command says about a segment to what others with the same word say about it.
+void merge(std::vector<SegmentRule>& rules, const SegmentRule& added) {
+    const auto rule = std::ranges::find(rules, added.key, &SegmentRule::key);
+    if (rule == rules.end()) {
+        rules.push_back(added);
+        return;
+    }
+    if (rule->help.find(added.help) == std::string::npos)
+        rule->help += "; " + added.help;
+    for (const std::string_view word : added.words)
+        if (std::ranges::find(rule->words, word) == rule->words.end())
+            rule->words.push_back(word);
+    if (rule->form != added.form)
+        rule->form = isNumeric(rule->form) && isNumeric(added.form) ? ValueForm::Numbers : ValueForm::Text;
+    rule->repeats |= added.repeats;
+}
+
+std::vector<CommandRule> rulesOf(std::span<const CommandKind> kinds) {
+    std::vector<CommandRule> rules;
+    for (const CommandKind& kind : kinds) {
+        auto rule = std::ranges::find(rules, kind.word.word, &CommandRule::word);
+        if (rule == rules.end())
+            rule = rules.insert(rule, {kind.word.word, kind.word.help, kind.word.example, {}});
+        for (const SegmentRule& segment : kind.segments)
+            merge(rule->segments, segment);
+    }
+    return rules;
+}
 
 bool standsForAnyName(const SegmentRule& rule) {
     return rule.key.starts_with('<');
@@ -53,7 +87,7 @@ std::vector<Completion> keys(const CommandRule& command, std::string_view line, 
     std::vector<Completion> found;
     for (const SegmentRule& rule : command.segments) {
         if (!standsForAnyName(rule) && beginsWith(rule.key, begun) && (rule.repeats || !isOnLine(line, rule.key)))
-            found.push_back({std::string(before) + std::string(rule.key), std::string(rule.help), from});
+            found.push_back({std::string(before) + std::string(rule.key), rule.help, from});
     }
     return found;
 }
@@ -71,7 +105,7 @@ std::vector<Completion> words(const SegmentRule& rule, std::string_view begun, s
     std::vector<Completion> found;
     for (const std::string_view word : rule.words) {
         if (beginsWith(word, begun))
-            found.push_back({std::string(word), std::string(rule.help), from});
+            found.push_back({std::string(word), rule.help, from});
     }
     return found;
 }
@@ -195,6 +229,11 @@ private:
 };
 
 } // namespace
+
+std::span<const CommandRule> commandRules() {
+    static const std::vector<CommandRule> rules = rulesOf(commandKinds());
+    return rules;
+}
 
 std::vector<Completion> completionsAt(std::string_view line, std::size_t cursor) {
     cursor = std::min(cursor, line.size());

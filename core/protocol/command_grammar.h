@@ -1,4 +1,4 @@
-// The grammar of commands as a table, for help, completion and a check before a line is sent.
+// The grammar of commands, for help, completion and a check before a line is sent.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,27 @@ namespace usar::protocol {
 /// The form that a segment's value must have. Word means one of the rule's words, in upper or lower case.
 enum class ValueForm { Text, Number, Numbers, Word };
 
-/// One segment that a command may have. `words` are the values to choose from, empty if any value is allowed. `help` is
-/// a phrase for the operator. A key in angle brackets ("<joint>") stands for any name.
+/// One segment that a command may have. `words` are the values to choose from; unless the form is Word, others are
+/// allowed, too. `help` is a phrase for the operator. A key in angle brackets ("<joint>") stands for any name.
 struct SegmentRule {
     std::string_view key;
-    std::string_view help;
-    std::span<const std::string_view> words{};
+    std::string help;
+    std::vector<std::string_view> words{};
     ValueForm form = ValueForm::Text;
     bool repeats = false; ///< may stand more than once on a line
 };
 
-/// One command: its first word, a phrase of help, a complete line as an example, and the segments that it may have.
-/// All views are to static text.
+/// All commands with one first word: a phrase of help, a complete line as an example, and the segments that they may
+/// have. All views are to static text.
 struct CommandRule {
     std::string_view word;
     std::string_view help;
     std::string_view example;
-    std::span<const SegmentRule> segments;
+    std::vector<SegmentRule> segments;
 };
 
-/// Every command of protocol.md 5 and the additional ones of our own server.
+/// Every command of protocol.md 5 and the additional ones of our own server, in the order of CommandVariant and derived
+/// from it. Made at the first call; any thread may call it.
 std::span<const CommandRule> commandRules();
 
 /// A suggestion; `text` is to replace the bytes [from, cursor) of the line.

@@ -1,10 +1,6 @@
 #include "core/protocol/command_writer.h"
 
-#include "core/protocol/commands/drive_fields.h"
-#include "core/protocol/commands/path_node_fields.h"
-#include "core/protocol/commands/robot_fields.h"
-#include "core/protocol/commands/set_fields.h"
-#include "core/protocol/commands/world_fields.h"
+#include "core/protocol/commands/line_out.h"
 
 namespace usar::protocol {
 
@@ -14,8 +10,9 @@ void write(const Command& command, Dialect dialect, std::string& out) {
             if constexpr (std::is_same_v<T, RawCommand>) {
                 out.append(value.line);
             } else {
+                out.append(T::word.word);
                 LineOut line(out, dialect);
-                fields(line, value);
+                T::segments(line, value);
             }
         },
         command);

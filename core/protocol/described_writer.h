@@ -10,12 +10,8 @@
 
 namespace usar::protocol {
 
-/// Roll, pitch and yaw in rad.
-inline Vec3 anglesOf(const Pose& pose) {
-    return {pose.roll_rad, pose.pitch_rad, pose.yaw_rad};
-}
-
-/// The same angles in [0, 2 pi), as UT2004's ground truth and INS send them. The pose's angles are in (-pi, pi].
+/// Roll, pitch and yaw in rad, in [0, 2 pi), as UT2004's ground truth and INS send them. The pose's angles are in (-pi,
+/// pi].
 inline Vec3 positiveAnglesOf(const Pose& pose) {
     return anglesOf(pose).unaryExpr([](double angle_rad) { return angle_rad < 0 ? angle_rad + 2 * pi : angle_rad; });
 }

@@ -1,10 +1,8 @@
 #include "core/protocol/dialect_detector.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/text.h"
-#include "core/protocol/segments.h"
 
 namespace usar::protocol {
 
@@ -13,51 +11,13 @@ namespace {
 constexpr int most_belief = 8;
 constexpr int least_belief = -4; ///< at this value the answer changes to the other dialect
 
-/// Finds the first segment that begins at or after `from`, gives its key and value, and moves `from` to its end. False
-/// if there is none.
-bool nextSegment(std::string_view line, std::size_t& from, std::string_view& key, std::string_view& value) {
-    const std::size_t open = line.find('{', from);
-    if (open == std::string_view::npos)
-        return false;
-    const std::size_t close = std::min(line.find('}', open), line.size());
-    std::string_view text = line.substr(open + 1, close - open - 1);
-    key = takeWord(text);
-    value = trimmed(text);
-    from = close;
-    return true;
-}
-
-bool hasKey(std::string_view line, std::string_view wanted) {
-    std::string_view key;
-    std::string_view value;
-    for (std::size_t from = 0; nextSegment(line, from, key, value);) {
-        if (sameWord(key, wanted))
-            return true;
-    }
-    return false;
-}
-
-bool hasType(std::string_view line, std::string_view wanted) {
-    std::string_view key;
-    std::string_view value;
-    for (std::size_t from = 0; nextSegment(line, from, key, value);) {
-        if (sameWord(key, "Type"))
-            return sameWord(value, wanted);
-    }
-    return false;
-}
-
 /// UT2004 begins an STA with its Type, UDK with its Time. An STA that begins otherwise is the answer to CONTROL GetSTA
 /// and tells nothing.
-std::optional<Dialect> byState(std::string_view line) {
-    std::string_view key;
-    std::string_view value;
-    std::size_t from = 0;
-    if (!nextSegment(line, from, key, value))
-        return std::nullopt;
-    if (sameWord(key, "Type"))
+std::optional<Dialect> byState(const Segments& line) {
+    const std::string_view first = line.all().empty() ? std::string_view() : line.all().front().key;
+    if (sameWord(first, "Type"))
         return Dialect::Ut2004;
-    return sameWord(key, "Time") ? std::optional(Dialect::Udk) : std::nullopt;
+    return sameWord(first, "Time") ? std::optional(Dialect::Udk) : std::nullopt;
 }
 
 } // namespace
@@ -67,13 +27,15 @@ void DialectDetector::take(std::string_view line) {
     const std::string_view word = takeWord(rest);
     if (sameWord(word, "SEN"))
         return; // most lines; not characteristic of either dialect
+    segments_.read(line, ignored_);
+    ignored_.clear();
     if (sameWord(word, "STA")) {
-        if (const auto dialect = byState(line))
+        if (const auto dialect = byState(segments_))
             vote(*dialect);
-    } else if (sameWord(word, "RES") || (sameWord(word, "MISSTA") && hasKey(line, "Torque"))) {
+    } else if (sameWord(word, "RES") || (sameWord(word, "MISSTA") && segments_.find("Torque"))) {
         vote(Dialect::Ut2004);
     } else if (sameWord(word, "EFF") || sameWord(word, "ASTA") ||
-               (sameWord(word, "CONF") && !asked_for_cameras_ && hasType(line, "Camera"))) {
+               (sameWord(word, "CONF") && !asked_for_cameras_ && sameWord(segments_.value("Type"), "Camera"))) {
         vote(Dialect::Udk);
     }
 }

@@ -6,6 +6,7 @@
 
 #include "core/protocol/command.h"
 #include "core/protocol/dialect.h"
+#include "core/protocol/segments.h"
 
 namespace usar::protocol {
 
@@ -30,6 +31,8 @@ private:
     std::optional<Dialect> dialect_;
     int belief_ = 0; ///< in `dialect_`: lines for it minus lines against it
     bool asked_for_cameras_ = false;
+    Segments segments_; ///< of the newest line; kept for its memory, like `ignored_`
+    Diagnostics ignored_;
 };
 
 } // namespace usar::protocol

@@ -1,9 +1,9 @@
 #include "core/protocol/field_list.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "core/protocol/generic_fields.h"
+#include <limits>
 
 namespace usar::protocol {
 
@@ -52,11 +52,22 @@ void FieldList::values(std::string_view field, std::span<const double> values, s
 }
 
 void FieldList::summary(std::string_view field, std::span<const double> values, std::string_view unit) {
-    const ListSummary summed = summaryOf(values);
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
+    double sum = 0.0;
+    double count = 0.0;
+    for (const double value : values) {
+        if (!std::isfinite(value))
+            continue;
+        minimum = std::min(minimum, value);
+        maximum = std::max(maximum, value);
+        sum += value;
+        ++count;
+    }
     number(partOf(field, "count"), static_cast<double>(values.size()));
-    number(partOf(field, "minimum"), summed.minimum, unit);
-    number(partOf(field, "mean"), summed.mean, unit);
-    number(partOf(field, "maximum"), summed.maximum, unit);
+    number(partOf(field, "minimum"), minimum, unit);
+    number(partOf(field, "mean"), sum / count, unit);
+    number(partOf(field, "maximum"), maximum, unit);
 }
 
 } // namespace usar::protocol

@@ -35,7 +35,8 @@ public:
     void pose(const Pose& pose);
     /// Adds each value under its index ("field.0"), or the summary if there are more than `longest_list`.
     void values(std::string_view field, std::span<const double> values, std::string_view unit);
-    /// Adds the number of values, and the minimum, mean and maximum of the finite ones.
+    /// Adds the number of values, and the minimum, mean and maximum of the finite ones, which are "nan" if there are
+    /// none.
     void summary(std::string_view field, std::span<const double> values, std::string_view unit);
     void add(Field field) { fields_.push_back(std::move(field)); }
 

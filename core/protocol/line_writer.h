@@ -52,7 +52,7 @@ public:
         }
     }
 
-    /// A whole segment: " {key value}".
+    /// A whole segment: " {key value}". Nothing, here and below, for an absent value.
     void segment(std::string_view key, std::string_view value) {
         open(key);
         text(value);
@@ -68,6 +68,16 @@ public:
         numbers(values, decimals);
         close();
     }
+    template <class Value>
+    void segment(std::string_view key, const std::optional<Value>& value, Decimals decimals) {
+        if (value)
+            segment(key, *value, decimals);
+    }
+    /// Nothing for an empty text, either.
+    void segmentIfAny(std::string_view key, std::string_view value) {
+        if (!value.empty())
+            segment(key, value);
+    }
     /// A number without decimals.
     void whole(long long value) {
         std::array<char, 24> digits;
@@ -78,10 +88,18 @@ public:
         whole(value);
         close();
     }
+    template <class Number>
+    void whole(std::string_view key, const std::optional<Number>& value) {
+        if (value)
+            whole(key, static_cast<long long>(*value));
+    }
     /// True or False, as Unreal prints a bool.
-    void boolean(std::string_view key, bool value) { segment(key, value ? "True" : "False"); }
+    void boolean(std::string_view key, const std::optional<bool>& value) {
+        if (value)
+            segment(key, *value ? "True" : "False");
+    }
     /// STA, RES and the range scanner print the time as a bare float (TwoRounded), all other sensors as a formatted one
-    /// (FourCut). Writes nothing if the message has no time.
+    /// (FourCut).
     void time(const std::optional<Seconds>& time, Decimals decimals) {
         if (time)
             segment("Time", time->count(), decimals);

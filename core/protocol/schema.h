@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/protocol/sensors/wire_types.h"
 
 namespace usar::protocol {
 
@@ -88,11 +89,6 @@ concept NamedGroups = HasGroups<T> && !requires(T value) {
 
 /// A flag that is sent as a word without a value, `{Far}`, or not at all.
 enum class Present : bool { No, Yes };
-
-/// The first of the words in `wire_types`, "IR|Range", which is the one we write.
-constexpr std::string_view firstType(std::string_view wire_types) {
-    return wire_types.substr(0, wire_types.find('|'));
-}
 
 /// The value of the Type segment with which the sensor's message was received or will be sent.
 template <class Sensor>

@@ -1,14 +1,13 @@
 #include "core/protocol/udk_writer.h"
 
-#include <cmath>
 #include <type_traits>
 
 #include "core/base/text.h"
 #include "core/protocol/described_writer.h"
-#include "core/protocol/line_writer.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
 #include "core/protocol/writer.h"
+#include "core/protocol/writer_parts.h"
 
 namespace usar::protocol {
 
@@ -16,7 +15,7 @@ namespace {
 
 constexpr std::string_view line_end = "\r\n";
 
-/// The output text and the values that messages do not carry themselves.
+/// The output text, to which one line without its end is added, and the values that messages do not carry themselves.
 struct Context {
     std::string& out;
     Seconds now;
@@ -32,12 +31,13 @@ void head(LineWriter& line, const std::optional<Seconds>& time, std::string_view
 /// Writes a line for each of the sensors that UT2004 puts into one line.
 template <NamedGroups Sensor>
 void writeInto(const Context& context, const Sensor& sensor) {
-    for (const auto& element : sensor.*Sensor::groups().member) {
-        LineWriter line(context.out);
+    const auto& elements = sensor.*Sensor::groups().member;
+    LineWriter line(context.out);
+    for (const auto& element : elements) {
+        line.text(&element == &elements.front() ? "" : line_end);
         head(line, sensor.time.value_or(context.now), wireTypeOf(sensor));
         line.segment("Name", element.name);
         writeItems(line, element);
-        context.out += line_end;
     }
 }
 
@@ -50,19 +50,12 @@ requires(SensorMessage<Sensor>&& Described<Sensor> && !NamedGroups<Sensor>) void
         time.reset();
     head(line, time, wireTypeOf(sensor));
     writeDescribed(line, sensor);
-    context.out += line_end;
 }
 
 void writeInto(const Context& context, const RangeScan& scan) {
     LineWriter line(context.out);
     head(line, scan.time.value_or(context.now), scan.type);
-    line.segment("Name", scan.name);
-    line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);
-    line.segment("FOV", scan.fov_rad, Decimals::FourCut);
-    line.open("Range");
-    line.numbers(scan.ranges_m, Decimals::TwoRounded);
-    line.close();
-    context.out += line_end;
+    writeScan(line, scan, Decimals::TwoRounded);
 }
 
 /// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity.
@@ -70,8 +63,7 @@ void writeInto(const Context& context, const RobotState& state) {
     LineWriter line(context.out);
     line.text("STA");
     line.time(state.time.value_or(context.now), Decimals::FourCut);
-    if (state.battery_left)
-        line.whole("Battery", static_cast<long long>(std::floor(state.battery_left->count())));
+    writeBattery(line, state);
     if (state.kind == VehicleKind::Legged)
         line.segment("Type", "LeggedVehicle");
     else if (state.kind != VehicleKind::Unknown && state.kind != VehicleKind::Aerial)
@@ -80,13 +72,7 @@ void writeInto(const Context& context, const RobotState& state) {
         line.boolean("LightToggle", *state.light_on);
         line.whole("LightIntensity", 100);
     }
-    if (state.front_steer_rad)
-        line.segment("FrontSteer", acrossWire(*state.front_steer_rad), Decimals::FourCut);
-    if (state.rear_steer_rad)
-        line.segment("RearSteer", acrossWire(*state.rear_steer_rad), Decimals::FourCut);
-    for (const JointAngle& joint : state.joints)
-        line.segment(joint.name, joint.angle_rad, Decimals::FourCut);
-    context.out += line_end;
+    writeJoints(line, state);
 }
 
 void writeInto(const Context& context, const PackageState& package) {
@@ -98,17 +84,13 @@ void writeInto(const Context& context, const PackageState& package) {
         line.whole("Link", link.link);
         line.segment("Value", link.value, Decimals::FourCut);
     }
-    context.out += line_end;
 }
 
 void writeInto(const Context& context, const GeometryInfo& geometry) {
     if (geometry.items.empty() && !geometry.dimensions_m)
         return;
-    if (geometry.items.empty()) {
-        write(geometry, context.out); // a robot's geometry, which is the same in UT2004
-        context.out += line_end;
-        return;
-    }
+    if (geometry.items.empty())
+        return write(geometry, context.out); // a robot's geometry, which is the same in UT2004
     LineWriter line(context.out);
     line.text("GEO");
     line.segment("Type", geometry.type);
@@ -118,17 +100,6 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
         line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
         line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
         line.segment("Mount", sameWord(item.mount, "HARD") ? context.robot_class : item.mount);
-    }
-    context.out += line_end;
-}
-
-void writeSettings(LineWriter& line, const std::vector<Setting>& settings) {
-    for (const Setting& setting : settings) {
-        const std::string_view key = setting.key == "Paning" ? std::string_view("Panning") : setting.key;
-        if (setting.value.empty() && setting.number)
-            line.segment(key, *setting.number, Decimals::FourCut);
-        else
-            line.segment(key, setting.value);
     }
 }
 
@@ -145,9 +116,9 @@ void writeInto(const Context& context, const ConfigurationInfo& configuration) {
     for (const ConfiguredItem& item : configuration.items) {
         if (!of_robot)
             line.segment("Name", item.name);
-        writeSettings(line, item.settings);
+        for (const Setting& setting : item.settings)
+            writeSetting(line, setting.key == "Paning" ? "Panning" : std::string_view(setting.key), setting);
     }
-    context.out += line_end;
 }
 
 void writeInto(const Context&, const Response&) {}
@@ -157,14 +128,16 @@ template <class Message>
 requires(!(SensorMessage<Message> && Described<Message>)) void writeInto(const Context& context,
                                                                          const Message& message) {
     write(message, context.out);
-    context.out += line_end;
 }
 
 } // namespace
 
 void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out) {
     const Context context{out, now, robot_class};
+    const std::size_t before = out.size();
     std::visit([&context](const auto& value) { writeInto(context, value); }, static_cast<const InfoVariant&>(message));
+    if (out.size() > before)
+        out += line_end;
 }
 
 } // namespace usar::protocol

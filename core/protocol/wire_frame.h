@@ -17,4 +17,9 @@ constexpr double acrossWire(double yaw_or_sideways) {
     return -yaw_or_sideways;
 }
 
+/// Roll, pitch and yaw in rad, as servers list them.
+inline Vec3 anglesOf(const Pose& pose) {
+    return {pose.roll_rad, pose.pitch_rad, pose.yaw_rad};
+}
+
 } // namespace usar::protocol

@@ -1,14 +1,13 @@
 #include "core/protocol/writer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "core/base/text.h"
 #include "core/protocol/described_writer.h"
-#include "core/protocol/line_writer.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
+#include "core/protocol/writer_parts.h"
 
 namespace usar::protocol {
 
@@ -33,8 +32,7 @@ void writeInto(LineWriter& line, const GameInfo& game) {
     line.text("NFO");
     line.segment("Gametype", game.game_type);
     line.segment("Level", game.level);
-    if (game.time_limit_min)
-        line.whole("TimeLimit", *game.time_limit_min);
+    line.whole("TimeLimit", game.time_limit_min);
 }
 
 void writePlaces(LineWriter& line, std::string_view count_key, const std::vector<StartPose>& places) {
@@ -77,20 +75,11 @@ void writeInto(LineWriter& line, const RobotState& state) {
     if (state.kind != VehicleKind::Unknown)
         line.segment("Type", wordOf(state.kind));
     line.time(state.time, Decimals::TwoRounded);
-    if (state.front_steer_rad)
-        line.segment("FrontSteer", acrossWire(*state.front_steer_rad), Decimals::FourCut);
-    if (state.rear_steer_rad)
-        line.segment("RearSteer", acrossWire(*state.rear_steer_rad), Decimals::FourCut);
-    for (const JointAngle& joint : state.joints)
-        line.segment(joint.name, joint.angle_rad, Decimals::FourCut);
-    if (state.light_on)
-        line.boolean("LightToggle", *state.light_on);
-    if (state.light_intensity_pct)
-        line.whole("LightIntensity", *state.light_intensity_pct);
-    if (state.battery_left)
-        line.whole("Battery", static_cast<long long>(std::floor(state.battery_left->count())));
-    if (state.view)
-        line.whole("View", *state.view);
+    writeJoints(line, state);
+    line.boolean("LightToggle", state.light_on);
+    line.whole("LightIntensity", state.light_intensity_pct);
+    writeBattery(line, state);
+    line.whole("View", state.view);
     writeSegments(line, state.others);
 }
 
@@ -109,10 +98,8 @@ void writeInto(LineWriter& line, const EffecterState& effecter) {
         line.segment("Status", *effecter.closed ? "CLOSED" : "OPEN");
     if (effecter.on)
         line.text(*effecter.on ? " {On}" : " {Off}");
-    if (!effecter.tool_type.empty())
-        line.segment("ToolType", effecter.tool_type);
-    if (!effecter.tool.empty())
-        line.segment("Tool", effecter.tool);
+    line.segmentIfAny("ToolType", effecter.tool_type);
+    line.segmentIfAny("Tool", effecter.tool);
 }
 
 /// Writes correct braces, unlike the original server: nobody needs its malformed ones.
@@ -121,11 +108,9 @@ void writeInto(LineWriter& line, const WorldObjects& world) {
     for (const WorldObject& object : world.objects) {
         const Pose on_wire = acrossWire(object.object_in_map);
         line.segment("Name", object.name);
-        if (object.size_m)
-            line.segment("Size", *object.size_m, Decimals::FourCut);
+        line.segment("Size", object.size_m, Decimals::FourCut);
         line.segment("Location", on_wire.position_m, Decimals::FourCut);
-        if (!object.memory.empty())
-            line.segment("Memory", object.memory);
+        line.segmentIfAny("Memory", object.memory);
         line.segment("Rotation", anglesOf(on_wire), Decimals::FourCut);
     }
 }
@@ -184,20 +169,14 @@ void writeLinks(LineWriter& line, const std::vector<MountedItem>& links) {
 
 void writeInto(LineWriter& line, const GeometryInfo& geometry) {
     line.text("GEO");
-    if (!geometry.type.empty())
-        line.segment("Type", geometry.type);
-    if (!geometry.robot_class.empty())
-        line.segment("Name", geometry.robot_class);
-    if (geometry.dimensions_m)
-        line.segment("Dimensions", *geometry.dimensions_m, Decimals::FourCut);
+    line.segmentIfAny("Type", geometry.type);
+    line.segmentIfAny("Name", geometry.robot_class);
+    line.segment("Dimensions", geometry.dimensions_m, Decimals::FourCut);
     if (geometry.center_of_gravity_m)
         line.segment("COG", acrossWire(*geometry.center_of_gravity_m), Decimals::FourCut);
-    if (geometry.wheel_radius_m)
-        line.segment("WheelRadius", *geometry.wheel_radius_m, Decimals::FourCut);
-    if (geometry.wheel_separation_m)
-        line.segment("WheelSeparation", *geometry.wheel_separation_m, Decimals::FourCut);
-    if (geometry.wheel_base_m)
-        line.segment("WheelBase", *geometry.wheel_base_m, Decimals::FourCut);
+    line.segment("WheelRadius", geometry.wheel_radius_m, Decimals::FourCut);
+    line.segment("WheelSeparation", geometry.wheel_separation_m, Decimals::FourCut);
+    line.segment("WheelBase", geometry.wheel_base_m, Decimals::FourCut);
     if (sameWord(geometry.type, "MisPkg"))
         return writeLinks(line, geometry.items);
     for (const MountedItem& item : geometry.items)
@@ -206,16 +185,11 @@ void writeInto(LineWriter& line, const GeometryInfo& geometry) {
 
 void writeInto(LineWriter& line, const ConfigurationInfo& configuration) {
     line.text("CONF");
-    if (!configuration.type.empty())
-        line.segment("Type", configuration.type);
+    line.segmentIfAny("Type", configuration.type);
     for (const ConfiguredItem& item : configuration.items) {
         line.segment("Name", item.name);
-        for (const Setting& setting : item.settings) {
-            if (setting.value.empty() && setting.number)
-                line.segment(setting.key, *setting.number, Decimals::FourCut);
-            else
-                line.segment(setting.key, setting.value);
-        }
+        for (const Setting& setting : item.settings)
+            writeSetting(line, setting.key, setting);
     }
 }
 
@@ -225,8 +199,7 @@ void writeInto(LineWriter& line, const Response& response) {
     line.segment("Type", response.type);
     for (const ResponsePart& part : response.parts) {
         line.segment(part.key, part.value);
-        if (part.fov_rad)
-            line.segment("FOV", *part.fov_rad, Decimals::FourCut);
+        line.segment("FOV", part.fov_rad, Decimals::FourCut);
         line.segment("Status", part.ok ? "OK" : "Failed");
     }
     if (response.parts.empty()) {
@@ -234,8 +207,7 @@ void writeInto(LineWriter& line, const Response& response) {
         const bool of_tags = std::string_view(response.type).starts_with("RFID"); // protocol.md 4.8
         line.segment(of_tags ? "status" : "Status", response.ok ? "OK" : "Failed");
     }
-    if (response.tag_id)
-        line.whole("ID", *response.tag_id);
+    line.whole("ID", response.tag_id);
     if (response.memory)
         line.segment("Mem", *response.memory);
 }

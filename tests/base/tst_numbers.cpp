@@ -61,7 +61,7 @@ void tst_Numbers::readsThePrefixThatIsANumber() {
 
 void tst_Numbers::refusesWhatIsNotWhollyANumber_data() {
     QTest::addColumn<QByteArray>("text");
-    QTest::newRow("junk behind") << QByteArray("12abc");
+    QTest::newRow("junk after the number") << QByteArray("12abc");
     QTest::newRow("two numbers") << QByteArray("1 2");
     QTest::newRow("nothing") << QByteArray("  ");
 }
@@ -83,7 +83,7 @@ void tst_Numbers::writesFixedDecimals_data() {
     QTest::newRow("negative") << -0.87266 << 4 << QByteArray("-0.8727") << QByteArray("-0.8726");
     QTest::newRow("minus zero keeps its sign") << -0.0 << 2 << QByteArray("-0.00") << QByteArray("-0.00");
     QTest::newRow("a tiny negative is minus zero") << -1e-9 << 4 << QByteArray("-0.0000") << QByteArray("-0.0000");
-    QTest::newRow("leading zeros behind the point") << 0.0503 << 4 << QByteArray("0.0503") << QByteArray("0.0503");
+    QTest::newRow("leading zeros after the point") << 0.0503 << 4 << QByteArray("0.0503") << QByteArray("0.0503");
     QTest::newRow("large") << 123456789012345678.0 << 2 << QByteArray("123456789012345680.00")
                            << QByteArray("123456789012345680.00");
     QTest::newRow("no decimals") << 7.9 << 0 << QByteArray("8") << QByteArray("7");

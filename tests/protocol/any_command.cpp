@@ -3,281 +3,174 @@
 #include <array>
 #include <utility>
 
+#include "core/protocol/commands/command_kinds.h"
+
 using namespace usar;
 using namespace usar::protocol;
 
 namespace {
 
-struct Dice {
-    Random& random;
-    Dialect dialect;
+/// Fills a command with random values: a visitor of T::segments, like LineIn.
+class Dice {
+public:
+    static constexpr bool reading = true;
+    static constexpr bool writing = false;
 
-    bool flip() { return random() % 2 == 0; }
-    int whole() { return static_cast<int>(random() % 2000) - 1000; }
-    double number() {
-        switch (random() % 4) {
-        case 0:
-            return static_cast<double>(random() % 200) - 100.0;
-        case 1:
-            return uniform(random, -1, 1) * 1e-9;
-        case 2:
-            return uniform(random, -1e6, 1e6);
-        default:
-            return uniform(random, -5, 5);
-        }
+    Dice(Random& random, Dialect dialect) : random_(random), dialect_(dialect) {}
+    Dialect dialect() const { return dialect_; }
+
+    auto oneOf(const auto& all) -> decltype(all[0]) { return all[random_() % all.size()]; }
+
+    void mark(const Key&, std::string_view, std::string_view = {}) {}
+    template <class Value, std::size_t count>
+    void mark(const Key&, Value& value, const std::array<WireWord<Value>, count>& table) {
+        value = oneOf(table).value;
     }
-    double speed(bool normalized) { return normalized ? uniform(random, -100, 100) : number(); }
-    std::string word() {
-        static const std::string letters = "abcXYZ019_.-+,;:\xe9()[]";
-        std::string text(1 + random() % 12, 'a');
-        for (char& c : text)
-            c = letters[random() % letters.size()];
-        return text;
+    void ignored(const Key&) {}
+    void number(const Key&, double& value, NumberForm form = {}) {
+        value = form.scaled && normalized_ ? uniform(random_, -100, 100) : anyNumber();
     }
-    Token token() { return Token::make(word()).value(); }
-    Name name() { return flip() ? Name{} : Name::make(word()).value(); }
-    Text text() {
-        std::string words = flip() ? word() : std::string();
-        for (std::uint64_t more = words.empty() ? 0 : random() % 3; more > 0; --more)
-            words += (flip() ? " " : "  ") + word();
-        return Text::make(words).value();
+    void number(const Key&, int& value, NumberForm = {}) { value = static_cast<int>(random_() % 2000) - 1000; }
+    void number(const Key&, Seconds& value, NumberForm = {}) { value = Seconds{anyNumber()}; }
+    /// The first speed is always there, so that the line tells what kind of DRIVE it is.
+    template <class Value>
+    void number(const Key& key, std::optional<Value>& value, NumberForm form = {}) {
+        if (form.or_zero || (form.scaled && std::exchange(first_, false)) || flip())
+            number(key, value.emplace(), form);
     }
-    Vec3 vector() { return {number(), number(), number()}; }
-    Pose pose() { return {vector(), uniform(random, -pi, pi), uniform(random, -pi, pi), uniform(random, -pi, pi)}; }
-    Seconds seconds() { return Seconds{number()}; }
-    std::variant<Pose, Token> start() {
+    void beginScale(bool& normalized) { normalized = normalized_ = flip(); }
+    void endScale() {}
+    void flag(const Key&, bool& value) { value = flip(); }
+    void flag(const Key&, std::optional<bool>& value) {
         if (flip())
-            return pose();
-        return token();
+            value = flip();
+    }
+    void neededFlag(const Key& key, bool& value) { flag(key, value); }
+    void digit(const Key& key, std::optional<bool>& value) { flag(key, value); }
+    void text(const Key& key, Token& value) {
+        value = key.words.empty() || flip() ? token() : tokenOf(oneOf(key.words));
+    }
+    void text(const Key&, Name& value) { value = flip() ? Name{} : Name::make(word()).value(); }
+    void text(const Key&, Text& value) {
+        std::string words = flip() ? word() : std::string();
+        for (std::uint64_t more = words.empty() ? 0 : random_() % 3; more > 0; --more)
+            words += (flip() ? " " : "  ") + word();
+        value = Text::make(words).value();
     }
     template <class Value>
-    Value oneOf(int count) {
-        return static_cast<Value>(random() % static_cast<std::uint64_t>(count));
+    void choice(const Key&, Value& value) {
+        value = oneOf(wire_words<Value>).value;
     }
-    template <class Method>
-    auto perhaps(Method method) -> std::optional<std::remove_cvref_t<decltype((this->*method)())>> {
+    template <class Value>
+    void choice(const Key& key, std::optional<Value>& value) {
         if (flip())
-            return std::nullopt;
-        return (this->*method)();
+            choice(key, value.emplace());
     }
-    std::optional<double> perhapsSpeed(bool normalized) {
-        return flip() ? std::nullopt : std::optional(speed(normalized));
+    void vector(const Key&, Vec3& value) { value = anyVector(); }
+    void vector(const Key&, std::optional<Vec3>& value) {
+        if (flip())
+            value = anyVector();
     }
-    std::optional<double> perhapsNumber() { return perhaps(&Dice::number); }
-    DriveSwitches switches() { return {perhaps(&Dice::flip), perhaps(&Dice::flip)}; }
-    template <class Make>
-    auto several(std::size_t least, Make make) {
-        std::vector<decltype(make())> made;
-        for (std::size_t count = least + random() % 4; count > 0; --count)
-            made.push_back(make());
-        return made;
+    void position(const Key&, Vec3& value) { value = anyVector(); }
+    void pose(Pose& pose) {
+        const auto angle = [this] { return uniform(random_, -pi, pi); };
+        pose = {anyVector(), angle(), angle(), angle()};
     }
+    void start(const Key&, std::variant<Pose, Token>& start, std::optional<Pose>* fallback = nullptr) {
+        if (flip())
+            return pose(start.emplace<Pose>());
+        start = token();
+        if (fallback && flip())
+            pose(fallback->emplace());
+    }
+    void sixNumbers(const Key&, Pose& value) { pose(value); }
+    void goal(const Key&, const Key&, std::variant<Vec2, Token>& goal) {
+        goal = Vec2(anyNumber(), anyNumber());
+        if (flip())
+            goal = token();
+    }
+    void points(const Key&, std::vector<Vec3>& points) {
+        for (std::size_t count = random_() % 4; count > 0; --count)
+            points.push_back(anyVector());
+    }
+    void box(const Key&, const Key&, std::optional<Box>& box) {
+        if (flip())
+            box = Box{anyVector(), anyVector()};
+    }
+    void pace(const Key&, const Key&, std::variant<WaypointSpeed, Seconds>& pace) {
+        if (flip())
+            pace = WaypointSpeed{anyNumber()};
+        else
+            pace = Seconds{anyNumber()};
+    }
+    void valueAndSteer(const Key&, double& value, std::optional<double>& steer_rad) {
+        value = anyNumber();
+        if (flip())
+            steer_rad = anyNumber();
+    }
+    void tagAndText(const Key& key, Token& tag, Text& memory) {
+        tag = token();
+        text(key, memory);
+    }
+    template <class Element>
+    void groups(const Key&, std::vector<Element>& elements) {
+        for (std::size_t count = 1 + random_() % 4; count > 0; --count)
+            Element::segments(*this, elements.emplace_back());
+    }
+    template <class Target>
+    void joints(std::span<const Key>, std::vector<Target>& targets) {
+        for (std::size_t count = random_() % 4; count > 0; --count)
+            targets.push_back({token(), anyNumber()});
+    }
+
+    std::string word() {
+        static const std::string letters = "abcXYZ019_.-+,;:\xe9()[]";
+        std::string text(1 + random_() % 12, 'a');
+        for (char& c : text)
+            c = letters[random_() % letters.size()];
+        return text;
+    }
+
+private:
+    bool flip() { return random_() % 2 == 0; }
+    double anyNumber() {
+        switch (random_() % 4) {
+        case 0:
+            return static_cast<double>(random_() % 200) - 100.0;
+        case 1:
+            return uniform(random_, -1, 1) * 1e-9;
+        case 2:
+            return uniform(random_, -1e6, 1e6);
+        default:
+            return uniform(random_, -5, 5);
+        }
+    }
+    Vec3 anyVector() { return {anyNumber(), anyNumber(), anyNumber()}; }
+    static Token tokenOf(std::string_view text) { return Token::make(text).value(); }
+    Token token() { return tokenOf(word()); }
+
+    Random& random_;
+    Dialect dialect_;
+    bool normalized_ = false;
+    bool first_ = true;
 };
 
 template <class T>
-struct Kind {};
-
-Command any(Dice& dice, Kind<RawCommand>) {
-    return RawCommand{"X" + dice.word() + " {" + dice.word() + "}"};
-}
-Command any(Dice& dice, Kind<Init>) {
-    Init init{dice.token(), dice.name(), dice.start(), {}, dice.perhaps(&Dice::seconds)};
-    if (std::holds_alternative<Token>(init.start))
-        init.fallback_in_map = dice.perhaps(&Dice::pose);
-    return init;
-}
-Command any(Dice& dice, Kind<AerialDrive>) {
-    const bool normalized = dice.flip();
-    return AerialDrive{dice.perhapsSpeed(normalized),
-                       dice.perhapsSpeed(normalized),
-                       dice.perhapsSpeed(normalized),
-                       dice.perhapsSpeed(normalized),
-                       normalized,
-                       dice.perhapsNumber(),
-                       dice.perhapsNumber(),
-                       dice.switches()};
-}
-Command any(Dice& dice, Kind<SkidDrive>) {
-    const bool normalized = dice.flip();
-    return SkidDrive{dice.speed(normalized), dice.perhapsSpeed(normalized), normalized, dice.switches()};
-}
-Command any(Dice& dice, Kind<AckermannDrive>) {
-    const bool normalized = dice.flip();
-    if (dice.dialect == Dialect::Udk)
-        return AckermannDrive{dice.speed(normalized), dice.number(), dice.number(), normalized, dice.switches()};
-    return AckermannDrive{dice.perhapsSpeed(normalized), dice.number(), dice.perhapsNumber(), normalized,
-                          dice.switches()};
-}
-Command any(Dice& dice, Kind<OmniDrive>) {
-    const auto wheel = [&] { return WheelDrive{dice.whole(), dice.perhapsNumber(), dice.perhapsNumber()}; };
-    return OmniDrive{dice.several(1, wheel), dice.flip(), dice.switches()};
-}
-Command any(Dice& dice, Kind<NauticDrive>) {
-    const bool normalized = dice.flip();
-    return NauticDrive{dice.perhapsSpeed(normalized), dice.number(), dice.perhapsNumber(), normalized, dice.switches()};
-}
-Command any(Dice& dice, Kind<JointDrive>) {
-    return JointDrive{dice.token(),         dice.oneOf<JointOrder>(7),
-                      dice.perhapsNumber(), dice.perhapsNumber(),
-                      dice.flip(),          dice.switches()};
-}
-Command any(Dice& dice, Kind<MultiDrive>) {
-    return MultiDrive{dice.several(0, [&] { return JointAngleTarget{dice.token(), dice.number()}; })};
-}
-Command any(Dice& dice, Kind<DriveSwitches>) {
-    return dice.switches();
-}
-template <class Question>
-Command question(Dice& dice) {
-    if (dice.flip())
-        return Question{dice.token(), dice.name()};
-    return Question{dice.flip() ? Token("Robot") : packageType(dice.dialect), dice.name()};
-}
-Command any(Dice& dice, Kind<GetGeometry>) {
-    return question<GetGeometry>(dice);
-}
-Command any(Dice& dice, Kind<GetConfiguration>) {
-    return question<GetConfiguration>(dice);
-}
-Command any(Dice& dice, Kind<SetInsPose>) {
-    return SetInsPose{dice.name(), dice.pose()};
-}
-Command any(Dice& dice, Kind<ResetSensor>) {
-    return ResetSensor{dice.flip() ? Token("Odometry") : dice.token(), dice.name()};
-}
-Command any(Dice& dice, Kind<ScanNow>) {
-    return ScanNow{dice.flip() ? Token("RangeScanner") : dice.token(), dice.name()};
-}
-Command any(Dice& dice, Kind<ReadTag>) {
-    return ReadTag{dice.token(), dice.name()};
-}
-Command any(Dice& dice, Kind<WriteTag>) {
-    return WriteTag{dice.token(), dice.text(), dice.name()};
-}
-Command any(Dice& dice, Kind<ReleaseTag>) {
-    return ReleaseTag{dice.name()};
-}
-Command any(Dice& dice, Kind<CountTags>) {
-    return CountTags{dice.name()};
-}
-Command any(Dice& dice, Kind<UseGripper>) {
-    return UseGripper{dice.oneOf<GripperAction>(4), dice.name()};
-}
-Command any(Dice& dice, Kind<UseToolChanger>) {
-    return UseToolChanger{dice.flip(), dice.name()};
-}
-Command any(Dice& dice, Kind<SetItem>) {
-    return SetItem{dice.token(), dice.token(), dice.name(), dice.text()};
-}
-Command any(Dice& dice, Kind<SetJoint>) {
-    return SetJoint{dice.token(), dice.oneOf<JointOpcode>(7), dice.number(), dice.perhapsNumber()};
-}
-Command any(Dice& dice, Kind<ZoomCamera>) {
-    return ZoomCamera{dice.number(), dice.name()};
-}
-Command any(Dice& dice, Kind<AttachCamera>) {
-    return AttachCamera{dice.token(), dice.token(), dice.name()};
-}
-Command any(Dice& dice, Kind<DetachCamera>) {
-    return DetachCamera{dice.token()};
-}
-Command any(Dice& dice, Kind<SetViewports>) {
-    return SetViewports{dice.oneOf<ViewLayout>(2), {dice.name(), "Disabled", "None", dice.name()}};
-}
-Command any(Dice& dice, Kind<PackageDrive>) {
-    const auto target = [&] { return LinkTarget{dice.whole(), dice.number(), dice.oneOf<LinkOrder>(3)}; };
-    return PackageDrive{dice.token(), dice.several(0, target), dice.perhaps(&Dice::whole), dice.perhaps(&Dice::flip)};
-}
-Command any(Dice& dice, Kind<PackageRotation>) {
-    return PackageRotation{dice.token(), dice.number(), dice.number(), dice.oneOf<LinkOrder>(3)};
-}
-Command any(Dice& dice, Kind<ActuatorDrive>) {
-    const auto target = [&] { return LinkValue{dice.whole(), dice.number()}; };
-    return ActuatorDrive{dice.token(), dice.several(0, target), dice.perhaps(&Dice::flip), dice.perhaps(&Dice::whole)};
-}
-Command any(Dice& dice, Kind<Trace>) {
-    const auto color = dice.oneOf<TraceColor>(7);
-    return Trace{dice.flip(), dice.perhaps(&Dice::seconds), dice.flip() ? std::optional(color) : std::nullopt};
-}
-Command any(Dice& dice, Kind<CreateObject>) {
-    const auto physics = dice.oneOf<ObjectPhysics>(2);
-    return CreateObject{dice.token(),
-                        dice.name(),
-                        dice.start(),
-                        dice.perhaps(&Dice::vector),
-                        dice.flip() ? std::optional(physics) : std::nullopt,
-                        dice.perhaps(&Dice::flip),
-                        dice.text(),
-                        dice.name()};
-}
-Command any(Dice& dice, Kind<KillObject>) {
-    return KillObject{dice.token()};
-}
-Command any(Dice& dice, Kind<KillAllObjects>) {
-    if (dice.flip())
-        return KillAllObjects{};
-    return KillAllObjects{Box{dice.vector(), dice.vector()}};
-}
-Command any(Dice& dice, Kind<PlaceObject>) {
-    return PlaceObject{dice.token(), dice.pose()};
-}
-Command any(Dice& dice, Kind<ShiftObject>) {
-    return ShiftObject{dice.token(), dice.pose()};
-}
-Command any(Dice& dice, Kind<SpinObject>) {
-    return SpinObject{dice.token(), dice.vector()};
-}
-Command any(Dice& dice, Kind<RunConveyor>) {
-    return RunConveyor{dice.token(), dice.number()};
-}
-Command any(Dice& dice, Kind<AddWaypoints>) {
-    return AddWaypoints{dice.token(), dice.several(0, [&] { return dice.vector(); })};
-}
-Command any(Dice& dice, Kind<ClearWaypoints>) {
-    return ClearWaypoints{dice.token()};
-}
-Command any(Dice& dice, Kind<FollowWaypoints>) {
-    FollowWaypoints follow{
-        dice.token(), {}, dice.perhaps(&Dice::flip), dice.perhaps(&Dice::flip), dice.perhaps(&Dice::flip)};
-    if (dice.flip())
-        follow.pace = WaypointSpeed{dice.number()};
-    else
-        follow.pace = dice.seconds();
-    return follow;
-}
-Command any(Dice& dice, Kind<GetObjectStates>) {
-    return GetObjectStates{dice.name(), dice.name()};
-}
-Command any(Dice& dice, Kind<GetClosestPathNode>) {
-    return GetClosestPathNode{dice.vector()};
-}
-Command any(Dice& dice, Kind<GoToNode>) {
-    return GoToNode{dice.token()};
-}
-Command any(Dice& dice, Kind<WalkTo>) {
-    WalkTo walk{Vec2(dice.number(), dice.number()), dice.oneOf<Gait>(3), dice.flip()};
-    if (dice.flip())
-        walk.goal = dice.token();
-    return walk;
-}
-Command any(Dice& dice, Kind<Lockstep>) {
-    return Lockstep{dice.flip()};
-}
-Command any(Dice& dice, Kind<Pause>) {
-    return Pause{dice.seconds()};
-}
-/// What has nothing to choose.
-template <class T>
-Command any(Dice&, Kind<T>) {
-    static_assert(std::is_empty_v<T>);
-    return T{};
+Command any(Random& random, Dialect dialect) {
+    Dice dice(random, dialect);
+    if constexpr (std::is_same_v<T, RawCommand>) {
+        return RawCommand{"X" + dice.word() + " {" + dice.word() + "}"};
+    } else {
+        T command = blank<T>();
+        T::segments(dice, command);
+        return command;
+    }
 }
 
 template <std::size_t... kind>
 constexpr auto makersOf(std::index_sequence<kind...>) {
-    using Make = Command (*)(Dice&);
-    return std::array<Make, sizeof...(kind)>{
-        [](Dice& dice) { return any(dice, Kind<std::variant_alternative_t<kind, CommandVariant>>{}); }...};
+    using Make = Command (*)(Random&, Dialect);
+    return std::array<Make, sizeof...(kind)>{any<std::variant_alternative_t<kind, CommandVariant>>...};
 }
 
 } // namespace
@@ -286,8 +179,7 @@ namespace any {
 
 Command command(std::size_t kind, Dialect dialect, Random& random) {
     static constexpr auto makers = makersOf(std::make_index_sequence<kinds>());
-    Dice dice{random, dialect};
-    return makers[kind](dice);
+    return makers[kind](random, dialect);
 }
 
 } // namespace any

@@ -1,6 +1,7 @@
 // What becomes of malformed info lines: each row of protocol.md 1.6 and 1.7, and a hostile server.
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -28,16 +29,18 @@ QByteArray joined(const GenericMessage& message) {
 class tst_BadLines : public QObject {
     Q_OBJECT
 private slots:
-    void malformedSegmentsAreMended_data();
-    void malformedSegmentsAreMended();
+    void malformedSegmentsAreRepaired_data();
+    void malformedSegmentsAreRepaired();
     void numbersInAllSpellings_data();
     void numbersInAllSpellings();
+    void neverInventsAPose_data();
+    void neverInventsAPose();
     void aHostileLineCostsOneDiagnostic_data();
     void aHostileLineCostsOneDiagnostic();
     void anEndlessLineIsDroppedAndReadingGoesOn();
 };
 
-void tst_BadLines::malformedSegmentsAreMended_data() {
+void tst_BadLines::malformedSegmentsAreRepaired_data() {
     QTest::addColumn<QByteArray>("line");
     QTest::addColumn<QByteArray>("segments");
     QTest::addColumn<int>("diagnostics");
@@ -59,7 +62,7 @@ void tst_BadLines::malformedSegmentsAreMended_data() {
     row("bytes above 127", "X {Mem caf\xe9}", "X|Mem=caf\xe9", 0);
 }
 
-void tst_BadLines::malformedSegmentsAreMended() {
+void tst_BadLines::malformedSegmentsAreRepaired() {
     QFETCH(QByteArray, line);
     QFETCH(QByteArray, segments);
     QFETCH(int, diagnostics);
@@ -85,7 +88,7 @@ void tst_BadLines::numbersInAllSpellings_data() {
     row("leading dot", ".4", 0.4, true);
     row("leading zeros", "020", 20.0, true);
     row("decimal comma", "1,00", 1.0, false);
-    row("junk behind", "5m", 5.0, false);
+    row("junk after the number", "5m", 5.0, false);
     row("a word", "abc", none, false);
     row("nan", "nan", none, false);
     row("INF", "INF", none, false);
@@ -142,6 +145,39 @@ void tst_BadLines::anEndlessLineIsDroppedAndReadingGoesOn() {
     splitter.feed("\r\nSTA {Time 1}\r\n", [&](std::string_view line) { lines.emplace_back(line); });
     QCOMPARE(splitter.overlongCount(), std::size_t(1));
     QVERIFY(lines == std::vector<std::string>{"STA {Time 1}"});
+}
+
+void tst_BadLines::neverInventsAPose_data() {
+    QTest::addColumn<QByteArray>("line");
+    const auto row = [](const char* name, const char* line) { QTest::newRow(name) << QByteArray(line); };
+    row("a missing number", "SEN {Type INS} {Name I} {Location 1,2} {Orientation 0,0,0}");
+    row("a number too many", "SEN {Type INS} {Name I} {Location 1,2,3,4} {Orientation 0,0,0}");
+    row("not a number", "SEN {Type GroundTruth} {Name G} {Location 1,nan,3} {Orientation 0,0,0}");
+    row("infinite", "SEN {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,1.#INF}");
+    row("junk after a number", "SEN {Type GroundTruth} {Name G} {Location 1,2x,3} {Orientation 0,0,0}");
+    row("no orientation", "SEN {Type INS} {Name I} {Location 1,2,3}");
+    row("no location", "SEN {Type GroundTruth} {Name I} {Orientation 1,2,3}");
+    row("a word", "SEN {Type Odometry} {Name O} {Pose here}");
+    row("a start pose cut short", "NFO {StartPoses 1} {A 1,2,3 0,0}");
+    row("a start pose with junk", "NFO {StartPoses 1} {A 1,2,3 0,b,0 B 1,2,3 0,0,0}");
+    row("a named start pose without orientation", "NFO {StartPoses 1} {Name A Location 1,2,3}");
+    row("a mount that is nowhere", "GEO {Type Sonar} {Name F1 Location 1,x,3 Orientation 0,0,0 Mount HARD}");
+    row("a mount without location", "GEO {Type Sonar} {Name F1} {Orientation 0,0,0} {Mount HARD}");
+    row("a robot without size", "GEO {Type GroundVehicle} {Name P} {Dimensions 1,2}");
+    row("a scanner without angles", "SEN {Type RangeScanner} {Name S} {Range 1,2,3}");
+    row("a scanner of nan angles", "SEN {Type RangeScanner} {Name S} {FOV nan} {Resolution 1} {Range 1,2,3}");
+    row("half a tick", "SEN {Type Encoder} {Name L Tick 1.5}");
+    row("a result without status", "RES {Type INS} {Name INS}");
+}
+
+void tst_BadLines::neverInventsAPose() {
+    QFETCH(QByteArray, line);
+    Reader reader;
+    const InfoLine result = reader.read(line.toStdString());
+    QVERIFY(std::holds_alternative<GenericMessage>(result.message));
+    QVERIFY(std::ranges::count(result.diagnostics, Severity::Error, &Diagnostic::severity) >= 1);
+    for (const Diagnostic& diagnostic : result.diagnostics)
+        QVERIFY(diagnostic.offset <= static_cast<std::size_t>(line.size()));
 }
 
 USAR_TEST(tst_BadLines)

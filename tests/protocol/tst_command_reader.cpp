@@ -54,8 +54,8 @@ private slots:
     void readsEveryKind_data();
     void readsEveryKind();
     void readsWhatClientsSend();
-    void mendsWhatServersTolerate_data();
-    void mendsWhatServersTolerate();
+    void repairsWhatServersTolerate_data();
+    void repairsWhatServersTolerate();
     void takesNumbersAsServersDo_data();
     void takesNumbersAsServersDo();
     void keepsTheRestRaw_data();
@@ -122,8 +122,8 @@ void tst_CommandReader::yawRateFollowsTheDialect() {
     const std::string physical = "DRIVE {RotationalVelocity 90} {Normalized false}";
     QCOMPARE(std::get<AerialDrive>(take(physical).command).yaw_rate_rad_s.value(), -90.0);
     QCOMPARE(std::get<AerialDrive>(take(physical, Dialect::Udk).command).yaw_rate_rad_s.value(), -pi / 2);
-    const std::string per_cent = "DRIVE {RotationalVelocity 90} {Normalized true}";
-    QCOMPARE(std::get<AerialDrive>(take(per_cent, Dialect::Udk).command).yaw_rate_rad_s.value(), -90.0);
+    const std::string percent = "DRIVE {RotationalVelocity 90} {Normalized true}";
+    QCOMPARE(std::get<AerialDrive>(take(percent, Dialect::Udk).command).yaw_rate_rad_s.value(), -90.0);
 }
 
 void tst_CommandReader::readsQuestions_data() {
@@ -245,7 +245,7 @@ void tst_CommandReader::readsWhatClientsSend() {
     }
 }
 
-void tst_CommandReader::mendsWhatServersTolerate_data() {
+void tst_CommandReader::repairsWhatServersTolerate_data() {
     QTest::addColumn<bool>("as_expected");
     QTest::addColumn<int>("diagnostics");
     QTest::addColumn<int>("expected_diagnostics");
@@ -261,8 +261,8 @@ void tst_CommandReader::mendsWhatServersTolerate_data() {
     row("repeated key: the first wins", "DRIVE {Left 1} {Left 2}", skid(1), 0);
     row("repeated key where the code walks the list", "MISPKG {Name A} {Link 1} {Value 2} {Link 1} {Value 3}",
         PackageDrive{"A", {{1, 2.0}, {1, 3.0}}}, 0);
-    row("segment without a value, and those behind it", "DRIVE {abc} {Left 1}", skid(1), 0);
-    row("empty value, and those behind it", "GETGEO {Name } {Type Sonar}", GetGeometry{"Sonar"}, 0);
+    row("segment without a value, and those after it", "DRIVE {abc} {Left 1}", skid(1), 0);
+    row("empty value, and those after it", "GETGEO {Name } {Type Sonar}", GetGeometry{"Sonar"}, 0);
     row("no closing brace", "DRIVE {Left 1", skid(1), 1);
     row("stray closing brace", "DRIVE {Left 1} } {Right 2}}", SkidDrive{1.0, 2.0}, 0);
     row("an opening brace inside", "DRIVE {Left 1 {Right 2}", skid(1), 2);
@@ -286,7 +286,7 @@ void tst_CommandReader::mendsWhatServersTolerate_data() {
     row("a name of two words", "CONTROL {Type Kill} {Name Box 1}", KillObject{"Box1"}, 1);
 }
 
-void tst_CommandReader::mendsWhatServersTolerate() {
+void tst_CommandReader::repairsWhatServersTolerate() {
     QFETCH(bool, as_expected);
     QFETCH(int, diagnostics);
     QFETCH(int, expected_diagnostics);
@@ -303,7 +303,7 @@ void tst_CommandReader::takesNumbersAsServersDo_data() {
     QTest::newRow("leading zeros") << QByteArray("020") << 20.0 << 0;
     QTest::newRow("plus") << QByteArray("+1.5") << 1.5 << 0;
     QTest::newRow("decimal comma") << QByteArray("1,00") << 1.0 << 1;
-    QTest::newRow("unit behind") << QByteArray("2rad") << 2.0 << 1;
+    QTest::newRow("a unit after the number") << QByteArray("2rad") << 2.0 << 1;
     QTest::newRow("a word is nothing") << QByteArray("fast") << 0.0 << 1;
     QTest::newRow("no value is nothing") << QByteArray("") << 0.0 << 1;
     QTest::newRow("not a number drives nowhere") << QByteArray("nan") << 0.0 << 1;
@@ -396,7 +396,8 @@ void tst_CommandReader::randomBytesAreTaken() {
     }
 }
 
-/// Keys that a command knows, with values that it may not like: whatever is made of them says itself on the wire.
+/// Keys that a command knows, with values that it may refuse: whatever is read from them is written in the same way
+/// again.
 void tst_CommandReader::whatIsTakenFromAnOddLineIsWrittenSo() {
     const std::vector<std::string> values = {"",     "1",    "-0.5",   "1e9", "1,2,3", "1 2 3", "4,5",
                                              "nan",  "a",    "a b",    "x{",  "true",  "None",  "1,2;3",

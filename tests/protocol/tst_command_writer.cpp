@@ -10,51 +10,14 @@ namespace tst_command_writer {
 using namespace usar;
 using namespace usar::protocol;
 
-class tst_CommandWriter : public QObject {
-    Q_OBJECT
-private slots:
-    void writingThenReadingIsTheIdentity_data();
-    void writingThenReadingIsTheIdentity();
-    void spellsLinesAsStrictServersWantThem_data();
-    void spellsLinesAsStrictServersWantThem();
-    void udkHasItsOwnSpelling_data();
-    void udkHasItsOwnSpelling();
-    void degreesKeepEveryBitOfTheRadians();
-    void appendsToWhatIsThere();
-    void whatIsNoNumberIsZero();
-    void perCentEndAtAHundred();
-    void noTextCanBreakTheLine_data();
-    void noTextCanBreakTheLine();
-    void factoriesMakeWhatTheyAreNamedAfter();
-};
+namespace {
 
-void tst_CommandWriter::writingThenReadingIsTheIdentity_data() {
-    QTest::addColumn<Dialect>("dialect");
-    QTest::newRow("UT2004") << Dialect::Ut2004;
-    QTest::newRow("UDK") << Dialect::Udk;
+void row(const char* name, const Command& command, const char* line) {
+    QCOMPARE(QByteArray::fromStdString(write(command)), QByteArray(line));
+    QTest::newRow(name) << QByteArray(line);
 }
 
-void tst_CommandWriter::writingThenReadingIsTheIdentity() {
-    QFETCH(Dialect, dialect);
-    Random random = seeded(42, 1);
-    std::string line;
-    for (std::size_t i = 0; i < 1000 * any::kinds; ++i) {
-        const Command command = any::command(i % any::kinds, dialect, random);
-        line.clear();
-        write(command, dialect, line);
-        Diagnostics diagnostics;
-        const Command again = readCommand(line, diagnostics, dialect);
-        QVERIFY2(again == command, line.c_str());
-        QVERIFY2(diagnostics.empty(), (line + "  " + (diagnostics.empty() ? "" : diagnostics[0].message)).c_str());
-    }
-}
-
-void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
-    QTest::addColumn<QByteArray>("line");
-    const auto row = [](const char* name, const Command& command, const char* line) {
-        QCOMPARE(QByteArray::fromStdString(write(command)), QByteArray(line));
-        QTest::newRow(name) << QByteArray(line);
-    };
+void spawnsAndDrives() {
     row("spawn at a pose", Init{"USARBot.AirRobot", "R1", Pose{{4.5, -1.9, 1.8}, 0.5, 0.25, -1.5}, {}},
         "INIT {ClassName USARBot.AirRobot} {Name R1} {Location 4.5,1.9,-1.8} {Rotation 0.5,-0.25,1.5}");
     row("spawn at a name", Init{"USARBot.P3AT", {}, "PlayerStart", {}},
@@ -82,6 +45,9 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
         "DRIVE {Name FrontLeft} {Order 1} {Value 2} {Steer 0.5} {Normalized false}");
     row("flippers", MultiDrive{{{"FRFlipper", 0.5}, {"FLFlipper", -0.5}}},
         "MULTIDRIVE {FRFlipper 0.5} {FLFlipper -0.5}");
+}
+
+void questionsAndSettings() {
     row("geometry", GetGeometry{"Sonar"}, "GETGEO {Type Sonar}");
     row("geometry of the robot", GetGeometry{"Robot", "P3AT"}, "GETGEO {Type Robot} {Name P3AT}");
     row("packages", GetConfiguration{packageType(Dialect::Ut2004)}, "GETCONF {Type MisPkg}");
@@ -110,6 +76,9 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
     row("four views", SetViewports{ViewLayout::Quad, {"Cam1", "Cam2", "Disabled", "None"}},
         "SET {Type Viewports} {Config QuadView} {Viewport1 Cam1} {Viewport2 Cam2} {Viewport3 Disabled} {Viewport4 "
         "None}");
+}
+
+void packagesAndMarks() {
     row("pan and tilt", PackageDrive{"Arm", {{1, 0.5}, {2, 0.25, LinkOrder::Speed}}},
         "MISPKG {Name Arm} {Link 1} {Value 0.5} {Order 0} {Link 2} {Value 0.25} {Order 1}");
     row("the old way to turn", PackageRotation{"Cam1", 0.25, 0.5},
@@ -119,6 +88,9 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
         "ACT {Name Arm} {Link 1} {Value 0.5} {Link 3} {Value 0}");
     row("an actuator's hand", ActuatorDrive{"Arm", {}, false, 2}, "ACT {Name Arm} {Gripper 0} {Sequence 2}");
     row("marks", Trace{true, Seconds(0.5), TraceColor::Red}, "TRACE {On true} {Interval 0.5} {Color Red}");
+}
+
+void objects() {
     row("an object",
         CreateObject{"Box", "B1", Pose{{1, -2, -1.5}, 0, 0, -0.5}, Vec3(1, 1, 2), ObjectPhysics::RigidBody, false,
                      "hello there", "M_Wood"},
@@ -142,6 +114,9 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
     row("follow in a time", FollowWaypoints{"B1", Seconds(10), false, true, true},
         "CONTROL {Type SetWP} {Name B1} {Time 10} {Loop false} {ResetOnClear true} {Moving true}");
     row("objects' states", GetObjectStates{"B1", "Box"}, "CONTROL {Type GetSTA} {Name B1} {ClassName Box}");
+}
+
+void avatarsAndSimulation() {
     row("path nodes", GetPathNodes{}, "GETPATHNODES");
     row("the next path node", GetClosestPathNode{{3, -4, 0}}, "GETCLOSESTPATHNODE {Location 3,4,0}");
     row("go", GoToNode{"PathNode_3"}, "GOTO {Name PathNode_3}");
@@ -156,9 +131,59 @@ void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
     row("raw", RawCommand{"DIE {Killer x}"}, "DIE {Killer x}");
 }
 
+} // namespace
+
+class tst_CommandWriter : public QObject {
+    Q_OBJECT
+private slots:
+    void writingThenReadingIsTheIdentity_data();
+    void writingThenReadingIsTheIdentity();
+    void spellsLinesAsStrictServersWantThem_data();
+    void spellsLinesAsStrictServersWantThem();
+    void udkHasItsOwnSpelling_data();
+    void udkHasItsOwnSpelling();
+    void degreesKeepEveryBitOfTheRadians();
+    void appendsToWhatIsThere();
+    void whatIsNoNumberIsZero();
+    void percentEndAtAHundred();
+    void noTextCanBreakTheLine_data();
+    void noTextCanBreakTheLine();
+    void factoriesMakeWhatTheyAreNamedAfter();
+};
+
+void tst_CommandWriter::writingThenReadingIsTheIdentity_data() {
+    QTest::addColumn<Dialect>("dialect");
+    QTest::newRow("UT2004") << Dialect::Ut2004;
+    QTest::newRow("UDK") << Dialect::Udk;
+}
+
+void tst_CommandWriter::writingThenReadingIsTheIdentity() {
+    QFETCH(Dialect, dialect);
+    Random random = seeded(42, 1);
+    std::string line;
+    for (std::size_t i = 0; i < 1000 * any::kinds; ++i) {
+        const Command command = any::command(i % any::kinds, dialect, random);
+        line.clear();
+        write(command, dialect, line);
+        Diagnostics diagnostics;
+        const Command again = readCommand(line, diagnostics, dialect);
+        QVERIFY2(again == command, line.c_str());
+        QVERIFY2(diagnostics.empty(), (line + "  " + (diagnostics.empty() ? "" : diagnostics[0].message)).c_str());
+    }
+}
+
+void tst_CommandWriter::spellsLinesAsStrictServersWantThem_data() {
+    QTest::addColumn<QByteArray>("line");
+    spawnsAndDrives();
+    questionsAndSettings();
+    packagesAndMarks();
+    objects();
+    avatarsAndSimulation();
+}
+
 void tst_CommandWriter::spellsLinesAsStrictServersWantThem() {
     QFETCH(QByteArray, line);
-    // Compared where the row is made, for the command is no meta type; here: what we send we take.
+    // row() has compared the text, because a command is no meta type. Here our reader takes what our writer sends.
     Diagnostics diagnostics;
     QCOMPARE(QByteArray::fromStdString(write(readCommand(line.toStdString(), diagnostics))), line);
 }
@@ -171,7 +196,7 @@ void tst_CommandWriter::udkHasItsOwnSpelling_data() {
     };
     row("degrees per second", AerialDrive{.yaw_rate_rad_s = -pi / 2},
         "DRIVE {RotationalVelocity 90} {Normalized false}");
-    row("per cent stay per cent", AerialDrive{.yaw_rate_rad_s = -50.0, .normalized = true},
+    row("percent stay percent", AerialDrive{.yaw_rate_rad_s = -50.0, .normalized = true},
         "DRIVE {RotationalVelocity 50} {Normalized true}");
     row("attitude in degrees", AerialDrive{.pitch_rad = -pi / 9, .roll_rad = -pi / 9},
         "DRIVE {Normalized false} {PitchAngle 20} {RollAngle -20}");
@@ -208,7 +233,7 @@ void tst_CommandWriter::appendsToWhatIsThere() {
     QCOMPARE(out, std::string("STEP\r\nGETSTARTPOSES"));
 }
 
-/// As a server would read it; and no zero has a sign.
+/// A server would read it so. No zero has a sign.
 void tst_CommandWriter::whatIsNoNumberIsZero() {
     constexpr double endless = std::numeric_limits<double>::infinity();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -220,7 +245,7 @@ void tst_CommandWriter::whatIsNoNumberIsZero() {
     QCOMPARE(write(Pause{Seconds(endless)}), std::string("PAUSE {Time 0}"));
 }
 
-void tst_CommandWriter::perCentEndAtAHundred() {
+void tst_CommandWriter::percentEndAtAHundred() {
     QCOMPARE(write(SkidDrive{250.0, -250.0, true}), std::string("DRIVE {Left 100} {Right -100} {Normalized true}"));
     QCOMPARE(write(SkidDrive{250.0, -250.0, false}), std::string("DRIVE {Left 250} {Right -250} {Normalized false}"));
     Diagnostics diagnostics;
@@ -239,7 +264,7 @@ void tst_CommandWriter::noTextCanBreakTheLine_data() {
     QTest::newRow("nothing") << QByteArray() << false << true << true;
     QTest::newRow("two words") << QByteArray("my robot") << false << false << true;
     QTest::newRow("a space before") << QByteArray(" R1") << false << false << false;
-    QTest::newRow("a space behind") << QByteArray("R1 ") << false << false << false;
+    QTest::newRow("a space after it") << QByteArray("R1 ") << false << false << false;
     QTest::newRow("an opening brace") << QByteArray("R{1") << false << false << false;
     QTest::newRow("a closing brace") << QByteArray("R}1") << false << false << false;
     QTest::newRow("a line end") << QByteArray("R1}\r\nDRIVE {Left 9") << false << false << false;

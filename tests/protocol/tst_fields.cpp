@@ -36,25 +36,11 @@ QByteArray shown(const std::string& line) {
     return text;
 }
 
-} // namespace
+void row(const char* name, const char* line, const char* expected) {
+    QTest::newRow(name) << QByteArray(line) << QByteArray(expected);
+}
 
-class tst_Fields : public QObject {
-    Q_OBJECT
-private slots:
-    void namesEveryValueOfAMessage_data();
-    void namesEveryValueOfAMessage();
-    void aScanIsSummedUpWithoutItsGaps();
-    void everyLineOfTheCorpusShowsItsNews();
-    void tellsTheTimeOfAnyMessage_data();
-    void tellsTheTimeOfAnyMessage();
-};
-
-void tst_Fields::namesEveryValueOfAMessage_data() {
-    QTest::addColumn<QByteArray>("line");
-    QTest::addColumn<QByteArray>("expected");
-    const auto row = [](const char* name, const char* line, const char* expected) {
-        QTest::newRow(name) << QByteArray(line) << QByteArray(expected);
-    };
+void newsAndReadings() {
     row("greeting", "NFO {Gametype G} {Level L} {TimeLimit 20}",
         "NFO/game_type=G; NFO/level=L; NFO/time_limit=20.00min");
     row("start poses", "NFO {StartPoses 1} {A 1,2,3 0,0,0.5}",
@@ -84,6 +70,9 @@ void tst_Fields::namesEveryValueOfAMessage_data() {
     row("INS has a stream of its own", "SEN {Type INS} {Name I} {Location 1,2,3} {Orientation 0,0,0}",
         "SEN INS/I/x=1.00m; SEN INS/I/y=-2.00m; SEN INS/I/z=-3.00m; SEN INS/I/roll=0.00rad; SEN INS/I/pitch=-0.00rad; "
         "SEN INS/I/yaw=-0.00rad");
+}
+
+void answersAndUnknowns() {
     row("geometry of a robot",
         "GEO {Type GroundVehicle} {Name P} {Dimensions 1,2,3} {COG 0,1,2} {WheelRadius 4} "
         "{WheelSeparation 5} {WheelBase 6}",
@@ -113,6 +102,26 @@ void tst_Fields::namesEveryValueOfAMessage_data() {
     row("generic long list", "SEN {Type Depth} {Name D} {Values 1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,}",
         "SEN Depth/D/Values.count=17.00; SEN Depth/D/Values.minimum=1.00; SEN Depth/D/Values.mean=9.00; "
         "SEN Depth/D/Values.maximum=17.00");
+}
+
+} // namespace
+
+class tst_Fields : public QObject {
+    Q_OBJECT
+private slots:
+    void namesEveryValueOfAMessage_data();
+    void namesEveryValueOfAMessage();
+    void aScanIsSummedUpWithoutItsGaps();
+    void everyLineOfTheCorpusShowsItsNews();
+    void tellsTheTimeOfAnyMessage_data();
+    void tellsTheTimeOfAnyMessage();
+};
+
+void tst_Fields::namesEveryValueOfAMessage_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QByteArray>("expected");
+    newsAndReadings();
+    answersAndUnknowns();
 }
 
 void tst_Fields::namesEveryValueOfAMessage() {

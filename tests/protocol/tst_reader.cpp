@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/protocol/reader.h"
@@ -32,10 +33,7 @@ bool near(const Pose& pose, const Vec3& position_m, const Vec3& angles_rad) {
 }
 
 int countOf(const Diagnostics& diagnostics, Severity severity) {
-    int count = 0;
-    for (const Diagnostic& diagnostic : diagnostics)
-        count += diagnostic.severity == severity;
-    return count;
+    return static_cast<int>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
 }
 
 } // namespace
@@ -69,8 +67,6 @@ private slots:
     void readsResponsesOfAnyCase();
     void notANumberAmongRangesIsNanAndAWarning_data();
     void notANumberAmongRangesIsNanAndAWarning();
-    void neverInventsAPose_data();
-    void neverInventsAPose();
     void warnsOfDamageAndKeepsTheRest_data();
     void warnsOfDamageAndKeepsTheRest();
     void keepsUnknownLinesWhole();
@@ -411,38 +407,6 @@ void tst_Reader::notANumberAmongRangesIsNanAndAWarning() {
     QCOMPARE(sonars->ranges.size(), std::size_t(2));
     QVERIFY(std::isnan(sonars->ranges[0].range_m));
     QCOMPARE(countOf(sonar_line.diagnostics, Severity::Warning), 1);
-}
-
-void tst_Reader::neverInventsAPose_data() {
-    QTest::addColumn<QByteArray>("line");
-    const auto row = [](const char* name, const char* line) { QTest::newRow(name) << QByteArray(line); };
-    row("a missing number", "SEN {Type INS} {Name I} {Location 1,2} {Orientation 0,0,0}");
-    row("a number too many", "SEN {Type INS} {Name I} {Location 1,2,3,4} {Orientation 0,0,0}");
-    row("not a number", "SEN {Type GroundTruth} {Name G} {Location 1,nan,3} {Orientation 0,0,0}");
-    row("infinite", "SEN {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,1.#INF}");
-    row("junk behind a number", "SEN {Type GroundTruth} {Name G} {Location 1,2x,3} {Orientation 0,0,0}");
-    row("no orientation", "SEN {Type INS} {Name I} {Location 1,2,3}");
-    row("no location", "SEN {Type GroundTruth} {Name I} {Orientation 1,2,3}");
-    row("a word", "SEN {Type Odometry} {Name O} {Pose here}");
-    row("a start pose cut short", "NFO {StartPoses 1} {A 1,2,3 0,0}");
-    row("a start pose with junk", "NFO {StartPoses 1} {A 1,2,3 0,b,0 B 1,2,3 0,0,0}");
-    row("a named start pose without orientation", "NFO {StartPoses 1} {Name A Location 1,2,3}");
-    row("a mount that is nowhere", "GEO {Type Sonar} {Name F1 Location 1,x,3 Orientation 0,0,0 Mount HARD}");
-    row("a mount without location", "GEO {Type Sonar} {Name F1} {Orientation 0,0,0} {Mount HARD}");
-    row("a robot without size", "GEO {Type GroundVehicle} {Name P} {Dimensions 1,2}");
-    row("a scanner without angles", "SEN {Type RangeScanner} {Name S} {Range 1,2,3}");
-    row("a scanner of nan angles", "SEN {Type RangeScanner} {Name S} {FOV nan} {Resolution 1} {Range 1,2,3}");
-    row("half a tick", "SEN {Type Encoder} {Name L Tick 1.5}");
-    row("a result without status", "RES {Type INS} {Name INS}");
-}
-
-void tst_Reader::neverInventsAPose() {
-    QFETCH(QByteArray, line);
-    const InfoLine result = read(line.toStdString());
-    QVERIFY(std::holds_alternative<GenericMessage>(result.message));
-    QVERIFY(countOf(result.diagnostics, Severity::Error) >= 1);
-    for (const Diagnostic& diagnostic : result.diagnostics)
-        QVERIFY(diagnostic.offset <= static_cast<std::size_t>(line.size()));
 }
 
 void tst_Reader::warnsOfDamageAndKeepsTheRest_data() {

@@ -15,7 +15,7 @@ using protocol::Segments;
 
 namespace {
 
-/// "WORD|key=value|key=value", and what was wrong behind "!": one letter a diagnostic (N, W, E).
+/// "WORD|key=value|key=value", and what was wrong after "!": one letter a diagnostic (N, W, E).
 QByteArray summary(const std::string& line) {
     Segments segments;
     Diagnostics diagnostics;
@@ -67,7 +67,7 @@ void tst_Segments::cutsALineAsServersDo_data() {
     row("braces around nothing", "A {} {  } {B 1}", "A|B=1");
     row("stray closing brace", "A } {B 1} } {C 2}}", "A }|B=1|C=2");
     row("closing brace missing at the end", "INIT {Name r} {Rotation 0,0,0", "INIT|Name=r|Rotation=0,0,0!W");
-    row("nothing behind an opening brace", "INIT {Name r} {", "INIT|Name=r!W");
+    row("nothing after an opening brace", "INIT {Name r} {", "INIT|Name=r!W");
     row("brace inside a segment", "C {A 1 {B 2} {D 3}", "C|A=1 {B 2|D=3!W");
     row("value only", "SET {0.785398}", "SET|0.785398=");
     row("semicolon list without key", "SEN {1,2,3;4,5,6}", "SEN|1,2,3;4,5,6=");

@@ -36,25 +36,7 @@ void row(const char* name, const char* container, const char* line, const char* 
     QTest::newRow(name) << QByteArray(container) << QByteArray(line) << QByteArray(expected);
 }
 
-} // namespace
-
-class tst_SensorTable : public QObject {
-    Q_OBJECT
-private slots:
-    void readsEveryTypeIntoItsContainer_data();
-    void readsEveryTypeIntoItsContainer();
-    void everyTypeComesBackFromTheWire_data() { readsEveryTypeIntoItsContainer_data(); }
-    void everyTypeComesBackFromTheWire();
-    void everyTypeIsReadInAnyCase_data() { readsEveryTypeIntoItsContainer_data(); }
-    void everyTypeIsReadInAnyCase();
-    void damageLeavesTheLineGenericAndSaysWhy_data();
-    void damageLeavesTheLineGenericAndSaysWhy();
-};
-
-void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
-    QTest::addColumn<QByteArray>("container");
-    QTest::addColumn<QByteArray>("line");
-    QTest::addColumn<QByteArray>("expected");
+void rangesAndPoints() {
     row("IR, grouped", "RangeReadings", "SEN {Time 1.5} {Type IR} {Name A Range 0.5122} {Name B Range 0.8}",
         "A/range=0.512m; B/range=0.800m");
     row("single ray", "RangeReadings", "SEN {Time 41.6} {Type Range} {Name ray} {Range 4.2119}", "ray/range=4.212m");
@@ -82,6 +64,9 @@ void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
         "l/x=1.000m; l/y=-2.000m; l/z=-3.000m; l/roll=0.000rad; l/pitch=-0.000rad; l/yaw=-1.500rad; l/count=2.000; "
         "l/smallest.x=1.000m; l/smallest.y=-0.500m; l/smallest.z=-0.000m; l/largest.x=2.000m; l/largest.y=-0.250m; "
         "l/largest.z=1.000m");
+}
+
+void posesAndMotion() {
     row("attitude only", "InuReading", "SEN {Type INU} {Name I} {Orientation 0.00,0.25,1.50}",
         "I/orientation.roll=0.000rad; I/orientation.pitch=-0.250rad; I/orientation.yaw=-1.500rad");
     row("position fix", "GpsReading",
@@ -119,6 +104,9 @@ void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
         "P PlayerNum 4/x=3.000m; P PlayerNum 4/y=1.000m; P PlayerNum 4/z=-1.500m; "
         "P PlayerNum 4/position_uu.x=750.000; P PlayerNum 4/position_uu.y=-250.000; "
         "P PlayerNum 4/position_uu.z=-375.000");
+}
+
+void thingsFound() {
     row("touch, grouped", "TouchReadings", "SEN {Type Touch} {Name L Touch False} {Name R Touch True}",
         "L/touched=False; R/touched=True");
     row("ring of bumpers", "TouchReadings", "SEN {Time 31} {Type TouchArray} {Name ring} {Touch True}",
@@ -150,6 +138,9 @@ void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
         "A/silence=False; A Direction 1/far=False; A Direction 1/direction.x=0.000; A Direction 1/direction.y=-1.000; "
         "A Direction 1/direction.z=-0.000; A Direction 1/volume=0.500; A Direction 1/duration=1.500s; "
         "A Direction 1/delay=0.250s; A Direction 2/far=True");
+}
+
+void surroundings() {
     row("gas", "GasReading", "SEN {Time 1} {Type CO2Sensor} {Name C} {Gas CO2} {Density 0.25}",
         "C/gas=CO2; C/density=0.250");
     row("ball", "BallReading", "SEN {Time 67.2} {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true}",
@@ -166,6 +157,9 @@ void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
         "o Object 2/y=2.000m; o Object 2/z=-1.000m; o Object 2/roll=0.000rad; o Object 2/pitch=-0.000rad; "
         "o Object 2/yaw=-0.000rad; o Object 2/hit.x=4.000m; o Object 2/hit.y=1.000m; o Object 2/hit.z=-1.000m; "
         "o Object 2/material=None");
+}
+
+void equipment() {
     row("package", "PackageState", "MISSTA {Time 1} {Name Cam} {Link 1} {Value 0.5} {Torque -20.00} {Link 2} {Value 0}",
         "Cam Link 1/link=1.000; Cam Link 1/value=0.500; Cam Link 1/torque=-20.000N m; Cam Link 2/link=2.000; "
         "Cam Link 2/value=0.000");
@@ -190,6 +184,32 @@ void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
     row("a tag that was read", "Response",
         "RES {Time 1} {Type RFID} {Name R} {status OK} {ID 118} {Mem visited by robot 2}",
         "R/status=OK; R/tag_id=118.000; R/memory=visited by robot 2");
+}
+
+} // namespace
+
+class tst_SensorTable : public QObject {
+    Q_OBJECT
+private slots:
+    void readsEveryTypeIntoItsContainer_data();
+    void readsEveryTypeIntoItsContainer();
+    void everyTypeComesBackFromTheWire_data() { readsEveryTypeIntoItsContainer_data(); }
+    void everyTypeComesBackFromTheWire();
+    void everyTypeIsReadInAnyCase_data() { readsEveryTypeIntoItsContainer_data(); }
+    void everyTypeIsReadInAnyCase();
+    void damageLeavesTheLineGenericAndSaysWhy_data();
+    void damageLeavesTheLineGenericAndSaysWhy();
+};
+
+void tst_SensorTable::readsEveryTypeIntoItsContainer_data() {
+    QTest::addColumn<QByteArray>("container");
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QByteArray>("expected");
+    rangesAndPoints();
+    posesAndMotion();
+    thingsFound();
+    surroundings();
+    equipment();
 }
 
 void tst_SensorTable::readsEveryTypeIntoItsContainer() {

@@ -59,7 +59,8 @@ std::string pathOf(const Program& program, Index place) {
     for (Index at = place; at != nowhere; at = program.places[at].parent)
         way.push_back(at);
     std::string path = "/P:0";
-    for (const Index at : way | std::views::reverse) {
+    for (auto each = way.rbegin(); each != way.rend(); ++each) {
+        const Index at = *each;
         const Place& here = program.places[at];
         if (isForm(here.kind))
             path.append("/A:") += std::to_string(here.reference);

@@ -1,11 +1,19 @@
-// DRIVE commands for vehicles. A value remains in force until the next DRIVE; an absent value leaves the old one in
-// force.
+// DRIVE commands for vehicles on wheels, and what they share with those in flight.h and joint.h. A value remains in
+// force until the next DRIVE; an absent value leaves the old one in force.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "core/protocol/commands/description.h"
+#include "core/protocol/dialect.h"
+
 namespace usar::protocol {
+
+inline constexpr CommandWord drive_word{.word = "DRIVE",
+                                        .help = "moves the robot or one joint until the next DRIVE",
+                                        .example = "DRIVE {Left 1} {Right 1}",
+                                        .drives = true};
 
 /// Switches that may accompany any DRIVE or be sent alone. `flip` rights a robot that has fallen over (UT2004).
 /// On the wire: `DRIVE {Light true} {Flip false}`.
@@ -13,6 +21,13 @@ struct DriveSwitches {
     std::optional<bool> light_on{};
     std::optional<bool> flip{};
     bool operator==(const DriveSwitches&) const = default;
+
+    static constexpr auto& word = drive_word;
+    static constexpr auto weak_signs = texts("Light", "Flip", "");
+    static void segments(auto& io, auto& switches) {
+        io.flag({"Light", "head lights"}, switches.light_on);
+        io.flag({"Flip", "true rights the robot (UT2004)"}, switches.flip);
+    }
 };
 
 /// DRIVE for skid-steered robots: the wheel spins of both sides. If `normalized` is set, here and below, speeds are in
@@ -25,6 +40,16 @@ struct SkidDrive {
     bool normalized = false;
     DriveSwitches switches{};
     bool operator==(const SkidDrive&) const = default;
+
+    static constexpr auto& word = drive_word;
+    static constexpr auto signs = texts("Left", "Right");
+    static void segments(auto& io, auto& drive) {
+        io.beginScale(drive.normalized);
+        io.number({"Left", "wheel spin of the left side, rad/s or percent"}, drive.left_rad_s, {.scaled = true});
+        io.number({"Right", "wheel spin of the right side, rad/s or percent"}, drive.right_rad_s, {.scaled = true});
+        io.endScale();
+        DriveSwitches::segments(io, drive.switches);
+    }
 };
 
 /// DRIVE for cars. Steering angles are counterclockwise positive, so a positive front angle turns left. UDK obeys only
@@ -38,6 +63,20 @@ struct AckermannDrive {
     bool normalized = false;
     DriveSwitches switches{};
     bool operator==(const AckermannDrive&) const = default;
+
+    static constexpr auto& word = drive_word;
+    static constexpr auto signs = texts("Speed", "FrontSteer", "RearSteer");
+    static void segments(auto& io, auto& drive) {
+        const bool udk = io.dialect() == Dialect::Udk;
+        io.beginScale(drive.normalized);
+        io.number({"Speed", "wheel spin of a steered car, rad/s or percent"}, drive.speed_rad_s,
+                  {.scaled = true, .or_zero = udk});
+        io.number({"FrontSteer", "front steering angle, rad; to the right is positive"}, drive.front_steer_rad,
+                  {.turned = true, .or_zero = udk});
+        io.number({"RearSteer", "rear steering angle, rad"}, drive.rear_steer_rad, {.turned = true, .or_zero = udk});
+        io.endScale();
+        DriveSwitches::segments(io, drive.switches);
+    }
 };
 
 /// The values for one of several wheels.
@@ -46,6 +85,12 @@ struct WheelDrive {
     std::optional<double> spin_rad_s{};
     std::optional<double> steer_rad{}; ///< counterclockwise positive
     bool operator==(const WheelDrive&) const = default;
+
+    static void segments(auto& io, auto& drive) {
+        io.number({"WheelNumber", "the wheel that WheelSpeed and WheelSteer mean, from 0"}, drive.wheel);
+        io.number({"WheelSpeed", "spin of that wheel, rad/s"}, drive.spin_rad_s);
+        io.number({"WheelSteer", "steering angle of that wheel, rad"}, drive.steer_rad, {.turned = true});
+    }
 };
 /// DRIVE for robots whose wheels are driven and steered one by one; wheels that are not listed keep their values.
 /// On the wire: `DRIVE {WheelNumber 0} {WheelSpeed 3} {WheelSteer -0.5} {WheelNumber 1} {WheelSpeed 3}`.
@@ -54,31 +99,15 @@ struct OmniDrive {
     bool normalized = false;
     DriveSwitches switches{};
     bool operator==(const OmniDrive&) const = default;
-};
 
-/// DRIVE for flying robots.
-/// On the wire: `DRIVE {AltitudeVelocity 0.5} {LinearVelocity 1} {LateralVelocity -0.25} {RotationalVelocity 0.1}`.
-struct AerialDrive {
-    std::optional<double> climb_m_s{}; ///< up positive
-    std::optional<double> forward_m_s{};
-    std::optional<double> left_m_s{};       ///< left positive; the wire's lateral velocity is right positive
-    std::optional<double> yaw_rate_rad_s{}; ///< counterclockwise positive
-    bool normalized = false;
-    std::optional<double> pitch_rad{}; ///< UDK only; positive lowers the nose
-    std::optional<double> roll_rad{};  ///< UDK only
-    DriveSwitches switches{};
-    bool operator==(const AerialDrive&) const = default;
-};
-
-/// DRIVE for boats and submarines. Angles have the server's sign.
-/// On the wire: `DRIVE {Propeller 20} {Rudder 0.25} {SternPlane -0.125} {Normalized false}`.
-struct NauticDrive {
-    std::optional<double> propeller_rad_s{};
-    std::optional<double> rudder_rad{};
-    std::optional<double> stern_plane_rad{};
-    bool normalized = false;
-    DriveSwitches switches{};
-    bool operator==(const NauticDrive&) const = default;
+    static constexpr auto& word = drive_word;
+    static constexpr auto signs = texts("WheelNumber");
+    static void segments(auto& io, auto& drive) {
+        io.groups("WheelNumber", drive.wheels);
+        io.beginScale(drive.normalized);
+        io.endScale();
+        DriveSwitches::segments(io, drive.switches);
+    }
 };
 
 } // namespace usar::protocol

@@ -1,171 +1,171 @@
 #include "core/protocol/commands/line_in.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/protocol/commands/wire_degrees.h"
 #include "core/protocol/readers/line_reading.h"
 #include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
 
-void LineIn::warn(std::string_view part, std::string message) {
-    diagnostics_.push_back({Severity::Warning, segments_.offsetOf(part), std::move(message)});
+const Segment* LineIn::find(std::string_view key) {
+    if (!only_)
+        return segments().find(key);
+    if (!sameWord(only_->key, key))
+        return nullptr;
+    only_is_known_ = true;
+    return only_;
 }
 
-void LineIn::refuse(std::string_view part, std::string message) {
-    if (!std::exchange(refused_, true))
-        warn(part, std::move(message));
-}
-
-bool LineIn::takeNumbersOf(const Segment& segment, std::span<double> values) {
-    std::string_view rest = segment.value;
-    const bool good = takeNumbers(rest, values) && trimmed(rest).empty();
-    for (double& value : values)
-        value = std::isfinite(value) ? value : 0.0;
-    if (!good)
-        warn(segment.text, "not exactly " + std::to_string(values.size()) +
-                               (values.size() == 1 ? " number" : " numbers") + "; taken as far as it goes");
-    return good;
-}
-
-int LineIn::wholeOf(const Segment& segment) {
-    const double value = numberOf(segment);
-    constexpr double most = 1e9;
-    if (value != std::trunc(value) || std::abs(value) > most)
-        refuse(segment.text, std::string(segment.key) + " takes a whole number");
-    return static_cast<int>(std::clamp(value, -most, most));
-}
-
-void LineIn::number(std::string_view key, double& value) {
-    if (const Segment* const segment = segments_.find(key))
-        value = numberOf(*segment);
-    else
-        refuse(segments_.line(), std::string(segments_.typeWord()) + " needs a " + std::string(key));
-}
-
-void LineIn::number(std::string_view key, std::optional<double>& value) {
-    if (const Segment* const segment = segments_.find(key))
-        value = numberOf(*segment);
-}
-
-void LineIn::flipped(std::string_view key, std::optional<double>& value) {
-    number(key, value);
-    if (value)
+void LineIn::number(const Key& key, std::optional<double>& value, NumberForm form) {
+    const Segment* const segment = find(key);
+    if (!segment) {
+        for (const Segment& other : segments().all())
+            if (form.keyless && !value)
+                value = readNumber(other.text);
+        return;
+    }
+    value = form.degrees ? radiansOf(*segment) : numberOf(*segment);
+    if (form.scaled && normalized_ && std::abs(*value) > 100.0) {
+        warn(segment->value, "beyond 100 percent; limited to it");
+        value = std::clamp(*value, -100.0, 100.0);
+    }
+    if (form.turned)
         value = acrossWire(*value);
 }
 
-/// Reads the digits with more precision than a double has, because appendDegrees may have written more.
-void LineIn::degrees(std::string_view key, std::optional<double>& angle_rad) {
-    const Segment* const segment = segments_.find(key);
-    if (!segment)
-        return;
-    numberOf(*segment); // warns if this is not a number
-    const NumberPrefix prefix = readNumberPrefix(segment->value);
-    angle_rad = std::isfinite(prefix.value) ? radiansOfDegrees(segment->value.substr(0, prefix.used)) : 0.0;
-}
-
-void LineIn::flippedDegrees(std::string_view key, std::optional<double>& angle_rad) {
-    degrees(key, angle_rad);
-    if (angle_rad)
-        angle_rad = acrossWire(*angle_rad);
-}
-
-void LineIn::beginScale(bool& normalized) {
-    flag("Normalized", normalized);
-    normalized_ = normalized;
-}
-
-void LineIn::speed(std::string_view key, std::optional<double>& value) {
-    number(key, value);
-    if (!normalized_ || !value || std::abs(*value) <= 100.0)
-        return;
-    warn(segments_.value(key), "beyond 100 per cent; cut");
-    value = std::clamp(*value, -100.0, 100.0);
-}
-
-void LineIn::flippedSpeed(std::string_view key, std::optional<double>& value) {
-    speed(key, value);
-    if (value)
-        value = acrossWire(*value);
-}
-
-void LineIn::whole(std::string_view key, std::optional<int>& value) {
-    if (const Segment* const segment = segments_.find(key))
+void LineIn::number(const Key& key, std::optional<int>& value, NumberForm) {
+    if (const Segment* const segment = find(key))
         value = wholeOf(*segment);
 }
 
-void LineIn::seconds(std::string_view key, Seconds& value) {
-    double count = 0.0;
-    number(key, count);
-    value = Seconds{count};
-}
-
-void LineIn::seconds(std::string_view key, std::optional<Seconds>& value) {
-    if (const Segment* const segment = segments_.find(key))
+void LineIn::number(const Key& key, std::optional<Seconds>& value, NumberForm) {
+    if (const Segment* const segment = find(key))
         value = Seconds{numberOf(*segment)};
 }
 
-void LineIn::flag(std::string_view key, std::optional<bool>& value) {
-    const Segment* const segment = segments_.find(key);
-    if (!segment)
-        return;
-    const std::optional<bool> read = readBoolean(segment->value);
-    if (!read)
-        warn(segment->text, "neither true nor false; taken as false");
-    value = read.value_or(false);
+void LineIn::beginScale(bool& normalized) {
+    flag(normalized_key, normalized);
+    normalized_ = normalized;
 }
 
-void LineIn::flag(std::string_view key, bool& value) {
-    std::optional<bool> read;
-    flag(key, read);
-    value = read.value_or(value);
+void LineIn::flag(const Key& key, std::optional<bool>& value) {
+    if (const Segment* const segment = find(key))
+        value = booleanOf(*segment);
 }
 
-void LineIn::vector(std::string_view key, std::optional<Vec3>& value) {
-    if (const Segment* const segment = segments_.find(key)) {
-        const auto [x, y, z] = numbersOf<3>(*segment);
-        value = Vec3(x, y, z);
-    }
+void LineIn::flag(const Key& key, bool& value) {
+    if (const Segment* const segment = find(key))
+        value = booleanOf(*segment);
 }
 
-void LineIn::vector(std::string_view key, Vec3& value) {
-    std::optional<Vec3> read;
-    vector(key, read);
-    if (read)
+void LineIn::neededFlag(const Key& key, bool& value) {
+    if (const std::optional<bool> read = readBoolean(segments().value(key)))
         value = *read;
     else
-        refuse(segments_.line(), std::string(segments_.typeWord()) + " needs a " + std::string(key));
+        refuse(segments().line(), std::string(segments().typeWord()) + " needs " + std::string(key) + " true or false");
 }
 
-void LineIn::position(std::string_view key, Vec3& value) {
+void LineIn::vector(const Key& key, std::optional<Vec3>& value) {
+    if (const Segment* const segment = find(key))
+        value = Vec3(numbersOf<3>(*segment).data());
+}
+
+void LineIn::vector(const Key& key, Vec3& value) {
+    std::optional<Vec3> read;
+    vector(key, read);
+    take(key, read, value);
+}
+
+void LineIn::position(const Key& key, Vec3& value) {
     vector(key, value);
     value = acrossWire(value);
 }
 
-std::optional<Pose> LineIn::pose() {
+std::optional<Pose> LineIn::poseOnLine() {
     std::optional<Vec3> position_m;
     std::optional<Vec3> angles_rad;
-    vector("Location", position_m);
-    vector("Rotation", angles_rad);
+    vector(location_key, position_m);
+    vector(rotation_key, angles_rad);
     if (!position_m && !angles_rad)
         return std::nullopt;
     const Vec3 angles = angles_rad.value_or(Vec3::Zero());
     return acrossWire(Pose{position_m.value_or(Vec3::Zero()), angles.x(), angles.y(), angles.z()});
 }
 
-void LineIn::pose(Pose& pose) {
-    pose = this->pose().value_or(Pose{});
+void LineIn::start(const Key& key, std::variant<Pose, Token>& start, std::optional<Pose>* fallback) {
+    if (segments().value(key).empty()) {
+        start = poseOnLine().value_or(Pose{});
+        return;
+    }
+    text(key, start.emplace<Token>("?"));
+    if (fallback)
+        *fallback = poseOnLine();
 }
 
-void LineIn::start(std::variant<Pose, Token>& start) {
-    if (segments_.value("Start").empty())
-        start = pose().value_or(Pose{});
+void LineIn::sixNumbers(const Key& key, Pose& pose) {
+    const Segment* const segment = find(key);
+    std::array<double, 6> n{};
+    if (!segment || !takeNumbersOf(*segment, n))
+        return refuse(segments().line(), std::string(key) + " takes exactly six numbers");
+    pose = acrossWire(Pose{{n[0], n[1], n[2]}, n[3], n[4], n[5]});
+}
+
+void LineIn::goal(const Key& point_key, const Key& node_key, std::variant<Vec2, Token>& goal) {
+    if (find(node_key))
+        return text(node_key, goal.emplace<Token>("?"));
+    const Segment* const point = find(point_key);
+    if (!point)
+        return refuseWithout(std::string(point_key) + " or a " + std::string(node_key));
+    const auto [x, y] = numbersOf<2>(*point);
+    goal = Vec2(acrossWire(Vec3(x, y, 0.0)).head<2>());
+}
+
+void LineIn::points(const Key& key, std::vector<Vec3>& points) {
+    std::string_view rest = segments().value(key);
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(';'), rest.size());
+        std::string_view point = rest.substr(0, end);
+        std::array<double, 3> numbers{};
+        if (!takeNumbers(point, numbers) || !trimmed(point).empty())
+            return refuse(rest, "a waypoint does not consist of three numbers");
+        points.push_back(acrossWire(Vec3(numbers.data())));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+}
+
+void LineIn::box(const Key& min_key, const Key& max_key, std::optional<Box>& box) {
+    std::optional<Vec3> min_m;
+    std::optional<Vec3> max_m;
+    vector(min_key, min_m);
+    vector(max_key, max_m);
+    if (min_m && max_m)
+        box = acrossWire(Box{*min_m, *max_m});
+    else if (min_m || max_m)
+        refuse(segments().line(), std::string(min_key) + " and " + std::string(max_key) + " need each other");
+}
+
+void LineIn::pace(const Key& speed_key, const Key& time_key, std::variant<WaypointSpeed, Seconds>& pace) {
+    if (find(speed_key))
+        number(speed_key, std::get<WaypointSpeed>(pace).speed_m_s);
     else
-        text("Start", start.emplace<Token>("?"));
+        number(time_key, pace.emplace<Seconds>(0.0));
+}
+
+void LineIn::valueAndSteer(const Key& key, double& value, std::optional<double>& steer_rad) {
+    const Segment* const segment = find(key);
+    if (!segment || segment->value.find(',') == std::string_view::npos)
+        return number(key, value);
+    const auto [first, second] = numbersOf<2>(*segment);
+    value = first;
+    steer_rad = acrossWire(second);
+}
+
+void LineIn::tagAndText(const Key& key, Token& tag, Text& text) {
+    std::string_view rest = segments().value(key);
+    takeText("tag's number in " + std::string(key), takeWord(rest), tag);
+    takeText("text", trimmed(rest), text);
 }
 
 } // namespace usar::protocol

@@ -1,4 +1,4 @@
-// Appends the segments of one command line to a text: the writing side of fields(). LineIn is the reading side.
+// Writes the segments of one command line: the visitor of T::segments that makes text of a command.
 #pragma once
 
 #include <algorithm>
@@ -8,130 +8,116 @@
 #include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/base/numbers.h"
 #include "core/protocol/commands/checked_text.h"
-#include "core/protocol/commands/wire_words.h"
+#include "core/protocol/commands/description.h"
+#include "core/protocol/commands/object_motion.h"
 #include "core/protocol/dialect.h"
 #include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
 
 /// Writes no segment for an absent or empty value, and 0 for NaN and infinity, which is how a server would read them.
-/// Vectors have commas and no spaces; numbers read back as the same double. The text belongs to the caller and must
-/// outlive this object.
+/// Converts positions, angles and turns from our frame to the wire's. Vectors have commas and no spaces; numbers read
+/// back as the same double. The text belongs to the caller and must outlive this object.
 class LineOut {
 public:
-    template <class T>
-    using Ref = const T&;
     static constexpr bool reading = false;
+    static constexpr bool writing = true;
 
     LineOut(std::string& out, Dialect dialect) : out_(out), dialect_(dialect) {}
     Dialect dialect() const { return dialect_; }
 
-    /// Begins the line.
-    void word(std::string_view word) { out_.append(word); }
-    /// Writes a segment that distinguishes one kind of command from another.
-    void mark(std::string_view key, std::string_view value) {
+    /// Writes a segment with one fixed word, or the word for a value.
+    void mark(const Key& key, std::string_view word, std::string_view = {}) {
         open(key);
-        out_.append(value);
+        out_.append(word);
         close();
     }
+    template <class Value, std::size_t count>
+    void mark(const Key& key, Value value, const std::array<WireWord<Value>, count>& table) {
+        mark(key, std::ranges::find(table, value, &WireWord<Value>::value)->word);
+    }
+    void ignored(const Key&) {}
 
-    void number(std::string_view key, double value) {
-        open(key);
-        add(value);
-        close();
-    }
-    void number(std::string_view key, const std::optional<double>& value) {
-        if (value)
-            number(key, *value);
-    }
-    /// Writes a sideways or turning value in our frame with the wire's sign, like all functions with "flipped" in the
-    /// name.
-    void flipped(std::string_view key, const std::optional<double>& value) {
-        if (value)
-            number(key, acrossWire(*value));
-    }
-    void degrees(std::string_view key, const std::optional<double>& angle_rad);
-    void flippedDegrees(std::string_view key, const std::optional<double>& angle_rad);
-
-    /// States whether the speeds that follow are in percent (then limited to -100..100); `endScale` writes this flag.
-    void beginScale(bool normalized) { normalized_ = normalized; }
-    void endScale() { flag("Normalized", normalized_); }
-    void speed(std::string_view key, const std::optional<double>& value) {
-        if (value)
-            number(key, normalized_ ? std::clamp(finite(*value), -100.0, 100.0) : *value);
-    }
-    void flippedSpeed(std::string_view key, const std::optional<double>& value) {
-        if (value)
-            speed(key, acrossWire(*value));
-    }
-
-    void whole(std::string_view key, const std::optional<int>& value) {
-        if (value)
-            number(key, *value);
-    }
-    void seconds(std::string_view key, const std::optional<Seconds>& value) {
+    void number(const Key& key, const std::optional<double>& value, NumberForm form = {});
+    void number(const Key& key, const std::optional<Seconds>& value) {
         if (value)
             number(key, value->count());
     }
-    void flag(std::string_view key, const std::optional<bool>& value) {
+    /// States whether the speeds that follow are in percent; `endScale` writes this flag.
+    void beginScale(bool normalized) { normalized_ = normalized; }
+    void endScale() { flag(normalized_key, normalized_); }
+
+    void flag(const Key& key, const std::optional<bool>& value) {
         if (value)
             mark(key, *value ? "true" : "false");
     }
+    void neededFlag(const Key& key, bool value) { flag(key, value); }
     /// A flag that is sent as 1 or 0 instead of true or false.
-    void digit(std::string_view key, const std::optional<bool>& value) {
+    void digit(const Key& key, const std::optional<bool>& value) {
         if (value)
             mark(key, *value ? "1" : "0");
     }
-    template <TextRule rule>
-    void text(std::string_view key, const CheckedText<rule>& value) {
+    void text(const Key& key, std::string_view value) {
         if (!value.empty())
-            mark(key, value.text());
+            mark(key, value);
     }
     template <class Value>
-    void choice(std::string_view key, const std::optional<Value>& value) {
+    void choice(const Key& key, const std::optional<Value>& value) {
         if (value)
-            mark(key, wordOf(*value));
+            choice(key, *value);
     }
     template <class Value>
     requires std::is_enum_v<Value>
-    void choice(std::string_view key, Value value) { mark(key, wordOf(value)); }
+    void choice(const Key& key, Value value) { mark(key, value, wire_words<Value>); }
 
-    /// Writes the vector unchanged.
-    void vector(std::string_view key, const std::optional<Vec3>& value);
-    /// Converts the position from our frame to the wire's.
-    void position(std::string_view key, const Vec3& value) { vector(key, acrossWire(value)); }
-    /// Writes a pose in our frame as Location and Rotation.
+    /// Writes the vector unchanged; `position` converts it.
+    void vector(const Key& key, const std::optional<Vec3>& value);
+    void position(const Key& key, const Vec3& value) { vector(key, acrossWire(value)); }
+    /// Writes Location and Rotation.
     void pose(const Pose& pose);
-    /// Writes a pose, or the name of a start pose.
-    void start(const std::variant<Pose, Token>& start);
+    /// Writes a pose, or the name of a start pose and the pose to take if there is no such name.
+    void start(const Key& key, const std::variant<Pose, Token>& start, const std::optional<Pose>* fallback = nullptr);
+    /// Writes x, y, z, roll, pitch and yaw as one list.
+    void sixNumbers(const Key& key, const Pose& pose);
+    /// Writes x and y of a point, or the name of a path node.
+    void goal(const Key& point_key, const Key& node_key, const std::variant<Vec2, Token>& goal);
+    /// Writes points separated by semicolons.
+    void points(const Key& key, const std::vector<Vec3>& points);
+    /// Writes two corners. y and z change their signs on the wire, so that their minimum and maximum swap.
+    void box(const Key& min_key, const Key& max_key, const std::optional<Box>& box);
+    void pace(const Key& speed_key, const Key& time_key, const std::variant<WaypointSpeed, Seconds>& pace);
+    /// Writes a number and, after a comma, a steering angle if there is one.
+    void valueAndSteer(const Key& key, double value, const std::optional<double>& steer_rad);
+    void tagAndText(const Key& key, const Token& tag, const Text& text);
 
-    /// The parts of a segment, for values that no function above can write.
+    /// Writes the segments of each element, one after the other.
+    template <class Element>
+    void groups(const Key&, const std::vector<Element>& elements) {
+        for (const Element& element : elements)
+            Element::segments(*this, element);
+    }
+    /// Writes a segment for each joint, with the joint's name as its key.
+    template <class Target>
+    void joints(std::span<const Key>, const std::vector<Target>& targets) {
+        for (const Target& target : targets)
+            number(Key(target.joint), target.angle_rad);
+    }
+
+private:
     void open(std::string_view key) {
         out_ += " {";
         out_.append(key);
         out_ += ' ';
     }
     void close() { out_ += '}'; }
-    void add(std::string_view text) { out_.append(text); }
     void add(double value) { appendShortest(out_, finite(value)); }
     void add(const Vec3& value);
-
-    /// The word for a value of an enumeration in wire_words.h.
-    template <class Value>
-    static std::string_view wordOf(Value value) {
-        for (const WireWord<Value>& row : wire_words<Value>) {
-            if (row.value == value)
-                return row.word;
-        }
-        return {};
-    }
-
-private:
     /// Also turns -0 into 0.
     static double finite(double value) { return std::isfinite(value) ? value + 0.0 : 0.0; }
 

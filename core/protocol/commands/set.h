@@ -4,6 +4,7 @@
 
 #include "core/base/geometry.h"
 #include "core/protocol/commands/checked_text.h"
+#include "core/protocol/commands/set_word.h"
 
 namespace usar::protocol {
 
@@ -13,6 +14,12 @@ struct SetInsPose {
     Name sensor_name = "INS";
     Pose base_in_map{};
     bool operator==(const SetInsPose&) const = default;
+
+    static constexpr auto& word = set_word;
+    static void segments(auto& io, auto& set) {
+        setSegments(io, "INS", set.sensor_name, "POSE");
+        io.sixNumbers({"Params", "INS: x,y,z,roll,pitch,yaw"}, set.base_in_map);
+    }
 };
 
 /// RESET: sets an Odometry to 0,0,0 and an Encoder to 0. An empty name means all sensors of the type.
@@ -21,6 +28,14 @@ struct ResetSensor {
     Token type;
     Name sensor_name{};
     bool operator==(const ResetSensor&) const = default;
+
+    static constexpr auto& word = set_word;
+    static constexpr auto usual_types = texts("Odometry", "Encoder");
+    static void segments(auto& io, auto& set) {
+        io.text({"Type", set_type.help, usual_types}, set.type);
+        io.text(set_name, set.sensor_name);
+        io.mark(set_opcode, "RESET");
+    }
 };
 
 /// SCAN: requests one measurement from a RangeScanner, RangeImager, IRScanner or Acoustic that does not measure
@@ -30,49 +45,59 @@ struct ScanNow {
     Token type;
     Name sensor_name{};
     bool operator==(const ScanNow&) const = default;
-};
 
-/// Read of an RFID reader: asks for the memory of a tag in reach.
-/// On the wire: `SET {Type RFID} {Name RFID} {Opcode Read} {Params 118}`.
-struct ReadTag {
-    Token tag_id;
-    Name reader_name{};
-    bool operator==(const ReadTag&) const = default;
-};
-/// Write of an RFID reader: stores a text in a tag in reach.
-/// On the wire: `SET {Type RFID} {Name RFID} {Opcode Write} {Params 118 visited by robot 2}`.
-struct WriteTag {
-    Token tag_id;
-    Text memory{};
-    Name reader_name{};
-    bool operator==(const WriteTag&) const = default;
-};
-/// Release of an RFIDReleaser: drops a tag.
-/// On the wire: `SET {Type RFIDReleaser} {Name Gun} {Opcode Release}`.
-struct ReleaseTag {
-    Name releaser_name{};
-    bool operator==(const ReleaseTag&) const = default;
-};
-/// TagsRemaining of an RFIDReleaser: asks how many tags are left.
-/// On the wire: `SET {Type RFIDReleaser} {Name Gun} {Opcode TagsRemaining}`.
-struct CountTags {
-    Name releaser_name{};
-    bool operator==(const CountTags&) const = default;
+    static constexpr auto& word = set_word;
+    static constexpr auto usual_types = texts("RangeScanner", "RangeImager", "IRScanner", "Acoustic");
+    static void segments(auto& io, auto& set) {
+        io.text({"Type", set_type.help, usual_types}, set.type);
+        io.text(set_name, set.sensor_name);
+        io.mark(set_opcode, "SCAN");
+    }
 };
 
 /// Actions of UDK's grippers. Grip and LetGo are sent as GRIP with 1 and 0.
 enum class GripperAction { Open, Close, Grip, LetGo };
+template <>
+inline constexpr std::array wire_words<GripperAction> = {
+    WireWord{"OPEN", GripperAction::Open}, WireWord{"CLOSE", GripperAction::Close},
+    WireWord{"GRIP", GripperAction::Grip}, WireWord{"GRIP", GripperAction::LetGo}};
 /// On the wire: `SET {Type Gripper} {Name G1} {Opcode GRIP} {Params 1}`.
 struct UseGripper {
     GripperAction action = GripperAction::Open;
     Name gripper_name{};
     bool operator==(const UseGripper&) const = default;
+
+    static constexpr auto& word = set_word;
+    template <class Io>
+    static void segments(Io& io, auto& set) {
+        io.mark(set_type, "Gripper");
+        io.text(set_name, set.gripper_name);
+        io.mark(set_opcode, set.action, wire_words<GripperAction>);
+        std::optional<bool> grips;
+        if (set.action == GripperAction::Grip || set.action == GripperAction::LetGo)
+            grips = set.action == GripperAction::Grip;
+        constexpr Key params{"Params", "Gripper: 1 grips, 0 lets go"};
+        if (grips)
+            io.digit(params, grips);
+        else
+            io.ignored(params);
+        if constexpr (Io::reading)
+            if (grips == false)
+                set.action = GripperAction::LetGo;
+    }
 };
 /// On the wire: `SET {Type ToolChanger} {Name TC1} {Opcode OPEN}`.
 struct UseToolChanger {
     bool open = true;
     Name changer_name{};
     bool operator==(const UseToolChanger&) const = default;
+
+    static constexpr auto& word = set_word;
+    static void segments(auto& io, auto& set) {
+        io.mark(set_type, "ToolChanger");
+        io.text(set_name, set.changer_name);
+        io.mark(set_opcode, set.open, std::array{WireWord{"OPEN", true}, WireWord{"CLOSE", false}});
+    }
 };
 
 /// Any other SET. A line that equals one of the structs above reads back as that struct.
@@ -83,6 +108,16 @@ struct SetItem {
     Name item_name{};
     Text parameters{};
     bool operator==(const SetItem&) const = default;
+
+    static constexpr auto& word = set_word;
+    static constexpr auto signs = texts("Opcode");
+    static void segments(auto& io, auto& set) {
+        io.text(set_type, set.type);
+        io.text(set_name, set.item_name);
+        io.text(set_opcode, set.opcode);
+        io.text("Params", set.parameters);
+        io.ignored({"Value", "a value that some clients add"});
+    }
 };
 
 } // namespace usar::protocol

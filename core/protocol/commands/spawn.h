@@ -11,6 +11,7 @@
 #include "core/base/geometry.h"
 #include "core/base/text.h"
 #include "core/protocol/commands/checked_text.h"
+#include "core/protocol/commands/description.h"
 #include "core/protocol/dialect.h"
 
 namespace usar::protocol {
@@ -49,11 +50,29 @@ struct Init {
     static Init communicationStation(Name name, std::variant<Pose, Token> start) {
         return {"USARBot.ComStation", std::move(name), std::move(start)};
     }
+
+    static constexpr CommandWord word{
+        "INIT", "spawns the robot of this connection",
+        "INIT {ClassName USARBot.P2DX} {Name R1} {Location 4.5,1.9,1.8} {Rotation 0,0,0}"};
+    static constexpr auto usual_classes =
+        texts("USARBot.P2DX", "USARBot.P2AT", "USARBot.P3AT", "USARBot.AirRobot", "USARBot.Kenaf", "USARBot.TeleMax",
+              "USARBot.ATRVJr", "USARBot.Zerg", "USARBot.Hummer", "USARBot.Submarine", "USARBot.QRIO", "USARBot.ERS",
+              "USARBot.ComStation", "USARBot.WorldController");
+    static void segments(auto& io, auto& init) {
+        io.text({"ClassName", "the robot's class, Package.Class", usual_classes}, init.class_name);
+        io.text({"Name", "the robot's name; without it the server invents one"}, init.robot_name);
+        io.start({"Start", "a start pose by name, instead of Location and Rotation (UDK)"}, init.start,
+                 &init.fallback_in_map);
+        io.number({"Battery", "seconds of battery (Gazebo)"}, init.battery_life);
+    }
 };
 
 /// GETSTARTPOSES; the answer is StartPoses.
 struct GetStartPoses {
     bool operator==(const GetStartPoses&) const = default;
+
+    static constexpr CommandWord word{"GETSTARTPOSES", "asks where robots may start", "GETSTARTPOSES", "STARTPOSES"};
+    static void segments(auto&, auto&) {}
 };
 
 } // namespace usar::protocol

@@ -4,16 +4,32 @@
 
 #include <optional>
 #include <variant>
-#include <vector>
 
-#include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/protocol/commands/checked_text.h"
+#include "core/protocol/commands/description.h"
 
 namespace usar::protocol {
 
 /// A RigidBody falls and can be pushed.
 enum class ObjectPhysics { None, RigidBody };
+template <>
+inline constexpr std::array wire_words<ObjectPhysics> = {WireWord{"None", ObjectPhysics::None},
+                                                         WireWord{"RigidBody", ObjectPhysics::RigidBody}};
+
+inline constexpr CommandWord control_word{"CONTROL",
+                                          "makes, moves and removes objects, on a world controller's connection",
+                                          "CONTROL {Type Kill} {Name Box1}"};
+inline constexpr Key control_type{"Type", "what to do with the object"};
+inline constexpr Key object_key{"Name", "the object"};
+inline constexpr Key object_class{"ClassName", "its class"};
+inline constexpr Key control_speed{"Speed", "m/s, or x,y,z in rad/s for Rotate"};
+
+/// Passes Type and Name, with which almost every CONTROL begins.
+void controlSegments(auto& io, std::string_view type, auto& object_name) {
+    io.mark(control_type, type);
+    io.text(object_key, object_name);
+}
 
 /// Create; absent and empty values leave the choice to the server.
 /// On the wire: `CONTROL {Type Create} {ClassName Box} {Name B1} {Location 1,2,1.5} {Rotation 0,0,0.5} {Scale 1,1,2}`.
@@ -27,12 +43,28 @@ struct CreateObject {
     Text memory{};                   ///< free text kept with the object
     Name material{};
     bool operator==(const CreateObject&) const = default;
+
+    static constexpr auto& word = control_word;
+    static void segments(auto& io, auto& create) {
+        io.mark(control_type, "Create");
+        io.text(object_class, create.class_name);
+        io.text(object_key, create.object_name);
+        io.start({"Start", "a start point by name"}, create.start);
+        io.vector({"Scale", "x,y,z"}, create.scale);
+        io.choice({"Physics", "RigidBody falls and can be pushed"}, create.physics);
+        io.flag({"Permanent", "stays when this connection ends"}, create.permanent);
+        io.text({"Memory", "free text kept with the object"}, create.memory);
+        io.text({"Material", "its material"}, create.material);
+    }
 };
 
 /// On the wire: `CONTROL {Type Kill} {Name B1}`.
 struct KillObject {
     Token object_name;
     bool operator==(const KillObject&) const = default;
+
+    static constexpr auto& word = control_word;
+    static void segments(auto& io, auto& kill) { controlSegments(io, "Kill", kill.object_name); }
 };
 /// An axis-aligned box in the map frame.
 struct Box {
@@ -40,68 +72,22 @@ struct Box {
     Vec3 max_m = Vec3::Zero();
     bool operator==(const Box&) const = default;
 };
+/// Converts a box between the wire's frame and ours; y and z change their signs, so that minimum and maximum swap.
+inline Box acrossWire(const Box& box) {
+    return {{box.min_m.x(), -box.max_m.y(), -box.max_m.z()}, {box.max_m.x(), -box.min_m.y(), -box.min_m.z()}};
+}
 /// KillAll: removes all objects, or those in a box.
 /// On the wire: `CONTROL {Type KillAll} {MinPos 0,-1,0} {MaxPos 5,5,4}`.
 struct KillAllObjects {
     std::optional<Box> within{};
     bool operator==(const KillAllObjects&) const = default;
-};
 
-/// AbsMove: moves an object to a pose.
-/// On the wire: `CONTROL {Type AbsMove} {Name B1} {Location 3,2,-1} {Rotation 0,0,1.5}`.
-struct PlaceObject {
-    Token object_name;
-    Pose object_in_map{};
-    bool operator==(const PlaceObject&) const = default;
-};
-/// RelMove: moves an object relative to its pose.
-/// On the wire: `CONTROL {Type RelMove} {Name B1} {Location 0.5,0,0} {Rotation 0,0,0}`.
-struct ShiftObject {
-    Token object_name;
-    Pose shift{}; ///< displacement along the axes of the map frame
-    bool operator==(const ShiftObject&) const = default;
-};
-/// Rotate: makes an object rotate steadily.
-/// On the wire: `CONTROL {Type Rotate} {Name B1} {Speed 0.25,-0.5,1}`.
-struct SpinObject {
-    Token object_name;
-    Vec3 rates_rad_s = Vec3::Zero(); ///< roll, pitch and yaw rates
-    bool operator==(const SpinObject&) const = default;
-};
-/// Conveyor: sets the speed of a conveyor belt.
-/// On the wire: `CONTROL {Type Conveyor} {Name Belt1} {Speed 0.5}`.
-struct RunConveyor {
-    Token object_name;
-    double speed_m_s = 0.0;
-    bool operator==(const RunConveyor&) const = default;
-};
-
-/// AddWP: appends points to the path of an object.
-/// On the wire: `CONTROL {Type AddWP} {Name B1} {WP 1,2,1.5;3,2,0}`.
-struct AddWaypoints {
-    Token object_name;
-    std::vector<Vec3> points_in_map_m{};
-    bool operator==(const AddWaypoints&) const = default;
-};
-/// ClearWP: removes the path of an object.
-/// On the wire: `CONTROL {Type ClearWP} {Name B1}`.
-struct ClearWaypoints {
-    Token object_name;
-    bool operator==(const ClearWaypoints&) const = default;
-};
-struct WaypointSpeed {
-    double speed_m_s = 0.0;
-    bool operator==(const WaypointSpeed&) const = default;
-};
-/// SetWP: makes an object follow its path.
-/// On the wire: `CONTROL {Type SetWP} {Name B1} {Time 10} {Loop false} {ResetOnClear true} {Moving true}`.
-struct FollowWaypoints {
-    Token object_name;
-    std::variant<WaypointSpeed, Seconds> pace{}; ///< the speed, or the time for the whole path
-    std::optional<bool> loop{};                  ///< repeat the path forever
-    std::optional<bool> reset_on_clear{};        ///< return to the initial place when the path is cleared
-    std::optional<bool> moving{};                ///< start at once
-    bool operator==(const FollowWaypoints&) const = default;
+    static constexpr auto& word = control_word;
+    static void segments(auto& io, auto& kill) {
+        io.mark(control_type, "KillAll");
+        io.box({"MinPos", "x,y,z: a corner of the box to clear"}, {"MaxPos", "x,y,z: the opposite corner"},
+               kill.within);
+    }
 };
 
 /// GetSTA: asks for one object, all objects of a class, or, if both names are empty, all objects. The answer is
@@ -111,6 +97,12 @@ struct GetObjectStates {
     Name object_name{};
     Name class_name{};
     bool operator==(const GetObjectStates&) const = default;
+
+    static constexpr auto& word = control_word;
+    static void segments(auto& io, auto& get) {
+        controlSegments(io, "GetSTA", get.object_name);
+        io.text(object_class, get.class_name);
+    }
 };
 
 } // namespace usar::protocol

@@ -35,13 +35,11 @@ ReaderRow rowOf(std::string_view type_word, std::string_view type = {}, bool (*f
 /// Adds a row for each word in the sensor's `wire_types`, such as "IR|Range".
 template <class Sensor>
 void addSensor(std::vector<ReaderRow>& rows) {
-    std::string_view left = Sensor::wire_types;
-    while (!left.empty()) {
-        rows.push_back(rowOf<Sensor>("SEN", firstType(left)));
+    forEachType(Sensor::wire_types, [&rows](std::string_view type) {
+        rows.push_back(rowOf<Sensor>("SEN", type));
         if constexpr (requires { Sensor::fits; })
             rows.back().fits = Sensor::fits;
-        left.remove_prefix(std::min(left.size(), firstType(left).size() + 1));
-    }
+    });
 }
 
 template <class... Sensors>

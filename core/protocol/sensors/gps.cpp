@@ -75,8 +75,7 @@ void write(LineWriter& line, const GpsReading& reading) {
     if (reading.longitude_rad)
         writeAngle(line, "Longitude", *reading.longitude_rad, "EW");
     line.whole("Fix", reading.fix ? 1 : 0);
-    if (reading.satellites)
-        line.whole("Satellites", *reading.satellites);
+    line.whole("Satellites", reading.satellites);
 }
 
 void list(FieldList& fields, const GpsReading& reading) {

@@ -2,9 +2,9 @@
 
 #include "core/base/numbers.h"
 #include "core/protocol/field_list.h"
-#include "core/protocol/line_writer.h"
 #include "core/protocol/readers/line_reading.h"
 #include "core/protocol/readers/number_list.h"
+#include "core/protocol/writer_parts.h"
 
 namespace usar::protocol {
 
@@ -51,14 +51,8 @@ bool readByShape(LineReading& line, RangeScan& out) {
 void write(LineWriter& line, const RangeScan& scan) {
     line.text("SEN");
     line.time(scan.time, Decimals::TwoRounded);
-    if (!scan.type.empty())
-        line.segment("Type", scan.type);
-    line.segment("Name", scan.name);
-    line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);
-    line.segment("FOV", scan.fov_rad, Decimals::FourCut);
-    line.open("Range");
-    line.numbers(scan.ranges_m, Decimals::FourCut);
-    line.close();
+    line.segmentIfAny("Type", scan.type);
+    writeScan(line, scan, Decimals::FourCut);
 }
 
 void list(FieldList& fields, const RangeScan& scan) {

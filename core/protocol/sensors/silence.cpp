@@ -7,23 +7,13 @@ namespace usar::protocol {
 
 namespace {
 
-/// "RFID|RFIDTag" has "rfid".
-bool hasWord(std::string_view wire_types, std::string_view word) {
-    while (!wire_types.empty()) {
-        const std::size_t end = std::min(wire_types.find('|'), wire_types.size());
-        if (sameWord(wire_types.substr(0, end), word))
-            return true;
-        wire_types.remove_prefix(std::min(end + 1, wire_types.size()));
-    }
-    return false;
-}
-
 template <class Sensor>
 bool isSilent(std::string_view wire_type) {
+    bool silent = false;
     if constexpr (requires { Sensor::speaks_always; })
-        return !Sensor::speaks_always && hasWord(Sensor::wire_types, wire_type);
-    else
-        return false;
+        forEachType(Sensor::wire_types,
+                    [&](std::string_view word) { silent |= !Sensor::speaks_always && sameWord(word, wire_type); });
+    return silent;
 }
 
 template <class... Sensors>

@@ -60,22 +60,7 @@ private slots:
         QVERIFY(mission->parameters.empty());
     }
 
-    void takesEveryKey() {
-        const auto mission =
-            readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
-        "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1,
-        "faults": ["wind speed=4", "rotor from=60"],
-        "isolate": true})",
-                        "m.json");
-        QVERIFY(mission.has_value());
-        QCOMPARE(mission->world, std::string("b"));
-        QCOMPARE(mission->robot_class, std::string("USARBot.C"));
-        QCOMPARE(mission->start, std::string("d"));
-        QCOMPARE(mission->behavior, std::string("e"));
-        QCOMPARE(mission->cell_size_m, 0.1);
-        QVERIFY(mission->isolate);
-        QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
-    }
+    void takesEveryKey();
 
     void aPlanLiesBesideItsMission_data() {
         QTest::addColumn<QString>("written");
@@ -95,28 +80,9 @@ private slots:
                                                        << "own.lap";
     }
 
-    void aPlanLiesBesideItsMission() {
-        QFETCH(QString, written);
-        QFETCH(QString, mission);
-        QFETCH(QString, expected);
-        QByteArray json = smallest;
-        json.insert(json.size() - 1, ", \"plan\": \"" + written.toUtf8() + '"');
-        const auto read = readMission(json, mission);
-        QVERIFY2(read.has_value(), read ? "" : read.error().text().c_str());
-        QCOMPARE(QString::fromStdString(read->plan), expected);
-        QVERIFY(readMission(smallest, mission)->plan.empty());
-    }
+    void aPlanLiesBesideItsMission();
 
-    void parametersKeepTheirTypes() {
-        QByteArray json = smallest;
-        json.insert(json.size() - 1,
-                    R"(, "parameters": {"a_m": 6.5, "count": 3, "on": true, "mode": "slow", "f_m": -2})");
-        const auto mission = readMission(json, "m.json");
-        QVERIFY(mission.has_value());
-        const std::map<std::string, agent::ParameterValue> expected{
-            {"a_m", 6.5}, {"count", 3LL}, {"on", true}, {"mode", std::string("slow")}, {"f_m", -2LL}};
-        QVERIFY(mission->parameters == expected);
-    }
+    void parametersKeepTheirTypes();
 
     void anglesAreTurnedIntoRadians() {
         agent::ParameterSpec angle;
@@ -135,53 +101,11 @@ private slots:
         QVERIFY(withAnglesInRadians({}, {angle}).empty());
     }
 
-    void rejectsUnfitKeysAndSaysWhere_data() {
-        addRefusalColumns();
-        const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
-        refused("nothing", "", "m.json:1:1", "not JSON", "");
-        refused("comma missing", "{\n  \"name\": \"a\"\n  \"world\": \"b\"\n}", "m.json:3:", "not JSON", "comma");
-        refused("a list", "[1]", "m.json:1:1", "object in braces", "{");
-        refused("misspelt key", good + ",\n  \"behaviour\": \"e\"\n}", "m.json:4:3", "\"behaviour\"", "\"behavior\"");
-        refused("misspelt key of the area", R"({"name": "a", "area": {"x": 0, "widht": 60}})", "m.json:1:32",
-                "\"widht\"", "\"width\"");
-        refused("key given twice", good + ",\n  \"name\": \"b\"}", "m.json:4:3", "twice", "one");
-        refused("parameter given twice", good + ",\n\"parameters\": {\"a\": 1, \"a\": 2}}", "m.json:4:24", "twice",
-                "one");
-        refused("name missing", "{" + area + "}", "m.json:1:1", "\"name\" is missing", "add");
-        refused("height missing", R"({"name": "a", "area": {"x": 0, "y": 0, "width": 60}})", "m.json:1:23",
-                "\"height\" is missing in \"area\"", "add");
-    }
+    void rejectsUnfitKeysAndSaysWhere_data();
 
     void rejectsUnfitKeysAndSaysWhere() { checkRefusal(); }
 
-    void rejectsUnfitValuesAndSaysWhere_data() {
-        addRefusalColumns();
-        const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
-        const auto withArea = [](const QByteArray& members) { return R"({"name": "a", "area": {)" + members + "}}"; };
-        refused("name is a number", "{\n\"name\": 7, " + area + "}", "m.json:2:9", "not a text", "quotes");
-        refused("name is empty", R"({"name": " ", )" + area + "}", "m.json:1:10", "not a text", "empty");
-        refused("area is a list", R"({"name": "a", "area": [0, 0, 60, 40]})", "m.json:1:23", "not an object", "braces");
-        refused("number in quotes", withArea(R"("x": "0", "y": 0, "width": 6, "height": 4)"), "m.json:1:29",
-                "\"x\" is not a number", "without quotes");
-        refused("area without width", withArea("\"x\": 0, \"y\": 0,\n\"width\": 0, \"height\": 4"), "m.json:2:10",
-                "no size", "\"width\"");
-        refused("negative height", withArea("\"x\": 0, \"y\": 0, \"width\": 4,\n\"height\": -4"), "m.json:2:11",
-                "no size", "\"height\"");
-        refused("width not a number", withArea(R"("x": 0, "y": 0, "width": NaN, "height": 4)"), "m.json:1:", "not JSON",
-                "");
-        refused("area beyond every world", withArea(R"("x": 1e7, "y": 0, "width": 4, "height": 4)"), "m.json:1:23",
-                "further away", "origin");
-        refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
-        refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "metres");
-        refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
-                "\"lanes\" is no parameter", "number");
-        refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");
-        refused("isolation is a text", good + ",\n\"isolate\": \"yes\"}", "m.json:4:12", "neither true nor false",
-                "without quotes");
-        refused("a fault is a number", good + ",\n\"faults\": [1]}", "m.json:4:11", "not a text", "quotes");
-        refused("parameters are a text", good + ",\n\"parameters\": \"fast\"}", "m.json:4:15", "not an object",
-                "braces");
-    }
+    void rejectsUnfitValuesAndSaysWhere_data();
 
     void rejectsUnfitValuesAndSaysWhere() { checkRefusal(); }
 
@@ -234,47 +158,135 @@ private slots:
         QCOMPARE(lineAndColumn("ab\n", 99), QString("2:1"));
     }
 
-    void keysAreFoundInEveryCorner() {
-        const QByteArray json = R"({ "a" : [ {"b":"}, \" :"}, [], {}, 1 ] , "c\u0041": { "d" : null },"e":true})";
-        QStringList paths;
-        for (const JsonKey& key : jsonKeys(json)) {
-            paths << key.path();
-            QCOMPARE(json[key.key_offset], '"');
-        }
-        QCOMPARE(paths, QStringList({"a", "a[0].b", "cA", "cA.d", "e"}));
-        QVERIFY(jsonKeys("{}").empty());
-        QVERIFY(jsonKeys("[]").empty());
-    }
+    void keysAreFoundInEveryCorner();
 
-    void everyKeyKeepsItsPlace() {
-        const auto mission =
-            readMission("{ \"name\": \"\xc3\xa4\",\n  " + area + ",\n\"parameters\":\n {\"lanes\":  3}}", "m.json");
-        QVERIFY(mission.has_value());
-        QCOMPARE(mission->places.at("name").key, std::string("m.json:1:3"));
-        QCOMPARE(mission->places.at("name").value, std::string("m.json:1:11"));
-        QCOMPARE(mission->places.at("area").key, std::string("m.json:2:3"));
-        QCOMPARE(mission->places.at("area.y").value, std::string("m.json:2:25"));
-        QCOMPARE(mission->places.at("parameters.lanes").key, std::string("m.json:4:3"));
-        QCOMPARE(mission->places.at("parameters.lanes").value, std::string("m.json:4:13"));
-        const Error wrong{"it is wrong", "parameter lanes", "Mend it"};
-        QCOMPARE(atKey(*mission, "parameters.lanes", wrong).text(),
-                 std::string("m.json:4:3: parameter lanes: it is wrong. Mend it."));
-        QCOMPARE(atValue(*mission, "parameters.lanes", wrong).where, std::string("m.json:4:13"));
-        QCOMPARE(atValue(*mission, "start", wrong), wrong); // not in the file
-    }
+    void everyKeyKeepsItsPlace();
 
-    void aHundredThousandKeysAreReadAtOnce() {
-        QByteArray json = "{\"name\": \"a\", " + area + ", \"parameters\": {\"first\": 0";
-        for (int i = 0; i < 100000; ++i)
-            json += ",\"" + QByteArray::number(i, 36) + "\":" + QByteArray::number(i % 10);
-        QElapsedTimer timer;
-        timer.start();
-        const auto mission = readMission(json + "}}", "m.json");
-        QVERIFY(mission.has_value());
-        QCOMPARE(mission->parameters.size(), std::size_t(100001));
-        QVERIFY2(timer.elapsed() < 60'000, qPrintable(QString::number(timer.elapsed()))); // it was minutes
-    }
+    void aHundredThousandKeysAreReadAtOnce();
 };
+
+void tst_MissionFile::takesEveryKey() {
+    const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
+    "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1,
+    "faults": ["wind speed=4", "rotor from=60"],
+    "isolate": true})",
+                                     "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->world, std::string("b"));
+    QCOMPARE(mission->robot_class, std::string("USARBot.C"));
+    QCOMPARE(mission->start, std::string("d"));
+    QCOMPARE(mission->behavior, std::string("e"));
+    QCOMPARE(mission->cell_size_m, 0.1);
+    QVERIFY(mission->isolate);
+    QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
+}
+
+void tst_MissionFile::aPlanLiesBesideItsMission() {
+    QFETCH(QString, written);
+    QFETCH(QString, mission);
+    QFETCH(QString, expected);
+    QByteArray json = smallest;
+    json.insert(json.size() - 1, ", \"plan\": \"" + written.toUtf8() + '"');
+    const auto read = readMission(json, mission);
+    QVERIFY2(read.has_value(), read ? "" : read.error().text().c_str());
+    QCOMPARE(QString::fromStdString(read->plan), expected);
+    QVERIFY(readMission(smallest, mission)->plan.empty());
+}
+
+void tst_MissionFile::parametersKeepTheirTypes() {
+    QByteArray json = smallest;
+    json.insert(json.size() - 1, R"(, "parameters": {"a_m": 6.5, "count": 3, "on": true, "mode": "slow", "f_m": -2})");
+    const auto mission = readMission(json, "m.json");
+    QVERIFY(mission.has_value());
+    const std::map<std::string, agent::ParameterValue> expected{
+        {"a_m", 6.5}, {"count", 3LL}, {"on", true}, {"mode", std::string("slow")}, {"f_m", -2LL}};
+    QVERIFY(mission->parameters == expected);
+}
+
+void tst_MissionFile::rejectsUnfitKeysAndSaysWhere_data() {
+    addRefusalColumns();
+    const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
+    refused("nothing", "", "m.json:1:1", "not JSON", "");
+    refused("comma missing", "{\n  \"name\": \"a\"\n  \"world\": \"b\"\n}", "m.json:3:", "not JSON", "comma");
+    refused("a list", "[1]", "m.json:1:1", "object in braces", "{");
+    refused("misspelt key", good + ",\n  \"behaviour\": \"e\"\n}", "m.json:4:3", "\"behaviour\"", "\"behavior\"");
+    refused("misspelt key of the area", R"({"name": "a", "area": {"x": 0, "widht": 60}})", "m.json:1:32", "\"widht\"",
+            "\"width\"");
+    refused("key given twice", good + ",\n  \"name\": \"b\"}", "m.json:4:3", "twice", "one");
+    refused("parameter given twice", good + ",\n\"parameters\": {\"a\": 1, \"a\": 2}}", "m.json:4:24", "twice", "one");
+    refused("name missing", "{" + area + "}", "m.json:1:1", "\"name\" is missing", "add");
+    refused("height missing", R"({"name": "a", "area": {"x": 0, "y": 0, "width": 60}})", "m.json:1:23",
+            "\"height\" is missing in \"area\"", "add");
+}
+
+void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
+    addRefusalColumns();
+    const QByteArray good = "{\n  \"name\": \"a\",\n  " + area;
+    const auto withArea = [](const QByteArray& members) { return R"({"name": "a", "area": {)" + members + "}}"; };
+    refused("name is a number", "{\n\"name\": 7, " + area + "}", "m.json:2:9", "not a text", "quotes");
+    refused("name is empty", R"({"name": " ", )" + area + "}", "m.json:1:10", "not a text", "empty");
+    refused("area is a list", R"({"name": "a", "area": [0, 0, 60, 40]})", "m.json:1:23", "not an object", "braces");
+    refused("number in quotes", withArea(R"("x": "0", "y": 0, "width": 6, "height": 4)"), "m.json:1:29",
+            "\"x\" is not a number", "without quotes");
+    refused("area without width", withArea("\"x\": 0, \"y\": 0,\n\"width\": 0, \"height\": 4"), "m.json:2:10",
+            "no size", "\"width\"");
+    refused("negative height", withArea("\"x\": 0, \"y\": 0, \"width\": 4,\n\"height\": -4"), "m.json:2:11", "no size",
+            "\"height\"");
+    refused("width not a number", withArea(R"("x": 0, "y": 0, "width": NaN, "height": 4)"), "m.json:1:", "not JSON",
+            "");
+    refused("area beyond every world", withArea(R"("x": 1e7, "y": 0, "width": 4, "height": 4)"), "m.json:1:23",
+            "further away", "origin");
+    refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
+    refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "metres");
+    refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
+            "\"lanes\" is no parameter", "number");
+    refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");
+    refused("isolation is a text", good + ",\n\"isolate\": \"yes\"}", "m.json:4:12", "neither true nor false",
+            "without quotes");
+    refused("a fault is a number", good + ",\n\"faults\": [1]}", "m.json:4:11", "not a text", "quotes");
+    refused("parameters are a text", good + ",\n\"parameters\": \"fast\"}", "m.json:4:15", "not an object", "braces");
+}
+
+void tst_MissionFile::keysAreFoundInEveryCorner() {
+    const QByteArray json = R"({ "a" : [ {"b":"}, \" :"}, [], {}, 1 ] , "c\u0041": { "d" : null },"e":true})";
+    QStringList paths;
+    for (const JsonKey& key : jsonKeys(json)) {
+        paths << key.path();
+        QCOMPARE(json[key.key_offset], '"');
+    }
+    QCOMPARE(paths, QStringList({"a", "a[0].b", "cA", "cA.d", "e"}));
+    QVERIFY(jsonKeys("{}").empty());
+    QVERIFY(jsonKeys("[]").empty());
+}
+
+void tst_MissionFile::everyKeyKeepsItsPlace() {
+    const auto mission =
+        readMission("{ \"name\": \"\xc3\xa4\",\n  " + area + ",\n\"parameters\":\n {\"lanes\":  3}}", "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->places.at("name").key, std::string("m.json:1:3"));
+    QCOMPARE(mission->places.at("name").value, std::string("m.json:1:11"));
+    QCOMPARE(mission->places.at("area").key, std::string("m.json:2:3"));
+    QCOMPARE(mission->places.at("area.y").value, std::string("m.json:2:25"));
+    QCOMPARE(mission->places.at("parameters.lanes").key, std::string("m.json:4:3"));
+    QCOMPARE(mission->places.at("parameters.lanes").value, std::string("m.json:4:13"));
+    const Error wrong{"it is wrong", "parameter lanes", "Mend it"};
+    QCOMPARE(atKey(*mission, "parameters.lanes", wrong).text(),
+             std::string("m.json:4:3: parameter lanes: it is wrong. Mend it."));
+    QCOMPARE(atValue(*mission, "parameters.lanes", wrong).where, std::string("m.json:4:13"));
+    QCOMPARE(atValue(*mission, "start", wrong), wrong); // not in the file
+}
+
+void tst_MissionFile::aHundredThousandKeysAreReadAtOnce() {
+    QByteArray json = "{\"name\": \"a\", " + area + ", \"parameters\": {\"first\": 0";
+    for (int i = 0; i < 100000; ++i)
+        json += ",\"" + QByteArray::number(i, 36) + "\":" + QByteArray::number(i % 10);
+    QElapsedTimer timer;
+    timer.start();
+    const auto mission = readMission(json + "}}", "m.json");
+    QVERIFY(mission.has_value());
+    QCOMPARE(mission->parameters.size(), std::size_t(100001));
+    QVERIFY2(timer.elapsed() < 60'000, qPrintable(QString::number(timer.elapsed()))); // it was minutes
+}
 
 USAR_TEST(tst_MissionFile)
 

@@ -1,10 +1,11 @@
 // Adds a sensor as anybody would, by a file and a row of the table, and uses it everywhere a known one is used. The row
-// is put into a copy of the table, with which the protocol core and the modules are built once more.
+// is put into a copy of the table, with which core/protocol and core/modules are built once more.
 #include <QTest>
 
 #include "core/modules/queued_sensor.h"
 #include "core/modules/sensor.h"
 #include "core/modules/specific_sensor.h"
+#include "core/protocol/command_grammar.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/reader.h"
 #include "core/protocol/writer.h"
@@ -26,6 +27,7 @@ private slots:
     void isListedForPanelsAndPlots();
     void isWrittenByAServer();
     void isFiledByTheModules();
+    void isOfferedToWhoeverAsks();
     void theOthersStayAsTheyAre();
 };
 
@@ -66,6 +68,12 @@ void tst_NewSensor::isFiledByTheModules() {
     QCOMPARE(newest.newest<GeigerReading>("G1")->time.count(), 4.5);
     QCOMPARE(queued.takeAll<GeigerReading>("G1").size(), std::size_t(1));
     QCOMPARE(geiger.newest()->value.dose_gy, 0.25);
+}
+
+void tst_NewSensor::isOfferedToWhoeverAsks() {
+    const std::vector<Completion> offered = completionsAt("GETGEO {Type gei", 16);
+    QCOMPARE(offered.size(), std::size_t(1));
+    QCOMPARE(offered[0].text, std::string("Geiger"));
 }
 
 void tst_NewSensor::theOthersStayAsTheyAre() {
