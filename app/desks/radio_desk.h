@@ -4,8 +4,6 @@
 #include <map>
 #include <utility>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "core/mission/fleet/radio_watch.h"
 
@@ -13,14 +11,13 @@ namespace usar::app {
 
 /// While there are at least two radios, asks the wireless server that belongs to the connected server for their signal
 /// strengths. GUI thread.
-class RadioDesk : public QObject {
+class RadioDesk : public Desk {
     Q_OBJECT
 public:
-    explicit RadioDesk(const DeskContext& context);
+    using Desk::Desk;
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
 
 private:
     using Pair = std::pair<QString, QString>;
@@ -35,7 +32,6 @@ private:
     /// Says in the empty dock why there are no links, and what helps.
     void explainEmptiness();
 
-    DeskContext desk_;
     mission::RadioWatch watch_;
     server::ChannelPorts ports_;  ///< ports of the embedded simulator
     QStringList robots_;          ///< names of all live robots

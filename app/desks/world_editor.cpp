@@ -67,11 +67,7 @@ protocol::Token tokenOf(const QString& name) {
 } // namespace
 
 WorldEditor::WorldEditor(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , selection_(context.selection)
-    , commands_(context.commands)
-    , notices_(context.notices)
+    : Desk(context)
     , inventory_(sizeOfKind)
     , deleted_([this](const protocol::Command& command) { send(command); },
                [this](const std::string& name) { return inventory_.creationOf(name); }) {
@@ -79,17 +75,54 @@ WorldEditor::WorldEditor(const DeskContext& context)
     views_.world->setKinds(palette());
 }
 
+void WorldEditor::registerCommands() {
+    const auto one = [this] { return selected() != nullptr; };
+    add("world.turn_left", one, [this] { turn(radians(15.0)); });
+    add("world.turn_right", one, [this] { turn(radians(-15.0)); });
+    add("world.spin", one, [this] { spin(); });
+    add("world.delete", one, [this] { remove(selected_); });
+    add(
+        "world.delete_all", [this] { return !shown_.empty(); }, [this] { removeAll(); });
+    add(
+        "world.undo", [this] { return deleted_.canUndo() && port_ != 0; },
+        [this] {
+            deleted_.undo();
+            commands_.refresh();
+        });
+    add(
+        "world.redo", [this] { return deleted_.canRedo() && port_ != 0; },
+        [this] {
+            deleted_.redo();
+            commands_.refresh();
+        });
+    registerWayCommands();
+}
+
+void WorldEditor::registerWayCommands() {
+    const auto one = [this] { return selected() != nullptr; };
+    const auto has_way = [this] { return selected() && !selected()->waypoints_in_map_m.empty(); };
+    const auto can_go = [this, has_way] { return has_way() || (selected() && selected()->carries); };
+    add("world.waypoints", one, [this](bool on) {
+        views_.map->setTool(on ? MapTool::Waypoint : MapTool::Pan);
+        if (on)
+            views_.map->setFocus(); // So that it receives Escape.
+    });
+    add("world.clear_way", has_way, [this] { clearWay(); });
+    add("world.go", can_go, [this] { follow(true); });
+    add("world.halt", can_go, [this] { follow(false); });
+}
+
 void WorldEditor::wire() {
     const auto actions = [this](std::initializer_list<const char*> ids) {
         std::vector<QAction*> found;
         for (const char* id : ids)
-            found.push_back(*id ? commands_.action(id) : nullptr);
+            found.push_back(*id ? action(id) : nullptr);
         return found;
     };
     views_.world->setActions(actions({"world.turn_left", "world.turn_right", "world.spin", "", "world.undo",
                                       "world.delete", "world.delete_all"}),
                              actions({"world.waypoints", "world.clear_way", "world.go", "world.halt"}),
-                             commands_.action("robot.trace"));
+                             action("robot.trace"));
     connect(&control_, &MissionControl::linkChanged, this, &WorldEditor::setServer);
     connect(&control_, &MissionControl::worldKnown, this, &WorldEditor::setWorld);
     connect(&link_, &mission::WorldLink::changed, this, &WorldEditor::show);
@@ -125,7 +158,7 @@ void WorldEditor::wireMap() {
     connect(views_.map, &widgets::MapView::toolChanged, this, [this](MapTool tool) {
         if (tool != MapTool::Place)
             views_.world->disarm();
-        commands_.action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
+        action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
     });
 }
 

@@ -39,6 +39,10 @@ public:
     /// Returns the robots that plugins can drive, followed by the embedded simulator's other robots, which can only be
     /// driven by commands.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
+    /// Names of all robots on the server; replays are left out.
+    QStringList liveNames() const;
+    /// True if a behavior of ours runs on any robot.
+    bool anyRunning() const;
     /// Sets the pace of the embedded simulator; a real server's time cannot be controlled.
     void setPace(server::Pace pace, double factor);
     /// Injects faults into the embedded simulator; their times count from now. An error names the first text that is

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/usual_values.h"
@@ -12,29 +13,9 @@ namespace usar::app {
 
 namespace {
 
-/// True for a replay of which nothing has been played.
-bool notBegun(const RobotView& view) {
-    return !view.recording.isEmpty() && view.figures.lines_received == 0;
-}
-
 widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
-            view.link.state != link::LinkState::Connected && !notBegun(view),
-            protocol::isStation(view.spawn.class_name)};
-}
-
-QString stateText(const RobotView& view) {
-    if (notBegun(view))
-        return QObject::tr("not begun");
-    if (view.link.state != link::LinkState::Connected)
-        return QObject::tr("no link");
-    if (view.finished)
-        return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
-    if (view.figures.behavior_running && view.status)
-        return QString::fromStdString(view.status->state);
-    if (view.figures.spawned)
-        return protocol::isStation(view.spawn.class_name) ? QObject::tr("listens") : QObject::tr("idle");
-    return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
+            mission::isStale(view), protocol::isStation(view.spawn.class_name)};
 }
 
 /// Returns the newest message of a type in this update, or nullptr.
@@ -61,20 +42,6 @@ bool silent(const std::optional<Seconds>& heard, Seconds now) {
     return heard && now - *heard > patience;
 }
 
-QString wordFor(const mission::ControlState& state) {
-    if (!state.held)
-        return {};
-    switch (*state.held) {
-    case mission::HandSource::Keys:
-        return QObject::tr("keys");
-    case mission::HandSource::Pad:
-        return QObject::tr("pad");
-    case mission::HandSource::Gamepad:
-        break;
-    }
-    return state.device.empty() ? QObject::tr("gamepad") : QString::fromStdString(state.device);
-}
-
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
 /// kind.
 widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
@@ -92,7 +59,7 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
     if (robot->isReplay() || state.reins == mission::Reins::Nobody)
         return {nameOf(*robot), Driver::Nobody, {}};
     if (state.reins == mission::Reins::Hand)
-        return {nameOf(*robot), Driver::Person, wordFor(state)};
+        return {nameOf(*robot), Driver::Person, mission::deviceText(state)};
     const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
 }
@@ -146,8 +113,8 @@ void RobotPresenter::showRow(int id) {
     row.number = id;
     row.name = QString::fromStdString(view.spawn.robot_name);
     row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
-    row.state = view.recording.isEmpty() ? stateText(view) : QObject::tr("replay · %1").arg(stateText(view));
-    row.stale = view.link.state != link::LinkState::Connected && !notBegun(view);
+    row.state = mission::stateText(view);
+    row.stale = mission::isStale(view);
     row.driver = controlWords(control_, robot);
     if (view.status && view.status->battery_used_pct)
         row.battery_pct = 100.0 - *view.status->battery_used_pct;
