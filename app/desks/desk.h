@@ -13,7 +13,7 @@ namespace usar::app {
 /// The window owns all of these objects and every desk; they outlive the desks.
 struct DeskContext {
     MissionControl& control;
-    WindowViews& views;
+    widgets::WindowViews& views;
     widgets::CommandRegistry& commands;
     Selection& selection;
     NoticeDesk& notices;
@@ -83,7 +83,7 @@ protected:
     }
 
     MissionControl& control_;
-    WindowViews& views_;
+    widgets::WindowViews& views_;
     widgets::CommandRegistry& commands_;
     Selection& selection_;
     NoticeDesk& notices_;

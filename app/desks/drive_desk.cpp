@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/views/robot_presenter.h"
+#include "app/desks/robot_presenter.h"
 #include "core/mission/fleet/robot_words.h"
 #include "core/mission/hand/hand_cause.h"
 #include "core/protocol/commands/spawn.h"
@@ -53,7 +53,7 @@ void DriveDesk::wire() {
     connectUpdates([this](const mission::SessionUpdate& update) { take(update); });
     connect(&control_, &MissionControl::robotLinkChanged, this, &DriveDesk::refresh);
     connect(views_.driver, &widgets::ControlBadge::clicked, this, [this] { raise(views_.drive_dock); });
-    connect(&gamepad_, &Gamepad::plugged, this,
+    connect(&gamepad_, &widgets::Gamepad::plugged, this,
             [this](const QString& name) { notices_.note("gamepad", tr("The gamepad %1 is plugged in.").arg(name)); });
 }
 
@@ -155,21 +155,22 @@ void DriveDesk::stopRobot() {
 }
 
 void DriveDesk::wireGamepad() {
-    connect(&gamepad_, &Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
-    connect(&gamepad_, &Gamepad::unplugged, this, [this](const QString& name) {
+    connect(&gamepad_, &widgets::Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
+    connect(&gamepad_, &widgets::Gamepad::unplugged, this, [this](const QString& name) {
         if (requests_.isHeld(HandSource::Gamepad))
             letGo(tr("the gamepad %1 was unplugged").arg(name));
         ask(HandSource::Gamepad, {});
         showGamepad();
     });
-    connect(&gamepad_, &Gamepad::plugged, this, &DriveDesk::showGamepad);
-    connect(&gamepad_, &Gamepad::stopPressed, this, [this] { letGo(tr("the gamepad's stop button was pressed")); });
-    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken()); });
+    connect(&gamepad_, &widgets::Gamepad::plugged, this, &DriveDesk::showGamepad);
+    connect(&gamepad_, &widgets::Gamepad::stopPressed, this,
+            [this] { letGo(tr("the gamepad's stop button was pressed")); });
+    connect(&gamepad_, &widgets::Gamepad::takePressed, this, [this] { requestControl(!taken()); });
     showGamepad();
 }
 
 void DriveDesk::showGamepad() {
-    if (!Gamepad::supported())
+    if (!widgets::Gamepad::supported())
         return views_.drive->setGamepad(tr("Gamepad: this program was built without SDL 2."));
     views_.drive->setGamepad(gamepad_.name().isEmpty() ? tr("Gamepad: none plugged in")
                                                        : tr("Gamepad: %1").arg(gamepad_.name()));

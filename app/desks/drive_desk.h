@@ -5,10 +5,10 @@
 #include <QTimer>
 
 #include "app/desks/desk.h"
-#include "app/host/gamepad.h"
 #include "core/mission/hand/hand_requests.h"
 #include "core/mission/session/velocity_watch.h"
 #include "widgets/drive/drive_keys.h"
+#include "widgets/drive/gamepad.h"
 
 namespace usar::app {
 
@@ -29,7 +29,7 @@ public:
     bool taken() const { return requests_.taken(); }
     double speedShare() const; ///< 0..1 of the robot's top speed
     void setSpeedShare(double share);
-    Gamepad& gamepad() { return gamepad_; }
+    widgets::Gamepad& gamepad() { return gamepad_; }
 
 signals:
     /// Simulated time should run in real time, because nobody can drive by hand at another pace.
@@ -57,7 +57,7 @@ private:
     void show();
 
     widgets::DriveKeys keys_;
-    Gamepad gamepad_;
+    widgets::Gamepad gamepad_;
     QTimer beat_; ///< repeats the requests of deflected devices
     mission::HandRequests requests_;
     mission::VelocityWatch velocity_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/desks/desk.h"
-#include "app/views/robot_presenter.h"
+#include "app/desks/robot_presenter.h"
 
 namespace usar::app {
 

@@ -21,7 +21,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     : QMainWindow(parent)
     , options_(options)
     , commands_(this)
-    , views_(makeViews(*this))
+    , views_(widgets::makeViews(*this))
     , plugins_(desk_, options.plugin_folders.isEmpty() ? server::pluginFolders() : options.plugin_folders)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {

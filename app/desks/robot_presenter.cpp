@@ -1,4 +1,4 @@
-#include "app/views/robot_presenter.h"
+#include "app/desks/robot_presenter.h"
 
 #include <utility>
 
