@@ -9,13 +9,13 @@
 #include <QJsonDocument>
 
 #include "app/cli/verbs.h"
-#include "app/host/quit_signals.h"
 #include "app/host/true_figures.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/mission/reports/refused_run.h"
 #include "core/mission/session/mission_runner.h"
 #include "core/server/embedded/program_files.h"
+#include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
 
 namespace {
@@ -98,8 +98,8 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
     if (*simulator)
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
-    app::QuitSignals signals_;
-    QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
+    server::QuitSignals signals_;
+    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();
     const int exit_code = QCoreApplication::exec();
     tell(bar.say(runner.summary()["reason"].toString().toStdString()));

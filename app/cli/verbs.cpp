@@ -9,12 +9,12 @@
 #include <QJsonDocument>
 #include <QTimer>
 
-#include "app/host/quit_signals.h"
 #include "core/base/numbers.h"
 #include "core/mission/reports/verbs.h"
 #include "core/mission/session/mission_runner.h"
 #include "core/mission/session/replay_runner.h"
 #include "core/server/embedded/program_files.h"
+#include "core/server/embedded/quit_signals.h"
 
 namespace usar::app {
 
@@ -40,8 +40,8 @@ int replay(const mission::ReplayOptions& options) {
         complain(options.file.toStdString() + ": " + complaint);
     mission::ReplayRunner runner(*std::move(recording), options);
     QObject::connect(&runner, &mission::ReplayRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
-    QuitSignals signals_;
-    QObject::connect(&signals_, &QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
+    server::QuitSignals signals_;
+    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
     QTimer progress;
     QObject::connect(&progress, &QTimer::timeout, [&runner] {
         const link::ReplayFigures figures = runner.figures();

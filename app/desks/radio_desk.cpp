@@ -3,18 +3,9 @@
 #include <algorithm>
 
 #include "core/protocol/commands/spawn.h"
-#include "widgets/models/figures.h"
 #include "widgets/style/empty_state.h"
 
 namespace usar::app {
-
-namespace {
-
-QString keyOf(const QString& a, const QString& b) {
-    return QStringLiteral("radio/%1/%2").arg(a, b);
-}
-
-} // namespace
 
 void RadioDesk::registerCommands() {
     const auto has_place = [this] { return connected_ && !control_.startPoses().empty(); };
@@ -98,41 +89,14 @@ void RadioDesk::take(const link::RadioStrengths& strengths) {
     std::vector<widgets::RadioLink> links;
     for (const link::RadioStrength& strength : strengths)
         links.push_back({strength.a, strength.b, strength.strength_dbm});
-    for (const widgets::RadioLink& link : links)
-        tell(link);
-    std::erase_if(linked_, [&](const auto& one) {
-        const bool gone = !robots_.contains(one.first.first) || !robots_.contains(one.first.second);
-        if (gone && !one.second)
-            notices_.cure(keyOf(one.first.first, one.first.second));
-        return gone;
-    });
+    for (const auto& [key, reason] : losses_.take(links, robots_)) {
+        if (reason.isEmpty())
+            notices_.cure(key);
+        else
+            notices_.say(Severity::Warning, key, reason);
+    }
     views_.radio->take(links);
     views_.map->setRadioLinks(links);
-}
-
-/// Reports a lost link once, and cures the notice when the link is back.
-void RadioDesk::tell(const widgets::RadioLink& link) {
-    const bool linked = link.strength_dbm && *link.strength_dbm >= widgets::radio_cutoff_dbm;
-    const auto known = linked_.find({link.a, link.b});
-    if (known == linked_.end()) {
-        if (linked) // A pair that was never linked has lost nothing.
-            linked_[{link.a, link.b}] = true;
-        return;
-    }
-    if (std::exchange(known->second, linked) == linked)
-        return;
-    const QString key = keyOf(link.a, link.b);
-    if (linked)
-        return notices_.cure(key);
-    const QString reason = link.strength_dbm
-                               ? tr("%1 and %2 have lost their radio link: %3 dBm, and %4 dBm are needed. Bring them "
-                                    "closer together, or out from behind what stands between.")
-                                     .arg(link.a, link.b, widgets::figure(*link.strength_dbm, 1),
-                                          widgets::figure(widgets::radio_cutoff_dbm, 0))
-                               : tr("%1 and %2 do not hear each other any more: one of them has left the world, or its "
-                                    "battery is empty. Look at their states in the list of robots.")
-                                     .arg(link.a, link.b);
-    notices_.say(Severity::Warning, key, reason);
 }
 
 void RadioDesk::explainEmptiness() {

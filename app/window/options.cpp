@@ -4,24 +4,17 @@
 
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/server/embedded/simulator_settings.h"
 
 namespace usar::app {
 
 namespace {
 
-Result<quint16> portFrom(const QString& text, const std::string& option) {
-    bool ok = false;
-    const uint port = text.toUInt(&ok);
-    if (!ok || port > 65535)
-        return failure("\"" + text.toStdString() + "\" is no port", option, "Give 0 to 65535");
-    return static_cast<quint16>(port);
-}
-
 Result<void> readServer(const QString& text, ServerTarget& server) {
     const int colon = static_cast<int>(text.lastIndexOf(':'));
     if (colon <= 0)
         return failure("\"" + text.toStdString() + "\" is no host and port", "--connect", "Write host:port");
-    const auto port = portFrom(text.mid(colon + 1), "--connect");
+    const auto port = server::readPort(text.mid(colon + 1), "connect");
     if (!port)
         return tl::unexpected(port.error());
     server.embedded = false;
@@ -36,18 +29,17 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
     server.simulator.seed = parser.value("seed").toULongLong(&ok);
     if (!ok)
         return failure("\"" + parser.value("seed").toStdString() + "\" is no seed", "--seed", "Give a whole number");
-    const auto port = portFrom(parser.value("port"), "--port");
-    if (!port)
-        return tl::unexpected(port.error());
-    server.simulator.port = *port;
+    for (const auto& [option, number] :
+         {std::pair("port", &server.simulator.port), std::pair("wireless-port", &server.simulator.channels.wireless)}) {
+        const auto port = server::readPort(parser.value(option), option);
+        if (!port)
+            return tl::unexpected(port.error());
+        *number = *port;
+    }
     auto faults = server::readFaults(parser.values("fault"));
     if (!faults)
         return tl::unexpected(faults.error());
     server.simulator.faults = *std::move(faults);
-    const auto wireless = portFrom(parser.value("wireless-port"), "--wireless-port");
-    if (!wireless)
-        return tl::unexpected(wireless.error());
-    server.simulator.channels.wireless = *wireless;
     return {};
 }
 

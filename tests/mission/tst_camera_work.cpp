@@ -69,7 +69,7 @@ void tst_CameraWork::theNextSetWaitsForTheAnswer() {
     QCOMPARE(desk.count<protocol::ZoomCamera>(), 1u);
     desk.hear("RES {Type Camera} {Name Left} {Status OK} {FOV 0.7}");
     QCOMPARE(desk.count<protocol::ZoomCamera>(), 2u); // only the newest of those that waited
-    QCOMPARE(std::get<protocol::ZoomCamera>(desk.sent.back()).fov_rad, 1.4);
+    QCOMPARE(std::get<protocol::ZoomCamera>(desk.sent.back()).field_of_view_rad, 1.4);
 }
 
 void tst_CameraWork::nothingIsSentToARobotThatIsGone() {
