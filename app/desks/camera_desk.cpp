@@ -2,6 +2,7 @@
 
 #include <QInputDialog>
 
+#include "core/mission/fleet/robot_words.h"
 #include "widgets/panels/file_choice.h"
 
 namespace usar::app {
@@ -149,37 +150,19 @@ void CameraDesk::showAbilities() {
     commands_.refresh();
 }
 
-QString CameraDesk::camerasHere() const {
-    const QStringList& classes = control_.world().camera_classes;
-    return classes.isEmpty() ? tr("Spawn a robot that has a camera.")
-                             : tr("Spawn a robot that has one: %1.").arg(classes.join(", "));
-}
-
 /// Returns true if there can be no picture; the view then says why, and what the user can do.
 bool CameraDesk::showWhatIsMissing() {
     const bool embedded = control_.server().embedded;
-    if (!robot()) {
-        view_.setEmpty(tr("No robot yet"),
-                       tr("Pictures of the selected robot's camera appear here. %1").arg(camerasHere()));
-    } else if (robot()->isReplay()) {
-        view_.setEmpty(tr("A recording has no pictures"), tr("Pictures come from a server while a robot runs."));
-    } else if (!live()) {
-        view_.setEmpty(tr("%1 is not there").arg(nameOf(*robot())), tr("Its pictures appear here once it is spawned."));
-    } else if (!hasCamera().value_or(true)) {
-        view_.setEmpty(tr("%1 has no camera").arg(nameOf(*robot())),
-                       tr("%1 carries none. %2").arg(classOf(*robot()), camerasHere()));
-    } else if (embedded && embedded_port_ == 0) {
-        view_.setEmpty(
-            tr("No image server"),
-            tr("The embedded simulator could not open a port for pictures. Disconnect, then connect again."));
-    } else {
-        if (feed_status_.state == link::ImageState::Waiting && view_.wantsPictures())
-            view_.setEmpty(tr("No image server"), feed_status_.reason, embedded ? nullptr : action("camera.port"));
-        else if (view_.isEmpty())
-            view_.setEmpty(tr("Waiting for the first picture"), {});
-        return false;
-    }
-    return true;
+    const auto [missing, hint] = mission::whyNoPicture(
+        robot() ? &robot()->view() : nullptr,
+        {live(), hasCamera().value_or(true), !embedded || embedded_port_ != 0, control_.world().camera_classes});
+    if (!missing.isEmpty())
+        view_.setEmpty(missing, hint);
+    else if (feed_status_.state == link::ImageState::Waiting && view_.wantsPictures())
+        view_.setEmpty(tr("No image server"), feed_status_.reason, embedded ? nullptr : action("camera.port"));
+    else if (view_.isEmpty())
+        view_.setEmpty(tr("Waiting for the first picture"), {});
+    return !missing.isEmpty();
 }
 
 void CameraDesk::take(const mission::SessionUpdate& update) {

@@ -44,8 +44,6 @@ private:
     /// Enables and checks the commands according to what the camera can do.
     void showAbilities();
     bool showWhatIsMissing();
-    /// A sentence that names the robots with a camera.
-    QString camerasHere() const;
     void chooseImagePort();
     void chooseWhereToSave();
 

@@ -12,17 +12,14 @@ namespace {
 /// Types of lines that a robot sends but that belong to no sensor.
 const QStringList no_sensors{"STA", "MISSTA", "GEO", "CONF", "RES", "NFO"};
 
-QString textOf(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 std::vector<widgets::FaultKindInfo> kindsOf(std::span<const sim::FaultDescription> kinds) {
     std::vector<widgets::FaultKindInfo> infos;
     for (const sim::FaultDescription& kind : kinds) {
-        widgets::FaultKindInfo info{textOf(kind.word), textOf(kind.help), kind.of_robot, kind.of_sensor, {}};
+        widgets::FaultKindInfo info{
+            QString::fromUtf8(kind.word), QString::fromUtf8(kind.help), kind.of_robot, kind.of_sensor, {}};
         for (const sim::FaultNumber& number : kind.numbers)
-            info.quantities.push_back({textOf(number.name), textOf(number.unit), number.smallest, number.largest,
-                                       number.usual, textOf(number.help)});
+            info.quantities.push_back({QString::fromUtf8(number.name), QString::fromUtf8(number.unit), number.smallest,
+                                       number.largest, number.usual, QString::fromUtf8(number.help)});
         infos.push_back(std::move(info));
     }
     return infos;

@@ -1,14 +1,11 @@
 #include "app/desks/message_desk.h"
 
 #include "widgets/panels/file_choice.h"
+#include "widgets/window/message_commands.h"
 
 namespace usar::app {
 
 void MessageDesk::registerCommands() {
-    const widgets::MessageActions& a = views_.messages->actions();
-    const auto adopt = [this](const QString& id, QAction* action, const QList<QKeySequence>& keys = {}) {
-        commands_.adopt({"messages." + id, action->text(), tr("Messages"), action->toolTip(), "", keys}, action);
-    };
     add("messages.find", [this] {
         raise(views_.messages_dock);
         views_.messages->focusSearch();
@@ -17,22 +14,7 @@ void MessageDesk::registerCommands() {
         raise(views_.messages_dock);
         views_.command_box->line()->setFocus(Qt::ShortcutFocusReason);
     });
-    adopt("pause", a.pause, {QKeySequence("F8")});
-    adopt("follow", a.follow, {QKeySequence("Ctrl+Shift+End")});
-    adopt("details", a.details, {QKeySequence("Ctrl+I")});
-    adopt("cause", a.cause, {QKeySequence("Ctrl+J")});
-    adopt("resend", a.resend, {QKeySequence("Ctrl+Shift+R")});
-    adopt("only_trouble", a.only_trouble, {QKeySequence("Ctrl+Shift+F")});
-    adopt("only_type", a.only_type);
-    adopt("hide_type", a.hide_type);
-    adopt("no_filter", a.no_filter, {QKeySequence("Ctrl+Shift+A")});
-    adopt("all_robots", a.all_robots);
-    adopt("copy", a.copy, {QKeySequence::Copy});
-    adopt("copy_text", a.copy_text, {QKeySequence("Ctrl+Shift+C")});
-    adopt("copy_json", a.copy_json);
-    adopt("copy_shown", a.copy_shown);
-    adopt("save", a.save);
-    adopt("clear", a.clear);
+    widgets::adoptMessageActions(commands_, views_.messages->actions());
     add("link.figures", [this] { views_.connection->openPanel(); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mission/fleet/robot_words.h"
 #include "core/mission/reports/run_report_text.h"
 #include "widgets/panels/file_choice.h"
 #include "widgets/panels/report_dialog.h"
@@ -125,14 +126,7 @@ void PlanRunDesk::backToNow() {
 }
 
 QString PlanRunDesk::whyNoLookBack() const {
-    const Robot* const shown = selection_.robot();
-    if (!shown)
-        return tr("No robot is selected");
-    if (shown->isReplay())
-        return tr("This is a replay: its slider moves map and sensors, too");
-    if (!shown->view().figures.recording)
-        return tr("This robot is not being recorded; Ctrl+Alt+R starts recording");
-    return {};
+    return mission::whyNoLookBack(robot() ? &robot()->view() : nullptr);
 }
 
 void PlanRunDesk::showLookBack() {

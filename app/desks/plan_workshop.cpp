@@ -84,18 +84,8 @@ void PlanWorkshop::load(const QString& path) {
     });
 }
 
-/// Returns the id of a behavior that is controlled by a plan: the chosen one, or else the first such behavior of the
-/// same robot. If there is none, returns the chosen one.
 std::string PlanWorkshop::plannedBehavior() const {
-    const auto& plugins = control_.plugins();
-    const std::string chosen = views_.behavior->behaviorId();
-    if (const auto* behavior = plugins.behavior(chosen); behavior && !behavior->plan_name.empty())
-        return chosen;
-    if (const auto* robot = plugins.robotOf(chosen))
-        for (const agent::BehaviorDescription& behavior : robot->behaviors)
-            if (!behavior.plan_name.empty())
-                return behavior.id;
-    return chosen;
+    return mission::plannedBehavior(views_.behavior->behaviorId(), control_.plugins());
 }
 
 void PlanWorkshop::openPlan(const QString& path) {

@@ -1,8 +1,6 @@
 #include "app/desks/radio_desk.h"
 
-#include <algorithm>
-
-#include "core/protocol/commands/spawn.h"
+#include "core/mission/fleet/station_place.h"
 #include "widgets/style/empty_state.h"
 
 namespace usar::app {
@@ -42,26 +40,11 @@ void RadioDesk::showOnMap(bool on) {
     views_.layers->setLayer(widgets::MapLayer::Radio, state);
 }
 
-/// Prefers a free start pose, because two stations on one pose would only hear each other well.
 void RadioDesk::spawnStation() {
-    const auto robots = control_.robots();
-    const auto& poses = control_.startPoses();
-    const auto is_free = [&](const protocol::StartPose& pose) {
-        return std::ranges::none_of(robots, [&](const Robot* robot) {
-            return robot->view().spawn.start_in_map.position_m.isApprox(pose.pose_in_map.position_m);
-        });
-    };
-    auto place = std::ranges::find_if(poses, is_free);
-    if (place == poses.end())
-        place = poses.begin();
-    const auto is_taken = [&](const std::string& name) {
-        return std::ranges::any_of(robots, [&](const Robot* robot) { return robot->view().spawn.robot_name == name; });
-    };
-    std::string name = "Base";
-    for (int number = 2; is_taken(name); ++number)
-        name = "Base" + std::to_string(number);
-    const auto id = control_.spawn({std::string(protocol::station_class), name, place->pose_in_map});
-    if (!id)
+    std::vector<mission::SpawnRequest> present;
+    for (const Robot* robot : control_.robots())
+        present.push_back(robot->view().spawn);
+    if (const auto id = control_.spawn(mission::stationRequest(control_.startPoses(), present)); !id)
         notices_.complain("spawn", id.error());
 }
 

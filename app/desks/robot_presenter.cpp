@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/mission/fleet/newest.h"
 #include "core/mission/fleet/robot_name.h"
 #include "core/mission/fleet/robot_words.h"
 #include "core/protocol/commands/spawn.h"
@@ -16,24 +17,6 @@ namespace {
 widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
             mission::isStale(view), protocol::isStation(view.spawn.class_name)};
-}
-
-/// Returns the newest message of a type in this update, or nullptr.
-template <class Message>
-const Message* newest(const mission::SessionUpdate& update) {
-    for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
-        if (const auto* message = std::get_if<Message>(&line->message))
-            return message;
-    return nullptr;
-}
-
-/// Returns the newest value of a type that the behavior published in this update, or nullptr.
-template <class Value>
-const Value* newestPublished(const mission::SessionUpdate& update) {
-    for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
-        if (const auto* found = std::get_if<Value>(&*value))
-            return found;
-    return nullptr;
 }
 
 /// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
@@ -127,7 +110,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     for (const agent::Published& published : update.published)
         if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
             views_.map->setRobot({name, view.id, estimate->base_in_map, false});
-    if (newestPublished<agent::CurrentGoal>(update))
+    if (mission::newestPublished<agent::CurrentGoal>(update))
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
         views_.map->setLaserHits(name, update.last_hits);
@@ -137,7 +120,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))
             views_.map->addMark(*mark);
-    if (const auto* path = newestPublished<agent::PlannedPath>(update))
+    if (const auto* path = mission::newestPublished<agent::PlannedPath>(update))
         views_.map->setLanes(path->points_in_map_m);
 }
 
@@ -151,15 +134,16 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         views_.status->setIdle(QObject::tr("Idle"));
     }
     views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
-    if (const auto* state = newest<protocol::RobotState>(update))
+    if (const auto* state = mission::newest<protocol::RobotState>(update))
         scan_plane_ = scanPlaneOf(state->kind);
-    if (const auto* scan = newest<protocol::RangeScan>(update))
+    if (const auto* scan = mission::newest<protocol::RangeScan>(update))
         views_.laser->setScan(*scan, protocol::usual_scanner_maximum_m, scan_plane_);
     if (update.ground)
         views_.terrain->setProfile(*update.ground);
-    if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
+    if (const auto* zones = mission::newestPublished<agent::SonarZones>(update)) {
         views_.sonars->setZones(*zones);
-    } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
+    } else if (const auto* sonars = mission::newest<protocol::SonarReadings>(update);
+               sonars && !view.figures.behavior_running) {
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
@@ -180,9 +164,9 @@ void RobotPresenter::showLinkState(int id) {
 }
 
 void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
-    if (newest<protocol::RangeScan>(update))
+    if (mission::newest<protocol::RangeScan>(update))
         scan_heard_ = update.figures.now;
-    if (newest<protocol::SonarReadings>(update))
+    if (mission::newest<protocol::SonarReadings>(update))
         sonar_heard_ = update.figures.now;
 }
 

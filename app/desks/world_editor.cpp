@@ -69,7 +69,7 @@ protocol::Token tokenOf(const QString& name) {
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
     , inventory_(sizeOfKind)
-    , deleted_([this](const protocol::Command& command) { send(command); },
+    , deleted_([this](const protocol::Command& command) { link_.send(command); },
                [this](const std::string& name) { return inventory_.creationOf(name); }) {
     setClasses();
     views_.world->setKinds(palette());
@@ -294,7 +294,7 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
     if (!created)
         return say(QString::fromStdString(created.error().text()));
     inventory_.useName(name);
-    send(*created);
+    link_.send(*created);
     awaited_ = QString::fromStdString(name);
     if (!again)
         views_.world->disarm();
@@ -303,18 +303,18 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
     if (const MapObject* const object = selected())
-        send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
+        link_.send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
 }
 
 void WorldEditor::turn(double angle_rad) {
     Pose shift;
     shift.yaw_rad = angle_rad;
-    send(protocol::ShiftObject{tokenOf(selected_), shift});
+    link_.send(protocol::ShiftObject{tokenOf(selected_), shift});
 }
 
 void WorldEditor::spin() {
     const bool spins = inventory_.toggleSpin(selected_.toStdString());
-    send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
+    link_.send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
 }
 
 void WorldEditor::remove(const QString& name) {
@@ -350,13 +350,13 @@ void WorldEditor::addWaypoint(const Vec2& at_m) {
     if (!object)
         return say(tr("Select an object first; then its way points are set by clicks on the map."));
     inventory_.addWaypoint(selected_.toStdString(), at_m);
-    send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
+    link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
     show();
 }
 
 void WorldEditor::clearWay() {
     inventory_.clearWay(selected_.toStdString());
-    send(protocol::ClearWaypoints{tokenOf(selected_)});
+    link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
     show();
 }
 
@@ -369,12 +369,8 @@ void WorldEditor::follow(bool moving) {
     const bool is_conveyor = object->carries;
     if ((has_way || !is_conveyor) && views_.map->tool() == MapTool::Waypoint)
         views_.map->setTool(MapTool::Pan);
-    send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
-                           {views_.world->speed_m_s(), views_.world->loop(), moving}));
-}
-
-void WorldEditor::send(const protocol::Command& command) {
-    link_.send(command);
+    link_.send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
+                                 {views_.world->speed_m_s(), views_.world->loop(), moving}));
 }
 
 void WorldEditor::say(const QString& text) {

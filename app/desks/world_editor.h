@@ -50,7 +50,6 @@ private:
     void addWaypoint(const Vec2& at_m);
     void clearWay();
     void follow(bool moving);
-    void send(const protocol::Command& command);
     void say(const QString& text);
     /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
     mission::GroundHeight ground() const;

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/mission/fleet/robot_words.h"
+#include "core/mission/fleet/station_place.h"
 #include "core/protocol/commands/spawn.h"
 #include "tests/suite/suite.h"
 
@@ -44,6 +45,10 @@ private slots:
     void theNoteSaysWhatToDoOrWhatIsWrong();
     void whatPreventsDrivingIsNamed_data();
     void whatPreventsDrivingIsNamed();
+    void whatPreventsPicturesIsNamed_data();
+    void whatPreventsPicturesIsNamed();
+    void onlyALiveRecordingCanBeLookedBackOn();
+    void aStationGetsAFreePlaceAndANewName();
 };
 
 void tst_RobotWords::theStateIsOneOrTwoWords_data() {
@@ -154,6 +159,54 @@ void tst_RobotWords::whatPreventsDrivingIsNamed() {
     QFETCH(RobotView, view);
     QTEST(whyNotDriven(&view).title, "title");
     QCOMPARE(whyNotDriven(nullptr).title, QString("No robot yet"));
+}
+
+void tst_RobotWords::whatPreventsPicturesIsNamed_data() {
+    QTest::addColumn<PictureFacts>("facts");
+    QTest::addColumn<QString>("title");
+    const PictureFacts good{true, true, true, {"AirRobot"}};
+    const auto but = [good](auto change) {
+        PictureFacts facts = good;
+        change(facts);
+        return facts;
+    };
+    QTest::newRow("nothing") << good << "";
+    QTest::newRow("not live") << but([](PictureFacts& facts) { facts.live = false; }) << "R1 is not there";
+    QTest::newRow("no camera") << but([](PictureFacts& facts) { facts.has_camera = false; }) << "R1 has no camera";
+    QTest::newRow("no server") << but([](PictureFacts& facts) { facts.has_server = false; }) << "No image server";
+}
+
+void tst_RobotWords::whatPreventsPicturesIsNamed() {
+    QFETCH(PictureFacts, facts);
+    const RobotView view = idleRobot();
+    QTEST(whyNoPicture(&view, facts).title, "title");
+    QVERIFY(whyNoPicture(nullptr, facts).hint.contains("AirRobot"));
+    const RobotView replay = changed([](RobotView& view) { view.recording = "R1.usarrec"; });
+    QCOMPARE(whyNoPicture(&replay, facts).title, QString("A recording has no pictures"));
+}
+
+void tst_RobotWords::onlyALiveRecordingCanBeLookedBackOn() {
+    RobotView view = idleRobot();
+    QVERIFY(!whyNoLookBack(nullptr).isEmpty());
+    QVERIFY(whyNoLookBack(&view).contains("not being recorded"));
+    view.figures.recording.emplace();
+    QCOMPARE(whyNoLookBack(&view), QString());
+    view.recording = "R1.usarrec";
+    QVERIFY(whyNoLookBack(&view).contains("replay"));
+}
+
+void tst_RobotWords::aStationGetsAFreePlaceAndANewName() {
+    protocol::StartPose first{"First", {}}, second{"Second", {}};
+    second.pose_in_map.position_m.x() = 5.0;
+    const SpawnRequest station = stationRequest({first, second}, {});
+    QCOMPARE(station.robot_name, std::string("Base"));
+    QCOMPARE(station.start_in_map.position_m.x(), 0.0);
+    const SpawnRequest next = stationRequest({first, second}, {station});
+    QCOMPARE(next.robot_name, std::string("Base2"));
+    QCOMPARE(next.start_in_map.position_m.x(), 5.0);
+    const SpawnRequest crowded = stationRequest({first, second}, {station, next});
+    QCOMPARE(crowded.robot_name, std::string("Base3"));
+    QCOMPARE(crowded.start_in_map.position_m.x(), 0.0);
 }
 
 USAR_TEST(tst_RobotWords)

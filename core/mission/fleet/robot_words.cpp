@@ -73,4 +73,34 @@ Absence whyNotDriven(const RobotView* view) {
     return {};
 }
 
+Absence whyNoPicture(const RobotView* view, const PictureFacts& facts) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    const QString remedy = facts.classes_with_camera.isEmpty()
+                               ? tr("Spawn a robot that has a camera.")
+                               : tr("Spawn a robot that has one: %1.").arg(facts.classes_with_camera.join(", "));
+    if (!view)
+        return {tr("No robot yet"), tr("Pictures of the selected robot's camera appear here. %1").arg(remedy)};
+    const QString name = QString::fromStdString(view->spawn.robot_name);
+    if (!view->recording.isEmpty())
+        return {tr("A recording has no pictures"), tr("Pictures come from a server while a robot runs.")};
+    if (!facts.live)
+        return {tr("%1 is not there").arg(name), tr("Its pictures appear here once it is spawned.")};
+    if (!facts.has_camera)
+        return {tr("%1 has no camera").arg(name),
+                tr("%1 carries none. %2").arg(QString::fromStdString(view->spawn.class_name).section('.', -1), remedy)};
+    if (!facts.has_server)
+        return {tr("No image server"),
+                tr("The embedded simulator could not open a port for pictures. Disconnect, then connect again.")};
+    return {};
+}
+
+QString whyNoLookBack(const RobotView* view) {
+    if (!view)
+        return QObject::tr("No robot is selected");
+    if (!view->recording.isEmpty())
+        return QObject::tr("This is a replay: its slider moves map and sensors, too");
+    return view->figures.recording ? QString()
+                                   : QObject::tr("This robot is not being recorded; Ctrl+Alt+R starts recording");
+}
+
 } // namespace usar::mission

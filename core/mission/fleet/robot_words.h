@@ -1,7 +1,7 @@
 // What the window says about a robot in a few words: its state, who drives it, and why it cannot be driven by hand.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include "core/mission/fleet/robot.h"
 
@@ -28,5 +28,16 @@ struct Absence {
 };
 /// Why the robot cannot be driven by hand. `view` null: no robot is selected.
 Absence whyNotDriven(const RobotView* view);
+/// What is known about the pictures of a robot's camera.
+struct PictureFacts {
+    bool live = false;               ///< the robot is spawned and connected, and no replay
+    bool has_camera = true;          ///< false: it is known to have none
+    bool has_server = true;          ///< false: the embedded simulator has no image server
+    QStringList classes_with_camera; ///< without package; empty: unknown
+};
+/// Why there can be no picture of the robot's camera. `view` null: no robot is selected.
+Absence whyNoPicture(const RobotView* view, const PictureFacts& facts);
+/// Why the recording of the running robot cannot be looked at; empty if it can. `view` null: no robot is selected.
+QString whyNoLookBack(const RobotView* view);
 
 } // namespace usar::mission
