@@ -43,8 +43,8 @@ void DriveDesk::registerCommands() {
     add(
         "drive.take", [this] { return drivable(); }, [this](bool on) { requestControl(on); });
     add("drive.stop", drives, [this] { letGo(tr("the user stopped it")); });
-    add("drive.faster", drives, [this] { setSpeedShare(speedShare() + speed_step); });
-    add("drive.slower", drives, [this] { setSpeedShare(speedShare() - speed_step); });
+    add("drive.faster", drives, [this] { setSpeedShare(views_.drive->speedShare() + speed_step); });
+    add("drive.slower", drives, [this] { setSpeedShare(views_.drive->speedShare() - speed_step); });
     show();
 }
 
@@ -59,10 +59,6 @@ void DriveDesk::wire() {
 
 bool DriveDesk::drivable() const {
     return mission::whyNotDriven(robot() ? &robot()->view() : nullptr).title.isEmpty();
-}
-
-double DriveDesk::speedShare() const {
-    return views_.drive->speedShare();
 }
 
 void DriveDesk::setSpeedShare(double share) {
@@ -127,7 +123,7 @@ void DriveDesk::ask(mission::HandSource source, const Stick& stick) {
 
 void DriveDesk::say(mission::HandSource source) {
     if (robot())
-        robot()->drive(requests_.intentOf(source, gamepad_.name().toStdString(), speedShare()));
+        robot()->drive(requests_.intentOf(source, gamepad_.name().toStdString(), views_.drive->speedShare()));
 }
 
 void DriveDesk::repeat() {

@@ -27,7 +27,7 @@ public:
 
     /// True if the user has requested control of the selected robot or has it.
     bool taken() const { return requests_.taken(); }
-    double speedShare() const; ///< 0..1 of the robot's top speed
+    /// `share`: 0..1 of the robot's top speed.
     void setSpeedShare(double share);
     widgets::Gamepad& gamepad() { return gamepad_; }
 
